@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <evalcts/accuracy/subject.h>
 #include <evalcts/capture/capture.h>
@@ -23,17 +24,29 @@ gl::Case commands_of(GLenum target, const Map& map, std::span<const float> u, st
   gl::Case c;
   const std::vector<float> points(map.points.begin(), map.points.end());
   const bool two_dimensional = !v.empty();
+  const auto end = [&](std::size_t i) { return static_cast<GLfloat>(map.domain[i]); };
   if (two_dimensional) {
-    c.Map2f(target, 0, 1, map.vorder * map.components, map.uorder, 0, 1, map.components, map.vorder, points);
+    c.Map2f(target, end(0), end(1), map.vorder * map.components, map.uorder, end(2), end(3), map.components,
+            map.vorder, points);
+    if (map.segments > 0) c.MapGrid2f(map.segments, end(0), end(1), map.segments, end(2), end(3));
   } else {
-    c.Map1f(target, 0, 1, map.components, map.uorder, points);
+    c.Map1f(target, end(0), end(1), map.components, map.uorder, points);
+    if (map.segments > 0) c.MapGrid1f(map.segments, end(0), end(1));
   }
+  const auto index = [&](float x, std::size_t i) {
+    return static_cast<GLint>(std::lround(part_of(x, map.domain[i], map.domain[i + 1]) * map.segments));
+  };
   c.Enable(target);
   // Without an enabled vertex map nothing comes out at all: the initial one is of order 1.
   if (attribute_of(target) != kPosition) c.Enable(two_dimensional ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3);
   c.Begin(GL_POINTS);
   for (std::size_t i = 0; i < u.size(); ++i) {
-    if (two_dimensional) {
+    if (map.segments > 0) {
+      if (two_dimensional)
+        c.EvalPoint2(index(u[i], 0), index(v[i], 2));
+      else
+        c.EvalPoint1(index(u[i], 0));
+    } else if (two_dimensional) {
       c.EvalCoord2f(u[i], v[i]);
     } else {
       c.EvalCoord1f(u[i]);

@@ -12,7 +12,9 @@ void Worst::keep(double other_error, const Input& other, float result, const ref
   *this = {other_error, other, result, reference::round_to_float(value), reference::describe(value)};
 }
 
-reference::Surface Input::surface() const { return {points.data(), vorder, 1, uorder, vorder, 0, 1, 0, 1}; }
+reference::Surface Input::surface() const {
+  return {points.data(), vorder, 1, uorder, vorder, domain[0], domain[1], domain[2], domain[3]};
+}
 
 std::size_t Errors::bin_of(double ulp) {
   int exponent = 0;

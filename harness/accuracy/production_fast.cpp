@@ -32,6 +32,7 @@ class ProductionFast final : public Subject {
   void evaluate(GLenum, const Map& map, std::span<const float> u, std::span<const float> v,
                 std::span<float> results) override {
     const bool two_dimensional = !v.empty();
+    if (map.domain != kUnitDomain) throw NotObservable("only maps over [0,1] are evaluated here");
     for (const std::span<const float> arguments : {u, v})
       for (const float x : arguments)
         if (x < 0 || x > 1 || std::ldexp(x, kLog2Segments) != std::floor(std::ldexp(x, kLog2Segments)))

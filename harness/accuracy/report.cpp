@@ -48,6 +48,12 @@ json to_json(const WorstResult& result) {
               {"got", float_as_json(worst.got)},
               {"right", float_as_json(worst.right)},
               {"exact", worst.exact}};
+  if (input.domain != kUnitDomain) {
+    const std::size_t ends = input.two_dimensional ? 4 : 2;
+    out["domain"] =
+        hex_as_json({input.domain.begin(), input.domain.begin() + static_cast<std::ptrdiff_t>(ends)});
+  }
+  if (input.segments > 0) out["segments"] = input.segments;
   if (!replay.empty()) out["replay"] = replay;
   return out;
 }
@@ -66,6 +72,12 @@ WorstResult worst_from(const json& in) {
     worst.input.vorder = orders.at(1);
     worst.input.v = static_cast<float>(hex_from(at.at(1)));
   }
+  if (in.contains("domain")) {
+    const std::vector<double> domain = hex_list_from(in.at("domain"));
+    std::copy_n(domain.begin(), std::min(domain.size(), worst.input.domain.size()),
+                worst.input.domain.begin());
+  }
+  worst.input.segments = in.value("segments", 0);
   worst.got = float_from(in.at("got"));
   worst.right = float_from(in.at("right"));
   in.at("exact").get_to(worst.exact);

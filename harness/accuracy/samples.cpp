@@ -19,7 +19,7 @@ std::vector<double> component_points(const Class& what, Random& random) {
     }
   };
   const auto as_float = [](double x) { return static_cast<double>(static_cast<float>(x)); };
-  if (what.data == "ordinary") {
+  if (what.data == "ordinary" || what.domain() != kUnitDomain || what.segments() > 0) {
     each([&](int, int) { return as_float(random.between(-1, 1)); });
   } else if (what.data == "integers") {
     each([&](int, int) { return static_cast<double>(random.below(19)) - 9; });
@@ -68,6 +68,21 @@ std::string Class::name() const {
                      : fmt::format("surface/{}x{}/{}", uorder, vorder, data);
 }
 
+Domain Class::domain() const {
+  if (data == "shifted") return {100, 101, -51, -50};
+  if (data == "reversed") return {5, -2, 3, -1};
+  if (data == "narrow") return {1, 1 + 0x1p-12, 0, 0x1p-12};
+  if (data == "huge") return {-0x1p40, 0x1.8p41, 0, 0x1.8p59};
+  return kUnitDomain;
+}
+
+int Class::segments() const { return data == "grid" ? 1 << 10 : 0; }
+
+float argument_at(double part, double first, double last) {
+  return static_cast<float>(std::fma(part, last - first, first));
+}
+double part_of(float argument, double first, double last) { return (argument - first) / (last - first); }
+
 void draw_points(Map& map, const Class& what, Random& random) {
   map.points.resize(static_cast<std::size_t>(map.uorder) * map.vorder * map.components);
   for (int k = 0; k < map.components; ++k) {
@@ -88,7 +103,7 @@ void vary_points(std::vector<double>& points, const Class& what, Random& random)
     const auto x = static_cast<float>(point);
     if (what.data == "integers") {
       point = static_cast<double>(random.below(19)) - 9;
-    } else if (what.data == "ordinary") {
+    } else if (what.data == "ordinary" || what.domain() != kUnitDomain || what.segments() > 0) {
       point = varied(x, -19, 20, random);
     } else if (what.data == "wide") {
       point = varied(x, -59, 120, random);

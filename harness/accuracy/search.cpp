@@ -16,8 +16,9 @@ constexpr int kPatience = 24;               // generations without a worse input
 // Numbers of their own for each climb, apart from those of the sample, whose items count from 0.
 constexpr std::uint64_t kFirstItem = std::uint64_t{1} << 40;
 
-float varied_argument(float u, Random& random) {
-  auto step = static_cast<std::uint64_t>(std::ldexp(static_cast<double>(u), 24));
+// The argument near to u, in a domain from first to last; on a grid, if it has segments.
+float varied_argument(float u, double first, double last, int segments, Random& random) {
+  auto step = static_cast<std::uint64_t>(std::lround(std::ldexp(part_of(u, first, last), 24)));
   switch (random.below(8)) {
     case 0:
       step = random.below(kSteps + 1);
@@ -32,7 +33,9 @@ float varied_argument(float u, Random& random) {
     default:
       step ^= std::uint64_t{1} << random.below(24);
   }
-  return std::ldexp(static_cast<float>(std::min(step, kSteps)), -24);
+  step = std::min(step, kSteps);
+  if (segments > 0) step -= step % (kSteps / static_cast<std::uint64_t>(segments));
+  return argument_at(std::ldexp(static_cast<double>(step), -24), first, last);
 }
 
 class Climb {
@@ -43,12 +46,7 @@ class Climb {
         target_(target_of(request.target, request.what.vorder > 0)),
         by_ulp_(by_ulp),
         random_(request.seed, item),
-        map_{request.what.uorder,
-             std::max(request.what.vorder, 1),
-             gl::components_of(target_),
-             true,
-             {0, 1, 0, 1},
-             {}} {}
+        map_(map_of(request)) {}
 
   // Number of results of the subject in one generation.
   std::uint64_t generation() const { return arguments_of_a_map(request_.what) * map_.components; }
@@ -81,13 +79,18 @@ class Climb {
   void restart() {
     draw_points(map_, request_.what, random_);
     current_ = {};
-    current_.input = {map_.uorder, map_.vorder, request_.what.vorder > 0, {}};
+    current_.input = {map_.uorder, map_.vorder,  request_.what.vorder > 0, {}, 0, 0,
+                      map_.domain, map_.segments};
     for (std::size_t i = 0; i < map_.points.size(); i += map_.components)
       current_.input.points.push_back(map_.points[i]);
-    current_.input.u = varied_argument(0.5F, random_);
-    if (current_.input.two_dimensional) current_.input.v = varied_argument(0.5F, random_);
+    current_.input.u = near_u(argument_at(0.5, map_.domain[0], map_.domain[1]));
+    if (current_.input.two_dimensional)
+      current_.input.v = near_v(argument_at(0.5, map_.domain[2], map_.domain[3]));
     waited_ = 0;
   }
+
+  float near_u(float u) { return varied_argument(u, map_.domain[0], map_.domain[1], map_.segments, random_); }
+  float near_v(float v) { return varied_argument(v, map_.domain[2], map_.domain[3], map_.segments, random_); }
 
   // Keeps the worst of the generation in `best`. The first component is the current polynomial.
   void neighbours(Worst& best) {
@@ -102,8 +105,8 @@ class Climb {
         map_.points[i * map_.components + k] = components[k].points[i];
     }
     std::vector<float> u(count), v(two_dimensional ? count : 0), results(count * map_.components);
-    for (float& x : u) x = varied_argument(current_.input.u, random_);
-    for (float& x : v) x = varied_argument(current_.input.v, random_);
+    for (float& x : u) x = near_u(current_.input.u);
+    for (float& x : v) x = near_v(current_.input.v);
     u[0] = current_.input.u;
     if (two_dimensional) v[0] = current_.input.v;
     subject_.evaluate(target_, map_, u, v, results);

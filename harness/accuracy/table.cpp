@@ -16,10 +16,13 @@ namespace {
 constexpr std::size_t kArguments = 256, kArgumentsOfLarge = 64;
 constexpr int kLarge = 200;  // control points
 
-// Mostly any multiple of 2^-24; one in sixteen of 1/16, where exact zeros and ties are.
-float random_argument(Random& random) {
-  if (random.once_in(16)) return static_cast<float>(random.below(17)) / 16;
-  return static_cast<float>(std::ldexp(static_cast<double>(random.below((1u << 24) + 1)), -24));
+// Mostly any multiple of 2^-24 from 0 to 1; one in sixteen of 1/16, where exact zeros and ties are. A point
+// of a grid, if there is one.
+double random_part(Random& random, int segments) {
+  if (segments > 0)
+    return static_cast<double>(random.below(static_cast<std::uint64_t>(segments) + 1)) / segments;
+  if (random.once_in(16)) return static_cast<double>(random.below(17)) / 16;
+  return std::ldexp(static_cast<double>(random.below((1u << 24) + 1)), -24);
 }
 
 }  // namespace
@@ -31,7 +34,17 @@ std::vector<Class> table_classes() {
     for (const std::string& kind : data) all.push_back({order, 0, kind});
   for (const auto& [u, v] : {std::pair{2, 2}, {4, 4}, {3, 8}, {30, 30}})
     for (const std::string& kind : data) all.push_back({u, v, kind});
+  for (const int vorder : {0, 4})
+    for (const char* kind : {"shifted", "reversed", "narrow", "huge", "grid"})
+      all.push_back({4, vorder, kind});
   return all;
+}
+
+Map map_of(const RowRequest& request) {
+  const Class& what = request.what;
+  const int components = gl::components_of(target_of(request.target, what.vorder > 0));
+  return {what.uorder, std::max(what.vorder, 1), components, true, request.domain.value_or(what.domain()),
+          {},          what.segments()};
 }
 
 std::size_t arguments_of_a_map(const Class& what) {
@@ -42,20 +55,20 @@ Errors measure(Subject& subject, const RowRequest& request, const std::atomic<bo
   const Class& what = request.what;
   const bool two_dimensional = what.vorder > 0;
   const GLenum target = target_of(request.target, two_dimensional);
-  const int vorder = std::max(what.vorder, 1);
   const std::size_t count = arguments_of_a_map(what);
-  Map map{what.uorder, vorder, gl::components_of(target), true, {0, 1, 0, 1}, {}};
+  Map map = map_of(request);
+  const auto& [u1, u2, v1, v2] = map.domain;
   const std::uint64_t maps = (request.values + count * map.components - 1) / (count * map.components);
   std::vector<float> u(count), v(two_dimensional ? count : 0), results(count * map.components);
   Errors errors;
   for (std::uint64_t item = 0; item < maps && !stop; ++item) {
     Random random(request.seed, item);
     draw_points(map, what, random);
-    for (float& x : u) x = random_argument(random);
-    for (float& x : v) x = random_argument(random);
+    for (float& x : u) x = argument_at(random_part(random, map.segments), u1, u2);
+    for (float& x : v) x = argument_at(random_part(random, map.segments), v1, v2);
     subject.evaluate(target, map, u, v, results);
     for (int k = 0; k < map.components; ++k) {
-      Input input{map.uorder, map.vorder, two_dimensional, {}};
+      Input input{map.uorder, map.vorder, two_dimensional, {}, 0, 0, map.domain, map.segments};
       for (std::size_t i = k; i < map.points.size(); i += map.components)
         input.points.push_back(map.points[i]);
       const reference::BernsteinForm exact(input.surface());
@@ -72,7 +85,7 @@ Errors measure(Subject& subject, const RowRequest& request, const std::atomic<bo
 
 float replay(Subject& subject, const std::string& target_name, const Input& input) {
   const GLenum target = target_of(target_name, input.two_dimensional);
-  Map map{input.uorder, input.vorder, gl::components_of(target), true, {0, 1, 0, 1}, {}};
+  Map map{input.uorder, input.vorder, gl::components_of(target), true, input.domain, {}, input.segments};
   for (const double point : input.points) map.points.insert(map.points.end(), map.components, point);
   std::vector<float> results(map.components);
   const std::vector<float> v(input.two_dimensional ? 1 : 0, input.v);

@@ -75,15 +75,21 @@ class Textbook final : public Subject {
             row[j] = static_cast<Real>(map.points[(i * map.vorder + j) * stride + k]);
           column[i] = v.empty() ? row[0]
                                 : polynomial_({row.data(), static_cast<std::size_t>(map.vorder)},
-                                              static_cast<Real>(v[a]));
+                                              fraction(v[a], map.domain[2], map.domain[3]));
         }
-        results[a * stride + k] = static_cast<float>(
-            polynomial_({column.data(), static_cast<std::size_t>(map.uorder)}, static_cast<Real>(u[a])));
+        results[a * stride + k] =
+            static_cast<float>(polynomial_({column.data(), static_cast<std::size_t>(map.uorder)},
+                                           fraction(u[a], map.domain[0], map.domain[1])));
       }
     }
   }
 
  private:
+  static Real fraction(float u, double first, double last) {
+    return (static_cast<Real>(u) - static_cast<Real>(first)) /
+           (static_cast<Real>(last) - static_cast<Real>(first));
+  }
+
   Polynomial<Real> polynomial_;
   ImplementationInfo info_;
 };

@@ -50,12 +50,33 @@ std::vector<std::string> targets_of(const UlpOptions& options) {
 
 bool is_float(double x) { return static_cast<double>(static_cast<float>(x)) == x && !std::isinf(x); }
 
+// Why the domain that was given is none; empty if it is good.
+std::string wrong_domain(const UlpOptions& options) {
+  const std::vector<double>& ends = options.domain;
+  if (ends.size() % 2 != 0) return "--domain has two ends, u1,u2, or four, u1,u2,v1,v2";
+  for (std::size_t i = 0; i < ends.size(); i += 2) {
+    for (const double end : {ends[i], ends[i + 1]})
+      if (!is_float(end)) return fmt::format("--domain: {:a} is no finite float", end);
+    if (ends[i] == ends[i + 1])
+      return fmt::format("--domain: the ends {} and {} are equal", ends[i], ends[i + 1]);
+  }
+  return {};
+}
+
+// The same interval in both directions, if only one is given.
+std::optional<accuracy::Domain> domain_of(const UlpOptions& options) {
+  const std::vector<double>& ends = options.domain;
+  if (ends.empty()) return std::nullopt;
+  return accuracy::Domain{ends[0], ends[1], ends[ends.size() - 2], ends[ends.size() - 1]};
+}
+
 std::vector<accuracy::RowRequest> chosen_rows(const UlpOptions& options) {
   std::vector<accuracy::RowRequest> rows;
   for (const std::string& target : targets_of(options))
     for (const accuracy::Class& what : accuracy::table_classes())
       if (is_chosen(what.name(), options.filter))
-        rows.push_back({what, target, options.values.value_or(kValuesOfRow), options.seed});
+        rows.push_back(
+            {what, target, options.values.value_or(kValuesOfRow), options.seed, domain_of(options)});
   return rows;
 }
 
@@ -125,6 +146,8 @@ int replay(const UlpOptions& options) {
   input.uorder = options.orders[0];
   if (two_dimensional) input.vorder = options.orders[1];
   input.points = options.points;
+  input.domain = domain_of(options).value_or(accuracy::kUnitDomain);
+  input.segments = options.segments;
   input.u = static_cast<float>(options.at[0]);
   if (two_dimensional) input.v = static_cast<float>(options.at[1]);
   const reference::Evaluation exact =
@@ -179,6 +202,9 @@ std::vector<std::string> how_to_replay(const UlpOptions& options, const std::str
   // A value that begins with '-' has to stand in the same word.
   command.push_back("--points=" + in_hex(input.points));
   add("--at", argument_of(input));
+  if (input.domain != accuracy::kUnitDomain)
+    command.push_back("--domain=" + in_hex({input.domain.begin(), input.domain.end()}));
+  if (input.segments > 0) add("--segments", std::to_string(input.segments));
   return command;
 }
 
@@ -310,6 +336,7 @@ void start(Measurement& measurement, const UlpOptions& options) {
   add("--library", options.library);
   add("--context", options.context);
   add("--filter", options.filter);
+  if (!options.domain.empty()) add("--domain", in_hex(options.domain));
   for (const std::string& target : options.targets) add("--target", target);
   measurement.child = std::make_unique<ChildProcess>(command, measurement.log.string());
 }
@@ -446,6 +473,7 @@ int ulp(const UlpOptions& options) {
   if (!options.merge.empty()) return merge(options);
   if (options.digest) return digest(options);
   if (!options.page.empty()) return page_again(options);
+  if (const std::string wrong = wrong_domain(options); !wrong.empty()) return wrong_use(wrong);
   if (!options.orders.empty() || !options.points.empty() || !options.at.empty()) return replay(options);
 
   std::vector<std::string> known = own_subject_names();
@@ -548,6 +576,15 @@ std::function<int()> define_ulp(CLI::App& app, const Call& call) {
       ->expected(1, 2);
   app.add_option("--points", options->points, "its control points, v fastest")->delimiter(',');
   app.add_option("--at", options->at, "its argument, or its two arguments")->delimiter(',')->expected(1, 2);
+  app.add_option(
+         "--domain", options->domain,
+         "of the maps or of the one input: u1,u2 or u1,u2,v1,v2 (default: that of each class, [0,1] but for "
+         "shifted, reversed, narrow and huge)")
+      ->delimiter(',')
+      ->expected(2, 4);
+  app.add_option("--segments", options->segments,
+                 "the argument of the one input is a point of a grid with so many segments over the domain")
+      ->check(CLI::PositiveNumber);
   app.add_flag("--sweep", options->sweep,
                "every float of an interval as argument of one map: --orders and --points");
   app.add_option("--u", options->fixed_u, "of a surface that is swept along v: its u");

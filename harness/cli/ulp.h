@@ -27,6 +27,8 @@ struct UlpOptions {
   // One input instead: its orders, control points and arguments.
   std::vector<int> orders;
   std::vector<double> points, at;
+  std::vector<double> domain;  // of the maps, or of that input: u1, u2 and v1, v2; empty: that of the class
+  int segments = 0;            // of the grid whose point the input's argument is; 0: a coordinate
   // Every float of an interval instead.
   bool sweep = false;
   float from = 0, to = 1;

@@ -119,12 +119,15 @@ int check_vectors(const VectorsOptions& options) {
   std::size_t cases = 0, skipped = 0;
   try {
     vectors::Answers answers;
-    for (const vectors::Score& score : scores_of(options, answers)) {
+    const std::vector<vectors::Score> scores = scores_of(options, answers);
+    for (const vectors::Score& score : scores) {
       print(score);
       cases += score.cases;
       skipped += score.skipped;
       if (!score.wrong.empty() || !score.missing.empty()) code = std::max(code, kUnexpected);
     }
+    if (const std::string quality = vectors::quality_in_words(scores); !quality.empty())
+      std::cout << quality << '\n';
     show_some(answers.answered_twice,
               [](const std::string& id) { std::cout << fmt::format("answered twice: {}\n", id); });
     if (!answers.answered_twice.empty()) code = std::max(code, kUnexpected);

@@ -43,7 +43,7 @@ TEST_F(UlpCommand, MeasuresImplementations) {
   EXPECT_EQ(as_text(file["status"]), "complete");
   for (const json& entry : file["implementations"]) {
     EXPECT_EQ(as_text(entry["status"]), "complete");
-    ASSERT_EQ(entry["rows"].size(), 12u);
+    ASSERT_EQ(entry["rows"].size(), 17u);
     std::uint64_t wrong = 0;
     for (const json& row : entry["rows"]) {
       ASSERT_FALSE(row.contains("not_measured")) << row;
@@ -58,7 +58,7 @@ TEST_F(UlpCommand, MeasuresImplementations) {
   EXPECT_TRUE(std::regex_search(outcome.text, std::regex("curve/4/ordinary +[5-9]\\d\\d +0\\.00 %")))
       << outcome.text;
   const std::string table = text_of("ulp.csv");
-  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 3 * 12) << table;
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 3 * 17) << table;
   EXPECT_EQ(files(), 7u) << "ulp.json, four of comma-separated values, the page, the log of this test";
   const std::string page = text_of("accuracy.html");
   EXPECT_TRUE(contains(page, "<th scope=\"row\">sum-float</th>"));
@@ -87,6 +87,54 @@ TEST_F(UlpCommand, WorstInputsCanBeReplayed) {
           << again.text << worst;
       EXPECT_TRUE(contains(again.text, "exact value " + worst["exact"].get<std::string>()));
     }
+}
+
+// Other domains, and points of grids: a correctly rounded evaluator stays one, and worst inputs can be
+// replayed over their domain.
+TEST_F(UlpCommand, MeasuresOtherDomainsAndGrids) {
+  ASSERT_EQ(ulp({"--implementation", "production", "--implementation", "horner-float", "--values", "300",
+                 "--filter", "*/shifted:*/reversed:*/narrow:*/huge:*/grid"})
+                .code,
+            0);
+  const json file = document();
+  EXPECT_EQ(complaints(file), "");
+  ASSERT_EQ(file["implementations"][0]["rows"].size(), 10u);
+  for (const json& row : file["implementations"][0]["rows"]) {
+    EXPECT_EQ(row["not_correctly_rounded"], 0) << row["name"];
+    EXPECT_EQ(row["worst_ulp"].contains("domain"), as_text(row["data"]) != "grid");
+    EXPECT_EQ(row["worst_ulp"].contains("segments"), as_text(row["data"]) == "grid");
+  }
+  for (const json& row : file["implementations"][1]["rows"]) {
+    EXPECT_GT(row["not_correctly_rounded"], 0) << row["name"];
+    const json& worst = row["worst_ulp"];
+    const Outcome again = start(worst["replay"].get<std::vector<std::string>>());
+    EXPECT_EQ(again.code, 0) << again.text;
+    EXPECT_TRUE(contains(again.text, worst["got"]["bits"].get<std::string>())) << again.text << worst;
+    EXPECT_TRUE(contains(again.text, "exact value " + worst["exact"].get<std::string>()))
+        << again.text << worst;
+  }
+}
+
+TEST_F(UlpCommand, TakesADomain) {
+  // (5 - 4)/(8 - 4) of the way from 0.25 to 0.75.
+  const std::vector<std::string> input = {"--implementation",   "production", "--orders", "2",
+                                          "--points=0.25,0.75", "--at",       "5"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), input.begin(), input.end());
+    return ulp(more);
+  };
+  EXPECT_TRUE(contains(with({"--domain", "4,8"}).text, "exact value 0.375 (0x1.8p-2): error 0 ULP"));
+  EXPECT_TRUE(contains(with({"--domain", "4,8", "--segments", "4"}).text, ": 0x1.8p-2 (0x3ec00000)"));
+  for (const char* wrong : {"4,4", "4", "1,2,3", "0,1e99", "nan,1"})
+    EXPECT_EQ(with({"--domain", wrong}).code, 2) << wrong;
+  EXPECT_EQ(with({"--segments", "0"}).code, 2);
+  // The option takes the place of the domains of all classes.
+  ASSERT_EQ(ulp({"--implementation", "sum-float", "--values", "300", "--filter", "curve/4/ordinary",
+                 "--domain", "-3,5"})
+                .code,
+            0);
+  EXPECT_EQ(document()["implementations"][0]["rows"][0]["worst_ulp"]["domain"],
+            json({"-0x1.8p+1", "0x1.4p+2"}));
 }
 
 // Without gnuplot the page has its tables, and says what is missing.

@@ -98,14 +98,24 @@ Rational ulp(const Rational& x) {
       std::clamp<std::int64_t>(magnitude - 23 - (power_of_two ? 1 : 0), kSmallest, kLargest));
 }
 
+namespace {
+
+// |got - exact|, with 2^128 in the place of all that is beyond, so that a right infinity has no error.
+Rational distance(float got, const Rational& exact) {
+  const Rational infinity = Rational::power_of_two(128);
+  return abs(extended(got) - (exact > infinity ? infinity : exact < -infinity ? -infinity : exact));
+}
+
+}  // namespace
+
 double ulp_distance(float got, const Rational& exact) {
   if (std::isnan(got)) return std::numeric_limits<double>::infinity();
-  return (abs(extended(got) - exact) / ulp(exact)).to_double();
+  return (distance(got, exact) / ulp(exact)).to_double();
 }
 
 double condition_distance(float got, const Rational& exact, const Rational& magnitude) {
   if (std::isnan(got)) return std::numeric_limits<double>::infinity();
-  const Rational error = abs(extended(got) - exact);
+  const Rational error = distance(got, exact);
   if (error.is_zero()) return 0;
   if (magnitude.is_zero()) return std::numeric_limits<double>::infinity();
   return (error / (Rational::power_of_two(-24) * magnitude)).to_double();

@@ -181,6 +181,13 @@ TEST(Ulp, DistanceCountsUnits) {
   EXPECT_EQ(ulp_distance(kInfinity, Rational::power_of_two(128)), 0);
   EXPECT_EQ(ulp_distance(-kInfinity, Rational::power_of_two(128)), 0x1p25);
   EXPECT_EQ(ulp_distance(std::numeric_limits<float>::quiet_NaN(), 0), kInfinity);
+  for (const int exponent : {129, 200, 2000}) {
+    const Rational beyond = Rational::power_of_two(exponent);
+    EXPECT_EQ(ulp_distance(kInfinity, beyond), 0);
+    EXPECT_EQ(ulp_distance(-kInfinity, -beyond), 0);
+    EXPECT_EQ(ulp_distance(std::numeric_limits<float>::max(), beyond), 1);
+    EXPECT_EQ(condition_distance(kInfinity, beyond, beyond), 0);
+  }
 }
 
 TEST(ConditionDistance, IsRelativeToTheMagnitude) {

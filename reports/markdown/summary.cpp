@@ -4,6 +4,7 @@
 
 #include "comparison.h"
 #include "evalcts/reports.h"
+#include "quality.h"
 #include "text.h"
 
 namespace evalcts::reports {
@@ -50,6 +51,8 @@ std::string about(const Column& column) {
   if (record.status && !record.is_complete())
     parts.push_back(fmt::format("**{}**", name_of(*record.status)) +
                     (record.reason.empty() ? "" : ": " + markdown_code(record.reason)));
+  if (const std::string quality = single_precision_in_words(record); !quality.empty())
+    parts.push_back(markdown_code(quality));
   return parts.empty() ? "" : fmt::format("* {}: {}\n", markdown_code(column.label), join(parts, ", "));
 }
 

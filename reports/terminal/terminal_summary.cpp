@@ -6,6 +6,7 @@
 
 #include <evalcts/results/run_result.h>
 #include "evalcts/reports.h"
+#include "quality.h"
 #include "text.h"
 
 namespace evalcts::reports {
@@ -375,6 +376,8 @@ std::string terminal_summary(const RunResult& record, const Catalogue& catalogue
   if (!record.stale_baseline_entries.empty())
     screen.line("stale in the baseline, no such test: " + join(record.stale_baseline_entries, ", "),
                 Colour::kYellow);
+  if (const std::string quality = single_precision_in_words(record); !quality.empty())
+    screen.whole_line("quality: " + quality, Colour::kFaint);
   write_baseline(screen, record);
   write_last_line(screen, record);
   return screen.text();

@@ -178,6 +178,32 @@ TEST(Terminal, OneLineWhereThatIsWanted) {
       contains(terminal_line_of(large_record(), true), "\x1b[31mlarge: 200 unexpected results\x1b[0m\n"));
 }
 
+// One line about the accuracy of each target, by the tests of level quality that decided something.
+TEST(Terminal, SaysForWhichTargetsTheLibraryIsAccurate) {
+  const auto test = [](const char* name, const char* requirement, const char* level, const char* verdict) {
+    return json{{"name", name}, {"requirements", {requirement}}, {"level", level}, {"verdict", verdict}};
+  };
+  json record = {
+      {"status", "complete"},
+      {"implementation", {{"name", "some"}}},
+      {"tests",
+       {test("Accuracy.Good/MAP1_INDEX", "EV-NUM-ACCURACY/1-D", "quality", "pass"),
+        test("Accuracy.Good/MAP1_COLOR_4", "EV-NUM-ACCURACY/1-D", "quality", "pass"),
+        test("Accuracy.Ends/MAP1_COLOR_4/Compiled", "EV-NUM-ACCURACY/1-D", "quality", "quality-warning"),
+        test("Accuracy.Good/MAP2_NORMAL", "EV-NUM-ACCURACY/2-D", "quality", "not-observable"),
+        test("Accuracy.Acceptable/MAP2_VERTEX_3", "EV-NUM-ACCURACY/2-D", "must", "pass"),
+        test("Points.SameBits/MAP2_VERTEX_4", "EV-POINT-LIKEMESH", "quality", "quality-warning"),
+        test("Normals.Analytic/WAVE", "EV-AUTON-METHOD", "quality", "pass")}}};
+  const std::string line = "as good as single precision for 2 of 3 targets; not for MAP1_COLOR_4";
+  EXPECT_TRUE(contains(terminal_of(record, nullptr, false, false), "\nquality: " + line + "\n"));
+  EXPECT_TRUE(contains(markdown_of({record}), "`" + line + "`")) << markdown_of({record});
+  record["tests"] = {test("Normals.Analytic/WAVE", "EV-AUTON-METHOD", "quality", "quality-warning")};
+  EXPECT_TRUE(contains(terminal_of(record, nullptr, false, false),
+                       "as good as single precision for 0 of 1 target; not for AUTO_NORMAL\n"));
+  record["tests"] = {test("Points.SameBits/MAP2_VERTEX_4", "EV-POINT-LIKEMESH", "quality", "pass")};
+  EXPECT_FALSE(contains(terminal_of(record, nullptr, false, false), "single precision"));
+}
+
 TEST(Terminal, TellsFlakesApart) {
   json record = large_record();
   record["tests"][0]["flake"] = true;

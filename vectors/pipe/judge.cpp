@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
+#include <evalcts/gl/tokens.h>
 #include <evalcts/vectors/pipe.h>
 #include "estimate.h"
 #include "lint/numbers.h"
@@ -47,6 +49,60 @@ std::string wrong_normal(const json& entry, const std::vector<double>& got) {
                      number(normal[0]["double"]), number(normal[1]["double"]), number(normal[2]["double"]));
 }
 
+// --- quality
+
+constexpr const char* kNormalTarget = "GL_AUTO_NORMAL";
+// Good single precision has this part of the errors that the accuracy rule grants to normals: 2^-24 stands
+// for its 10738 * 2^-30, up to a factor.
+constexpr double kSingleNormal = 0x1p-7;
+
+// Error of good single precision: 2^-24 * 2(n + 2) times the magnitude (surfaces: n + m), and the same of the
+// least normal number for tiny magnitudes.
+long double quality_bound(int degrees, long double magnitude) {
+  return 0x1p-24L * 2 * (degrees + 2) * std::max(magnitude, 0x1p-126L);
+}
+
+bool is_at_end(const json& argument, const json& first, const json& last) {
+  return number(argument) == number(first) || number(argument) == number(last);
+}
+
+// Assesses the values of a case of single precision at a coordinate.
+void assess(const json& entry, const std::vector<double>& got, Score& score) {
+  const json &map = entry["map"], &domain = map["domain"];
+  if (as_text(map["type"]) != "f" || entry["u"].is_object()) return;
+  const bool two = entry.contains("v");
+  const std::size_t degrees = map["points"].size() - 1 + (two ? map["points"][0].size() - 1 : 0);
+  const bool is_corner =
+      is_at_end(entry["u"], domain[0], domain[1]) && (!two || is_at_end(entry["v"], domain[2], domain[3]));
+  Score::Quality& quality = score.quality[map["target"]];
+  for (std::size_t c = 0; c < got.size(); ++c) {
+    const json& component = entry["components"][c];
+    if (component["accept"].is_null()) continue;
+    double multiple = std::numeric_limits<double>::infinity();
+    if (std::isfinite(got[c])) {
+      const double error = abs(reference::Rational(got[c]) - rational(component["exact"])).to_double();
+      const long double bound =
+          quality_bound(static_cast<int>(degrees), rational(component["magnitude"]).to_double());
+      if (!is_corner || error == 0) multiple = static_cast<double>(error / bound);
+    }
+    quality.add(multiple, entry["id"]);
+  }
+}
+
+void assess_normal(const json& entry, const std::vector<double>& got, Score& score) {
+  const json &normal = entry["normal"], &accept = entry["accept"];
+  if (normal.is_null() || accept.is_null() || as_text(entry["map"]["type"]) != "f" || entry["u"].is_object())
+    return;
+  const auto error = [&](double sign) {
+    double largest = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+      largest = std::max(largest, std::abs(got[c] - sign * number(normal[c]["double"])));
+    return largest;
+  };
+  const double least = accept["either_sign"] ? std::min(error(1), error(-1)) : error(1);
+  score.quality[kNormalTarget].add(least / (kSingleNormal * number(accept["bound"])), entry["id"]);
+}
+
 void measure(const json& entry, const std::vector<double>& got, Score& score) {
   for (std::size_t c = 0; c < got.size(); ++c) {
     const json& component = entry["components"][c];
@@ -66,8 +122,12 @@ std::string judge_one(const json& entry, const std::vector<double>& got, Score& 
   const bool is_normal = entry.contains("derivatives");
   const std::size_t expected = is_normal ? 3 : entry["components"].size();
   if (got.size() != expected) return fmt::format("{} numbers in the place of {}", got.size(), expected);
-  if (is_normal) return wrong_normal(entry, got);
+  if (is_normal) {
+    assess_normal(entry, got, score);
+    return wrong_normal(entry, got);
+  }
   measure(entry, got, score);
+  assess(entry, got, score);
   return wrong_values(entry["components"], got);
 }
 
@@ -102,26 +162,40 @@ Verdict judge_surely(const Estimate& estimate, double got, int operations, int r
   return distance > largest_ulp * least_gap(value) * (1 - kMargin) ? Verdict::unsure : Verdict::accepted;
 }
 
+bool is_at_end(const Argument& argument, const Direction& domain) {
+  return argument.coordinate() == domain.first || argument.coordinate() == domain.last;
+}
+
 // Accepts the values if that is sure, and measures them; returns false if exact arithmetic has to decide. The
 // domains of random cases are such that the accuracy rule applies to them.
-bool accepts_surely(const Problem& problem, const std::vector<double>& got, Score& score) {
+bool accepts_surely(const Problem& problem, const std::vector<double>& got, const std::string& id,
+                    Score& score) {
   const auto estimates = estimate(problem);
   if (!estimates || got.size() != estimates->size()) return false;
   const Map& map = problem.map;
   const int n = map.u.order - 1, m = map.v.order - 1;
   const int operations = problem.v ? n * m + 5 * (n + m) + 4 : 5 * n + 4;
   const int range = reference::guaranteed_range(map.target, kNewestVersion);
-  std::size_t values = 0, correctly_rounded = 0;
+  std::vector<Verdict> verdicts;
   for (std::size_t c = 0; c < got.size(); ++c) {
-    const Estimate& estimate = (*estimates)[c];
-    const Verdict verdict = judge_surely(estimate, got[c], operations, range, score.largest_ulp);
-    if (verdict == Verdict::unsure) return false;
-    if (verdict == Verdict::not_judged) continue;
-    ++values;
-    if (static_cast<float>(got[c]) == static_cast<float>(estimate.value)) ++correctly_rounded;
+    verdicts.push_back(judge_surely((*estimates)[c], got[c], operations, range, score.largest_ulp));
+    if (verdicts.back() == Verdict::unsure) return false;
   }
-  score.values += values;
-  score.correctly_rounded += correctly_rounded;
+  const bool is_assessed = problem.type == Type::single && !problem.u.is_grid();
+  const bool is_corner =
+      is_assessed && is_at_end(problem.u, map.u) && (!problem.v || is_at_end(*problem.v, map.v));
+  for (std::size_t c = 0; c < got.size(); ++c) {
+    if (verdicts[c] == Verdict::not_judged) continue;
+    const auto& [value, magnitude, error, reach] = (*estimates)[c];
+    ++score.values;
+    if (static_cast<float>(got[c]) == static_cast<float>(value)) ++score.correctly_rounded;
+    if (!is_assessed) continue;
+    const long double difference = std::abs(got[c] - value);
+    const double multiple = is_corner && difference > error
+                                ? std::numeric_limits<double>::infinity()
+                                : static_cast<double>(difference / quality_bound(n + m, magnitude));
+    score.quality[std::string(gl::token_name(map.target))].add(multiple, id);
+  }
   return true;
 }
 
@@ -141,8 +215,8 @@ bool accepts_normal_surely(const Problem& problem, const std::vector<double>& go
 
 std::string judge_random_case(const RandomCases& cases, const std::vector<double>& got, Score& score) {
   const Problem& problem = cases.problem();
-  const bool is_sure =
-      cases.is_normal() ? accepts_normal_surely(problem, got) : accepts_surely(problem, got, score);
+  const bool is_sure = cases.is_normal() ? accepts_normal_surely(problem, got)
+                                         : accepts_surely(problem, got, cases.id(), score);
   if (is_sure) return {};
   nlohmann::json entry = cases.is_normal() ? normal_case(problem) : value_case(problem);
   entry["id"] = cases.id();
@@ -150,6 +224,44 @@ std::string judge_random_case(const RandomCases& cases, const std::vector<double
 }
 
 }  // namespace
+
+void Score::Quality::add(double multiple, const std::string& id_of_case) {
+  ++values;
+  if (!(multiple <= 1)) ++worse;
+  if (multiple <= largest) return;
+  largest = multiple;
+  id = id_of_case;
+}
+
+void Score::Quality::add(const Quality& other) {
+  values += other.values;
+  worse += other.worse;
+  if (other.largest <= largest) return;
+  largest = other.largest;
+  id = other.id;
+}
+
+std::string quality_in_words(const std::vector<Score>& scores) {
+  std::map<std::string, Score::Quality> all;
+  for (const Score& score : scores)
+    for (const auto& [target, quality] : score.quality)
+      if (quality.values > 0) all[target].add(quality);
+  if (all.empty()) return {};
+  std::string worse;
+  std::size_t good = 0;
+  for (const auto& [target, quality] : all) {
+    if (quality.worse == 0) {
+      ++good;
+      continue;
+    }
+    const std::string largest = std::isinf(quality.largest)
+                                    ? std::string("a corner is not its control point")
+                                    : fmt::format("{:.3g} times the bound", quality.largest);
+    worse += fmt::format("{} {} ({} of {} values; {} in {})", worse.empty() ? "; not for" : ",", target,
+                         quality.worse, quality.values, largest, quality.id);
+  }
+  return fmt::format("quality: as good as single precision for {} of {} targets{}", good, all.size(), worse);
+}
 
 bool read_answer(std::istream& lines, Answers& answers) {
   std::string line;

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <ctime>
+#include <limits>
 #include <sstream>
 
 #include <evalcts/results/hash.h>
@@ -114,6 +115,12 @@ TEST(RandomCases, AreJudgedAsExactArithmeticJudges) {
     EXPECT_EQ(quick.largest_ulp, exact.largest_ulp) << kind;
     EXPECT_EQ(quick.values, exact.values) << kind;
     EXPECT_EQ(quick.correctly_rounded, exact.correctly_rounded) << kind;
+    if (kind == std::string("auto_normal")) continue;  // those that are surely accepted are not assessed
+    ASSERT_EQ(quick.quality.size(), exact.quality.size()) << kind;
+    for (const auto& [target, quality] : exact.quality) {
+      EXPECT_EQ(quick.quality.at(target).values, quality.values) << target;
+      EXPECT_EQ(quick.quality.at(target).worse, quality.worse) << target;
+    }
   }
 }
 
@@ -139,6 +146,65 @@ TEST(RandomCases, AreMeasured) {
   EXPECT_EQ(quick.values, exact.values);
   EXPECT_EQ(quick.correctly_rounded, exact.correctly_rounded);
   EXPECT_GT(quick.values, quick.correctly_rounded);
+}
+
+// Answers that are changed by `change(value, entry, component)` from the correctly rounded ones.
+template <class Change>
+Score score_of(const json& file, const Change& change) {
+  Answers answers;
+  for (const json& entry : file["cases"]) {
+    const bool is_normal = entry.contains("derivatives");
+    if (is_normal && entry["normal"].is_null()) {
+      answers.of[entry["id"]] = {0, 0, 1};
+      continue;
+    }
+    std::vector<double> values;
+    for (const json& component : is_normal ? entry["normal"] : entry["components"])
+      values.push_back(change(number(component["float"]), entry, values.size()));
+    answers.of[entry["id"]] = values;
+  }
+  return judge(file, answers);
+}
+
+TEST(Quality, IsSeenWhereTheRuleAcceptsAll) {
+  const json curves = exact_file("map1_eval", 11, 900), normals = exact_file("auto_normal", 11, 100);
+  const auto right = [](double x, const json&, std::size_t) { return x; };
+  EXPECT_EQ(quality_in_words({score_of(curves, right), score_of(normals, right)}),
+            "quality: as good as single precision for 10 of 10 targets");
+  // Results of 16 bits, the larger neighbour of a control point at an end of the domain, and normals that are
+  // off by 0.12 degrees: all of them conform.
+  const auto verdict = [&](const json& file, const auto& change) {
+    const Score score = score_of(file, change);
+    EXPECT_TRUE(score.wrong.empty()) << (score.wrong.empty() ? "" : score.wrong[0].message);
+    return quality_in_words({score});
+  };
+  const auto bits_16 = [](double x, const json& entry, std::size_t) {
+    const json &u = entry["u"], &domain = entry["map"]["domain"];
+    if (u == domain[0] || u == domain[1]) return x;
+    int exponent = 0;
+    const double significand = std::frexp(x, &exponent);
+    return std::ldexp(std::round(std::ldexp(significand, 16)), exponent - 16);
+  };
+  const std::string coarse = verdict(curves, bits_16);
+  EXPECT_TRUE(coarse.starts_with("quality: as good as single precision for 0 of 9 targets; not for GL_MAP1_"))
+      << coarse;
+  EXPECT_NE(coarse.find(" times the bound in map1_eval.random-11."), std::string::npos) << coarse;
+  const auto next_at_end = [](double x, const json& entry, std::size_t c) {
+    const bool is_target = as_text(entry["map"]["target"]) == "GL_MAP1_VERTEX_3" && c == 0;
+    const bool is_end = entry["u"] == entry["map"]["domain"][0];
+    return is_target && is_end ? std::nextafter(static_cast<float>(x), 2 * static_cast<float>(x)) : x;
+  };
+  const std::string off = verdict(curves, next_at_end);
+  EXPECT_TRUE(
+      off.starts_with("quality: as good as single precision for 8 of 9 targets; not for GL_MAP1_VERTEX_3 ("))
+      << off;
+  EXPECT_NE(off.find("a corner is not its control point in "), std::string::npos) << off;
+  const std::string turned =
+      verdict(normals, [](double x, const json&, std::size_t c) { return c == 0 ? x + 0.002 : x; });
+  EXPECT_TRUE(
+      turned.starts_with("quality: as good as single precision for 0 of 1 targets; not for GL_AUTO_NORMAL ("))
+      << turned;
+  EXPECT_EQ(quality_in_words({Score{}}), "");
 }
 
 TEST(RandomCases, MayBeAnsweredInAnyOrder) {

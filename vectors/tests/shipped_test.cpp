@@ -91,7 +91,7 @@ TEST_F(VectorsCommand, DoesNotPassWhatSkipsAll) {
     return run("check --kind map1_eval --count 2 --seed 1 < " + answers);
   };
   EXPECT_EQ(check("map1_eval.random-1.1 skip\nmap1_eval.random-1.2 skip\n"), 2);
-  EXPECT_EQ(check(""), 2);
+  EXPECT_EQ(check(""), 1);
   EXPECT_EQ(check("map1_eval.random-1.1 0 0 0 0\n"), 1);
   EXPECT_EQ(check("map1_eval.random-2.1 0\n"), 2);
   EXPECT_EQ(run("emit --kind grid --seed 3"), 2);

@@ -18,8 +18,8 @@ Integer round_to_integer(const Rational& x);
 // the smaller gap at a power of two; 2^-149 for |x| <= 2^-126; 2^104 above 2^127, infinity counted as 2^128.
 Rational ulp(const Rational& x);
 
-// Returns |got - exact| / ulp(exact), rounded to the nearest double. An infinite `got` counts as 2^128 of its
-// sign; NaN is infinitely far away.
+// Returns |got - exact| / ulp(exact), rounded to the nearest double. An infinite `got`, and an `exact` beyond
+// 2^128, count as 2^128 of their sign; NaN is infinitely far away.
 double ulp_distance(float got, const Rational& exact);
 
 // Returns the condition-aware error |got - exact| / (2^-24 * magnitude), which does not explode under

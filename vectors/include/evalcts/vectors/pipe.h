@@ -54,7 +54,23 @@ struct Score {
   std::size_t values = 0, correctly_rounded = 0;
   double largest_ulp = 0;
   std::string largest_id;
+  // Quality by target: single-precision values at coordinates that are judged, those that are not as good as
+  // single precision, and the largest error as a multiple of the bound, with its case. Infinity stands for a
+  // corner of the domain that does not give its control point. Normals are GL_AUTO_NORMAL.
+  struct Quality {
+    std::size_t values = 0, worse = 0;
+    double largest = 0;
+    std::string id;
+
+    void add(double multiple, const std::string& id_of_case);
+    void add(const Quality& other);
+  };
+  std::map<std::string, Quality> quality;
 };
+
+// One line: the targets for which a program is as good as single precision, and the others with their worst
+// cases. Empty if nothing was measured.
+std::string quality_in_words(const std::vector<Score>& scores);
 
 // Random cases in the place of a file, for tests without end: the first `count` of a kind and a seed, which
 // are the same everywhere. Kinds are "map1_eval", "map2_eval", "grid" and "auto_normal".

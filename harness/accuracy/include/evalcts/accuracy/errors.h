@@ -6,16 +6,19 @@
 #include <string>
 #include <vector>
 
+#include <evalcts/accuracy/samples.h>
 #include <reference/bernstein.h>
 
 namespace evalcts::accuracy {
 
-// One polynomial over [0,1] or [0,1] x [0,1] and an argument of it: what a result can be replayed from.
+// One polynomial over a domain and an argument of it: what a result can be replayed from.
 struct Input {
   int uorder = 1, vorder = 1;  // vorder 1: a curve, or a surface that is constant in v
   bool two_dimensional = false;
   std::vector<double> points;  // v fastest
   float u = 0, v = 0;
+  Domain domain = kUnitDomain;
+  int segments = 0;  // of the grid over the domain whose point the argument is; 0: a coordinate
 
   reference::Surface surface() const;  // of both; valid as long as this
   reference::Argument argument_u() const { return reference::Argument::coordinate(u); }

@@ -34,26 +34,37 @@ class Random {
   std::mt19937_64 engine_;
 };
 
+using Domain = std::array<double, 4>;  // u1, u2, v1, v2
+inline constexpr Domain kUnitDomain = {0, 1, 0, 1};
+
 // Maps of one pair of orders (vorder 0: of one dimension) and one kind of data: ordinary, integers, lines,
-// cancelling, wide, extreme, doubles.
+// cancelling, wide, extreme, doubles; or ordinary data over another domain: shifted, reversed, narrow, huge;
+// or at the points of a grid of 2^10 segments: grid.
 struct Class {
   int uorder, vorder;
   std::string data;
 
   std::string name() const;  // "curve/4/ordinary", "surface/4x4/integers"
+  Domain domain() const;
+  int segments() const;  // of the grid at whose points the maps are evaluated; 0: at coordinates
 };
 
 struct Map {
   int uorder, vorder;  // vorder 1: of one dimension
   int components;
-  bool is_float;                 // all control points are floats
-  std::array<double, 4> domain;  // u1, u2, v1, v2
-  std::vector<double> points;    // v fastest, components innermost
+  bool is_float;  // all control points are floats
+  Domain domain;
+  std::vector<double> points;  // v fastest, components innermost
+  int segments = 0;            // of the grid over the domain whose points the arguments are; 0: coordinates
 };
 
 // Fills map.points with components that have nothing to do with each other. Orders and number of components
 // are those of the map.
 void draw_points(Map& map, const Class& what, Random& random);
+
+// The argument at a fraction of the domain from first to last, and that fraction.
+float argument_at(double part, double first, double last);
+double part_of(float argument, double first, double last);
 
 // Changes the control points of one component, v fastest, a little; they stay of their class.
 void vary_points(std::vector<double>& points, const Class& what, Random& random);

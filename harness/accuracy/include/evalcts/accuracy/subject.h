@@ -27,9 +27,9 @@ class Subject {
   virtual std::string capture() const { return {}; }
   // True if the target of a map makes a difference to it.
   virtual bool has_targets() const { return true; }
-  // Components of control points of the map come one after the other, v fastest; its domain is [0,1], in both
-  // directions. u and v are multiples of 2^-24 from 0 to 1; v is empty for curves. The results hold all
-  // components of the first argument, then those of the next. Throws NotObservable.
+  // Components of control points of the map come one after the other, v fastest. u and v lie in its domain;
+  // over [0,1] they are multiples of 2^-24. v is empty for curves. The results hold all components of the
+  // first argument, then those of the next. Throws NotObservable.
   virtual void evaluate(GLenum target, const Map& map, std::span<const float> u, std::span<const float> v,
                         std::span<float> results) = 0;
 };

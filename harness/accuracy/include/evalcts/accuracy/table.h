@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,11 @@ struct RowRequest {
   std::string target;
   std::uint64_t values = 0;  // at least
   std::uint32_t seed = 1;
+  std::optional<Domain> domain = std::nullopt;  // in the place of that of the class
 };
+
+// A map of the class without control points, over the domain of the request.
+Map map_of(const RowRequest& request);
 
 // So many at a time; fewer of large maps, so that there are many of them.
 std::size_t arguments_of_a_map(const Class& what);

@@ -1,0 +1,48 @@
+#include "quality.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "text.h"
+
+namespace evalcts::reports {
+namespace {
+
+bool decides(const TestRecord& test, std::string_view requirement) {
+  return std::ranges::any_of(test.requirements,
+                             [&](const RequirementId& id) { return id.text().starts_with(requirement); });
+}
+
+// The target that the test is about; empty if the test is not about the accuracy of one.
+std::string target_of(const TestRecord& test) {
+  if (test.level != Level::quality) return {};
+  if (decides(test, "EV-AUTON-METHOD")) return "AUTO_NORMAL";
+  const std::size_t slash = test.name.find('/');
+  if (!decides(test, "EV-NUM-ACCURACY") || slash == std::string::npos) return {};
+  return test.name.substr(slash + 1, test.name.find('/', slash + 1) - slash - 1);
+}
+
+}  // namespace
+
+std::string single_precision_in_words(const RunResult& record) {
+  std::map<std::string, bool> is_good;  // by target
+  for (const TestRecord& test : record.tests) {
+    const std::string target = target_of(test);
+    if (target.empty()) continue;
+    if (test.verdict == Verdict::kPass) is_good.emplace(target, true);
+    if (test.verdict == Verdict::kQualityWarning || test.verdict == Verdict::kFail) is_good[target] = false;
+  }
+  if (is_good.empty()) return {};
+  std::vector<std::string> worse;
+  for (const auto& [target, good] : is_good)
+    if (!good) worse.push_back(target);
+  std::string text = fmt::format("as good as single precision for {} of {}", is_good.size() - worse.size(),
+                                 count(is_good.size(), "target"));
+  if (!worse.empty()) text += "; not for " + join(worse, ", ");
+  return text;
+}
+
+}  // namespace evalcts::reports
