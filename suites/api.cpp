@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 
+#include <evalcts/gl/hexadecimal.h>
 #include <evalcts/gl/lift.h>
 #include <evalcts/testkit/registration.h>
 #include "checked_case.h"
@@ -278,9 +279,9 @@ EVALCTS_TEST_PAIR(Api.VectorFormSameBits, Api.VectorFormSameBits2, quality,
     if (std::memcmp(&vertices[i].position, &vertices[i + 1].position, sizeof vertices[i].position) != 0)
       t.fail(failure_of(
           c, fmt::format("position of vertex {}", i + 1),
-          fmt::format("EvalCoord{0}{1}v and EvalCoord{0}{1} differ at u = {2:a}{3}", two ? 2 : 1, form.name,
-                      us[i / 2], two ? fmt::format(", v = {:a}", vs[i / 2]) : ""),
-          fmt::format("{:a}", vertices[i].position[0]), fmt::format("{:a}", vertices[i + 1].position[0])));
+          fmt::format("EvalCoord{0}{1}v and EvalCoord{0}{1} differ at u = {2}{3}", two ? 2 : 1, form.name,
+                      hexadecimal(us[i / 2]), two ? ", v = " + hexadecimal(vs[i / 2]) : ""),
+          hexadecimal(vertices[i].position[0]), hexadecimal(vertices[i + 1].position[0])));
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include <evalcts/gl/hexadecimal.h>
 #include <evalcts/testkit/registration.h>
 
 #include "checked_case.h"
@@ -334,7 +335,8 @@ EVALCTS_TEST(AutomaticNormals, PositionToTheBit, quality, "EV-AUTON-SAMEVERTEX",
   evaluate_inside(c, map);
   const std::vector<ObservedVertex> vertices = vertices_of(t.observe(c, kPosition, 64));
   const auto in_words = [](const std::array<float, 4>& p) {
-    return fmt::format("({:a}, {:a}, {:a}, {:a})", p[0], p[1], p[2], p[3]);
+    return fmt::format("({}, {}, {}, {})", hexadecimal(p[0]), hexadecimal(p[1]), hexadecimal(p[2]),
+                       hexadecimal(p[3]));
   };
   const std::size_t half = vertices.size() / 2;
   for (std::size_t i = 0; i < half; ++i) {

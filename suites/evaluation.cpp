@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include <evalcts/gl/hexadecimal.h>
 #include <evalcts/gl/lift.h>
 #include <evalcts/testkit/registration.h>
 #include "checked_case.h"
@@ -347,8 +348,8 @@ EVALCTS_TEST(
   for (std::size_t i = 0; i < us.size(); ++i)
     for (const std::size_t other : {2 * i + 1, 2 * us.size() + 2 * i, 2 * us.size() + 2 * i + 1})
       if (!same(vertices[2 * i], vertices[other]))
-        fail(fmt::format("EvalCoord1f({:a}) gives different values when it is repeated (vertices {} and {})",
-                         us[i], 2 * i, other),
+        fail(fmt::format("EvalCoord1f({}) gives different values when it is repeated (vertices {} and {})",
+                         hexadecimal(us[i]), 2 * i, other),
              "the same bits", "other bits");
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <evalcts/gl/hexadecimal.h>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -154,14 +155,16 @@ void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind
       // One for each vertex that is wrong; the end may be a vertex of several primitives.
       const auto add = [&](double got, const std::string& captured) {
         Mismatch mismatch;
-        mismatch.what = fmt::format("{} point of the grid of {} segments from {:a} to {:a}",
-                                    last ? "last" : "first", grid.segments, grid.first, grid.last);
-        mismatch.expected = fmt::format(
-            "x = {:a}, or nearer to it than to the values at the neighbouring numbers", *probed[i].at_end);
+        mismatch.what =
+            fmt::format("{} point of the grid of {} segments from {} to {}", last ? "last" : "first",
+                        grid.segments, hexadecimal(grid.first), hexadecimal(grid.last));
+        mismatch.expected =
+            fmt::format("x = {}, or nearer to it than to the values at the neighbouring numbers",
+                        hexadecimal(*probed[i].at_end));
         mismatch.captured = captured;
-        mismatch.message =
-            fmt::format("the {} is not where EvalCoord at {} = {:a} is: {}, expected {}", mismatch.what,
-                        along.v ? "v" : "u", last ? grid.last : grid.first, captured, mismatch.expected);
+        mismatch.message = fmt::format(
+            "the {} is not where EvalCoord at {} = {} is: {}, expected {}", mismatch.what,
+            along.v ? "v" : "u", hexadecimal(last ? grid.last : grid.first), captured, mismatch.expected);
         mismatch.lowest = lowest;
         mismatch.highest = highest;
         mismatch.got = got;
@@ -171,7 +174,7 @@ void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind
       for (const float x : probed[i].near_end) {
         const auto got = static_cast<double>(x);
         if (got != static_cast<double>(*probed[i].at_end) && (got <= lowest || got >= highest))
-          add(got, fmt::format("x = {:a}", x));
+          add(got, "x = " + hexadecimal(x));
       }
     }
     if (told == 0) throw NotObservable("EvalCoord does not tell neighbouring arguments apart");

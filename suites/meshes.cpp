@@ -7,6 +7,7 @@
 #include <map>
 #include <span>
 
+#include <evalcts/gl/hexadecimal.h>
 #include <evalcts/judge/prediction.h>
 #include <evalcts/testkit/registration.h>
 #include "dimensions.h"
@@ -389,13 +390,18 @@ ByPoint draw_numbered(Test& t, const MeshMode& mode, const std::vector<Range>& r
   return points;
 }
 
+std::string in_words(const std::array<float, 4>& p) {
+  return fmt::format("{}, {}, {}, {}", hexadecimal(p[0]), hexadecimal(p[1]), hexadecimal(p[2]),
+                     hexadecimal(p[3]));
+}
+
 void fail_at(Test& t, const std::string& what, const std::pair<int, int>& point,
              const std::array<float, 4>& a, const std::array<float, 4>& b) {
   Failure failure;
   failure.case_identity = what;
   failure.what = fmt::format("point ({}, {})", point.first, point.second);
-  failure.expected = fmt::format("{:a}, {:a}, {:a}, {:a}", a[0], a[1], a[2], a[3]);
-  failure.captured = fmt::format("{:a}, {:a}, {:a}, {:a}", b[0], b[1], b[2], b[3]);
+  failure.expected = in_words(a);
+  failure.captured = in_words(b);
   failure.message = fmt::format("{} has other bits {}", failure.what, what);
   t.fail(std::move(failure));
 }

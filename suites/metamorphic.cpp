@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include <evalcts/gl/call_log.h>
+#include <evalcts/gl/hexadecimal.h>
 #include <evalcts/testkit/registration.h>
 #include "dimensions.h"
 #include "maps.h"
@@ -246,7 +247,7 @@ class Relations {
     const std::string value =
         fmt::format("vertex {}, component {} of {}", vertex, component, gl::token_name(map.target));
     const std::string wanted = fmt::format("{:.9g} +- {:.3g}", expected, tolerance);
-    const std::string captured = fmt::format("{:.9g} ({:a})", is, is);
+    const std::string captured = fmt::format("{:.9g} ({})", is, hexadecimal(is));
     const std::string message = fmt::format("{}: {} (order {}x{} at u = {}, v = {}) is {}, expected {}", what,
                                             value, map.uorder, map.vorder, at.u, at.v, captured, wanted);
     t_.fail(failure_of(script_, value, message, wanted, captured), [&] { return gl::all_calls(script_); });

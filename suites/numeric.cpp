@@ -10,6 +10,7 @@
 #include <limits>
 
 #include <evalcts/gl/call_log.h>
+#include <evalcts/gl/hexadecimal.h>
 #include <evalcts/testkit/registration.h>
 #include "checked_case.h"
 #include "dimensions.h"
@@ -60,8 +61,8 @@ void fail(Test& t, const gl::Case& c, const std::string& what, const std::string
   Failure failure;
   failure.case_identity = c.identity();
   failure.what = what;
-  failure.expected = fmt::format("{:.9g} ({:a})", expected, expected);
-  failure.captured = fmt::format("{:.9g} ({:a})", got, got);
+  failure.expected = fmt::format("{:.9g} ({})", expected, hexadecimal(expected));
+  failure.captured = fmt::format("{:.9g} ({})", got, hexadecimal(got));
   failure.message = fmt::format("{} is {}, {} {}", what, failure.captured, why, failure.expected);
   t.fail(std::move(failure), [&c] { return gl::all_calls(c); });
 }

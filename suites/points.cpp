@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <evalcts/gl/hexadecimal.h>
 #include <evalcts/testkit/registration.h>
 
 #include "dimensions.h"
@@ -145,11 +146,11 @@ EVALCTS_TEST(Points, SameBitsAsMesh, quality, "EV-POINT-LIKEMESH",
     for (std::size_t i = first; i < first + of_grid; ++i) {
       const ObservedVertex &point = vertices[i], &mesh = vertices[i + of_grid];
       if (same_vertex(point, mesh)) continue;
-      const std::string what = fmt::format("point {} of the grid of {} segments from {:a} to {:a}", i - first,
-                                           grid.segments, grid.first, grid.last);
+      const std::string what = fmt::format("point {} of the grid of {} segments from {} to {}", i - first,
+                                           grid.segments, hexadecimal(grid.first), hexadecimal(grid.last));
       t.fail(failure_of(c, what, what + " has other values in a mesh",
-                        fmt::format("x = {:a} as by EvalPoint", point.position[0]),
-                        fmt::format("x = {:a}", mesh.position[0])));
+                        fmt::format("x = {} as by EvalPoint", hexadecimal(point.position[0])),
+                        "x = " + hexadecimal(mesh.position[0])));
     }
     first += 2 * of_grid;
   }

@@ -7,6 +7,7 @@
 #include <reference/rounding.h>
 
 #include <evalcts/accuracy/table.h>
+#include <evalcts/gl/hexadecimal.h>
 #include <evalcts/results/files.h>
 #include "checkpoint_json.h"
 #include "numbers.h"
@@ -29,7 +30,7 @@ json largest_as_json(const SweepTask& task, const SweepResult::Largest& found) {
   const std::optional<LargestError> largest = largest_error(task, found);
   if (!largest) return nullptr;
   json value = {{"error", number_as_json(largest->error)},
-                {"at", hex(largest->at)},
+                {"at", hexadecimal(largest->at)},
                 {"number", found.number},
                 {"got", float_as_json(largest->got)},
                 {"right", float_as_json(largest->right)},
@@ -50,7 +51,7 @@ json map_as_json(const SweptMap& map) {
   if (map.two_dimensional) {
     value["orders"].push_back(map.map.vorder);
     value["swept"] = map.along_v ? "v" : "u";
-    value["other"] = hex(map.other);
+    value["other"] = hexadecimal(map.other);
   }
   return value;
 }
@@ -111,7 +112,7 @@ json to_json(const SweepIdentity& identity) {
               {"evalcts_version", identity.evalcts_version},
               {"implementation", implementation},
               {"points", hex_as_json(task.map.map.points)},
-              {"interval", {hex(task.from), hex(task.to)}},
+              {"interval", {hexadecimal(task.from), hexadecimal(task.to)}},
               {"shard", fmt::format("{}/{}", task.shard + 1, task.shards)},
               {"block", kBlock}};
   if (!task.map.is_plain_curve()) out["map"] = map_as_json(task.map);

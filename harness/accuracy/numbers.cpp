@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include <evalcts/accuracy/table.h>
+#include <evalcts/gl/hexadecimal.h>
 
 namespace evalcts::accuracy {
 
@@ -14,11 +15,11 @@ using nlohmann::json;
 
 json number_as_json(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
-json float_as_json(float value) { return {{"value", hex(value)}, {"bits", bits(value)}}; }
+json float_as_json(float value) { return {{"value", hexadecimal(value)}, {"bits", bits(value)}}; }
 
 json hex_as_json(const std::vector<double>& values) {
   json all = json::array();
-  for (const double value : values) all.push_back(hex(value));
+  for (const double value : values) all.push_back(hexadecimal(value));
   return all;
 }
 

@@ -93,7 +93,6 @@ float replay(Subject& subject, const std::string& target_name, const Input& inpu
   return results[0];
 }
 
-std::string hex(double value) { return fmt::format("{:a}", value); }
 std::string bits(float value) { return fmt::format("0x{:08x}", std::bit_cast<std::uint32_t>(value)); }
 
 }  // namespace evalcts::accuracy

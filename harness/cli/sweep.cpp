@@ -18,6 +18,7 @@
 
 #include <evalcts/accuracy/checkpoint.h>
 #include <evalcts/accuracy/table.h>
+#include <evalcts/gl/hexadecimal.h>
 #include <evalcts/gl/tokens.h>
 #include <evalcts/results/files.h>
 #include <evalcts/results/run_result.h>
@@ -55,8 +56,8 @@ std::string replay_line(const UlpOptions& options, const accuracy::SweepTask& ta
   };
   if (task.map.two_dimensional) orders.push_back(std::to_string(map.vorder));
   for (std::size_t i = static_cast<std::size_t>(component); i < map.points.size(); i += map.components)
-    points.push_back(accuracy::hex(map.points[i]));
-  const std::string swept = accuracy::hex(at), other = accuracy::hex(task.map.other);
+    points.push_back(hexadecimal(map.points[i]));
+  const std::string swept = hexadecimal(at), other = hexadecimal(task.map.other);
   add("--implementation", implementation_of(options).name);
   add("--library", options.library.empty() ? "" : fs::absolute(options.library).lexically_normal().string());
   add("--context", options.context);
@@ -74,11 +75,11 @@ std::string in_words(const accuracy::Checkpoint& sweep, const accuracy::SweepRes
                      const char* unit, const UlpOptions* options) {
   const auto largest = accuracy::largest_error(sweep.identity.task, found);
   if (!largest) return {};
-  using accuracy::bits, accuracy::hex;
+  using accuracy::bits;
   return fmt::format("largest{}: {:.6g} {}, at {}: {} ({}), correctly rounded {} ({}); exact {}\n{}",
-                     sweep.is_proven() ? " (proven)" : " so far", largest->error, unit, hex(largest->at),
-                     hex(largest->got), bits(largest->got), hex(largest->right), bits(largest->right),
-                     largest->exact,
+                     sweep.is_proven() ? " (proven)" : " so far", largest->error, unit,
+                     hexadecimal(largest->at), hexadecimal(largest->got), bits(largest->got),
+                     hexadecimal(largest->right), bits(largest->right), largest->exact,
                      options ? replay_line(*options, sweep.identity.task, found.component, largest->at) : "");
 }
 
@@ -110,7 +111,7 @@ std::variant<accuracy::SweptMap, std::string> map_of(const UlpOptions& options) 
   if (const std::string wrong = wrong_points(one_component); !wrong.empty()) return wrong;
   for (const double x : options.points)
     if (static_cast<double>(static_cast<float>(x)) != x || !std::isfinite(x))
-      return fmt::format("{:a} is no finite float", x);
+      return hexadecimal(x) + " is no finite float";
 
   accuracy::SweptMap map;
   map.two_dimensional = options.orders.size() == 2;
@@ -215,15 +216,15 @@ std::variant<accuracy::SweepTask, std::string> task_of(const UlpOptions& options
 std::string headline(const UlpOptions& options, const accuracy::SweepTask& task,
                      const ImplementationInfo& info, const World* world) {
   std::vector<std::string> points;
-  for (const double point : task.map.map.points) points.push_back(accuracy::hex(point));
+  for (const double point : task.map.map.points) points.push_back(hexadecimal(point));
   return fmt::format("{}: {} {}, {}order {}, control points {}, every float from {} to {}{}{}{}\n",
                      options.label.empty() ? info.name : options.label, clean(info.renderer),
                      clean(info.version), task.map.is_plain_curve() ? "" : task.map.target + ", ",
-                     fmt::join(options.orders, " x "), fmt::join(points, ","), accuracy::hex(task.from),
-                     accuracy::hex(task.to),
+                     fmt::join(options.orders, " x "), fmt::join(points, ","), hexadecimal(task.from),
+                     hexadecimal(task.to),
                      !task.map.two_dimensional ? ""
-                     : task.map.along_v        ? " for v, u = " + accuracy::hex(task.map.other)
-                                               : " for u, v = " + accuracy::hex(task.map.other),
+                     : task.map.along_v        ? " for v, u = " + hexadecimal(task.map.other)
+                                               : " for u, v = " + hexadecimal(task.map.other),
                      task.shards > 1 ? ", shard " + options.shard : "",
                      world && world->size() > 1 ? fmt::format(", {} processes", world->size()) : "");
 }

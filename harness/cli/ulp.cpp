@@ -16,6 +16,7 @@
 #include <variant>
 
 #include <evalcts/accuracy_page.h>
+#include <evalcts/gl/hexadecimal.h>
 #include <evalcts/reports.h>
 
 #include <reference/bernstein.h>
@@ -56,7 +57,7 @@ std::string wrong_domain(const UlpOptions& options) {
   if (ends.size() % 2 != 0) return "--domain has two ends, u1,u2, or four, u1,u2,v1,v2";
   for (std::size_t i = 0; i < ends.size(); i += 2) {
     for (const double end : {ends[i], ends[i + 1]})
-      if (!is_float(end)) return fmt::format("--domain: {:a} is no finite float", end);
+      if (!is_float(end)) return fmt::format("--domain: {} is no finite float", hexadecimal(end));
     if (ends[i] == ends[i + 1])
       return fmt::format("--domain: the ends {} and {} are equal", ends[i], ends[i + 1]);
   }
@@ -160,7 +161,7 @@ int replay(const UlpOptions& options) {
       std::cout << fmt::format(
           "{}, {}: {} ({}), correctly rounded {} ({})\nexact value {}: error {} ULP, {} beside the "
           "condition\n",
-          subject->info().name, target, accuracy::hex(got), accuracy::bits(got), accuracy::hex(right),
+          subject->info().name, target, hexadecimal(got), accuracy::bits(got), hexadecimal(right),
           accuracy::bits(right), reference::describe(exact.value),
           exact.value.is_zero() ? "no" : fmt::format("{:.6g}", reference::ulp_distance(got, exact.value)),
           exact.magnitude.is_zero()
@@ -179,7 +180,7 @@ int replay(const UlpOptions& options) {
 
 std::string in_hex(const std::vector<double>& values) {
   std::vector<std::string> texts;
-  for (const double value : values) texts.push_back(accuracy::hex(value));
+  for (const double value : values) texts.push_back(hexadecimal(value));
   return fmt::format("{}", fmt::join(texts, ","));
 }
 
@@ -218,8 +219,8 @@ using WorstResult = std::optional<accuracy::WorstResult>;
 std::string worst_in_words(const WorstResult& result, const char* unit) {
   const accuracy::Worst& worst = result->worst;
   return fmt::format("  {:.4g} {}, at {}: {} ({}), correctly rounded {} ({}); exact {}\n    {}\n",
-                     worst.error, unit, argument_of(worst.input), accuracy::hex(worst.got),
-                     accuracy::bits(worst.got), accuracy::hex(worst.right), accuracy::bits(worst.right),
+                     worst.error, unit, argument_of(worst.input), hexadecimal(worst.got),
+                     accuracy::bits(worst.got), hexadecimal(worst.right), accuracy::bits(worst.right),
                      worst.exact, shell_line(result->replay));
 }
 

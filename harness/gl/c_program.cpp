@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include <evalcts/gl/call_log.h>
+#include <evalcts/gl/hexadecimal.h>
 #include "c_contexts.h"
 
 namespace evalcts::gl {
@@ -339,7 +340,7 @@ class Writer {
         text +=
             whole ? fmt::format("{:.0f} to {:.0f}", low, high) : fmt::format("[{:.9g}, {:.9g}]", low, high);
       } else {
-        text += whole ? fmt::format("{:.0f}", low) : fmt::format("{:.9g} ({:a})", low, low);
+        text += whole ? fmt::format("{:.0f}", low) : fmt::format("{:.9g} ({})", low, hexadecimal(low));
       }
     }
     return text;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <evalcts/gl/hexadecimal.h>
 #include <evalcts/gl/tokens.h>
 
 namespace evalcts::gl {
@@ -19,7 +20,7 @@ std::string constant(T value, const char* suffix) {
   if (value == std::trunc(value) && std::abs(value) < 1e6)
     return fmt::format("{}{:.1f}{}", std::signbit(value) && value == 0 ? "-" : "", value == 0 ? T{0} : value,
                        suffix);
-  return fmt::format("{:a}{}", value, suffix);
+  return hexadecimal(value) + suffix;
 }
 
 std::string element(Scalar type, const std::byte* bytes) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include <evalcts/gl/hexadecimal.h>
 #include <evalcts/gl/tokens.h>
 
 namespace evalcts {
@@ -17,7 +18,7 @@ using reference::Component;
 using reference::Rational;
 using reference::Sample;
 
-std::string text(float value) { return fmt::format("{:.9g} ({:a})", value, value); }
+std::string text(float value) { return fmt::format("{:.9g} ({})", value, hexadecimal(value)); }
 
 std::string text(const std::array<float, 3>& vector) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g})", vector[0], vector[1], vector[2]);

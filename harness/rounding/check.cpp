@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include <evalcts/gl/hexadecimal.h>
 #include <reference/filter.h>
 
 namespace evalcts::rounding {
@@ -305,15 +306,16 @@ std::string words(const Class& what, const Map& map, const std::string& target, 
                   double u, double v, const std::optional<std::array<Grid, 2>>& grid, int k, float got,
                   float right) {
   std::string text =
-      fmt::format("{} by {} on {}: component {} at ({:a}, {:a}) of [{:a},{:a}] x [{:a},{:a}]", what.name(),
-                  delivery, target, k, u, v, map.domain[0], map.domain[1], map.domain[2], map.domain[3]);
+      fmt::format("{} by {} on {}: component {} at ({}, {}) of [{},{}] x [{},{}]", what.name(), delivery,
+                  target, k, hexadecimal(u), hexadecimal(v), hexadecimal(map.domain[0]),
+                  hexadecimal(map.domain[1]), hexadecimal(map.domain[2]), hexadecimal(map.domain[3]));
   if (grid)
-    text += fmt::format(", indices of a grid of {} x {} segments over [{:a},{:a}] x [{:a},{:a}]",
-                        (*grid)[0].segments, (*grid)[1].segments, (*grid)[0].first, (*grid)[0].last,
-                        (*grid)[1].first, (*grid)[1].last);
-  text += fmt::format(": {:a}, not {:a}; control points", right, got);
+    text += fmt::format(", indices of a grid of {} x {} segments over [{},{}] x [{},{}]", (*grid)[0].segments,
+                        (*grid)[1].segments, hexadecimal((*grid)[0].first), hexadecimal((*grid)[0].last),
+                        hexadecimal((*grid)[1].first), hexadecimal((*grid)[1].last));
+  text += fmt::format(": {}, not {}; control points", hexadecimal(right), hexadecimal(got));
   for (std::size_t i = k; i < map.points.size(); i += map.components)
-    text += fmt::format(" {:a}", map.points[i]);
+    text += " " + hexadecimal(map.points[i]);
   return text;
 }
 

@@ -1,4 +1,5 @@
 #include <evalcts/gl/call_log.h>
+#include <evalcts/gl/hexadecimal.h>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,14 @@
 
 namespace evalcts::gl {
 namespace {
+
+TEST(Hexadecimal, HasTheSameBytesOnEveryMachine) {
+  EXPECT_EQ(hexadecimal(0), "0x0p+0");
+  EXPECT_EQ(hexadecimal(-0.0), "-0x0p+0");
+  EXPECT_EQ(hexadecimal(1.5), "0x1.8p+0");
+  EXPECT_EQ(hexadecimal(0x1p-149f), "0x1p-149");
+  EXPECT_EQ(hexadecimal(-0x1.fffffffffffffp+1023), "-0x1.fffffffffffffp+1023");
+}
 
 TEST(CallLog, ConstantsReadBackExactly) {
   for (const float value : {0.0f, 1.0f, -2.5f, 0.1f, 1e-40f, 3.4e38f, 1234567.0f, -1.0f / 3}) {

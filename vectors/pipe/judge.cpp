@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include <evalcts/gl/hexadecimal.h>
 #include <evalcts/gl/tokens.h>
 #include <evalcts/vectors/pipe.h>
 #include "estimate.h"
@@ -24,8 +25,8 @@ std::string wrong_values(const json& components, const std::vector<double>& got)
     const json& accept = components[c]["accept"];
     if (accept.is_null()) continue;
     if (got[c] >= number(accept[0]) && got[c] <= number(accept[1])) continue;
-    return fmt::format("component {}: {} ({:a}) is not between {} and {}; nearest is {}", c, got[c], got[c],
-                       accept[0].get<std::string>(), accept[1].get<std::string>(),
+    return fmt::format("component {}: {} ({}) is not between {} and {}; nearest is {}", c, got[c],
+                       hexadecimal(got[c]), accept[0].get<std::string>(), accept[1].get<std::string>(),
                        components[c]["float"].get<std::string>());
   }
   return {};

@@ -36,8 +36,7 @@ Errors measure(Subject& subject, const RowRequest& request, const std::atomic<bo
 // One result of the subject, for a target of as many components as it likes: all of them are the same.
 float replay(Subject& subject, const std::string& target, const Input& input);
 
-// The value as C writes it, and its bits: "0x1.8p+0", "0x3fc00000".
-std::string hex(double value);
+// The bits of the value: "0x3fc00000".
 std::string bits(float value);
 
 }  // namespace evalcts::accuracy
