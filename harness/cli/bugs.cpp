@@ -58,19 +58,19 @@ int bugs(const BugsOptions& options) {
 std::function<int()> define_bugs(CLI::App& app, const Call&) {
   const auto options = std::make_shared<BugsOptions>();
   app.add_option("results", options->results,
-                 "result files, and folders with results (default: those of the last run)");
-  app.add_flag("--verbose", options->verbose, "all tests that each bug explains");
+                 "result files, or folders that contain them (default: the last run)");
+  app.add_flag("--verbose", options->verbose, "list every test that a bug explains");
   app.add_flag("--known", options->known,
-               "the bugs that are known of implementations, as Markdown, instead of those of a run");
+               "print the known bugs of all implementations as Markdown, instead of the bugs of a run");
   return [options] { return bugs(*options); };
 }
 
 }  // namespace
 
-const Command kBugsCommand = {"bugs",
-                              "the distinct bugs behind the failing tests of a run, most important first",
-                              R"(  $ evalcts bugs
+const Command kBugsCommand = {
+    "bugs", "list the distinct bugs behind the failing tests of a run, most important first",
+    R"(  $ evalcts bugs
   $ evalcts bugs results-osmesa.json --verbose)",
-                              define_bugs};
+    define_bugs};
 
 }  // namespace evalcts::cli

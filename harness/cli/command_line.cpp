@@ -64,13 +64,13 @@ CLI::Option* add_repeatable(CLI::App& app, const std::string& name, std::vector<
 
 CLI::Option* add_shard(CLI::App& app, std::string& shard, const std::string& description) {
   return app.add_option("--shard", shard, description)->check([](const std::string& text) {
-    return Shard::parse(text, "/") ? std::string() : "'" + text + "' is no K/N with 1 <= K <= N";
+    return Shard::parse(text, "/") ? std::string() : "'" + text + "' is not K/N with 1 <= K <= N";
   });
 }
 
 CLI::Option* add_allow_unobserved(CLI::App& app, bool& allow) {
   return app.add_flag("--allow-unobserved", allow,
-                      "exit code 0 even if most of what was asked for cannot be observed");
+                      "exit code 0 even if most of the requested work cannot be observed");
 }
 
 int wrong_use(const std::string& message) {
@@ -82,8 +82,8 @@ bool warn_if_mostly_unobserved(const std::string& implementation, std::uint64_t 
                                const char* things) {
   if (2 * observed >= asked) return false;
   std::cerr << fmt::format(
-      "evalcts: {}: only {} of {} {} could be observed: this is no pass; with --allow-unobserved the exit "
-      "code is 0\n",
+      "evalcts: {}: only {} of {} {} could be observed, which is not a pass; --allow-unobserved accepts "
+      "this with exit code 0\n",
       implementation, observed, asked, things);
   return true;
 }
@@ -93,9 +93,10 @@ int command_line(int argc, char** argv, bool only_parse) {
   app.formatter(help_formatter());
   app.footer(
       "'evalcts COMMAND --help' shows the options of a command with examples.\n"
-      "Exit codes: 0 nothing unexpected; 1 an unexpected fail, crash or timeout; 2 wrong use, or something\n"
-      "could not be started, read or written; 3 a fault of evalcts.");
-  app.set_version_flag("--version", "evalcts " EVALCTS_VERSION);
+      "Exit codes: 0 nothing unexpected; 1 an unexpected fail, crash or timeout; 2 wrong usage, or\n"
+      "something could not be started, read or written; 3 an internal error of evalcts.");
+  app.set_version_flag("--version", "evalcts " EVALCTS_VERSION, "print the version and exit");
+  app.set_help_flag("-h,--help", "print this help and exit");
   app.require_subcommand(1);
   Call call = call_of(argc, argv);
   std::function<int()> chosen;

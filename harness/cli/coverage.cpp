@@ -81,16 +81,16 @@ std::function<int()> define_coverage(CLI::App& app, const Call&) {
     bool as_json = false, complete = false;
   };
   const auto options = std::make_shared<Options>();
-  app.add_flag("--json", options->as_json, "as JSON");
+  app.add_flag("--json", options->as_json, "print JSON");
   app.add_flag("--complete", options->complete,
-               "exit code 1 where a requirement is neither decided nor known to be undecidable");
+               "exit code 1 if a requirement is neither decided by a test nor known to be undecidable");
   return [options] { return coverage(options->as_json, options->complete); };
 }
 
 }  // namespace
 
 const Command kCoverageCommand = {"coverage",
-                                  "requirement by requirement: the tests that decide it, or why none can",
+                                  "show for each requirement the tests that decide it, or why no test can",
                                   R"(  $ evalcts coverage
   $ evalcts coverage --complete --json)",
                                   define_coverage};

@@ -105,13 +105,14 @@ int explain(const std::string& name) {
 
 std::function<int()> define_explain(CLI::App& app, const Call&) {
   const auto name = std::make_shared<std::string>();
-  app.add_option("name", *name)->required();
+  app.add_option("name", *name, "ID of a requirement, or name of an interpretation, test or verdict")
+      ->required();
   return [name] { return explain(*name); };
 }
 
 }  // namespace
 
-const Command kExplainCommand = {"explain", "a requirement, interpretation, test or verdict in words",
+const Command kExplainCommand = {"explain", "explain a requirement, interpretation, test or verdict",
                                  R"(  $ evalcts explain EV-MAP1-COPY
   $ evalcts explain Map1State.CopyOnCall/UNMAPPED
   $ evalcts explain not-observable)",

@@ -160,18 +160,19 @@ int faults(const FaultsOptions& options) {
 
 std::function<int()> define_faults(CLI::App& app, const Call&) {
   const auto options = std::make_shared<FaultsOptions>();
-  app.add_option("--filter", options->filter, "faults to try: patterns as for run");
-  add_shard(app, options->shard, "K/N: every N-th fault, from the K-th on");
+  app.add_option("--filter", options->filter, "inject only the faults that match patterns, as for run");
+  add_shard(app, options->shard, "K/N: run only every N-th fault, starting with the K-th");
   app.add_flag("--complete", options->complete,
-               "exit code 1 where a requirement that tests decide has no fault that was tried, too")
+               "exit code 1 also if no fault was injected for a requirement that tests decide")
       ->excludes("--filter")
       ->excludes("--shard");
   app.add_flag("--legal", options->legal,
-               "conforming variations instead of faults: no test may fail on one, and typical faults behind "
-               "it have to be detected")
+               "run conforming variations instead of faults: no test may fail on one, and typical faults "
+               "must still be detected behind it")
       ->excludes("--complete");
-  app.add_option("--timeout", options->seconds_per_test, "seconds for each test")->check(CLI::PositiveNumber);
-  app.add_option("--jobs", options->jobs, "faults side by side (default: one for each core)")
+  app.add_option("--timeout", options->seconds_per_test, "time limit for each test, in seconds")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--jobs", options->jobs, "number of faults that run in parallel (default: one per core)")
       ->check(CLI::Range(1, 256));
   app.add_option("--output", options->output, "folder for faults.json and faults.md");
   return [options] { return faults(*options); };
@@ -179,11 +180,10 @@ std::function<int()> define_faults(CLI::App& app, const Call&) {
 
 }  // namespace
 
-const Command kFaultsCommand = {
-    "faults", "break one rule at a time on purpose: does the suite catch it? (the tests of the tests)",
-    R"(  $ evalcts faults
+const Command kFaultsCommand = {"faults", "inject one fault at a time and show which test detects it",
+                                R"(  $ evalcts faults
   $ evalcts faults --filter 'Grid*' --jobs 2
-  $ evalcts faults --legal                        # on conforming libraries, none may fail)",
-    define_faults};
+  $ evalcts faults --legal                        # conforming variations: no test may fail)",
+                                define_faults};
 
 }  // namespace evalcts::cli

@@ -98,19 +98,23 @@ int fuzz(const FuzzOptions& options) {
 
 std::function<int()> define_fuzz(CLI::App& app, const Call&) {
   const auto options = std::make_shared<FuzzOptions>();
-  app.add_option("--implementation", options->implementation, "what to judge");
-  app.add_option("--library", options->library, "shared library instead of the usual one");
-  app.add_option("--context", options->context, "what makes the contexts, as for run");
-  app.add_option("--seed", options->seed, "the same seed gives the same programs on every machine");
-  app.add_option("--programs", options->programs, "how many");
-  app.add_option("--seconds", options->seconds, "for how long (default: 60, without --programs)")
+  app.add_option("--implementation", options->implementation, "implementation to judge");
+  app.add_option("--library", options->library, "shared library to judge instead of the system's");
+  app.add_option("--context", options->context, "interface that creates the contexts, as for run");
+  app.add_option("--seed", options->seed,
+                 "seed of the programs; a seed gives the same programs on every machine (default: 1)");
+  app.add_option("--programs", options->programs, "number of programs (default: no limit)");
+  app.add_option("--seconds", options->seconds,
+                 "time limit, in seconds (default: 60, without a limit if --programs is given)")
       ->check(CLI::PositiveNumber);
-  app.add_option("--length", options->length, "commands of a program, about")->check(CLI::Range(1, 100000));
-  app.add_flag("--fresh-contexts", options->fresh_contexts,
-               "a context for each program; without, most share one where that is faster");
-  app.add_option("--jobs", options->jobs, "processes side by side (default: one for each core)")
+  app.add_option("--length", options->length, "approximate number of commands per program (default: 120)")
+      ->check(CLI::Range(1, 100000));
+  app.add_flag(
+      "--fresh-contexts", options->fresh_contexts,
+      "run each program in a context of its own; by default most programs share one if that is faster");
+  app.add_option("--jobs", options->jobs, "number of parallel processes (default: one per core)")
       ->check(CLI::Range(1, 256));
-  app.add_option("--output", options->output, "folder for what is found");
+  app.add_option("--output", options->output, "folder for the findings");
   add_allow_unobserved(app, options->allow_unobserved);
   return [options] { return fuzz(*options); };
 }
@@ -118,7 +122,7 @@ std::function<int()> define_fuzz(CLI::App& app, const Call&) {
 }  // namespace
 
 const Command kFuzzCommand = {
-    "fuzz", "random programs side by side with the executable specification; differences are made small",
+    "fuzz", "run random programs, compare them with the executable specification, and minimise differences",
     R"(  $ evalcts fuzz --implementation osmesa --seconds 60
   $ evalcts fuzz --library ./libOSMesa.so.8 --programs 1000 --seed 7)",
     define_fuzz};

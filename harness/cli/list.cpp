@@ -100,16 +100,16 @@ std::function<int()> define_list(CLI::App& app, const Call&) {
       ->required()
       ->check(CLI::IsMember(
           {"implementations", "requirements", "interpretations", "tests", "faults", "baselines"}));
-  app.add_flag("--json", options->as_json, "as JSON");
+  app.add_flag("--json", options->as_json, "print JSON");
   return [options] { return list(options->what, options->as_json); };
 }
 
 }  // namespace
 
-const Command kListCommand = {"list",
-                              "implementations, requirements, interpretations, tests, faults or baselines",
-                              R"(  $ evalcts list implementations
+const Command kListCommand = {
+    "list", "list implementations, requirements, interpretations, tests, faults or baselines",
+    R"(  $ evalcts list implementations
   $ evalcts list tests --json)",
-                              define_list};
+    define_list};
 
 }  // namespace evalcts::cli

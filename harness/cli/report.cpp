@@ -54,12 +54,11 @@ int report(const ReportOptions& options) {
 
 std::function<int()> define_report(CLI::App& app, const Call&) {
   const auto options = std::make_shared<ReportOptions>();
-  app.add_option(
-      "results", options->results,
-      "result files, and folders with results (default: those of the last run); shards are put together");
+  app.add_option("results", options->results,
+                 "result files, or folders that contain them (default: the last run); shards are joined");
   add_repeatable(app, "--before", options->before,
-                 "earlier results to compare with, a file or folder; may be repeated. Exit code 1 where "
-                 "something has become worse");
+                 "earlier results to compare with, a file or a folder; may be repeated. Exit code 1 if a "
+                 "result is worse than before");
   app.add_option("--output", options->output, "folder for index.html and summary.md");
   return [options] { return report(*options); };
 }
@@ -67,7 +66,7 @@ std::function<int()> define_report(CLI::App& app, const Call&) {
 }  // namespace
 
 const Command kReportCommand = {
-    "report", "pages from one or more results, side by side, and compared with earlier ones",
+    "report", "write a page of one or more results side by side, and compare with earlier results",
     R"(  $ evalcts report results-osmesa.json)", define_report};
 
 }  // namespace evalcts::cli

@@ -337,21 +337,21 @@ std::function<int()> define_reproduce(CLI::App& app, const Call& call) {
   const auto options = std::make_shared<ReproduceOptions>();
   options->program = call.program;
   app.add_option("failure", options->failure,
-                 "the test's name, NAME:test, or a part of it that no other failing test has; or the ID of a "
-                 "bug, see 'evalcts bugs'")
+                 "name of a failing test, NAME:TEST, or a part of the name that identifies it; or the ID of "
+                 "a bug (see 'evalcts bugs')")
       ->required();
-  app.add_option("--output", options->output, "the C file to write");
-  app.add_option("--results", options->results, "folder with the results of the run");
+  app.add_option("--output", options->output, "C file to write");
+  app.add_option("--results", options->results, "folder with the results of the run (default: the last run)");
   return [options] { return reproduce(*options); };
 }
 
 }  // namespace
 
-const Command kReproduceCommand = {"reproduce",
-                                   "a stand-alone C program for a failure or a bug of the last run",
-                                   R"(  $ evalcts reproduce IntegersSaturate/MAP1_INDEX
+const Command kReproduceCommand = {
+    "reproduce", "write a stand-alone C program for a failing test or a bug of the last run",
+    R"(  $ evalcts reproduce IntegersSaturate/MAP1_INDEX
   $ evalcts reproduce osmesa:GetMap.IntegersSaturate/MAP1_INDEX --output saturate.c
   $ evalcts reproduce EV-GETMAP-SATURATE-2b7c)",
-                                   define_reproduce};
+    define_reproduce};
 
 }  // namespace evalcts::cli

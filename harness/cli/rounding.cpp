@@ -76,25 +76,30 @@ std::function<int()> define_rounding(CLI::App& app, const Call&) {
   const auto options = std::make_shared<RoundingOptions>();
   const CLI::Range counts(0.0, 1e15);  // by itself the parser takes -1 for 2^64 - 1
   app.add_option("--samples", options->samples,
-                 "values of each class of maps, against the filter and the exact route behind it")
+                 "number of values per class of maps that are checked through the filter and, if it does not "
+                 "decide, the exact route")
       ->check(counts);
-  app.add_option("--exact", options->exact, "values of each class, against the exact route alone")
+  app.add_option("--exact", options->exact,
+                 "number of values per class that are checked through the exact route alone")
       ->check(counts);
   app.add_flag("--sweep", options->sweep,
-               "every float from 0 to 1 instead, for one map of each class of curves");
-  app.add_option("--filter", options->filter, "classes: patterns as in GoogleTest, 'curve/4/*'");
-  add_repeatable(
-      app, "--target", options->targets,
-      "instruction set; may be repeated (default: all that this machine has; for --sweep the best)");
-  app.add_option("--seed", options->seed, "of maps and arguments");
-  app.add_option("--jobs", options->jobs, "threads (default: one for each core)")->check(CLI::Range(1, 256));
+               "check every float from 0 to 1 instead, for one map of each class of curves");
+  app.add_option("--filter", options->filter,
+                 "check only the classes that match GoogleTest patterns, such as 'curve/4/*'");
+  add_repeatable(app, "--target", options->targets,
+                 "instruction set; may be repeated (default: all that this machine supports; with --sweep "
+                 "the best one)");
+  app.add_option("--seed", options->seed, "seed of maps and arguments");
+  app.add_option("--jobs", options->jobs, "number of threads (default: one per core)")
+      ->check(CLI::Range(1, 256));
   return [options] { return rounding(*options); };
 }
 
 }  // namespace
 
 const Command kRoundingCommand = {
-    "rounding", "is production correctly rounded? random maps and arguments beside the oracle, bit for bit",
+    "rounding",
+    "check that production rounds correctly: random maps and arguments, compared bit for bit with the oracle",
     R"(  $ evalcts rounding
   $ evalcts rounding --filter 'curve/4/*' --samples 1000000)",
     define_rounding};

@@ -335,65 +335,75 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
   const auto options = std::make_shared<RunOptions>();
   options->program = call.program;
   options->command = call.command;
-  add_repeatable(app, "--implementation", options->implementations, "what to judge; may be repeated");
-  app.add_option("--library", options->library, "shared library instead of the usual one");
+  add_repeatable(app, "--implementation", options->implementations,
+                 "implementation to judge (see 'evalcts list implementations'); may be repeated");
+  app.add_option("--library", options->library, "shared library to judge instead of the system's");
   app.add_option("--context", options->context,
-                 fmt::format("what makes the contexts, instead of an implementation: {}, or the path "
-                             "of a provider",
+                 fmt::format("interface that creates the contexts, instead of that of an implementation: {}, "
+                             "or the path of a provider",
                              fmt::join(evalcts::context_names(), ", ")));
-  app.add_option("--name", options->label, "label of the output, instead of the implementation's name");
   app.add_option(
-      "--filter", options->filter,
-      "tests to run, of those of the depth: patterns as in GoogleTest, 'Map1*:-*Copy*'; an exact name "
-      "runs at any depth");
-  app.add_option("--depth", options->depth, "how many values")
+      "--name", options->label,
+      "name of the result files and of the column in the report (default: the implementation's name)");
+  app.add_option("--filter", options->filter,
+                 "run only the tests of the chosen depth that match GoogleTest patterns, such as "
+                 "'Map1*:-*Copy*'; a test given by its exact name runs at any depth");
+  app.add_option("--depth", options->depth,
+                 "number of values and variants that each test tries (default: full)")
       ->check(CLI::IsMember({"quick", "full", "thorough"}));
-  app.add_option("--seed", options->seed, "seed of the random tests");
-  app.add_option("--timeout", options->seconds_per_test, "seconds for each test")->check(CLI::PositiveNumber);
-  app.add_option("--memory", options->mebibytes, "MiB of memory for a process that plays tests")
+  app.add_option("--seed", options->seed, "seed of the random tests (default: 1)");
+  app.add_option("--timeout", options->seconds_per_test, "time limit for each test, in seconds (default: 60)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--memory", options->mebibytes,
+                 "memory limit for each process that runs tests, in MiB (default: 4096)")
       ->check(CLI::Range(64.0, 1e9));
-  app.add_option("--retry", options->retries, "how often an unexpected fail is played again")
+  app.add_option("--retry", options->retries,
+                 "number of times an unexpected failure is run again (default: 1)")
       ->check(CLI::Range(0, 100));
   app.add_option("--jobs", options->jobs,
-                 "processes that share the tests of an implementation (default: one for each core, at most "
-                 "8; one with --shuffle)")
+                 "number of processes that share the tests of an implementation (default: one per core, at "
+                 "most 8; one with --shuffle)")
       ->check(CLI::Range(1, 256));
   app.add_option("--output", options->output, "folder for results and report");
   app.add_option("--baseline", options->baseline,
-                 "known failures: DIR with baselines, DIR/NAME or NAME for a certain one, or 'none' "
-                 "(default: the shipped one "
-                 "that fits the implementation)");
-  app.add_flag("--write-baseline", options->write_baseline, "write what fails as the baseline");
-  app.add_flag("--strict", options->strict, "an unexpected pass and a stale baseline entry count, too");
+                 "known failures: a folder DIR with baselines, one of them as DIR/NAME, a shipped one by its "
+                 "NAME, or 'none' (default: the shipped one that fits the implementation)");
+  app.add_flag("--write-baseline", options->write_baseline,
+               "record the failures of this run as the baseline");
+  app.add_flag("--strict", options->strict,
+               "unexpected passes and stale baseline entries change the exit code, too");
   add_repeatable(app, "--interpretation", options->interpretations,
-                 "NAME=READING: the reading of an ambiguous text that is wanted, see 'evalcts list "
-                 "interpretations'; may be repeated");
-  app.add_flag("--no-bugs", options->no_bugs, "do not reduce failing tests to distinct bugs");
-  app.add_option("--bug-seconds", options->bug_seconds, "how long failing tests are reduced to distinct bugs")
+                 "NAME=READING: fail an implementation that follows another reading of an ambiguous text "
+                 "(see 'evalcts list interpretations'); may be repeated");
+  app.add_flag("--no-bugs", options->no_bugs, "do not reduce the failing tests to distinct bugs");
+  app.add_option("--bug-seconds", options->bug_seconds,
+                 "time limit for reducing the failing tests to distinct bugs, in seconds (default: 60)")
       ->check(CLI::PositiveNumber);
-  app.add_flag("--reuse-context", options->reuse_context,
-               "a second pass over one shared context, for defects that depend on history");
+  app.add_flag(
+      "--reuse-context", options->reuse_context,
+      "add a second pass that runs all tests in one context, which finds bugs that depend on history");
   add_allow_unobserved(app, options->allow_unobserved);
-  add_shard(app, options->shard, "K/N: every N-th of the tests, from the K-th on; N machines play them all");
-  app.add_option("--shuffle", options->shuffle,
-                 "run the tests in a random order (GoogleTest keeps those of a suite together): its "
-                 "seed");
-  CLI::Option* verbose =
-      app.add_flag("--verbose", options->verbose, "all failing tests and what was not judged");
-  app.add_flag("--quiet", options->quiet, "one line for each implementation")->excludes(verbose);
+  add_shard(app, options->shard,
+            "K/N: run only every N-th test, starting with the K-th, so that N machines share the tests");
+  app.add_option(
+      "--shuffle", options->shuffle,
+      "run the tests in a random order with this seed; GoogleTest keeps the tests of a suite together");
+  CLI::Option* verbose = app.add_flag("--verbose", options->verbose,
+                                      "list all failing tests and everything that was not judged");
+  app.add_flag("--quiet", options->quiet, "print one line per implementation")->excludes(verbose);
   return [options, &call] { return run(*options, options->shard.empty() ? call.shard : options->shard); };
 }
 
 }  // namespace
 
 const Command kRunCommand = {
-    "run", "judge implementations (default: osmesa, or egl without it, production and reference)",
-    R"(  $ evalcts run                                         # osmesa (or egl), production and reference
-  $ evalcts run --library ./libOSMesa.so.8              # a library of your own
+    "run", "judge implementations (default: osmesa or, without OSMesa, egl; production; reference)",
+    R"(  $ evalcts run                                         # the three defaults
+  $ evalcts run --library ./libOSMesa.so.8              # a library that you built
   $ evalcts run --filter 'Map1Errors.*:-*ActiveTexture*' --depth quick
   $ evalcts run --library ./libEGL.so.1 --baseline mine --write-baseline    # once
   $ evalcts run --library ./libEGL.so.1 --baseline mine --strict --quiet    # in CI
-  $ evalcts run --shard 2/4 --output part-2             # on the second of four machines)",
+  $ evalcts run --shard 2/4 --output part-2             # the second of four machines)",
     define_run};
 
 }  // namespace evalcts::cli

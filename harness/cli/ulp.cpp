@@ -551,56 +551,65 @@ std::function<int()> define_ulp(CLI::App& app, const Call& call) {
   options->program = call.program;
   options->command = call.command;
   add_repeatable(app, "--implementation", options->implementations,
-                 fmt::format("what to measure, also {}; may be repeated (default: osmesa, or egl without it, "
-                             "and all that need no library)",
+                 fmt::format("implementation to measure, or one of {}; may be repeated (default: osmesa or, "
+                             "without OSMesa, egl, and all that need no library)",
                              fmt::join(own_subject_names(), ", ")));
-  app.add_option("--library", options->library, "shared library instead of the usual one");
-  app.add_option("--context", options->context, "what makes the contexts, as for run");
-  app.add_option("--name", options->label, "label in the output, instead of the implementation's name");
+  app.add_option("--library", options->library, "shared library to measure instead of the system's");
+  app.add_option("--context", options->context, "interface that creates the contexts, as for run");
+  app.add_option("--name", options->label, "label in the output (default: the implementation's name)");
   add_repeatable(app, "--target", options->targets, "kind of map; may be repeated (default: vertex_3)")
       ->check(CLI::IsMember(accuracy::target_names()));
-  app.add_option("--filter", options->filter, "classes of maps: patterns as in GoogleTest, 'curve/4/*'");
-  app.add_option("--values", options->values,
-                 "of each row of the table (default: 20000), or of the digest (default: 10000000)")
+  app.add_option("--filter", options->filter,
+                 "measure only the classes of maps that match GoogleTest patterns, such as 'curve/4/*'");
+  app.add_option(
+         "--values", options->values,
+         "number of values per row of the table (default: 20000) or in the digest (default: 10000000)")
       ->check(CLI::Range(1.0, 1e15));
   app.add_option("--climb", options->climb,
-                 "results of each row that the search for worse inputs takes, from the worst of these on "
-                 "(default: as many)")
+                 "number of further evaluations per row that search for larger errors, starting from the "
+                 "largest ones found (default: that of --values)")
       ->check(CLI::Range(0.0, 1e15));  // by itself the parser takes -1 for 2^64 - 1
-  app.add_option("--seed", options->seed, "of maps and arguments");
-  app.add_option("--jobs", options->jobs, "implementations side by side (default: one for each core)")
+  app.add_option("--seed", options->seed, "seed of maps and arguments (default: 1)");
+  app.add_option("--jobs", options->jobs,
+                 "number of implementations that are measured in parallel (default: one per core)")
       ->check(CLI::Range(1, 256));
   app.add_option("--output", options->output, "folder for ulp.json and ulp.csv");
-  app.add_flag("--verbose", options->verbose, "the worst inputs of every row");
-  app.add_option("--orders", options->orders, "one input instead: its order, or its two orders")
+  app.add_flag("--verbose", options->verbose, "print the inputs with the largest errors of every row");
+  app.add_option("--orders", options->orders,
+                 "measure a single input instead: order of a curve, or uorder,vorder of a surface")
       ->delimiter(',')
       ->expected(1, 2);
-  app.add_option("--points", options->points, "its control points, v fastest")->delimiter(',');
-  app.add_option("--at", options->at, "its argument, or its two arguments")->delimiter(',')->expected(1, 2);
-  app.add_option(
-         "--domain", options->domain,
-         "of the maps or of the one input: u1,u2 or u1,u2,v1,v2 (default: that of each class, [0,1] but for "
-         "shifted, reversed, narrow and huge)")
+  app.add_option("--points", options->points,
+                 "control points of the single input or the sweep; for a surface, v varies fastest")
+      ->delimiter(',');
+  app.add_option("--at", options->at, "argument of the single input: u, or u,v")
+      ->delimiter(',')
+      ->expected(1, 2);
+  app.add_option("--domain", options->domain,
+                 "domain u1,u2 or u1,u2,v1,v2 of the maps or the single input (default: [0,1], or the domain "
+                 "of the class: shifted, reversed, narrow, huge)")
       ->delimiter(',')
       ->expected(2, 4);
-  app.add_option("--segments", options->segments,
-                 "the argument of the one input is a point of a grid with so many segments over the domain")
+  app.add_option(
+         "--segments", options->segments,
+         "number of grid segments over the domain; the argument of the single input is a point of this grid")
       ->check(CLI::PositiveNumber);
   app.add_flag("--sweep", options->sweep,
-               "every float of an interval as argument of one map: --orders and --points");
-  app.add_option("--u", options->fixed_u, "of a surface that is swept along v: its u");
-  app.add_option("--v", options->fixed_v, "of a surface that is swept along u: its v");
-  app.add_flag("--digest", options->digest,
-               "one line for many results of production, or of another implementation, on random maps");
-  app.add_option("--merge", options->merge,
-                 "files of all shards of a sweep: makes one of them, as of a sweep without shards");
+               "measure one map, given by --orders and --points, at every float of an interval");
+  app.add_option("--u", options->fixed_u, "fixed u of a surface that is swept along v");
+  app.add_option("--v", options->fixed_v, "fixed v of a surface that is swept along u");
+  app.add_flag(
+      "--digest", options->digest,
+      "print one line that identifies many results on random maps, of production or another implementation");
+  app.add_option("--merge", options->merge, "join the result files of all shards of a sweep");
   app.add_option("--page", options->page,
-                 "an earlier ulp.json: writes its page again, with the sweeps in the output folder");
-  app.add_option("--from", options->from, "where the interval begins (default: 0)");
-  app.add_option("--to", options->to, "where it ends (default: 1)");
-  add_shard(app, options->shard, "K/N: every N-th block of the sweep, from the K-th on");
-  app.add_option("--checkpoint", options->checkpoint,
-                 "the file from which a sweep goes on, and its result (default: in the output folder)");
+                 "write the page of an earlier ulp.json again, with the sweeps in the output folder");
+  app.add_option("--from", options->from, "first argument of the sweep (default: 0)");
+  app.add_option("--to", options->to, "last argument of the sweep (default: 1)");
+  add_shard(app, options->shard, "K/N: measure only every N-th block of the sweep, starting with the K-th");
+  app.add_option(
+      "--checkpoint", options->checkpoint,
+      "file that stores the state of a sweep and from which it is resumed (default: in the output folder)");
   app.add_option("--rows", options->rows)->group("");
   return [options] { return ulp(*options); };
 }
@@ -608,7 +617,7 @@ std::function<int()> define_ulp(CLI::App& app, const Call& call) {
 }  // namespace
 
 const Command kUlpCommand = {
-    "ulp", "how far from the exact values? errors of implementations in ULP and beside their condition",
+    "ulp", "measure the errors of implementations in ULP, and relative to the condition of the problem",
     R"(  $ evalcts ulp --implementation osmesa --filter 'curve/4/*'
   $ evalcts ulp --implementation osmesa --orders 2 --points=0.25,0.75 --at 0.375
   $ evalcts ulp --sweep --implementation production --orders 2 --points=0.25,0.75 --to 0x1p-4)",

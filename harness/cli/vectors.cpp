@@ -95,23 +95,26 @@ namespace {
 std::function<int()> define_vectors(CLI::App& app, const Call&) {
   const auto options = std::make_shared<VectorsOptions>();
   app.require_subcommand(1);
-  CLI::App* const write =
-      app.add_subcommand("write", "make them all anew, byte for byte as they are shipped");
-  write->add_option("--output", options->output, "folder to write into (default: the shipped one)");
+  CLI::App* const write = app.add_subcommand("write", "write the shipped vectors again, byte for byte");
+  write->add_option("--output", options->output, "folder for the vector files (default: the shipped ones)");
   CLI::App* const lint =
-      app.add_subcommand("lint", "look over files of vectors: structure, ids, requirements, flags");
-  lint->add_option("file", options->files, "the files (default: those that are shipped)");
-  CLI::App* const emit =
-      app.add_subcommand("emit", "as lines of text, to be answered: emit | PROGRAM | evalcts vectors check");
+      app.add_subcommand("lint", "check the structure, IDs, requirements and claims of vector files");
+  lint->add_option("file", options->files, "vector files (default: the shipped ones)");
+  CLI::App* const emit = app.add_subcommand(
+      "emit",
+      "print cases as lines of text for another program to answer: emit | PROGRAM | evalcts vectors check");
   CLI::App* const check = app.add_subcommand("check", "judge the answers on standard input");
   for (CLI::App* command : {emit, check}) {
-    command->add_option("--kind", options->kinds, "only these (the same for emit and check)")
+    command
+        ->add_option("--kind", options->kinds,
+                     "kind of cases; give the same to emit and check (default: all)")
         ->check(CLI::IsMember({"map1_eval", "map2_eval", "grid", "auto_normal"}));
     CLI::Option* const count =
         command
-            ->add_option("--count", options->count, "random cases of each kind in place of the shipped ones")
+            ->add_option("--count", options->count,
+                         "number of random cases of each kind, which replace the shipped ones")
             ->check(CLI::PositiveNumber);
-    command->add_option("--seed", options->seed, "of the random cases (the same for emit and check)")
+    command->add_option("--seed", options->seed, "seed of the random cases; give the same to emit and check")
         ->needs(count);
   }
   add_allow_unobserved(*check, options->allow_unobserved);
@@ -126,7 +129,7 @@ std::function<int()> define_vectors(CLI::App& app, const Call&) {
 }  // namespace
 
 const Command kVectorsCommand = {
-    "vectors", "golden vectors: right answers as data",
+    "vectors", "write and check golden vectors, and judge the answers of other programs by them",
     R"(  $ evalcts vectors emit --kind grid | ./mine | evalcts vectors check --kind grid
   $ evalcts vectors emit --seed 7 --count 100000 | ./mine | evalcts vectors check --seed 7 --count 100000
   $ evalcts vectors lint mine.json)",
