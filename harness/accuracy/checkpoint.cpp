@@ -81,7 +81,7 @@ json read_whole(const std::filesystem::path& file) {
     throw std::invalid_argument("no whole JSON");
   const json checksum = checkpoint["checksum"];
   checkpoint.erase("checksum");
-  if (as_text(checksum) != checksum_of(checkpoint)) throw std::invalid_argument("its checksum does not fit");
+  if (as_text(checksum) != checksum_of(checkpoint)) throw std::invalid_argument("its checksum is wrong");
   return checkpoint;
 }
 
@@ -138,7 +138,7 @@ SweepIdentity identity_from(const json& checkpoint) {
   task.shard = std::stoll(shard.substr(0, slash)) - 1;
   task.shards = std::stoll(shard.substr(slash + 1));
   if (task.shards < 1 || task.shard < 0 || task.shard >= task.shards || checkpoint.at("block") != kBlock)
-    throw std::invalid_argument("a shard or block that there is not");
+    throw std::invalid_argument("a shard or block that does not exist");
   return identity;
 }
 
@@ -195,7 +195,7 @@ SweepState state_from(const json& checkpoint, const SweepTask& task) {
   for (const json& range : checkpoint.at("blocks_done"))
     for (auto block = range.at(0).get<std::int64_t>(); block <= range.at(1).get<std::int64_t>(); ++block) {
       if (block < 0 || block >= task.blocks() || !task.mine(block))
-        throw std::invalid_argument("blocks that there are not");
+        throw std::invalid_argument("blocks that do not exist");
       state.done.insert(block);
     }
   const json& result = checkpoint.at("result");
@@ -254,11 +254,11 @@ Checkpoint merged(const std::vector<std::filesystem::path>& files) {
     };
     try {
       const json checkpoint = read_whole(file);
-      if (checkpoint.value("format", "") != kFormat) throw refused("is no sweep");
+      if (checkpoint.value("format", "") != kFormat) throw refused("is not a sweep");
       const SweepIdentity own = identity_from(checkpoint);
       const SweepState part = state_from(checkpoint, own.task);
       if (part.done.size() != own.task.blocks_of_shard())
-        throw refused("is unfinished: its command goes on with it");
+        throw refused("is unfinished: run its command again to complete it");
       const std::string shard = checkpoint.at("shard");
       if (!whole) {
         first = checkpoint;
@@ -273,9 +273,9 @@ Checkpoint merged(const std::vector<std::filesystem::path>& files) {
           throw refused(fmt::format("is of another sweep: its {} is {}, not {}", name,
                                     checkpoint.value(name, json()).dump(), first.value(name, json()).dump()));
       if (own.task.shards != static_cast<std::int64_t>(seen.size()))
-        throw refused(fmt::format("is shard {}: the others are of {}", shard, seen.size()));
+        throw refused(fmt::format("is shard {}, but the others are of {}", shard, seen.size()));
       if (seen[static_cast<std::size_t>(own.task.shard)])
-        throw refused(fmt::format("is shard {} once more", shard));
+        throw refused(fmt::format("is shard {} a second time", shard));
       seen[static_cast<std::size_t>(own.task.shard)] = true;
       for (std::int64_t block = 0; block < own.task.blocks(); ++block)
         if (part.done.contains(block)) whole->state.done.insert(block);

@@ -194,7 +194,7 @@ StreamSource stream_source(const ImplementationOptions& options) {
   StreamSource source;
   if (options.library.empty() && options.context.empty()) {
     if (options.name == "production-fast")
-      throw CannotStart("production-fast is for grids: it has no results at every float");
+      throw CannotStart("production-fast evaluates grids only, so it has no result for every float");
     if (const auto textbook = make_textbook(options.name)) {
       source.info = textbook->info();
       source.for_threads = true;

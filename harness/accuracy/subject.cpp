@@ -34,7 +34,7 @@ std::vector<std::string> target_names() {
 GLenum target_of(const std::string& name, bool two_dimensional) {
   for (const Target& target : kTargets)
     if (name == target.name) return two_dimensional ? target.two : target.one;
-  throw std::invalid_argument(fmt::format("there is no target '{}'", name));
+  throw std::invalid_argument(fmt::format("unknown target '{}'", name));
 }
 
 const std::vector<SubjectKind>& own_subjects() {

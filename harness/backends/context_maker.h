@@ -26,7 +26,7 @@ class ContextMaker {
   virtual void* create_sharing(void* /*with*/) { return nullptr; }
   // Creates a context of a kind that gl/contexts.h names. Throws CannotStart.
   virtual void* create_of_kind(GLuint /*kind*/) {
-    throw CannotStart("contexts of other kinds than the usual one are not made here");
+    throw CannotStart("this implementation creates contexts of the default kind only");
   }
   // Makes a context current. Throws CannotStart.
   virtual void make_current(void* /*context*/) {}

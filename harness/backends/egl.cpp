@@ -211,7 +211,7 @@ class EglContexts final : public ContextMaker {
         attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_NO_ERROR_KHR, EGL_TRUE});
         break;
       default:
-        throw CannotStart(fmt::format("there is no kind {} of contexts", kind));
+        throw CannotStart(fmt::format("unknown kind {} of contexts", kind));
     }
     attributes.push_back(EGL_NONE);
     return attributes;
@@ -269,7 +269,7 @@ class EglContexts final : public ContextMaker {
       if (client_has("EGL_MESA_platform_surfaceless")) {
         found.push_back({"surfaceless", EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY});
       } else {
-        reasons.push_back("surfaceless: there is no EGL_MESA_platform_surfaceless");
+        reasons.push_back("surfaceless: EGL_MESA_platform_surfaceless is not supported");
       }
     }
     if (platform != EglPlatform::surfaceless) {
@@ -278,7 +278,7 @@ class EglContexts final : public ContextMaker {
         devices = all_devices();
       for (std::size_t i = 0; i < devices.size(); ++i)
         found.push_back({fmt::format("device {}", i), EGL_PLATFORM_DEVICE_EXT, devices[i]});
-      if (devices.empty()) reasons.push_back("device: EGL_EXT_platform_device offers none");
+      if (devices.empty()) reasons.push_back("device: EGL_EXT_platform_device offers no device");
     }
     if (platform == EglPlatform::any) {
       const Candidate usual{"default display", EGL_NONE, nullptr};
@@ -351,7 +351,7 @@ class EglContexts final : public ContextMaker {
       surfaceless_ = true;
       choose_config();
     }
-    if (!config_) throw CannotStart("no configuration is made for OpenGL");
+    if (!config_) throw CannotStart("no EGL configuration supports OpenGL");
 
     // Without attributes, EGL creates the highest version that includes GL 1.0, and so evaluators.
     attributes_ = {EGL_NONE};

@@ -56,10 +56,10 @@ std::string problem_of(const std::string& entry, Holds holds) {
   std::error_code error;
   if (holds == Holds::name) return {};
   if (holds == Holds::files)
-    return fs::is_regular_file(entry, error) ? "" : fmt::format("there is no file '{}'", entry);
-  if (!fs::is_directory(entry, error)) return fmt::format("there is no directory '{}'", entry);
+    return fs::is_regular_file(entry, error) ? "" : fmt::format("no such file '{}'", entry);
+  if (!fs::is_directory(entry, error)) return fmt::format("no such directory '{}'", entry);
   if (holds == Holds::driver_directories && !has_driver(entry))
-    return fmt::format("there is no *_dri.so in '{}'", entry);
+    return fmt::format("no *_dri.so in '{}'", entry);
   return {};
 }
 

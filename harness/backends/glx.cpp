@@ -142,7 +142,7 @@ class GlxContexts final : public ContextMaker {
         kind == EVALCTS_NO_ERROR ? "GLX_ARB_create_context_no_error" : "GLX_ARB_create_context_profile";
     bool has = false;
     for (std::string extension; extensions >> extension;) has = has || extension == wanted;
-    if (!create || !has) throw CannotStart(fmt::format("there is no {}", wanted));
+    if (!create || !has) throw CannotStart(fmt::format("{} is missing", wanted));
     const std::vector<int> attributes = attributes_of(kind);
     return make([&] { return create(display_, configuration_, nullptr, direct_, attributes.data()); });
   }
@@ -150,7 +150,7 @@ class GlxContexts final : public ContextMaker {
   void make_current(void* context) override {
     const Made& made = *static_cast<Made*>(context);
     if (!glx_.MakeContextCurrent(display_, made.surface, made.surface, made.context))
-      throw CannotStart("glXMakeContextCurrent refuses the context");
+      throw CannotStart("glXMakeContextCurrent rejects the context");
   }
 
   bool copies() const override { return true; }
@@ -212,7 +212,7 @@ class GlxContexts final : public ContextMaker {
         no_error = True;
         break;
       default:
-        throw CannotStart(fmt::format("there is no kind {} of contexts", kind));
+        throw CannotStart(fmt::format("unknown kind {} of contexts", kind));
     }
     std::vector<int> attributes = {GLX_CONTEXT_MAJOR_VERSION_ARB, 3, GLX_CONTEXT_MINOR_VERSION_ARB, minor};
     if (minor >= 2) attributes.insert(attributes.end(), {GLX_CONTEXT_PROFILE_MASK_ARB, profile});
@@ -246,7 +246,8 @@ class GlxContexts final : public ContextMaker {
   void start_server(const std::string& preload) {
     server_.emplace(preload);
     connect(server_->display());
-    if (!display_) throw CannotStart(fmt::format("Xvfb, display {}, lets nobody in", server_->display()));
+    if (!display_)
+      throw CannotStart(fmt::format("Xvfb, display {}, rejects connections", server_->display()));
   }
 
   // Connects to a server, through a recorder if rendering is indirect and the server is on this machine.
@@ -282,15 +283,16 @@ class GlxContexts final : public ContextMaker {
     try {
       context = static_cast<Made*>(create());
     } catch (const CannotStart& error) {
-      throw CannotStart(fmt::format("{} makes no {} context: {}{}", where, direct_ ? "direct" : "indirect",
-                                    error.what(), server_ || direct_ ? "" : kHint));
+      throw CannotStart(fmt::format("{} cannot create a {} context: {}{}", where,
+                                    direct_ ? "direct" : "indirect", error.what(),
+                                    server_ || direct_ ? "" : kHint));
     }
     const bool is_direct = glx_.IsDirect(display_, context->context);
     const std::string silence = direct_ ? "" : silence_of_context();
     destroy(context);
     if (is_direct != direct_)
       throw CannotStart(fmt::format(
-          "{} makes {} contexts only{}", where, is_direct ? "direct" : "indirect",
+          "{} creates only {} contexts{}", where, is_direct ? "direct" : "indirect",
           direct_ ? ": libGL renders indirectly if it cannot load a driver or if LIBGL_ALWAYS_INDIRECT is set"
                   : ""));
     if (!silence.empty())
@@ -371,7 +373,7 @@ class GlxContexts final : public ContextMaker {
     }
     errors::expected = false;
     if (!current)
-      throw CannotStart(errors::latest.empty() ? "glXCreateNewContext or glXMakeContextCurrent gives none"
+      throw CannotStart(errors::latest.empty() ? "glXCreateNewContext or glXMakeContextCurrent fails"
                                                : errors::latest);
     return made.release();
   }

@@ -42,9 +42,9 @@ std::string guessed_kind(const std::string& path) {
   if (library.exported("eglGetDisplay")) return "egl";
   if (library.exported("glXCreateNewContext")) return "glx";
   if (library.exported("evalcts_provider_open"))
-    throw CannotStart(fmt::format("{0} is a provider of contexts: name it with --context", path));
+    throw CannotStart(fmt::format("{0} is a provider of contexts: pass it with --context", path));
   throw CannotStart(fmt::format(
-      "{}: name what makes its contexts with --context ({}, or the path of a provider, see "
+      "{}: choose the interface that creates its contexts with --context ({}, or the path of a provider, see "
       "evalcts_provider.h)",
       fmt::format("{} exports none of OSMesaCreateContext, eglGetDisplay, glXCreateNewContext and "
                   "evalcts_sink_open",
@@ -53,11 +53,10 @@ std::string guessed_kind(const std::string& path) {
 }
 
 std::unique_ptr<Implementation> open_with_context(const ImplementationOptions& options) {
-  if (!options.name.empty())
-    throw CannotStart("--context takes the place of --implementation: give one of them");
+  if (!options.name.empty()) throw CannotStart("--context replaces --implementation: give only one of them");
   if ((options.context == "none" || options.context == "egl-gles2") && options.library.empty())
     throw CannotStart(
-        fmt::format("with --context {} the commands come from --library: name one", options.context));
+        fmt::format("--context {} needs --library, which provides the commands", options.context));
   const auto found = std::find_if(named_contexts().begin(), named_contexts().end(),
                                   [&](const NamedContexts& named) { return named.name == options.context; });
   if (found != named_contexts().end()) return make_gl_library("library", found->make(), options.library);
@@ -65,7 +64,7 @@ std::unique_ptr<Implementation> open_with_context(const ImplementationOptions& o
     return make_gl_library("library", load_provider(options.context), options.library);
   } catch (const CannotStart& error) {
     if (options.context.find('/') != std::string::npos) throw;
-    throw CannotStart(fmt::format("--context '{}' is none of {}, nor a provider: {}", options.context,
+    throw CannotStart(fmt::format("--context '{}' is neither one of {} nor a provider: {}", options.context,
                                   fmt::join(context_names(), ", "), error.what()));
   }
 }
@@ -84,7 +83,7 @@ const std::vector<ImplementationKind>& implementation_kinds() {
        "libosmesa6", false},
       {"dropin-egl", "the same in front of libEGL, without a window system", "libegl1", false},
       {"dropin-glx", "the same in front of libGL, rendering directly, under an X server", "xvfb", false},
-      {"sink", "an evaluator of your own that is no GL, with --library", "", false},
+      {"sink", "an evaluator that is not a GL, given with --library", "", false},
   };
   return kinds;
 }
@@ -117,8 +116,7 @@ std::unique_ptr<Implementation> open_implementation(const ImplementationOptions&
   }
   std::vector<std::string> known;
   for (const ImplementationKind& kind : implementation_kinds()) known.push_back(kind.name);
-  throw CannotStart(
-      fmt::format("there is no implementation '{}'; known are: {}", name, fmt::join(known, ", ")));
+  throw CannotStart(fmt::format("unknown implementation '{}'; known are: {}", name, fmt::join(known, ", ")));
 }
 
 namespace {
@@ -212,7 +210,7 @@ ImplementationInfo inquire(Implementation& implementation) {
   info.version = string_of(GL_VERSION);
   if (info.version.empty())
     throw CannotStart(
-        "glGetString(GL_VERSION) answers nothing: the context is not current or the library is broken");
+        "glGetString(GL_VERSION) returns no string: the context is not current, or the library is broken");
   const gl::Advertised advertised = gl::parse_advertised(info.version, string_of(GL_EXTENSIONS));
   info.major = advertised.version / 10;
   info.minor = advertised.version % 10;

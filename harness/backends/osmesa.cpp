@@ -67,7 +67,7 @@ class OSMesaContexts final : public ContextMaker {
   }
   void make_current(void* context) override {
     if (!make_current_(context, pixels_.data(), GL_UNSIGNED_BYTE, kFramebufferSide, kFramebufferSide))
-      throw CannotStart("OSMesaMakeCurrent refuses the context");
+      throw CannotStart("OSMesaMakeCurrent rejects the context");
   }
 
   void destroy(void* context) override {

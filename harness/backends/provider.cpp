@@ -14,7 +14,7 @@ class Provider final : public ContextMaker {
     const auto open = library_.find_as<decltype(&evalcts_provider_open)>("evalcts_provider_open");
     if (!open)
       throw CannotStart(
-          fmt::format("{} exports no evalcts_provider_open: it is no provider of contexts, see "
+          fmt::format("{} does not export evalcts_provider_open: it is not a provider of contexts, see "
                       "evalcts_provider.h",
                       library_.path()));
     provider_ = open();
@@ -22,7 +22,7 @@ class Provider final : public ContextMaker {
       throw CannotStart(fmt::format("evalcts_provider_open of {} returns null", library_.path()));
     if (provider_->version != EVALCTS_PROVIDER_VERSION)
       throw CannotStart(fmt::format(
-          "{} was built for version {} of evalcts_provider.h, this evalcts knows version {}: build it anew",
+          "{} was built for version {} of evalcts_provider.h, this evalcts supports version {}: rebuild it",
           library_.path(), provider_->version, EVALCTS_PROVIDER_VERSION));
     if (!provider_->create || !provider_->destroy)
       throw CannotStart(fmt::format("{} lacks create or destroy", library_.path()));
@@ -33,7 +33,7 @@ class Provider final : public ContextMaker {
     if (void* context = provider_->create()) return context;
     const char* why = provider_->error ? provider_->error() : nullptr;
     throw CannotStart(
-        fmt::format("{} makes no context: {}", library_.path(), why ? why : "it does not say why"));
+        fmt::format("{} cannot create a context: {}", library_.path(), why ? why : "it gives no reason"));
   }
   void destroy(void* context) override { provider_->destroy(context); }
   void* address_of(const char* command) override {

@@ -59,7 +59,7 @@ std::string machine_name(const ElfHead& head) {
 std::string problem_of_file(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) return "there is no such file; give the path of a shared library";
+  if (!std::filesystem::exists(status)) return "no such file; give the path of a shared library";
   if (std::filesystem::is_directory(status)) return "it is a directory; give the path of a shared library";
   if (!std::ifstream(path)) return fmt::format("it cannot be read: {}", std::strerror(errno));
   const ElfHead head = head_of(path), own = head_of("/proc/self/exe");

@@ -96,11 +96,11 @@ class SinkLibrary final : public Implementation {
     if (!sink_) throw CannotStart(fmt::format("evalcts_sink_open of {} returns null", library_.path()));
     if (sink_->version != EVALCTS_SINK_VERSION)
       throw CannotStart(fmt::format(
-          "{} was built for version {} of evalcts_sink.h, this evalcts knows version {}: build it anew",
+          "{} was built for version {} of evalcts_sink.h, this evalcts supports version {}: rebuild it",
           library_.path(), sink_->version, EVALCTS_SINK_VERSION));
     if (!sink_->commands || !sink_->reset)
       throw CannotStart(
-          fmt::format("{}: evalcts_sink::commands and evalcts_sink::reset are needed", library_.path()));
+          fmt::format("{}: evalcts_sink::commands and evalcts_sink::reset are required", library_.path()));
     table_ = gl::load_table({[this](const char* name) { return command(name); }});
     described = sink_;
     if (!table_.GetString) table_.GetString = get_string;

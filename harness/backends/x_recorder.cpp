@@ -127,7 +127,8 @@ class XRecorder::Pump {
 
  private:
   [[noreturn]] static void fail() {
-    throw CannotStart(fmt::format("no socket for a recorded connection: {}", std::strerror(errno)));
+    throw CannotStart(
+        fmt::format("cannot create a socket for a recorded connection: {}", std::strerror(errno)));
   }
 
   void remove_socket() {
@@ -223,7 +224,7 @@ XRecorder::XRecorder(const std::string& server) {
   const auto [after, error] =
       std::from_chars(server.data() + std::min(colon + 1, server.size()), end, number);
   if (server[colon] != ':' || error != std::errc() || number < 0 || (after != end && *after != '.'))
-    throw CannotStart(fmt::format("display {} is not on this machine", server));
+    throw CannotStart(fmt::format("display {} is not a display of this machine", server));
   pump_ = std::make_unique<Pump>(socket_of(number));
   display_ = pump_->display();
 }

@@ -112,7 +112,7 @@ XServer::XServer(const std::string& preload) {
   void* const shared =
       mmap(nullptr, sizeof *number_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (log_ < 0 || input < 0 || shared == MAP_FAILED || pipe2(answer, 0) != 0)
-    throw CannotStart(fmt::format("no Xvfb can be started: {}", std::strerror(errno)));
+    throw CannotStart(fmt::format("cannot start Xvfb: {}", std::strerror(errno)));
   number_ = new (shared) int(-1);
   fcntl(answer[0], F_SETFD, FD_CLOEXEC);
 

@@ -26,7 +26,7 @@ std::vector<std::string> default_implementations() {
     if (kind.name != "osmesa") continue;
     const std::string reason = why_not("osmesa");
     if (reason.empty()) continue;
-    std::cout << fmt::format("osmesa does not start ({}): egl takes its place\n", reason);
+    std::cout << fmt::format("osmesa does not start ({}): egl is judged instead\n", reason);
     names.back() = "egl";
   }
   return names;

@@ -16,7 +16,8 @@ int digest(const UlpOptions& options) {
   UlpOptions chosen = options;
   if (chosen.implementations.empty() && options.library.empty() && options.context.empty())
     chosen.implementations.emplace_back("production");
-  if (chosen.implementations.size() > 1) return wrong_use("--digest is for one implementation");
+  if (chosen.implementations.size() > 1)
+    return wrong_use("--digest measures one implementation: give only one");
   stop_when_asked();
   try {
     const accuracy::StreamSource source = accuracy::stream_source(implementation_of(chosen));

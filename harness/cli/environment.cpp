@@ -31,9 +31,10 @@ std::string shard_of_environment() {
   const std::string shard =
       is_number && index.size() < 10 ? fmt::format("{}/{}", std::stoul(index) + 1, total) : "";
   if (!Shard::parse(shard, "/"))
-    throw BadEnvironment(fmt::format(
-        "GTEST_SHARD_INDEX='{}' is no part of GTEST_TOTAL_SHARDS='{}': unset both, or use --shard K/N", index,
-        total));
+    throw BadEnvironment(
+        fmt::format("GTEST_SHARD_INDEX='{}' is not in the range of GTEST_TOTAL_SHARDS='{}': unset both, or "
+                    "use --shard K/N",
+                    index, total));
   return total == "1" ? "" : shard;
 }
 

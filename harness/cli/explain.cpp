@@ -100,7 +100,7 @@ int explain(const std::string& name) {
     return kNothingUnexpected;
   }
   return wrong_use(
-      fmt::format("'{}' is no requirement, interpretation, test or verdict; see 'evalcts list'", name));
+      fmt::format("'{}' is not a requirement, interpretation, test or verdict; see 'evalcts list'", name));
 }
 
 std::function<int()> define_explain(CLI::App& app, const Call&) {

@@ -152,7 +152,7 @@ int faults(const FaultsOptions& options) {
                         decided.size());
   line.print(text + fmt::format("\nTable: {}\n", (output / "faults.md").string()));
   if (interrupted) {
-    return wrong_use("interrupted; what was obtained is in the output folder");
+    return wrong_use("interrupted; the results so far are in the output folder");
   }
   return counts[FaultOutcome::kSurvives] > 0 || (options.complete && !without.empty()) ? kUnexpected
                                                                                        : kNothingUnexpected;

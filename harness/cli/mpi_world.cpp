@@ -123,12 +123,12 @@ class MpiWorld final : public World {
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
-    if (provided < MPI_THREAD_SERIALIZED) throw CannotStart("this MPI is for programs of one thread");
+    if (provided < MPI_THREAD_SERIALIZED) throw CannotStart("this MPI supports only programs of one thread");
     if (size_ < processes_of_environment())
-      throw CannotStart(fmt::format(
-          "{} processes were started, but MPI knows of {}: start them by mpirun of the MPI that this "
-          "program was built with, or by srun --mpi=pmix",
-          processes_of_environment(), size_));
+      throw CannotStart(
+          fmt::format("{} processes were started, but MPI knows of {}: start them with the mpirun of the MPI "
+                      "that this program was built with, or with srun --mpi=pmix",
+                      processes_of_environment(), size_));
   }
   MpiWorld(const MpiWorld&) = delete;
   MpiWorld& operator=(const MpiWorld&) = delete;

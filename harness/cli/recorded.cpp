@@ -40,14 +40,14 @@ std::vector<std::string> replay_options(const RunResult& run) {
   for (std::size_t i = 1; i < command.size(); i += 2) {
     const std::string &option = command[i], &value = command[i + 1];
     if (!kHarmless.contains(option) || value.starts_with("-"))
-      throw FormatError(fmt::format("suite_command: '{} {}' is nothing that judges", option, value));
+      throw FormatError(fmt::format("suite_command: '{} {}' is not a command that judges", option, value));
     options.insert(options.end(), {option, value});
   }
   std::string captures;
   for (const CaptureRecord& capture : run.implementation.captures) {
     if (!capture.available) continue;
     if (!is_word(capture.name))
-      throw FormatError(fmt::format("implementation.captures: '{}' is no capture", capture.name));
+      throw FormatError(fmt::format("implementation.captures: '{}' is not a capture", capture.name));
     captures += (captures.empty() ? "" : ",") + capture.name;
   }
   options.insert(options.end(), {"--captures", captures.empty() ? "none" : captures});

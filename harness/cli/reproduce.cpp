@@ -60,7 +60,7 @@ std::vector<Candidate> recorded_tests(const fs::path& folder, std::list<RunResul
   }
   if (tests.empty())
     throw CannotReproduce(
-        fmt::format("there are no results in '{}'; 'evalcts run' first, or name the folder with "
+        fmt::format("'{}' contains no results; 'evalcts run' first, or name the folder with "
                     "--results",
                     folder.string()));
   std::sort(tests.begin(), tests.end(),
@@ -329,7 +329,7 @@ int reproduce(const ReproduceOptions& options) {
   } catch (const CannotReproduce& error) {
     return wrong_use(clean(error.what()));
   } catch (const FormatError& error) {
-    return wrong_use("the results do not follow their format: " + clean(error.what()));
+    return wrong_use("the result file does not follow its schema: " + clean(error.what()));
   }
 }
 

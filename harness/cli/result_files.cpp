@@ -26,7 +26,7 @@ bool is_result_name(const fs::path& path) {
 std::vector<fs::path> files_of(const fs::path& argument) {
   std::error_code error;
   const fs::file_status status = fs::status(argument, error);
-  if (!fs::exists(status)) throw CannotReadResults(fmt::format("there is no '{}'", argument.string()));
+  if (!fs::exists(status)) throw CannotReadResults(fmt::format("'{}' does not exist", argument.string()));
   if (!fs::is_directory(status)) return {argument};
   std::vector<fs::path> files;
   fs::directory_iterator entry(argument, error);
@@ -36,8 +36,8 @@ std::vector<fs::path> files_of(const fs::path& argument) {
     throw CannotReadResults(
         fmt::format("cannot read the folder '{}': {}", argument.string(), error.message()));
   if (files.empty())
-    throw CannotReadResults(fmt::format(
-        "there are no results in '{}': 'evalcts run' writes results-NAME.json", argument.string()));
+    throw CannotReadResults(
+        fmt::format("'{}' contains no results: 'evalcts run' writes results-NAME.json", argument.string()));
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -45,7 +45,7 @@ std::vector<fs::path> files_of(const fs::path& argument) {
 RunResult read_result(const fs::path& file) {
   std::error_code unknown;
   if (!fs::is_regular_file(file, unknown))
-    throw CannotReadResults(fmt::format("'{}' is no file", file.string()));
+    throw CannotReadResults(fmt::format("'{}' is not a file", file.string()));
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};

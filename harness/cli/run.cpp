@@ -81,7 +81,7 @@ int exit_code_of(const RunResult& result, const RunOptions& options) {
   if (code == kNothingUnexpected && !options.allow_unobserved &&
       warn_if_mostly_unobserved(result.implementation.name, supported - count(Verdict::kNotObservable),
                                 supported, "tests")) {
-    std::cerr << "evalcts: 'evalcts run --verbose' says why\n";
+    std::cerr << "evalcts: 'evalcts run --verbose' prints the reasons\n";
     code = kWrongUse;
   }
   return code;
@@ -120,10 +120,10 @@ bool is_file_name(const std::string& label) {
 std::string wrong_reading(const std::vector<std::string>& choices) {
   for (const std::string& choice : choices) {
     const std::size_t equals = choice.find('=');
-    if (equals == std::string::npos) return fmt::format("--interpretation '{}' is no NAME=READING", choice);
+    if (equals == std::string::npos) return fmt::format("--interpretation '{}' is not NAME=READING", choice);
     const std::string name = choice.substr(0, equals), reading = choice.substr(equals + 1);
     const Ambiguity* const entry = catalogue().find_ambiguity(name);
-    if (!entry || entry->readings.empty()) return fmt::format("there is no interpretation '{}'", name);
+    if (!entry || entry->readings.empty()) return fmt::format("unknown interpretation '{}'", name);
     if (!entry->readings.contains(reading)) return fmt::format("{} has no reading '{}'", name, reading);
   }
   return {};
@@ -140,12 +140,12 @@ std::string wrong_options(const RunOptions& options) {
   if (!options.label.empty() && !is_one) return "--name labels one implementation; name only that one";
   if (!options.label.empty() && !is_file_name(options.label))
     return fmt::format(
-        "--name becomes part of file names: letters, digits, '-', '_' and '.' only, at most {}",
+        "--name is used in file names: it may contain letters, digits, '-', '_' and '.', at most {}",
         kLongestLabel);
   for (const std::string& name : options.implementations)
     if (!std::ranges::any_of(implementation_kinds(),
                              [&](const ImplementationKind& kind) { return kind.name == name; }))
-      return fmt::format("there is no implementation '{}'; see 'evalcts list implementations'", name);
+      return fmt::format("unknown implementation '{}'; see 'evalcts list implementations'", name);
   if (const std::string wrong = wrong_reading(options.interpretations); !wrong.empty())
     return wrong + "; see 'evalcts list interpretations'";
   return {};
@@ -327,7 +327,8 @@ int run(const RunOptions& options, const std::string& shard) {
   }
   write_pages(output, results, {});
   if (!options.quiet) std::cout << fmt::format("Report: {}\n", (output / "index.html").string());
-  if (interrupted) code = std::max(code, wrong_use("interrupted; what was obtained is in the output folder"));
+  if (interrupted)
+    code = std::max(code, wrong_use("interrupted; the results so far are in the output folder"));
   return code;
 }
 

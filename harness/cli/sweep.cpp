@@ -93,7 +93,7 @@ std::string in_words(const accuracy::Checkpoint& sweep, const UlpOptions* option
              100 * static_cast<double>(result.not_correctly_rounded) / values, result.not_finite,
              result.zeros_wrong, result.zeros) +
          in_words(sweep, result.ulp, "ULP", options) +
-         in_words(sweep, result.condition_aware, "beside the condition", options) +
+         in_words(sweep, result.condition_aware, "relative to the condition", options) +
          fmt::format(
              "digest {:016x}; {:.1f} s, {:.1f} million values a second, {} of them by the exact route\n",
              result.digest, sweep.seconds, values / sweep.seconds / 1e6, result.decided_exactly);
@@ -107,15 +107,15 @@ std::variant<accuracy::SweptMap, std::string> map_of(const UlpOptions& options) 
   one_component.points.resize(std::min<std::size_t>(product, reference::kMaxOrder * reference::kMaxOrder));
   if (options.orders.empty() || options.points.empty() ||
       options.points.size() % std::max<std::size_t>(product, 1) != 0)
-    return "--sweep has --orders N or N,M, and as many --points for each component";
+    return "--sweep needs --orders N or N,M, and that number of --points per component";
   if (const std::string wrong = wrong_points(one_component); !wrong.empty()) return wrong;
   for (const double x : options.points)
     if (static_cast<double>(static_cast<float>(x)) != x || !std::isfinite(x))
-      return hexadecimal(x) + " is no finite float";
+      return hexadecimal(x) + " is not a finite float";
 
   accuracy::SweptMap map;
   map.two_dimensional = options.orders.size() == 2;
-  if (options.targets.size() > 1) return "--sweep is for one --target";
+  if (options.targets.size() > 1) return "--sweep measures one --target: give only one";
   const std::size_t given = options.points.size() / product;
   if (!options.targets.empty()) {
     map.target = options.targets.front();
@@ -126,7 +126,7 @@ std::variant<accuracy::SweptMap, std::string> map_of(const UlpOptions& options) 
   map.map.uorder = options.orders[0];
   if (map.two_dimensional) map.map.vorder = options.orders[1];
   if (given != 1 && given != static_cast<std::size_t>(map.map.components))
-    return fmt::format("{} has {} components: --points are one number for each control point, or so many",
+    return fmt::format("{} has {} components: --points takes one number per control point, or that many",
                        map.target, map.map.components);
   map.map.points = options.points;
   if (given == 1) {  // all components alike
@@ -138,7 +138,7 @@ std::variant<accuracy::SweptMap, std::string> map_of(const UlpOptions& options) 
            "none";
   map.along_v = options.fixed_u.has_value();
   map.other = map.along_v ? *options.fixed_u : options.fixed_v.value_or(0);
-  if (!std::isfinite(map.other)) return "--u and --v are finite floats";
+  if (!std::isfinite(map.other)) return "--u and --v must be finite floats";
   return map;
 }
 
@@ -147,9 +147,9 @@ std::variant<accuracy::SweptMap, std::string> map_of(const UlpOptions& options) 
 std::string become_mpi_program() {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "evalcts-mpi";
   if (!fs::exists(program))
-    return "mpirun has started several of these, and this evalcts was built without MPI: install "
-           "libopenmpi-dev and "
-           "openmpi-bin, and build it anew";
+    return "mpirun started several processes, but this evalcts was built without MPI: install libopenmpi-dev "
+           "and "
+           "openmpi-bin, and rebuild it";
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
   std::vector<std::string> arguments;
   for (std::string argument; std::getline(file, argument, '\0');) arguments.push_back(argument);
@@ -185,7 +185,7 @@ int merge(const UlpOptions& options) {
     if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
     if (fs::exists(file))
       return wrong_use(fmt::format(
-          "{} is there already: move it away, or name another file with --checkpoint", file.string()));
+          "{} exists already: move it away, or choose another file with --checkpoint", file.string()));
     accuracy::write_checkpoint(file, whole);
     std::cout << in_words(whole, nullptr) << fmt::format("complete: {}\n", file.string());
     return kNothingUnexpected;
@@ -200,10 +200,10 @@ namespace {
 std::variant<accuracy::SweepTask, std::string> task_of(const UlpOptions& options) {
   auto map = map_of(options);
   if (const auto* const wrong = std::get_if<std::string>(&map)) return *wrong;
-  if (!options.at.empty()) return "--sweep has no --at: it goes --from one float --to another";
-  if (options.implementations.size() > 1) return "--sweep is for one implementation";
+  if (!options.at.empty()) return "--sweep does not take --at: it goes --from one float --to another";
+  if (options.implementations.size() > 1) return "--sweep measures one implementation: give only one";
   if (!(options.from <= options.to) || !std::isfinite(options.from) || !std::isfinite(options.to))
-    return "--from and --to are finite floats, in this order";
+    return "--from and --to must be finite floats, in ascending order";
   accuracy::SweepTask task{std::get<accuracy::SweptMap>(std::move(map)), options.from, options.to};
   if (!options.shard.empty()) {
     const Shard shard = *Shard::parse(options.shard, "/");
@@ -233,7 +233,7 @@ std::string headline(const UlpOptions& options, const accuracy::SweepTask& task,
 int sweep_here(const UlpOptions& options, const accuracy::SweepTask& task, int jobs, World*& world) {
   const accuracy::StreamSource source = accuracy::stream_source(implementation_of(options));
   if (source.info.max_eval_order > 0 && std::ranges::max(options.orders) > source.info.max_eval_order)
-    return wrong_use(fmt::format("GL_MAX_EVAL_ORDER is {} there", source.info.max_eval_order));
+    return wrong_use(fmt::format("its GL_MAX_EVAL_ORDER is {}", source.info.max_eval_order));
   accuracy::Checkpoint sweep{accuracy::identity_of(task, source.info),
                              {accuracy::BlockSet(task.blocks()), {}}};
   const fs::path file = file_of(options, sweep.identity);
@@ -278,7 +278,7 @@ int sweep_here(const UlpOptions& options, const accuracy::SweepTask& task, int j
   line.print(in_words(sweep, &options));
   line.print(fmt::format("{}: {}\n", sweep.status(), file.string()));
   if (sweep.is_complete()) return kNothingUnexpected;
-  return wrong_use("interrupted; the same command goes on from there");
+  return wrong_use("interrupted; the same command resumes the sweep");
 }
 
 }  // namespace

@@ -54,10 +54,10 @@ bool is_float(double x) { return static_cast<double>(static_cast<float>(x)) == x
 // Why the domain that was given is none; empty if it is good.
 std::string wrong_domain(const UlpOptions& options) {
   const std::vector<double>& ends = options.domain;
-  if (ends.size() % 2 != 0) return "--domain has two ends, u1,u2, or four, u1,u2,v1,v2";
+  if (ends.size() % 2 != 0) return "--domain takes two numbers, u1,u2, or four, u1,u2,v1,v2";
   for (std::size_t i = 0; i < ends.size(); i += 2) {
     for (const double end : {ends[i], ends[i + 1]})
-      if (!is_float(end)) return fmt::format("--domain: {} is no finite float", hexadecimal(end));
+      if (!is_float(end)) return fmt::format("--domain: {} is not a finite float", hexadecimal(end));
     if (ends[i] == ends[i + 1])
       return fmt::format("--domain: the ends {} and {} are equal", ends[i], ends[i + 1]);
   }
@@ -136,11 +136,12 @@ int measure_rows(const UlpOptions& options) {
 int replay(const UlpOptions& options) {
   if (const std::string wrong = wrong_points(options); !wrong.empty()) return wrong_use(wrong);
   if (options.at.size() != options.orders.size())
-    return wrong_use("one input has --at u, or u,v for a surface");
+    return wrong_use("a single input needs --at u, or --at u,v for a surface");
   for (const double x : options.at)
-    if (!is_float(x)) return wrong_use(fmt::format("{:a} is no finite float", x));
+    if (!is_float(x)) return wrong_use(fmt::format("{:a} is not a finite float", x));
   const bool two_dimensional = options.orders.size() == 2;
-  if (options.implementations.size() > 1) return wrong_use("one input is for one implementation");
+  if (options.implementations.size() > 1)
+    return wrong_use("a single input is measured on one implementation: give only one");
 
   accuracy::Input input;
   input.two_dimensional = two_dimensional;
@@ -246,9 +247,9 @@ std::string in_words(const accuracy::MeasuredImplementation& entry, bool with_ta
     const char* unit;
     const accuracy::Row* largest = nullptr;
   };
-  Kind kinds[] = {
-      {&accuracy::Row::max_ulp, &accuracy::Row::worst_ulp, "ULP"},
-      {&accuracy::Row::max_condition_aware, &accuracy::Row::worst_condition_aware, "beside the condition"}};
+  Kind kinds[] = {{&accuracy::Row::max_ulp, &accuracy::Row::worst_ulp, "ULP"},
+                  {&accuracy::Row::max_condition_aware, &accuracy::Row::worst_condition_aware,
+                   "relative to the condition"}};
   for (const accuracy::Row& row : entry.rows) {
     if (!row.not_measured.empty()) {
       text += fmt::format("{:<27} not measured: {}\n", name_of(row, with_target), row.not_measured);
@@ -392,7 +393,7 @@ std::vector<json> sweeps_in(const fs::path& output) {
       by_name[name] = std::move(sweep);
     } else {
       std::cerr << fmt::format(
-          "evalcts: '{}' is left out of the page: it is no sweep that 'evalcts ulp --sweep' has written\n",
+          "evalcts: '{}' is left out of the page: it was not written by 'evalcts ulp --sweep'\n",
           file.path().string());
     }
   }
@@ -412,9 +413,8 @@ std::string write_page(const fs::path& output, const json& document) {
   };
   const fs::path file = output / "accuracy.html";
   write_atomically(file, reports::accuracy_html(document, sweeps_in(output), draw));
-  return fmt::format(
-      "page: {}{}\n", file.string(),
-      draws ? "" : " (without pictures: there is no gnuplot here that works, package gnuplot-nox)");
+  return fmt::format("page: {}{}\n", file.string(),
+                     draws ? "" : " (without pictures: no working gnuplot was found, package gnuplot-nox)");
 }
 
 // The page of a measurement that is there already.
@@ -450,13 +450,13 @@ std::string wrong_points(const UlpOptions& options) {
   std::size_t points = 1;
   for (const int order : options.orders) {
     if (order < 1 || order > reference::kMaxOrder)
-      return fmt::format("--orders are from 1 to {}", reference::kMaxOrder);
+      return fmt::format("--orders must be from 1 to {}", reference::kMaxOrder);
     points *= static_cast<std::size_t>(order);
   }
   if (options.orders.empty() || options.points.size() != points)
-    return "one map has --orders N or N,M and as many --points";
+    return "a single map needs --orders N or N,M and that number of --points";
   for (const double x : options.points)
-    if (!is_float(x)) return fmt::format("{:a} is no finite float", x);
+    if (!is_float(x)) return fmt::format("{:a} is not a finite float", x);
   return {};
 }
 
@@ -482,12 +482,12 @@ int ulp(const UlpOptions& options) {
   for (const std::string& name : options.implementations)
     if (std::find(known.begin(), known.end(), name) == known.end())
       return wrong_use(
-          fmt::format("there is no implementation '{}'; known are: {}", name, fmt::join(known, ", ")));
+          fmt::format("unknown implementation '{}'; known are: {}", name, fmt::join(known, ", ")));
   std::vector<std::string> names = options.implementations;
   const bool own_library = !options.library.empty() || !options.context.empty();
   if (own_library && names.empty()) names.emplace_back();
   if ((own_library || !options.label.empty()) && names.size() != 1)
-    return wrong_use("--library, --context and --name go with one implementation");
+    return wrong_use("--library, --context and --name can be used with one implementation only");
   const bool named = !names.empty();
   if (!named) {
     names = default_implementations();
@@ -540,9 +540,9 @@ int ulp(const UlpOptions& options) {
   write_atomically(output / "ulp-histograms.csv", reports::histograms_csv(document));
   write_atomically(output / "ulp-worst.csv", reports::worst_csv(document));
   line.print(write_page(output, document));
-  line.print(fmt::format("seed {}; all of it: {}, {} and three more of comma-separated values\n",
-                         options.seed, (output / "ulp.json").string(), (output / "ulp.csv").string()));
-  if (interrupted) std::cerr << "evalcts: interrupted; what was measured is in the output folder\n";
+  line.print(fmt::format("seed {}; all results: {}, {} and three more CSV files\n", options.seed,
+                         (output / "ulp.json").string(), (output / "ulp.csv").string()));
+  if (interrupted) std::cerr << "evalcts: interrupted; the measurements so far are in the output folder\n";
   return code;
 }
 

@@ -84,7 +84,7 @@ int lint_vectors(const VectorsOptions& options) {
   }
   std::cout << fmt::format("{} cases; structure checked by the schema and by hand\n", cases);
   if (shipped && code == kNothingUnexpected && cases < kFewestCases) {
-    std::cout << fmt::format("fewer than the {} cases that there should be\n", kFewestCases);
+    std::cout << fmt::format("fewer than the expected {} cases\n", kFewestCases);
     code = kUnexpected;
   }
   return code;

@@ -33,7 +33,7 @@ std::vector<nlohmann::json> files_of(const VectorsOptions& options) {
       std::ifstream stream(path);
       if (!stream) throw vectors::Malformed("cannot be read");
       nlohmann::json file = nlohmann::json::parse(stream, nullptr, false);
-      if (file.is_discarded()) throw vectors::Malformed("is no JSON");
+      if (file.is_discarded()) throw vectors::Malformed("is not JSON");
       vectors::check_structure(file);
       files.push_back(std::move(file));
     } catch (const vectors::Malformed& problem) {
@@ -90,7 +90,7 @@ int emit_vectors(const VectorsOptions& options) {
   }
   std::cout.flush();
   if (std::cout) return kNothingUnexpected;
-  return wrong_use("the reader of the pipe has gone before the end");
+  return wrong_use("the reader closed the pipe before the end");
 }
 
 namespace {
@@ -135,7 +135,7 @@ int check_vectors(const VectorsOptions& options) {
               [](const auto& answer) { std::cout << fmt::format("unknown id: {}\n", answer.first); });
     show_some(answers.malformed, [](const std::string& words) { std::cout << words << '\n'; });
     if (!answers.of.empty() || !answers.malformed.empty()) {
-      std::cerr << "evalcts: some lines are no answers; what to answer is in vectors/INTERPRETING.md\n";
+      std::cerr << "evalcts: some lines are not answers; vectors/INTERPRETING.md describes the format\n";
       code = std::max(code, kWrongUse);
     }
   } catch (const vectors::Malformed& problem) {

@@ -167,7 +167,7 @@ std::vector<ListedFault> list_faults(const fs::path& program, const std::string&
   std::optional<std::vector<ListedFault>> faults = parse_faults(read_file(file));
   fs::remove(file);
   if (!faults)
-    throw std::runtime_error(fmt::format("'{}' does not say which faults there are ({})", program.string(),
+    throw std::runtime_error(fmt::format("'{}' does not list its faults ({})", program.string(),
                                          ending ? describe(*ending) : "it takes too long"));
   return *std::move(faults);
 }

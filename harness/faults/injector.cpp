@@ -101,7 +101,7 @@ const std::vector<Fault>& all_faults() {
 
 std::unique_ptr<Implementation> with_fault(std::unique_ptr<Implementation> inner, std::string_view name) {
   const auto found = std::ranges::find(all_faults(), name, &Fault::name);
-  if (found == all_faults().end()) throw CannotStart(fmt::format("there is no fault '{}'", name));
+  if (found == all_faults().end()) throw CannotStart(fmt::format("unknown fault '{}'", name));
   if (found->inject) return std::make_unique<Faulty>(std::move(inner), *found);
   activate_mutation(name);
   return inner;

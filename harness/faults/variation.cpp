@@ -109,7 +109,7 @@ const std::vector<Variation>& all_variations() {
 
 std::unique_ptr<Implementation> with_variation(std::unique_ptr<Implementation> inner, std::string_view name) {
   const auto found = std::ranges::find(all_variations(), name, &Variation::name);
-  if (found == all_variations().end()) throw CannotStart(fmt::format("there is no variation '{}'", name));
+  if (found == all_variations().end()) throw CannotStart(fmt::format("unknown variation '{}'", name));
   return std::make_unique<VariedImplementation>(std::move(inner), *found);
 }
 

@@ -64,7 +64,7 @@ class SharedContext {
     std::string library() const override { return inner_.library(); }
     std::unique_ptr<Context> create_context() override {
       std::unique_ptr<Context> context = inner_.create_beside();
-      if (!context) throw CannotStart("there is no room for another context");
+      if (!context) throw CannotStart("no further context can be created");
       return std::make_unique<BesideContext>(std::move(context));
     }
 

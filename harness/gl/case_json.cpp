@@ -27,7 +27,7 @@ const char* name_of_type(Scalar type) {
 Scalar type_named(const std::string& name) {
   for (const auto& [type, of] : kTypes)
     if (name == of) return type;
-  throw std::invalid_argument(fmt::format("'{}' is no type of array elements", name));
+  throw std::invalid_argument(fmt::format("'{}' is not a type of array elements", name));
 }
 
 template <class Use>
@@ -53,7 +53,7 @@ auto with_type(Scalar type, Use use) {
 template <class Number>
 json finite(Number value) {
   if constexpr (std::is_floating_point_v<Number>) {
-    if (!std::isfinite(value)) throw std::invalid_argument("a value that is not finite");
+    if (!std::isfinite(value)) throw std::invalid_argument("a non-finite value");
     return static_cast<double>(value);
   } else {
     return value;
@@ -105,10 +105,11 @@ std::int64_t integer_from(const json& data) {
   if (data.is_string()) {
     const auto found = tokens_by_name().find(data.get<std::string>());
     if (found == tokens_by_name().end())
-      throw std::invalid_argument(fmt::format("'{}' is no token that is known", data.get<std::string>()));
+      throw std::invalid_argument(fmt::format("'{}' is not a known token", data.get<std::string>()));
     return found->second;
   }
-  if (!data.is_number_integer()) throw std::invalid_argument(fmt::format("{} is no integer", data.dump()));
+  if (!data.is_number_integer())
+    throw std::invalid_argument(fmt::format("{} is not an integer", data.dump()));
   return data.get<std::int64_t>();
 }
 
@@ -118,7 +119,7 @@ constexpr std::size_t kMostWritten = std::size_t{1} << 24;
 Output output_from(const json& data) {
   const json count = data.value("count", json());
   if (!data["out"].is_string() || !count.is_number_unsigned() || count.get<std::uint64_t>() > kMostWritten)
-    throw std::invalid_argument(fmt::format("{} is no room for an answer", data.dump()));
+    throw std::invalid_argument(fmt::format("{} is not a buffer for an answer", data.dump()));
   return {type_named(data["out"].get<std::string>()), count.get<std::size_t>()};
 }
 
@@ -126,21 +127,22 @@ template <class Parameter>
 Value value_from(const json& data) {
   if constexpr (std::is_pointer_v<Parameter>) {
     if (data.is_null()) return nullptr;
-    if (!data.is_object()) throw std::invalid_argument(fmt::format("{} is no array", data.dump()));
+    if (!data.is_object()) throw std::invalid_argument(fmt::format("{} is not an array", data.dump()));
     if (data.contains("out")) return output_from(data);
     if (data.size() != 1 || !data.begin()->is_array())
-      throw std::invalid_argument(fmt::format("{} is no array", data.dump()));
+      throw std::invalid_argument(fmt::format("{} is not an array", data.dump()));
     const Scalar type = type_named(data.begin().key());
     return with_type(type, [&](auto zero) -> Value {
       std::vector<decltype(zero)> values;
       for (const json& element : data.begin().value()) {
-        if (!element.is_number()) throw std::invalid_argument(fmt::format("{} is no number", element.dump()));
+        if (!element.is_number())
+          throw std::invalid_argument(fmt::format("{} is not a number", element.dump()));
         values.push_back(element.get<decltype(zero)>());
       }
       return array(values);
     });
   } else if constexpr (std::is_floating_point_v<Parameter>) {
-    if (!data.is_number()) throw std::invalid_argument(fmt::format("{} is no number", data.dump()));
+    if (!data.is_number()) throw std::invalid_argument(fmt::format("{} is not a number", data.dump()));
     return data.get<Parameter>();
   } else {
     return integer_from(data);
@@ -159,13 +161,13 @@ std::vector<Value> arguments_from(Result (*)(Parameters...), const json& data) {
 
 Command command_from(const json& data) {
   if (!data.is_array() || data.empty() || !data[0].is_string())
-    throw std::invalid_argument(fmt::format("{} is no command", data.dump()));
+    throw std::invalid_argument(fmt::format("{} is not a command", data.dump()));
   const std::string name = data[0];
 #define GL_ENTRY(entry, kinds) \
   if (name == #entry) return {EntryPoint::entry, arguments_from(decltype(Table::entry)(nullptr), data)};
 #include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
-  throw std::invalid_argument(fmt::format("there is no command '{}'", name));
+  throw std::invalid_argument(fmt::format("unknown command '{}'", name));
 }
 
 }  // namespace
@@ -183,7 +185,7 @@ json to_json(const Case& script) {
 }
 
 Case case_from_json(const json& commands) {
-  if (!commands.is_array()) throw std::invalid_argument("the commands of a case are an array");
+  if (!commands.is_array()) throw std::invalid_argument("the commands of a case must be an array");
   Case script;
   for (const json& command : commands) script.add(command_from(command));
   return script;

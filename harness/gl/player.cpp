@@ -118,16 +118,16 @@ class ClientArray {
 std::string describe_missing(EntryPoint missing) {
   switch (missing) {
     case EntryPoint::OtherContextEVALCTS:
-      return "a second context cannot be made beside the first";
+      return "a second context cannot be created beside the first";
     case EntryPoint::SharingContextEVALCTS:
-      return "a second context that shares objects with the first cannot be made";
+      return "a second context that shares objects with the first cannot be created";
     case EntryPoint::ContextOfKindEVALCTS:
-      return "a context of the kind that the test needs cannot be made";
+      return "a context of the kind that the test needs cannot be created";
     case EntryPoint::CopyContextEVALCTS:
       return "state cannot be copied from one context to another (glXCopyContext)";
     case EntryPoint::RecordRequestsEVALCTS:
     case EntryPoint::RecordedRequestsEVALCTS:
-      return "there are no GLX requests that could be recorded";
+      return "no GLX requests can be recorded";
     default:
       return std::string(name_of(missing)) + " is missing";
   }

@@ -69,7 +69,7 @@ std::vector<BaselineFiles::Pattern> read_patterns(const fs::path& path) {
     try {
       patterns.push_back({line.text, std::regex(line.text), line.reason});
     } catch (const std::regex_error& error) {
-      throw line.bad(fmt::format("'{}' is no regular expression: {}", line.text, error.what()));
+      throw line.bad(fmt::format("'{}' is not a regular expression: {}", line.text, error.what()));
     }
   }
   return patterns;
@@ -100,7 +100,7 @@ void read_header_line(const Line& line, BaselineFiles::Header& header) {
   if (key == "pass") {
     const std::optional<Pass> pass = pass_named(value);
     if (!pass)
-      throw line.bad(fmt::format("there is no pass '{}', only '{}'", value, name_of(Pass::kReuseContext)));
+      throw line.bad(fmt::format("unknown pass '{}'; known is '{}'", value, name_of(Pass::kReuseContext)));
     header.pass = *pass;
   }
   if (key == "version") try {
@@ -192,7 +192,7 @@ BaselineFiles BaselineFiles::read(const fs::path& folder, const std::string& nam
     const bool withdraws = !header.extends.empty() && parts[1] == "Pass";
     if (parts[1] != "Fail" && parts[1] != "Crash" && parts[1] != "Timeout" && !withdraws)
       throw line.bad(
-          fmt::format("the status '{}' is none of Fail, Crash, Timeout, or Pass in an overlay", parts[1]));
+          fmt::format("the status '{}' is not Fail, Crash, Timeout, or (in an overlay) Pass", parts[1]));
     if (!files.entries.emplace(parts[0], Entry{parts[1], line.reason}).second)
       throw line.bad(fmt::format("a second entry for {}", parts[0]));
   }
@@ -220,7 +220,7 @@ std::vector<BaselineFiles> BaselineFiles::read_all(const fs::path& folder) {
   for (const std::string& name : of_others)
     if (!names.contains(name))
       throw BadBaseline(
-          fmt::format("'{}' is missing (it may hold nothing but its header): it says what the "
+          fmt::format("'{}' is missing (a header is enough): it states which implementations the "
                       "other files of that name are for",
                       (folder / (name + "-fails.txt")).string()));
   std::vector<BaselineFiles> all;
@@ -263,7 +263,7 @@ void BaselineFiles::write(const fs::path& folder) const {
 Baseline Baseline::best_fit(const std::vector<BaselineFiles>& all, const ImplementationRecord& implementation,
                             Pass pass, const std::string& chosen) {
   const BaselineFiles* const wanted = chosen.empty() ? nullptr : find(all, chosen);
-  if (!chosen.empty() && !wanted) throw BadBaseline(fmt::format("there is no baseline '{}'", chosen));
+  if (!chosen.empty() && !wanted) throw BadBaseline(fmt::format("unknown baseline '{}'", chosen));
   const bool is_chosen = wanted && wanted->header.pass == pass;
   const auto more_specific = [](const BaselineFiles* a, const BaselineFiles* b) {
     return a->header.specificity() < b->header.specificity();
@@ -417,7 +417,7 @@ BaselineFiles Baseline::renewed(const RunResult& result, const std::string& targ
   } else {
     if (parts_.size() > 1 && target.empty())
       throw BadBaseline(fmt::format(
-          "the baseline of this implementation is {}: name the one to write, with --baseline FOLDER/NAME",
+          "the baseline of this implementation is {}: choose the one to write with --baseline FOLDER/NAME",
           name()));
     const auto found = std::find_if(others.begin(), others.end(), [&](const BaselineFiles& part) {
       return target.empty() || part.name == target;

@@ -89,7 +89,7 @@ std::vector<std::string> lint(const Catalogue& catalogue, const std::vector<List
     for (const auto& [half, reason] : requirement.undecidable) {
       const std::string& id = requirement.id;
       if (!is_half(half)) {
-        problems.push_back(fmt::format("{}: there is no half '{}' to be undecidable", id, half));
+        problems.push_back(fmt::format("{}: no half '{}' exists that could be undecidable", id, half));
       } else if (reason.empty()) {
         problems.push_back(fmt::format("{} is undecidable without a reason", id));
       } else if (const auto test = decided.find(fmt::format("{}/{}", id, half)); test != decided.end()) {

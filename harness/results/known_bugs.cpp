@@ -90,7 +90,7 @@ std::vector<std::string> lint(const std::vector<KnownBug>& bugs) {
     if (bug.requirements.empty()) complain("'requirements' is empty");
     if (bug.signs.empty()) complain("'signs' is empty");
     for (const RequirementId& id : bug.requirements)
-      if (!catalogue().find(id)) complain(fmt::format("there is no requirement {}", id.text()));
+      if (!catalogue().find(id)) complain(fmt::format("unknown requirement {}", id.text()));
     for (const std::string& sign : bug.signs)
       if (!signs.insert(bug.product + ": " + sign).second)
         complain(fmt::format("another bug has the sign '{}', too", sign));

@@ -194,7 +194,7 @@ void read_tests(const JsonObject& in, RunResult& out) {
     TestRecord test = read_test(item);
     if (test.name.empty()) test.name = "(unnamed " + item.place() + ")";
     if (!names.insert(test.name).second)
-      throw FormatError(fmt::format("{}.name: \"{}\" stands in this record twice", item.place(), test.name));
+      throw FormatError(fmt::format("{}.name: \"{}\" occurs twice in this record", item.place(), test.name));
     ++out.counts[static_cast<std::size_t>(test.verdict)];
     out.tests.push_back(std::move(test));
   });
@@ -244,7 +244,7 @@ RunResult read_run_result(const json& value) {
   out.confirmed_by_group = in.natural("confirmed_by_group").value_or(0);
   if (const std::string shard = in.text("shard"); !shard.empty()) {
     out.shard = Shard::parse(shard);
-    if (!out.shard) throw FormatError(fmt::format("shard: \"{}\" is no K-of-N", shard));
+    if (!out.shard) throw FormatError(fmt::format("shard: \"{}\" is not K-of-N", shard));
   }
   if (const auto readings = in.object("readings"))
     readings->each_key(
@@ -258,16 +258,17 @@ RunResult read_run_result(const json& value) {
 }
 
 RunResult parse_run_result(const std::string& text) {
-  if (depth_of(text) > kMostDepth) throw FormatError("this is no result: brackets are nested too deeply");
+  if (depth_of(text) > kMostDepth)
+    throw FormatError("this is not a result file: brackets are nested too deeply");
   json result;
   try {
     result = json::parse(text);
   } catch (const json::parse_error& error) {
-    throw FormatError(fmt::format("this is no JSON, or was cut off (byte {})", error.byte));
+    throw FormatError(fmt::format("this is not JSON, or was cut off (byte {})", error.byte));
   }
   const std::string format = JsonObject(result, "").text("format");
   if (format != kFormat)
-    throw FormatError(fmt::format("this is no result: its format is {}, not \"{}\"",
+    throw FormatError(fmt::format("this is not a result file: its format is {}, not \"{}\"",
                                   format.empty() ? "missing" : "\"" + cut(format, 60) + "\"", kFormat));
   return read_run_result(result);
 }

@@ -86,7 +86,7 @@ std::vector<const Ambiguity*> Catalogue::interpretations() const {
 
 Catalogue Catalogue::parse(const std::string& text) {
   const json data = json::parse(text, nullptr, false);
-  if (data.is_discarded()) throw FormatError("the requirements are no JSON");
+  if (data.is_discarded()) throw FormatError("the requirements are not valid JSON");
   Catalogue out;
   const JsonObject in(data, "");
   in.each("requirements", [&](const json& item, const std::string& where) {

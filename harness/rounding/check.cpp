@@ -131,7 +131,7 @@ class Production {
     info.target = target.c_str();
     if (glevCreateContext(&info, &context_) != GLEV_SUCCESS ||
         glevCreateContext(&info, &vertices_) != GLEV_SUCCESS)
-      throw std::invalid_argument("no such instruction set here: " + target);
+      throw std::invalid_argument("this machine does not support the instruction set " + target);
     sink_.size = sizeof sink_;
     sink_.user = &single_;
     sink_.vertex = [](void* user, const glev_vertex* vertex) {
@@ -184,7 +184,7 @@ class Production {
         glevMapGrid1d(context_, static_cast<int>(u.segments), u.first, u.last);
       }
     }
-    if (glevGetError(context_) != GLEV_NO_ERROR) throw std::logic_error("a sample is no legal map");
+    if (glevGetError(context_) != GLEV_NO_ERROR) throw std::logic_error("a sample is not a legal map");
     glevReleasePlan(plan_);
     const glev_plan_info info = {sizeof info, two_dimensional ? std::size_t{2} : std::size_t{1}};
     if (glevCreatePlan(context_, &info, &plan_) != GLEV_SUCCESS) throw std::bad_alloc();

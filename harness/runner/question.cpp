@@ -55,7 +55,7 @@ std::optional<std::string> Question::wait(std::string& reason) {
   if (!ending) {
     child_->kill();
     reason = interrupted    ? "interrupted"
-             : is_too_large ? fmt::format("it took more than {} MiB of memory", memory_ >> 20)
+             : is_too_large ? fmt::format("it used more than {} MiB of memory", memory_ >> 20)
                             : fmt::format("no answer within {} seconds", kPatience);
     return std::nullopt;
   }

@@ -18,7 +18,7 @@ constexpr double kMostToEnd = 2;  // seconds, once all tests are over: what it d
 
 std::string describe(const ChildRun& run, const Limits& limits) {
   if (run.hung) return fmt::format("no answer within {} seconds", limits.seconds_per_test);
-  if (run.swelled) return fmt::format("it took more than {} MiB of memory", limits.memory >> 20);
+  if (run.swelled) return fmt::format("it used more than {} MiB of memory", limits.memory >> 20);
   std::string text = "the process ended with " + describe(run.ending);
   if (!run.crash) return text;
   if (!run.crash->call.empty())

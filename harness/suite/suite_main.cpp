@@ -216,7 +216,7 @@ CaptureRecord prove_one(Program& program) {
     }
     return result;
   }
-  throw std::runtime_error("there is no capture '" + program.options.prove + "'");
+  throw std::runtime_error("unknown capture '" + program.options.prove + "'");
 }
 
 // The tests of the depth and those whose exact names are in the filter, from which GoogleTest chooses; or
@@ -235,7 +235,7 @@ std::vector<Chosen> tests_to_register(const std::string& path, Depth depth, cons
   for (std::string line; std::getline(file, line);) {
     const std::size_t tab = line.find('\t');
     const auto found = by_name.find(line.substr(0, tab));
-    if (found == by_name.end()) throw std::runtime_error("there is no test '" + line + "'");
+    if (found == by_name.end()) throw std::runtime_error("unknown test '" + line + "'");
     tests.push_back({*found->second, tests.size()});
     if (tab != std::string::npos) tests.back().most_cases = std::stoul(line.substr(tab + 1));
   }
@@ -445,14 +445,14 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
       program.subject.crashing_calls.merge(rejected_queries(*program.implementation));
     for (const std::string& choice : options.readings) {
       const std::size_t equals = choice.find('=');
-      if (equals == std::string::npos) throw CannotStart("'" + choice + "' is no NAME=READING");
+      if (equals == std::string::npos) throw CannotStart("'" + choice + "' is not NAME=READING");
       program.subject.readings[choice.substr(0, equals)] = choice.substr(equals + 1);
     }
     program.subject.before_case = [](const gl::Case& script) {
       keep_failing_case(program);
       program.latest_case = script;
       if (program.options.crash_control && program.cases_left == 1) play_without_evaluators(program, script);
-      if (program.cases_left-- == 0) throw std::runtime_error("no more cases of this test were asked for");
+      if (program.cases_left-- == 0) throw std::runtime_error("no further cases of this test were requested");
       if (program.options.trace_cases)
         program.records->write(to_line(CaseStarted{script.identity(), script.is_control(),
                                                    gl::all_calls(script), gl::to_text_if_possible(script)}));

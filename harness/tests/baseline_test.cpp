@@ -185,7 +185,7 @@ TEST_F(Baselines, SkipsAndFlakesAreRegularExpressionsWithReasons) {
 TEST_F(Baselines, BadPatternsAreRefusedWithFileAndLine) {
   write("m-fails.txt", kHeader);
   const std::pair<const char*, const char*> bad[] = {
-      {"# reason\nA\n\n# reason\n(\n", ":5: '(' is no regular"},
+      {"# reason\nA\n\n# reason\n(\n", ":5: '(' is not a regular"},
       {"A\n", ":1: an entry needs its reason"},
       {"# reason\n\nA\n", ":3: an entry needs its reason"}};
   for (const std::string file : {"m-skips.txt", "m-flakes.txt"}) {

@@ -311,7 +311,7 @@ TEST(KnownBugs, MistakesAreNamed) {
   bugs[0].clause.clear();
   bugs[0].requirements = {"EV-NO-SUCH"};
   EXPECT_EQ(lint(bugs),
-            (std::vector<std::string>{"a: 'clause' is missing", "a: there is no requirement EV-NO-SUCH"}));
+            (std::vector<std::string>{"a: 'clause' is missing", "a: unknown requirement EV-NO-SUCH"}));
   EXPECT_THROW(parse_known_bugs("{"), FormatError);
 }
 

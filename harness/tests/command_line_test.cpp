@@ -376,7 +376,7 @@ TEST_F(CommandLine, BaselineDecidesWhatIsRed) {
   append("drill-flakes.txt", "\n# wrong\n*\n");
   const Outcome bad = run("lenient");
   EXPECT_EQ(bad.code, 2);
-  EXPECT_TRUE(contains(bad.text, "drill-flakes.txt:5: '*' is no regular expression"));
+  EXPECT_TRUE(contains(bad.text, "drill-flakes.txt:5: '*' is not a regular expression"));
 }
 
 // A baseline is chosen by its header, and by name if no header fits.
@@ -442,8 +442,8 @@ TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
     EXPECT_TRUE(contains(result["reason"], reason));
     EXPECT_TRUE(contains(outcome.text, reason));
   }
-  const std::pair<std::string, std::string> readings[] = {{"C-V-GETN", "is no NAME=READING"},
-                                                          {"C-NONE=x", "there is no interpretation 'C-NONE'"},
+  const std::pair<std::string, std::string> readings[] = {{"C-V-GETN", "is not NAME=READING"},
+                                                          {"C-NONE=x", "unknown interpretation 'C-NONE'"},
                                                           {"C-V-GETN=x", "C-V-GETN has no reading 'x'"}};
   for (const auto& [choice, reason] : readings) {
     const Outcome outcome = evalcts({"run", "--implementation", "production", "--interpretation", choice,
@@ -463,7 +463,7 @@ TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
       {{"--implementation", "sink", "--library", "libm.so.6"}, "exports no evalcts_sink_open"},
       {{"--implementation", "egl", "--library", "libm.so.6"}, "it is not EGL"},
       {{"--implementation", "glx", "--library", "libm.so.6"}, "it is not GLX"},
-      {{"--library", "libm.so.6"}, "name what makes its contexts with --context"},
+      {{"--library", "libm.so.6"}, "choose the interface that creates its contexts with --context"},
       {{"--library", OSMESA_PROVIDER}, "name it with --context"}};
   for (const auto& [more, reason] : contexts) {
     std::vector<std::string> arguments = {"run", "--name", "drill", "--output", folder_.string()};

@@ -140,7 +140,7 @@ TEST_F(GlLibrary, EglThatOffersLess) {
   const std::pair<const char*, const char*> cases[] = {
       {"opengl", "it has no desktop OpenGL, only OpenGL_ES"},
       {"drivers", "eglInitialize gives EGL_NOT_INITIALIZED"},
-      {"configurations", "no configuration is made for OpenGL"},
+      {"configurations", "no EGL configuration supports OpenGL"},
       {"framebuffers", "glGenFramebuffers is missing"},
       {"compatibility", "evaluators have no effect in this context"}};
   for (const auto& [lacking, reason] : cases) {
@@ -187,7 +187,7 @@ TEST_F(GlLibrary, LibraryThatCannotBeLoaded) {
     EXPECT_TRUE(contains(message, expected));
     EXPECT_TRUE(message.starts_with("cannot load '" + name.string() + "': ")) << message;
   };
-  says(folder_ / "absent.so", "there is no such file");
+  says(folder_ / "absent.so", "no such file");
   says(folder_, "it is a directory");
   says("libabsent.so.1", "the dynamic loader finds no library of this name");
   std::ofstream(folder_ / "text.so") << "GROUP ( /usr/lib/libGL.so.1 ) is a script of the linker\n";
@@ -284,19 +284,18 @@ TEST_F(GlLibrary, DriverThatCannotBeLoaded) {
   const std::string absent = (folder_ / "absent").string();
   outcome = run_with("__EGL_VENDOR_LIBRARY_FILENAMES", absent, "egl");
   if (outcome.code != 0) {
-    expect_named(outcome, "there is no file '" + absent + "'");
+    expect_named(outcome, "no such file '" + absent + "'");
     const fs::path vendor = folder_ / "vendor.json";
     std::ofstream(vendor) << R"({"file_format_version": "1.0.0", "ICD": {"library_path": "/absent.so"}})";
-    expect_named(
-        run_with("__EGL_VENDOR_LIBRARY_FILENAMES", vendor, "egl"),
-        "the EGL of '" + vendor.string() + "' is not used: cannot load '/absent.so': there is no such file");
+    expect_named(run_with("__EGL_VENDOR_LIBRARY_FILENAMES", vendor, "egl"),
+                 "the EGL of '" + vendor.string() + "' is not used: cannot load '/absent.so': no such file");
   }
   // Mesa 25.0 does not read this variable any more, 22.3 does.
   outcome = run_with("LIBGL_DRIVERS_PATH", folder_, "egl");
   if (outcome.code != 0) {
-    expect_named(outcome, "there is no *_dri.so in '" + folder_.string() + "'");
+    expect_named(outcome, "no *_dri.so in '" + folder_.string() + "'");
     expect_named(outcome, "MESA-LOADER: failed to open swrast");
-    expect_named(run_with("LIBGL_DRIVERS_PATH", absent, "egl"), "there is no directory '" + absent + "'");
+    expect_named(run_with("LIBGL_DRIVERS_PATH", absent, "egl"), "no such directory '" + absent + "'");
   }
 }
 

@@ -103,9 +103,9 @@ TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
   write("out/index.html", "the page of before");
   fs::create_directories(folder_ / "empty");
   const std::pair<std::string, std::string> cases[] = {
-      {good.substr(0, good.size() / 2), "this is no JSON, or was cut off"},
-      {"", "this is no JSON, or was cut off"},
-      {std::string("\x00\xff\xfe", 3), "this is no JSON, or was cut off"},
+      {good.substr(0, good.size() / 2), "this is not JSON, or was cut off"},
+      {"", "this is not JSON, or was cut off"},
+      {std::string("\x00\xff\xfe", 3), "this is not JSON, or was cut off"},
       {std::string(100000, '['), "nested too deeply"},
       {good.substr(0, good.size() - 1) + ",\"x\":" + std::string(100000, '[') + std::string(100000, ']') +
            "}",
@@ -115,7 +115,7 @@ TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
       {nameless.dump(), "its format is missing"},
       {wrong.dump(), "tests[0].verdict: unknown verdict \"passed\""},
       {twice.dump(), "stands in this record twice"},
-      {shard.dump(), "is no K-of-N"}};
+      {shard.dump(), "is not K-of-N"}};
   const auto refuses = [this](const std::vector<std::string>& arguments, const std::string& words) {
     std::vector<std::string> command = {"report", "--output", path("out")};
     command.insert(command.end(), arguments.begin(), arguments.end());
@@ -128,8 +128,8 @@ TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
     write("bad/results-y.json", text);
     refuses({path("good"), path("bad")}, words);
   }
-  refuses({path("bad/results-y.json")}, "is no K-of-N");
-  refuses({path("good"), "--before", path("bad")}, "is no K-of-N");
+  refuses({path("bad/results-y.json")}, "is not K-of-N");
+  refuses({path("good"), "--before", path("bad")}, "is not K-of-N");
   for (const std::string& argument :
        std::vector<std::string>{path("nowhere"), path("empty"), std::string("/dev/null"), std::string()}) {
     const Outcome outcome = evalcts({"report", argument, "--output", path("out")});

@@ -65,7 +65,7 @@ TEST_F(RoundingCommand, TakesInstructionSetsByName) {
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   const Outcome unknown = rounding({"--samples", "20", "--target", "nonsense"});
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_TRUE(contains(unknown.text, "no such instruction set here: nonsense"));
+  EXPECT_TRUE(contains(unknown.text, "this machine does not support the instruction set nonsense"));
 }
 
 TEST_F(RoundingCommand, WrongUseIsTwo) {

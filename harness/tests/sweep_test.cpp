@@ -365,7 +365,7 @@ TEST_F(Checkpoints, ThatAreDamagedAreRefused) {
   std::string changed = whole;
   changed.replace(changed.find("\"values\": ") + 10, 1, "9");
   if (changed == whole) changed.replace(changed.find("\"values\": ") + 10, 1, "8");
-  EXPECT_TRUE(contains(complaint(changed), "damaged (its checksum does not fit)"));
+  EXPECT_TRUE(contains(complaint(changed), "damaged (its checksum is wrong)"));
   EXPECT_TRUE(contains(complaint("[1, 2]"), "damaged"));
 }
 

@@ -88,7 +88,7 @@ void replace_colour(std::string& svg, const char* colour, const std::string& var
 }  // namespace
 
 std::uint64_t natural(const json& number) {
-  if (!number.is_number_integer() || number < 0) throw FormatError("expected a whole number from 0 on");
+  if (!number.is_number_integer() || number < 0) throw FormatError("expected a whole number, 0 or greater");
   return number.get<std::uint64_t>();
 }
 

@@ -88,7 +88,7 @@ std::vector<const TestRecord*> one_of_each(const std::vector<const TestRecord*>&
 std::string flake_note(const TestRecord& test) {
   if (!test.flake) return {};
   if (!test.again) return " (flake)";
-  return fmt::format(" (flake: {} when played again)", text_of(test.again->verdict).word);
+  return fmt::format(" (flake: {} when run again)", text_of(test.again->verdict).word);
 }
 
 // A test in one line.

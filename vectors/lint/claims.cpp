@@ -80,7 +80,7 @@ std::string broken_answer(const json& steps) {
     const json& step = steps[i];
     const bool is_refused = !step.contains("errors") || !step["errors"].empty();
     if (step.contains("answers") && is_refused && !step["answers"].empty())
-      return fmt::format("step {}: a refused query has an answer", i);
+      return fmt::format("step {}: a rejected query has an answer", i);
   }
   return {};
 }
@@ -90,12 +90,12 @@ std::string broken_answer(const json& steps) {
 std::string broken_claim(const json& entry) {
   if (entry.contains("steps")) return broken_answer(entry["steps"]);
   if (const std::string theme = broken_theme(entry); !theme.empty())
-    return fmt::format("is not what its theme '{}' claims", theme);
+    return fmt::format("does not have the property that its theme '{}' claims", theme);
   if (!entry.contains("components")) return {};
   for (const std::string requirement : entry["requirements"]) {
     const auto found = claims_of_requirements().find(requirement);
     if (found != claims_of_requirements().end() && !found->second(entry))
-      return fmt::format("claims {}, but a result without it is accepted", requirement);
+      return fmt::format("claims {}, but accepts a result that violates it", requirement);
   }
   return {};
 }

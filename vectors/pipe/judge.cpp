@@ -122,7 +122,7 @@ void measure(const json& entry, const std::vector<double>& got, Score& score) {
 std::string judge_one(const json& entry, const std::vector<double>& got, Score& score) {
   const bool is_normal = entry.contains("derivatives");
   const std::size_t expected = is_normal ? 3 : entry["components"].size();
-  if (got.size() != expected) return fmt::format("{} numbers in the place of {}", got.size(), expected);
+  if (got.size() != expected) return fmt::format("{} numbers instead of {}", got.size(), expected);
   if (is_normal) {
     assess_normal(entry, got, score);
     return wrong_normal(entry, got);

@@ -201,7 +201,7 @@ TEST(Lint, ChecksWhatThemesSay) {
     const json flags = file["cases"][0]["flags"];
     file[json::json_pointer(place)] = value;
     if (file["cases"][0]["flags"] != flags) file["notes"] = {{as_text(value), "Words."}};
-    EXPECT_EQ(complaint(file), fmt::format("{}: is not what its theme '{}' claims", id,
+    EXPECT_EQ(complaint(file), fmt::format("{}: does not have the property that its theme '{}' claims", id,
                                            as_text(file["cases"][0]["flags"][0])));
   }
 }
@@ -211,10 +211,10 @@ TEST(Lint, KnowsThatRefusedQueriesAnswerNothing) {
   EXPECT_EQ(complaint(file), "");
   // Between Begin and End, and where the error can be asked for.
   file["cases"][0]["steps"][2]["answers"] = json::parse("[[0]]");
-  EXPECT_EQ(complaint(file), "errors.enable-begin-end.1: step 2: a refused query has an answer");
+  EXPECT_EQ(complaint(file), "errors.enable-begin-end.1: step 2: a rejected query has an answer");
   file = shipped("errors", "errors.getmap-target.1");
   file["cases"][0]["steps"][0]["answers"] = json::parse(R"([["0x0p+0"]])");
-  EXPECT_EQ(complaint(file), "errors.getmap-target.1: step 0: a refused query has an answer");
+  EXPECT_EQ(complaint(file), "errors.getmap-target.1: step 0: a rejected query has an answer");
 }
 
 TEST(Lint, SaysWhatIsMalformed) {

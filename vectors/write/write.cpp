@@ -34,7 +34,7 @@ const std::vector<std::string>& kinds() {
 std::string text_of(const std::string& kind) {
   for (const auto& [name, make] : kAll)
     if (kind == name) return make().text();
-  throw std::invalid_argument(fmt::format("there is no kind '{}'", kind));
+  throw std::invalid_argument(fmt::format("unknown kind '{}'", kind));
 }
 
 void write_all(const std::filesystem::path& folder, const std::function<void(const Written&)>& wrote) {

@@ -113,7 +113,7 @@ EVALCTS_RULES(CompiledSmallVStrideDropped, production, must, "EV-DL-ERR-ALL",
               "in lists a vstride below k is taken for k",
               before(kMap2, kListMode != 0 && kVStride > 0, set(kVStride, max(kVStride, kComponents))));
 EVALCTS_RULES(CompiledEqualEndsMoved, production, must, "EV-DL-ERR-ALL",
-              "in lists v1 equal to v2 is no error",
+              "in lists v1 equal to v2 raises no error",
               before(kMap2, kListMode != 0 && kV1 == kV2, set(kV2, kV2 + 1)));
 EVALCTS_RULES(CompiledGridErrorIsInvalidEnum, production, must, "EV-DL-ERR-ALL",
               "MapGrid2 without segments in a list raises INVALID_ENUM",

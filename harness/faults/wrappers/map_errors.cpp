@@ -38,7 +38,7 @@ EVALCTS_RULES(OnePastVertex4Ignored, production, must, "EV-MAP1-ERR-TARGET",
               "Map1 of 0x0D99, one past the last name, is ignored without an error",
               skip(kMap1, kTarget == GL_MAP1_VERTEX_4 + 1));
 EVALCTS_RULES(UnknownTargetIsInvalidValue, production, must, "EV-MAP1-ERR-TARGET",
-              "Map1 of a capability that is no map raises INVALID_VALUE",
+              "Map1 of a capability that is not a map raises INVALID_VALUE",
               before(kMap1, kTarget == GL_AUTO_NORMAL || kTarget == GL_TEXTURE_2D,
                      {set(kTarget, GL_MAP1_VERTEX_4), set(kOrder, 0)}));
 EVALCTS_RULES(NegativeOrderIgnored, production, must, "EV-MAP1-ERR-ORDER-LOW",

@@ -317,7 +317,7 @@ EVALCTS_RULES(SurfaceMeshInsideEndsPrimitive, production, must, "EV-MESH2-ERR-BE
               "EvalMesh2 between Begin and End raises the error and begins the primitive anew",
               after(EvalMesh2, kInside, {call(End), call(Begin, {kOpenMode})}));
 EVALCTS_RULES(SurfaceMeshInsideWithoutMapIsIgnored, production, must, "EV-MESH2-ERR-BEGINEND",
-              "EvalMesh2 between Begin and End without a vertex map is no error",
+              "EvalMesh2 between Begin and End without a vertex map raises no error",
               skip(EvalMesh2, kInside && !maps_vertices(2)));
 EVALCTS_RULES(ModeOfSurfaceUncheckedWithoutMap, production, must, "EV-MESH2-ERR-FIRST",
               "EvalMesh2 looks for a vertex map before it looks at the mode",

@@ -81,16 +81,16 @@ EVALCTS_RULES(SurfacePointsInFixedPoint, production, must, "EV-NUM-AFFINE",
 // --- NaN, Inf, negative zero and subnormal numbers
 
 EVALCTS_RULES(NaNStopsEvaluation, production, must, "EV-NUM-SPECIAL-SAFE/1-D",
-              "after an argument that is no number EvalCoord1 draws nothing",
-              before(kEvalCoord1, is_nan(kU), set(kFlag, 1)), skip(kEvalCoord1, kFlag));
+              "after a NaN argument EvalCoord1 draws nothing", before(kEvalCoord1, is_nan(kU), set(kFlag, 1)),
+              skip(kEvalCoord1, kFlag));
 EVALCTS_RULES(InfiniteGridStays, production, must, "EV-NUM-SPECIAL-SAFE/2-D",
               "after a grid with an infinite end, MapGrid2 changes nothing", skip(kMapGrid2, kFlag),
               after(kMapGrid2, abs(kU1) == HUGE_VAL || abs(kV2) == HUGE_VAL, set(kFlag, 1)));
 EVALCTS_RULES(NaNPointDisablesMap, production, must, "EV-NUM-SPECIAL-SAFE",
-              "a map with a point that is no number is switched off",
+              "a map with a NaN point is disabled",
               after(kMaps, kOrder > 0 && kComponents && is_nan(element(0)), disable(kTarget)));
 EVALCTS_RULES(MapAfterNaNIsLost, production, must, "EV-NUM-SPECIAL-SAFE/1-D",
-              "the first Map1 after an argument that is no number does nothing",
+              "the first Map1 after a NaN argument does nothing",
               before(kEvalCoord1, is_nan(kU), set(kFlag, 1)), instead(kMap1, kFlag, set(kFlag, 0)));
 EVALCTS_RULES(NegativeZeroIsOutside, production, must, "EV-NUM-DENORMAL",
               "EvalCoord1 at -0 evaluates a little below 0",

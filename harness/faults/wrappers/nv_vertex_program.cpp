@@ -85,7 +85,7 @@ NV_RULES(DisabledAttributeMapShadows, "EV-EXT-NVVP-PRIORITY",
          "in program mode surfaces have no conventional colours, whether attribute 3 has a map or not",
          without(Begin, kInProgramMode && !enabled(kSurfaceMap + kColor), GL_MAP2_COLOR_4));
 NV_RULES(VertexAttributeDrawsNothing, "EV-EXT-NVVP-VERTEX",
-         "the map of attribute 0 is no vertex map of curves", without(Begin, kInProgramMode, kCurveMap));
+         "the map of attribute 0 is not a vertex map of curves", without(Begin, kInProgramMode, kCurveMap));
 NV_RULES(VertexAttributeWithoutOtherMaps, "EV-EXT-NVVP-VERTEX",
          "with the map of attribute 0 alone for a vertex map conventional maps do nothing",
          without(Begin, kInProgramMode != 0 && enabled(kSurfaceMap) && !evaluates(), GL_MAP2_COLOR_4));

@@ -14,7 +14,7 @@ Value begin_late() { return Steps{call(Begin, {kCount - 1}), set(kCount, 0)}; }
 // --- Profiles ----------------------------------------------------------------------------------------------
 
 EVALCTS_RULES(CoreProfileAnswersGetMap, osmesa, must, "EV-PROF-CORE-FUNC",
-              "GetMapiv is no error in a core profile", instead(GetMapiv, kIsCore, put(0, 1)));
+              "GetMapiv raises no error in a core profile", instead(GetMapiv, kIsCore, put(0, 1)));
 EVALCTS_RULES(CoreProfileIgnoresEvalPoint, osmesa, must, "EV-PROF-CORE-FUNC",
               "EvalPoint2 does nothing in a core profile, without an error", skip(EvalPoint2, kIsCore));
 EVALCTS_RULES(CoreProfileGridIsInvalidValue, osmesa, must, "EV-PROF-CORE-FUNC",
@@ -24,7 +24,7 @@ EVALCTS_RULES(CoreProfileEnablesAutoNormal, osmesa, must, "EV-PROF-CORE-ENABLE",
               "AUTO_NORMAL can be enabled in a core profile",
               skip(Enable, kName == GL_AUTO_NORMAL && kIsCore));
 EVALCTS_RULES(CoreProfileTellsIndexMap, osmesa, must, "EV-PROF-CORE-ENABLE",
-              "IsEnabled(MAP2_INDEX) is no error in a core profile",
+              "IsEnabled(MAP2_INDEX) raises no error in a core profile",
               instead(IsEnabled, kName == GL_MAP2_INDEX && kIsCore, set(kResult, GL_FALSE)));
 EVALCTS_RULES(CoreProfileDisableIsInvalidOperation, osmesa, must, "EV-PROF-CORE-ENABLE",
               "Disable of a map raises INVALID_OPERATION in a core profile",
@@ -40,7 +40,7 @@ EVALCTS_RULES(ForwardCompatibleTakesMap1f, egl, must, "EV-PROF-CORE-FUNC",
               "Map1f does nothing in a forward-compatible context, without an error",
               skip(Map1f, kKind == EVALCTS_FORWARD_COMPATIBLE));
 EVALCTS_RULES(ForwardCompatibleDisablesMaps, egl, must, "EV-PROF-CORE-ENABLE",
-              "Disable(MAP1_COLOR_4) is no error in a forward-compatible context",
+              "Disable(MAP1_COLOR_4) raises no error in a forward-compatible context",
               skip(Disable, kKind == EVALCTS_FORWARD_COMPATIBLE && kName == GL_MAP1_COLOR_4));
 
 EVALCTS_RULES(NoErrorContextReportsMesh, egl, must, "EV-PROF-NOERROR",
@@ -87,7 +87,7 @@ EVALCTS_RULES(ActiveTextureRuleForTexturesOnly, production, must, "EV-EXT-MT-RUL
 EVALCTS_RULES(ActiveTextureRuleNotForMap2d, production, must, "EV-EXT-MT-RULE",
               "Map2d takes points whatever the texture unit", on_unit_0(Map2d, true));
 EVALCTS_RULES(ActiveTextureRuleForUnitOneOnly, production, must, "EV-EXT-MT-RULE",
-              "under the last texture unit Map1f is no error", on_unit_0(Map1f, kUnit != GL_TEXTURE1));
+              "under the last texture unit Map1f raises no error", on_unit_0(Map1f, kUnit != GL_TEXTURE1));
 
 // --- Tokens of other extensions ----------------------------------------------------------------------------
 

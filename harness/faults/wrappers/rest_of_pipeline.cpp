@@ -310,11 +310,11 @@ EVALCTS_RULES(EvaluatedPrimitiveNotDiscarded, osmesa, must, "EV-PIPE-DISCARD",
               "RASTERIZER_DISCARD leaves evaluated primitives alone",
               without(Begin, evaluates(), GL_RASTERIZER_DISCARD));
 EVALCTS_RULES(DiscardedMeshInBeginIsSilent, osmesa, must, "EV-PIPE-DISCARD",
-              "EvalMesh2 between Begin and End is no error with RASTERIZER_DISCARD",
+              "EvalMesh2 between Begin and End raises no error with RASTERIZER_DISCARD",
               before(Begin, set(kFlag, enabled(GL_RASTERIZER_DISCARD))), after(End, set(kFlag, 0)),
               skip(EvalMesh2, kFlag));
 EVALCTS_RULES(DiscardHidesErrors, osmesa, must, "EV-PIPE-DISCARD",
-              "a bad mode of EvalMesh2 is no error with RASTERIZER_DISCARD",
+              "a bad mode of EvalMesh2 raises no error with RASTERIZER_DISCARD",
               skip(EvalMesh2, !kIsMode2 && enabled(GL_RASTERIZER_DISCARD)));
 
 }  // namespace
