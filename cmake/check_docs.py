@@ -211,7 +211,7 @@ def cheap_arguments(arguments, tests):
         default("--jobs", "1")
         default("--output", "reports/out")
     elif command == "fuzz":
-        if "--seconds" in rest:  # a fixed number of programs, because a busy machine plays few in a second
+        if "--seconds" in rest:  # a fixed number of programs, because a busy machine runs few in a second
             rest[rest.index("--seconds"):rest.index("--seconds") + 2] = []
         replace("--programs", "2")
         rest.append("--allow-unobserved")

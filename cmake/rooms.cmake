@@ -1,10 +1,10 @@
 # A room of the project: a library with the public headers in include/ (as <evalcts/NAME/...> or the like) and private
 # ones beside its sources. docs/architecture.md says which room may use which; the test `rooms` compares that with the
 # rooms declared here and with what the sources include.
-#   evalcts_room(NAME SOURCES file... USES room... LINK public-library... PRIVATE_LINK library...)
-# makes evalcts_NAME.
+#   evalcts_room(NAME [LIGHT] SOURCES file... USES room... LINK public-library... PRIVATE_LINK library...)
+# makes evalcts_NAME; with LIGHT by evalcts_light_options, which needs a precompiled header of its own.
 function(evalcts_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 ROOM "" "" "SOURCES;USES;LINK;PRIVATE_LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 ROOM "LIGHT" "" "SOURCES;USES;LINK;PRIVATE_LINK")
   add_library(evalcts_${name} STATIC ${ROOM_SOURCES})
   target_include_directories(evalcts_${name} PUBLIC include PRIVATE .)
   foreach(used ${ROOM_USES})
@@ -13,7 +13,8 @@ function(evalcts_room name)
       target_link_libraries(evalcts_${name} PUBLIC evalcts_${used})
     endif()
   endforeach()
-  target_link_libraries(evalcts_${name} PUBLIC ${ROOM_LINK} PRIVATE ${ROOM_PRIVATE_LINK} evalcts_options)
+  target_link_libraries(evalcts_${name} PUBLIC ${ROOM_LINK} PRIVATE ${ROOM_PRIVATE_LINK}
+                        $<IF:$<BOOL:${ROOM_LIGHT}>,evalcts_light_options,evalcts_options>)
   evalcts_declare_room(${name} ${ROOM_USES})
 endfunction()
 

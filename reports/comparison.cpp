@@ -29,7 +29,7 @@ bool judged(const TestRecord& test) {
   return test.verdict <= Verdict::kQualityWarning || test.verdict == Verdict::kPass;
 }
 
-// Returns true if the same cases were played: other depths and seeds have others.
+// Returns true if the same cases were run: other depths and seeds have others.
 bool same_cases(const RunResult& before, const RunResult& now) {
   return before.depth == now.depth && before.seed == now.seed;
 }

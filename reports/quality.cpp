@@ -18,7 +18,7 @@ bool decides(const TestRecord& test, std::string_view requirement) {
 
 // The target that the test is about; empty if the test is not about the accuracy of one.
 std::string target_of(const TestRecord& test) {
-  if (test.level != Level::quality) return {};
+  if (test.level != Level::kQuality) return {};
   if (decides(test, "EV-AUTON-METHOD")) return "AUTO_NORMAL";
   const std::size_t slash = test.name.find('/');
   if (!decides(test, "EV-NUM-ACCURACY") || slash == std::string::npos) return {};

@@ -12,7 +12,7 @@ namespace {
 
 constexpr CurrentValues kCurrent = {{0.125f, 0.25f, 0.5f, 0.75f}, {0.6f, 0, -0.8f}};
 
-// Makes cases with another past each; `play` appends the commands under test and plays them.
+// Makes cases with another past each; `play` appends the commands under test and runs them.
 void after_random_commands(Test& t, const std::function<void(gl::Case&)>& play) {
   // A baseline knows one verdict for all depths: what fails at full depth has to fail at quick depth, too.
   const auto cases = static_cast<std::uint32_t>(t.by_depth(6, 6, 60));
@@ -47,7 +47,7 @@ void expect_last_points(Test& t, const gl::Case& past, const gl::Case& c) {
   };
   // Room for a past of which everything is drawn twice: where the last points do not come out nothing is
   // said.
-  t.expect_observation(c, kUnit0, 2 * all.vertex_count() + 8, kPoints, judge_last, Test::Judged::after_lists);
+  t.expect_observation(c, kUnit0, 2 * all.vertex_count() + 8, kPoints, judge_last, Test::Judged::kAfterLists);
 }
 
 // Section 11 is about current values.
@@ -64,7 +64,7 @@ void draw_points(gl::Case& c) {
 }
 
 // Maps, enables and current values are set anew: nothing of the past is left.
-EVALCTS_TEST(AfterRandomCommands, Evaluates, must, "EV-BE-ORDER")
+EVALCTS_TEST(AfterRandomCommands, Evaluates, kMust, "EV-BE-ORDER")
 (Test& t) {
   after_random_commands(t, [&](gl::Case& c) {
     const gl::Case past = c;
@@ -80,7 +80,7 @@ EVALCTS_TEST(AfterRandomCommands, Evaluates, must, "EV-BE-ORDER")
 };
 
 // With the maps, enables and current values of the past, but for the vertex maps.
-EVALCTS_TEST(AfterRandomCommands, EvaluatesWhatThePastDefined, must, "EV-BE-ORDER")
+EVALCTS_TEST(AfterRandomCommands, EvaluatesWhatThePastDefined, kMust, "EV-BE-ORDER")
 (Test& t) {
   after_random_commands(t, [&](gl::Case& c) {
     const gl::Case past = c;
@@ -92,7 +92,7 @@ EVALCTS_TEST(AfterRandomCommands, EvaluatesWhatThePastDefined, must, "EV-BE-ORDE
   });
 };
 
-EVALCTS_TEST(AfterRandomCommands, Meshes, must, "EV-BE-ORDER")
+EVALCTS_TEST(AfterRandomCommands, Meshes, kMust, "EV-BE-ORDER")
 (Test& t) {
   after_random_commands(t, [&](gl::Case& c) {
     const gl::Case past = c;
@@ -111,7 +111,7 @@ EVALCTS_TEST(AfterRandomCommands, Meshes, must, "EV-BE-ORDER")
 };
 
 // Every query answers what the executable specification does.
-EVALCTS_TEST(AfterRandomCommands, State, must, "EV-CUR-GRIDMAPS")
+EVALCTS_TEST(AfterRandomCommands, State, kMust, "EV-CUR-GRIDMAPS")
 (Test& t) {
   constexpr double kTolerance = 1e-5;  // single precision (EV-GETMAP-FLOAT, EV-GETMAP-DOUBLE)
   after_random_commands(t, [&](gl::Case& c) {
@@ -129,11 +129,11 @@ EVALCTS_TEST(AfterRandomCommands, State, must, "EV-CUR-GRIDMAPS")
       };
       if (!expected.has_output(query)) {
         played.expect_result(query, expected.result(query));
-      } else if (expected.type(query) == gl::Scalar::i32) {
+      } else if (expected.type(query) == gl::Scalar::kI32) {
         std::vector<GLint> values = expected.values<GLint>(query);
         values.resize(expected.written(query));
         played.expect_values(query, values);
-      } else if (expected.type(query) == gl::Scalar::f32) {
+      } else if (expected.type(query) == gl::Scalar::kF32) {
         expect_near(expected.values<GLfloat>(query));
       } else {
         expect_near(expected.values<GLdouble>(query));
@@ -142,7 +142,7 @@ EVALCTS_TEST(AfterRandomCommands, State, must, "EV-CUR-GRIDMAPS")
   });
 };
 
-EVALCTS_TEST(AfterRandomCommands, Refuses, must, "EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT")
+EVALCTS_TEST(AfterRandomCommands, Refuses, kMust, "EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT")
 (Test& t) {
   after_random_commands(t, [&](const gl::Case& past) {
     CheckedCase c(t, past);

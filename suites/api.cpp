@@ -71,7 +71,7 @@ constexpr LegalCall kLegalCalls2[] = {
     {"EvalMesh1", [](gl::Case& c) { c.EvalMesh1(GL_LINE, 0, 1); }},
     {"EvalMesh2", [](gl::Case& c) { c.EvalMesh2(GL_FILL, 0, 1, 0, 1); }}};
 
-EVALCTS_TEST_PAIR(Api.EntryPoint, Api.EntryPoint2, must, decide("EV-API-ENTRY/1-D", "EV-API-ENTRY/2-D"),
+EVALCTS_TEST_PAIR(Api.EntryPoint, Api.EntryPoint2, kMust, decide("EV-API-ENTRY/1-D", "EV-API-ENTRY/2-D"),
                   [](bool two) { return two ? combine(kLegalCalls2) : combine(kLegalCalls); })
 (Test& t, bool, const LegalCall& legal) {
   gl::Case c("a legal call");
@@ -88,7 +88,7 @@ EVALCTS_TEST_PAIR(Api.EntryPoint, Api.EntryPoint2, must, decide("EV-API-ENTRY/1-
 };
 
 // The tokens by number: nine maps that differ in order, domain and k, defined and queried by value.
-EVALCTS_TEST_PAIR(Api.Map1TokensByValue, Api.Map2TokensByValue, must,
+EVALCTS_TEST_PAIR(Api.Map1TokensByValue, Api.Map2TokensByValue, kMust,
                   decide("EV-API-ENUM-MAP1", "EV-API-ENUM-MAP2"))
 (Test& t, bool two) {
   // COLOR_4, INDEX, NORMAL, TEXTURE_COORD_1..4, VERTEX_3, VERTEX_4. Before it is defined each map holds what
@@ -123,7 +123,7 @@ EVALCTS_TEST_PAIR(Api.Map1TokensByValue, Api.Map2TokensByValue, must,
 };
 
 // ... and each does what its name says: evaluated through its number, seen in its attribute.
-EVALCTS_TEST_PAIR(Api.Map1TokenByEffect, Api.Map2TokenByEffect, must,
+EVALCTS_TEST_PAIR(Api.Map1TokenByEffect, Api.Map2TokenByEffect, kMust,
                   decide("EV-API-ENUM-MAP1", "EV-API-ENUM-MAP2"),
                   [](bool two) { return combine(visible_targets(two)); })
 (Test& t, bool two, GLenum target) {
@@ -136,7 +136,7 @@ EVALCTS_TEST_PAIR(Api.Map1TokenByEffect, Api.Map2TokenByEffect, must,
   t.expect_emission(c, attribute_of(target));
 };
 
-EVALCTS_TEST(Api, OtherTokensByValue, must, "EV-API-ENUM-OTHER/1-D")
+EVALCTS_TEST(Api, OtherTokensByValue, kMust, "EV-API-ENUM-OTHER/1-D")
 (Test& t) {
   CheckedCase c(t, "0x0D80, 0x0DD0 to 0x0DD3, 0x0D30, 0x0A00 to 0x0A02");
   c.Enable(0x0D80);
@@ -154,7 +154,7 @@ EVALCTS_TEST(Api, OtherTokensByValue, must, "EV-API-ENUM-OTHER/1-D")
   c.check();
 };
 
-EVALCTS_TEST(Api, MeshModesByValue, must, "EV-API-ENUM-OTHER/2-D")
+EVALCTS_TEST(Api, MeshModesByValue, kMust, "EV-API-ENUM-OTHER/2-D")
 (Test& t) {
   CheckedCase c(t, "0x1B00 to 0x1B02 and their neighbours");
   for (const bool two : {true, false})
@@ -176,7 +176,7 @@ EVALCTS_TEST(Api, MeshModesByValue, must, "EV-API-ENUM-OTHER/2-D")
 // The modes of meshes by number.
 constexpr GLenum kModesByValue[] = {0x1B00, 0x1B01, 0x1B02};
 
-EVALCTS_TEST_PAIR(Api.MeshModeByEffect, Api.MeshModeByEffect2, must,
+EVALCTS_TEST_PAIR(Api.MeshModeByEffect, Api.MeshModeByEffect2, kMust,
                   decide("EV-API-ENUM-OTHER/1-D", "EV-API-ENUM-OTHER/2-D"),
                   [](bool two) { return combine(std::span(kModesByValue, two ? 3 : 2)); })
 (Test& t, bool two, GLenum mode) {
@@ -188,7 +188,7 @@ EVALCTS_TEST_PAIR(Api.MeshModeByEffect, Api.MeshModeByEffect2, must,
 };
 
 // Data given in one form is seen by the other: state ...
-EVALCTS_TEST_PAIR(Api.FormsShareState, Api.FormsShareState2, must, decide("EV-API-FD/1-D", "EV-API-FD/2-D"),
+EVALCTS_TEST_PAIR(Api.FormsShareState, Api.FormsShareState2, kMust, decide("EV-API-FD/1-D", "EV-API-FD/2-D"),
                   [](bool two) { return combine(target_forms(two)); })
 (Test& t, bool two, const TargetForm& form) {
   const Map map = over(two ? random_map(t, form.target, {3, 4}, 21, 5) : random_map(t, form.target, 3, 4),
@@ -203,8 +203,9 @@ EVALCTS_TEST_PAIR(Api.FormsShareState, Api.FormsShareState2, must, decide("EV-AP
 };
 
 // ... and values.
-EVALCTS_TEST_PAIR(Api.FormsShareValues, Api.FormsShareValues2, must, decide("EV-API-FD/1-D", "EV-API-FD/2-D"),
-                  decide("EV-COORD-FD/1-D", "EV-COORD-FD/2-D"), combine(visible_target_forms(kCurves)))
+EVALCTS_TEST_PAIR(Api.FormsShareValues, Api.FormsShareValues2, kMust,
+                  decide("EV-API-FD/1-D", "EV-API-FD/2-D"), decide("EV-COORD-FD/1-D", "EV-COORD-FD/2-D"),
+                  combine(visible_target_forms(kCurves)))
 (Test& t, bool two, const TargetForm& form) {
   gl::Case c("defined in one form, evaluated in the other");
   define(c, random_map(t, form.target, 4), form.doubles);
@@ -218,7 +219,7 @@ EVALCTS_TEST_PAIR(Api.FormsShareValues, Api.FormsShareValues2, must, decide("EV-
 };
 
 // Each form replaces what the other defined, also where the order stays.
-EVALCTS_TEST_PAIR(Api.FormsReplaceEachOther, Api.FormsReplaceEachOther2, must,
+EVALCTS_TEST_PAIR(Api.FormsReplaceEachOther, Api.FormsReplaceEachOther2, kMust,
                   decide("EV-API-FD/1-D", "EV-API-FD/2-D"),
                   [](bool two) { return combine(visible_targets(two)); })
 (Test& t, bool two, GLenum target) {
@@ -246,7 +247,7 @@ EVALCTS_TEST_PAIR(Api.FormsReplaceEachOther, Api.FormsReplaceEachOther2, must,
 };
 
 // The array ends before an inaccessible page: reading a second value crashes.
-EVALCTS_TEST_PAIR(Api.VectorForm, Api.VectorForm2, must, decide("EV-API-V/1-D", "EV-API-V/2-D"),
+EVALCTS_TEST_PAIR(Api.VectorForm, Api.VectorForm2, kMust, decide("EV-API-V/1-D", "EV-API-V/2-D"),
                   combine(visible_target_forms(kCurves)))
 (Test& t, bool two, const TargetForm& form) {
   gl::Case c("scalar and vector form in turn");
@@ -261,7 +262,7 @@ EVALCTS_TEST_PAIR(Api.VectorForm, Api.VectorForm2, must, decide("EV-API-V/1-D", 
   t.expect_emission(two ? gl::lift(c, true) : c, attribute_of(form.target));
 };
 
-EVALCTS_TEST_PAIR(Api.VectorFormSameBits, Api.VectorFormSameBits2, quality,
+EVALCTS_TEST_PAIR(Api.VectorFormSameBits, Api.VectorFormSameBits2, kQuality,
                   decide("EV-API-V/1-D", "EV-API-V/2-D"), combine(kForms))
 (Test& t, bool two, const Form& form) {
   gl::Case c("vertices 2i and 2i+1: scalar and vector form");

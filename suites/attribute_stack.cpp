@@ -109,14 +109,14 @@ void expect_all_restored(Test& t, const Named<GLbitfield>& mask) {
   c.check();
 }
 
-EVALCTS_TEST(AttributeStack, EvalBit, must, "EV-ATTRIB-EVALBIT", "EV-API-ENUM-OTHER",
+EVALCTS_TEST(AttributeStack, EvalBit, kMust, "EV-ATTRIB-EVALBIT", "EV-API-ENUM-OTHER",
              combine(kWithEval).by(in_lists()))
 (Test& t, const Named<GLbitfield>& mask) { expect_all_restored(t, mask); };
 
-EVALCTS_TEST(AttributeStack, AllBits, must, "EV-ATTRIB-ALL", combine(kWithAll).by(in_lists()))
+EVALCTS_TEST(AttributeStack, AllBits, kMust, "EV-ATTRIB-ALL", combine(kWithAll).by(in_lists()))
 (Test& t, const Named<GLbitfield>& mask) { expect_all_restored(t, mask); };
 
-EVALCTS_TEST(AttributeStack, EnableBit, must, "EV-ATTRIB-ENABLEBIT", by(in_lists()))
+EVALCTS_TEST(AttributeStack, EnableBit, kMust, "EV-ATTRIB-ENABLEBIT", by(in_lists()))
 (Test& t) {
   CheckedCase c = pushed_and_popped(t, GL_ENABLE_BIT);
   expect_enables(c, kBefore);
@@ -126,7 +126,7 @@ EVALCTS_TEST(AttributeStack, EnableBit, must, "EV-ATTRIB-ENABLEBIT", by(in_lists
 };
 
 // Each enable by itself, both ways.
-EVALCTS_TEST(AttributeStack, EachEnable, must, "EV-ATTRIB-ENABLEBIT", "EV-ATTRIB-EVALBIT")
+EVALCTS_TEST(AttributeStack, EachEnable, kMust, "EV-ATTRIB-ENABLEBIT", "EV-ATTRIB-EVALBIT")
 (Test& t) {
   for (const GLbitfield mask : {GL_ENABLE_BIT, GL_EVAL_BIT}) {
     CheckedCase c(t, mask == GL_ENABLE_BIT ? "ENABLE_BIT" : "EVAL_BIT");
@@ -147,7 +147,7 @@ EVALCTS_TEST(AttributeStack, EachEnable, must, "EV-ATTRIB-ENABLEBIT", "EV-ATTRIB
   }
 };
 
-EVALCTS_TEST(AttributeStack, EnableBitHasNoGrids, must, "EV-ATTRIB-ENABLEBIT-NOGRID", by(in_lists()))
+EVALCTS_TEST(AttributeStack, EnableBitHasNoGrids, kMust, "EV-ATTRIB-ENABLEBIT-NOGRID", by(in_lists()))
 (Test& t) {
   CheckedCase c(t, "set, push ENABLE_BIT, set otherwise, pop");
   set(c, kBefore);
@@ -158,7 +158,7 @@ EVALCTS_TEST(AttributeStack, EnableBitHasNoGrids, must, "EV-ATTRIB-ENABLEBIT-NOG
   c.check();
 };
 
-EVALCTS_TEST(AttributeStack, OtherBits, must, "EV-ATTRIB-OTHERBITS", combine(kOthers).by(in_lists()))
+EVALCTS_TEST(AttributeStack, OtherBits, kMust, "EV-ATTRIB-OTHERBITS", combine(kOthers).by(in_lists()))
 (Test& t, const Named<GLbitfield>& mask) {
   CheckedCase c = pushed_and_popped(t, mask.value);
   expect_all(c, kAfter);
@@ -166,7 +166,7 @@ EVALCTS_TEST(AttributeStack, OtherBits, must, "EV-ATTRIB-OTHERBITS", combine(kOt
 };
 
 // ORDER, DOMAIN and COEFF belong to no group.
-EVALCTS_TEST(AttributeStack, MapsStay, must, "EV-ATTRIB-NOMAPS",
+EVALCTS_TEST(AttributeStack, MapsStay, kMust, "EV-ATTRIB-NOMAPS",
              combine((std::vector<Named<GLbitfield>>{kWithEval[0], kWithAll[0], kWithAll[1]})).by(in_lists()))
 (Test& t, const Named<GLbitfield>& mask) {
   for (const bool anew : {true, false}) {
@@ -203,7 +203,7 @@ void draw_meshes(gl::Case& c) {
 }
 
 // Evaluations afterwards use the enables and grids that came back, and the new points.
-EVALCTS_TEST(AttributeStack, EvaluatesAsRestored, must, "EV-ATTRIB-EVALBIT", "EV-ATTRIB-NOMAPS",
+EVALCTS_TEST(AttributeStack, EvaluatesAsRestored, kMust, "EV-ATTRIB-EVALBIT", "EV-ATTRIB-NOMAPS",
              by(gl::list_deliveries()))
 (Test& t) {
   t.leave_current_values_to_their_rules();
@@ -227,7 +227,7 @@ EVALCTS_TEST(AttributeStack, EvaluatesAsRestored, must, "EV-ATTRIB-EVALBIT", "EV
 };
 
 // If no enable changes between push and pop, the grid comes back all the same, for meshes as for queries.
-EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredGrid, must, "EV-ATTRIB-EVALBIT", by(gl::list_deliveries()))
+EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredGrid, kMust, "EV-ATTRIB-EVALBIT", by(gl::list_deliveries()))
 (Test& t) {
   gl::Case c("points of a grid before the push, of another grid, and after the pop");
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_3})
@@ -246,7 +246,7 @@ EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredGrid, must, "EV-ATTRIB-EVALBIT
 
 // If no grid changes, the enables come back all the same: they decide which vertex map wins, and what gives
 // the normals.
-EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredEnables, must, "EV-ATTRIB-EVALBIT", "EV-ATTRIB-ENABLEBIT",
+EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredEnables, kMust, "EV-ATTRIB-EVALBIT", "EV-ATTRIB-ENABLEBIT",
              by(gl::list_deliveries()))
 (Test& t) {
   struct Change {
@@ -284,7 +284,7 @@ EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredEnables, must, "EV-ATTRIB-EVAL
     }
 };
 
-EVALCTS_TEST(AttributeStack, Nested, must, "EV-ATTRIB-NEST", by(in_lists()))
+EVALCTS_TEST(AttributeStack, Nested, kMust, "EV-ATTRIB-NEST", by(in_lists()))
 (Test& t) {
   CheckedCase c(t, "two levels, popped one after the other");
   set(c, kBefore);
@@ -302,7 +302,7 @@ EVALCTS_TEST(AttributeStack, Nested, must, "EV-ATTRIB-NEST", by(in_lists()))
 
 // The same with other groups that have enables.
 EVALCTS_TEST(
-    AttributeStack, NestedEnables, must, "EV-ATTRIB-NEST",
+    AttributeStack, NestedEnables, kMust, "EV-ATTRIB-NEST",
     combine((std::vector<Named<GLbitfield>>{{"ENABLE_BIT", GL_ENABLE_BIT}, kWithAll[0]})).by(in_lists()))
 (Test& t, const Named<GLbitfield>& mask) {
   CheckedCase c(t, "three levels, popped one after the other");
@@ -320,7 +320,7 @@ EVALCTS_TEST(
 };
 
 // Each level restores its own groups only.
-EVALCTS_TEST(AttributeStack, NestedGroups, must, "EV-ATTRIB-NEST", "EV-ATTRIB-ENABLEBIT-NOGRID",
+EVALCTS_TEST(AttributeStack, NestedGroups, kMust, "EV-ATTRIB-NEST", "EV-ATTRIB-ENABLEBIT-NOGRID",
              by(in_lists()))
 (Test& t) {
   CheckedCase c(t, "EVAL_BIT, in it ENABLE_BIT, in it CURRENT_BIT");
@@ -341,7 +341,7 @@ EVALCTS_TEST(AttributeStack, NestedGroups, must, "EV-ATTRIB-NEST", "EV-ATTRIB-EN
 };
 
 // Sixteen levels, the least depth of the stack.
-EVALCTS_TEST(AttributeStack, NestedDeeply, must, "EV-ATTRIB-NEST")
+EVALCTS_TEST(AttributeStack, NestedDeeply, kMust, "EV-ATTRIB-NEST")
 (Test& t) {
   constexpr GLint kDepth = 16;
   CheckedCase c(t, "sixteen levels, each with settings of its own");

@@ -125,7 +125,7 @@ constexpr Named<Attributes> kLengths[] = {{"UNIT", kNormal | kUnitNormal}, {"SHA
 
 // --- Where the normal comes from -------------------------------------------------------------------------
 
-EVALCTS_TEST(AutomaticNormals, Used, must, "EV-AUTON-USED", by(gl::surface_deliveries()))
+EVALCTS_TEST(AutomaticNormals, Used, kMust, "EV-AUTON-USED", by(gl::surface_deliveries()))
 (Test& t) {
   for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}) {
     gl::Case c = with_current_values(label(target));
@@ -153,19 +153,19 @@ void expect_with(Test& t, const std::string& identity, const std::vector<std::pa
   t.expect_emission(c, kNormal);
 }
 
-EVALCTS_TEST(AutomaticNormals, BeforeNormalMap, must, "EV-AUTON-OVERRIDE", by(gl::surface_deliveries()))
+EVALCTS_TEST(AutomaticNormals, BeforeNormalMap, kMust, "EV-AUTON-OVERRIDE", by(gl::surface_deliveries()))
 (Test& t) { expect_with(t, "AUTO_NORMAL and a NORMAL map", {{true, true}}); };
-EVALCTS_TEST(AutomaticNormals, NormalMapWhenOff, must, "EV-AUTON-OFF-MAP", by(gl::surface_deliveries()))
+EVALCTS_TEST(AutomaticNormals, NormalMapWhenOff, kMust, "EV-AUTON-OFF-MAP", by(gl::surface_deliveries()))
 (Test& t) { expect_with(t, "a NORMAL map", {{false, true}}); };
-EVALCTS_TEST(AutomaticNormals, CurrentNormalWhenOff, must, "EV-AUTON-OFF-NONE", by(gl::surface_deliveries()))
+EVALCTS_TEST(AutomaticNormals, CurrentNormalWhenOff, kMust, "EV-AUTON-OFF-NONE", by(gl::surface_deliveries()))
 (Test& t) { expect_with(t, "neither AUTO_NORMAL nor a NORMAL map", {{false, false}}); };
-EVALCTS_TEST(AutomaticNormals, SwitchedOn, must, "EV-AUTON-OVERRIDE", "EV-AUTON-OFF-MAP",
+EVALCTS_TEST(AutomaticNormals, SwitchedOn, kMust, "EV-AUTON-OVERRIDE", "EV-AUTON-OFF-MAP",
              by(gl::surface_deliveries()))
 (Test& t) {
   expect_with(t, "a NORMAL map, AUTO_NORMAL on, off and on",
               {{false, true}, {true, true}, {false, true}, {true, true}});
 };
-EVALCTS_TEST(AutomaticNormals, SwitchedOff, must, "EV-AUTON-OFF-NONE", by(gl::surface_deliveries()))
+EVALCTS_TEST(AutomaticNormals, SwitchedOff, kMust, "EV-AUTON-OFF-NONE", by(gl::surface_deliveries()))
 (Test& t) {
   expect_with(t, "all that makes a normal is switched off",
               {{true, true}, {true, false}, {false, false}, {true, false}});
@@ -177,7 +177,7 @@ std::vector<gl::Delivery> one_dimensional() {
   return deliveries;
 }
 
-EVALCTS_TEST(AutomaticNormals, NotInOneDimension, must, "EV-AUTON-1D", by(one_dimensional()))
+EVALCTS_TEST(AutomaticNormals, NotInOneDimension, kMust, "EV-AUTON-1D", by(one_dimensional()))
 (Test& t) {
   for (const bool map : {true, false}) {
     gl::Case c = with_current_values(map ? "AUTO_NORMAL with a MAP1_NORMAL map" : "AUTO_NORMAL alone");
@@ -191,7 +191,7 @@ EVALCTS_TEST(AutomaticNormals, NotInOneDimension, must, "EV-AUTON-1D", by(one_di
   }
 };
 
-EVALCTS_TEST(AutomaticNormals, OfTheMapThatIsDrawn, must, "EV-AUTON-VERTEX4WINS",
+EVALCTS_TEST(AutomaticNormals, OfTheMapThatIsDrawn, kMust, "EV-AUTON-VERTEX4WINS",
              by(gl::surface_deliveries()))
 (Test& t) {
   gl::Case c("VERTEX_3 and VERTEX_4 of different orientation, then each alone");
@@ -206,7 +206,7 @@ EVALCTS_TEST(AutomaticNormals, OfTheMapThatIsDrawn, must, "EV-AUTON-VERTEX4WINS"
   t.expect_emission(c, kNormal);
 };
 
-EVALCTS_TEST(AutomaticNormals, NothingWithoutVertexMap, must, "EV-AUTON-NOVERTEX",
+EVALCTS_TEST(AutomaticNormals, NothingWithoutVertexMap, kMust, "EV-AUTON-NOVERTEX",
              by(gl::surface_deliveries()))
 (Test& t) {
   gl::Case c("AUTO_NORMAL and all maps but those of vertices");
@@ -218,7 +218,7 @@ EVALCTS_TEST(AutomaticNormals, NothingWithoutVertexMap, must, "EV-AUTON-NOVERTEX
   t.expect_emission(c, kPosition);
 };
 
-EVALCTS_TEST(AutomaticNormals, CurrentNormalStays, must, "EV-AUTON-CURRENT", by(gl::surface_deliveries()))
+EVALCTS_TEST(AutomaticNormals, CurrentNormalStays, kMust, "EV-AUTON-CURRENT", by(gl::surface_deliveries()))
 (Test& t) {
   CheckedCase c(t, "queried after evaluation, seen by the next vertex without AUTO_NORMAL");
   c.Normal3f(0.6f, -0.5f, 0.8f);
@@ -230,7 +230,7 @@ EVALCTS_TEST(AutomaticNormals, CurrentNormalStays, must, "EV-AUTON-CURRENT", by(
   c.check();
 };
 
-EVALCTS_TEST(AutomaticNormals, NextVertexHasTheCurrentNormal, must, "EV-AUTON-CURRENT",
+EVALCTS_TEST(AutomaticNormals, NextVertexHasTheCurrentNormal, kMust, "EV-AUTON-CURRENT",
              by(gl::surface_deliveries()))
 (Test& t) {
   gl::Case c = with_current_values("Vertex, and evaluation without AUTO_NORMAL, after evaluation with it");
@@ -250,7 +250,7 @@ EVALCTS_TEST(AutomaticNormals, NextVertexHasTheCurrentNormal, must, "EV-AUTON-CU
 
 // --- Direction and length --------------------------------------------------------------------------------
 
-EVALCTS_TEST(AutomaticNormals, Direction, must, "EV-AUTON-DIRECTION",
+EVALCTS_TEST(AutomaticNormals, Direction, kMust, "EV-AUTON-DIRECTION",
              combine(kLengths).by(gl::list_deliveries()))
 (Test& t, const Named<Attributes>& lengths) {
   expect_normals(t, "u along +x and v along +y, the reverse, and a tilted plane",
@@ -260,7 +260,7 @@ EVALCTS_TEST(AutomaticNormals, Direction, must, "EV-AUTON-DIRECTION",
                  lengths.value);
 };
 
-EVALCTS_TEST(AutomaticNormals, Curved, must, "EV-AUTON-CURVED", "EV-AUTON-METHOD",
+EVALCTS_TEST(AutomaticNormals, Curved, kMust, "EV-AUTON-CURVED", "EV-AUTON-METHOD",
              combine(kPolynomial).by(gl::list_deliveries()))
 (Test& t, const Patch& patch) {
   expect_normals(t, "over [0,1] and over [2,5] x [-3,-1]",
@@ -268,16 +268,16 @@ EVALCTS_TEST(AutomaticNormals, Curved, must, "EV-AUTON-CURVED", "EV-AUTON-METHOD
 };
 
 // The demand of GL 1.0: the analytic normal, to the accuracy of the operations.
-EVALCTS_TEST(AutomaticNormals, Analytic, quality, "EV-AUTON-METHOD",
+EVALCTS_TEST(AutomaticNormals, Analytic, kQuality, "EV-AUTON-METHOD",
              combine(kPolynomial).by(gl::list_deliveries()))
 (Test& t, const Patch& patch) { expect_normals(t, "the analytic normal", {patch.map()}); };
 
-EVALCTS_TEST(AutomaticNormals, Rational, must, "EV-AUTON-RATIONAL",
+EVALCTS_TEST(AutomaticNormals, Rational, kMust, "EV-AUTON-RATIONAL",
              combine(kRational).by(gl::list_deliveries()))
 (Test& t, const Patch& patch) { expect_normals(t, "derivatives of x/w, y/w, z/w", {patch.map()}); };
 
 // The sign is free where one direction is reversed (U-AUTON-REVSIGN), the rest is not.
-EVALCTS_TEST(AutomaticNormals, ReversedDomain, must, "EV-AUTON-CURVED",
+EVALCTS_TEST(AutomaticNormals, ReversedDomain, kMust, "EV-AUTON-CURVED",
              combine(kLengths).by(gl::list_deliveries()))
 (Test& t, const Named<Attributes>& lengths) {
   std::vector<Map> maps;
@@ -286,7 +286,7 @@ EVALCTS_TEST(AutomaticNormals, ReversedDomain, must, "EV-AUTON-CURVED",
   expect_normals(t, "u, v, and both reversed", maps, lengths.value);
 };
 
-EVALCTS_TEST(AutomaticNormals, UnitLength, must, "EV-AUTON-UNIT", by(gl::list_deliveries()))
+EVALCTS_TEST(AutomaticNormals, UnitLength, kMust, "EV-AUTON-UNIT", by(gl::list_deliveries()))
 (Test& t) {
   std::vector<Map> maps;
   for (const double size : {5e-5, 0.01, 1.0, 37.0, 1000.0})
@@ -297,7 +297,7 @@ EVALCTS_TEST(AutomaticNormals, UnitLength, must, "EV-AUTON-UNIT", by(gl::list_de
 };
 
 // A patch of 10 by 10 over [0,1] x [0,1] has a normal of length 100 there.
-EVALCTS_TEST(AutomaticNormals, NotNormalisedWithShader, must, "EV-AUTON-SHADER", by(gl::list_deliveries()))
+EVALCTS_TEST(AutomaticNormals, NotNormalisedWithShader, kMust, "EV-AUTON-SHADER", by(gl::list_deliveries()))
 (Test& t) {
   t.require(2, 0, "GL_ARB_vertex_shader");
   std::vector<Map> maps;
@@ -309,7 +309,7 @@ EVALCTS_TEST(AutomaticNormals, NotNormalisedWithShader, must, "EV-AUTON-SHADER",
 
 // --- Everything else stays -------------------------------------------------------------------------------
 
-EVALCTS_TEST(AutomaticNormals, RestOfTheVertex, must, "EV-AUTON-SAMEVERTEX", by(gl::surface_deliveries()))
+EVALCTS_TEST(AutomaticNormals, RestOfTheVertex, kMust, "EV-AUTON-SAMEVERTEX", by(gl::surface_deliveries()))
 (Test& t) {
   for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}) {
     gl::Case c = with_current_values(label(target) + " with colour and texture coordinate maps");
@@ -324,7 +324,7 @@ EVALCTS_TEST(AutomaticNormals, RestOfTheVertex, must, "EV-AUTON-SAMEVERTEX", by(
   }
 };
 
-EVALCTS_TEST(AutomaticNormals, PositionToTheBit, quality, "EV-AUTON-SAMEVERTEX",
+EVALCTS_TEST(AutomaticNormals, PositionToTheBit, kQuality, "EV-AUTON-SAMEVERTEX",
              combine(kRational).by(gl::list_deliveries()))
 (Test& t, const Patch& patch) {
   gl::Case c("off, then on");
@@ -348,7 +348,8 @@ EVALCTS_TEST(AutomaticNormals, PositionToTheBit, quality, "EV-AUTON-SAMEVERTEX",
   }
 };
 
-EVALCTS_TEST(AutomaticNormals, InMeshes, must, "EV-AUTON-MESH", combine(kMeshModes).by(gl::list_deliveries()))
+EVALCTS_TEST(AutomaticNormals, InMeshes, kMust, "EV-AUTON-MESH",
+             combine(kMeshModes).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
   gl::Case c = with_current_values("polynomial and rational patches");
   c.Enable(GL_AUTO_NORMAL);
@@ -381,7 +382,7 @@ void expect_survival(Test& t, const std::vector<Degenerate>& patches) {
   }
 }
 
-EVALCTS_TEST(AutomaticNormals, DegeneratePatches, must, "EV-AUTON-DEGENERATE", by(gl::surface_deliveries()))
+EVALCTS_TEST(AutomaticNormals, DegeneratePatches, kMust, "EV-AUTON-DEGENERATE", by(gl::surface_deliveries()))
 (Test& t) {
   const auto point = [](int, int) { return std::array<double, 4>{0.5, -1, 2, 1}; };
   const auto line = [](int i, int j) { return std::array<double, 4>{1.0 * (i + j), 2.0 * (i + j), 0.25, 1}; };
@@ -398,7 +399,7 @@ EVALCTS_TEST(AutomaticNormals, DegeneratePatches, must, "EV-AUTON-DEGENERATE", b
                       {"w through 0", surface(GL_MAP2_VERTEX_4, 3, 2, changing_w)}});
 };
 
-EVALCTS_TEST(AutomaticNormals, OrderOne, must, "EV-AUTON-DEGENERATE", "EV-AUTON-SAMEVERTEX",
+EVALCTS_TEST(AutomaticNormals, OrderOne, kMust, "EV-AUTON-DEGENERATE", "EV-AUTON-SAMEVERTEX",
              by(gl::surface_deliveries()))
 (Test& t) {
   expect_survival(t, {{"order 1 in u", surface(GL_MAP2_VERTEX_3, 1, 3, wave)},

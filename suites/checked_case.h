@@ -11,7 +11,7 @@
 namespace evalcts {
 
 // Commands are recorded as in any case. What is expected of their answers is recorded with them; check()
-// plays the case and checks in the order of recording.
+// runs the case and checks in the order of recording.
 class CheckedCase : public gl::Case {
  public:
   CheckedCase(Test& t, std::string identity) : gl::Case(std::move(identity)), t_(t) {}

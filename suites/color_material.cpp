@@ -90,7 +90,7 @@ std::vector<gl::Ref> query_materials(gl::Case& c) {
   return refs;
 }
 
-EVALCTS_TEST(ColorMaterial, Effect, must, "EV-CMAT-EFFECT/1-D", combine(kTracked).by(without_lists()))
+EVALCTS_TEST(ColorMaterial, Effect, kMust, "EV-CMAT-EFFECT/1-D", combine(kTracked).by(without_lists()))
 (Test& t, GLenum tracked) {
   t.require(1, 1);
   const auto& [untracked, state] = lit(tracked);
@@ -101,7 +101,7 @@ EVALCTS_TEST(ColorMaterial, Effect, must, "EV-CMAT-EFFECT/1-D", combine(kTracked
 };
 
 // Asked at once, and after a flush.
-EVALCTS_TEST(ColorMaterial, MaterialUntouched, must, "EV-CMAT-NOSTATE/1-D", "EV-CMAT-NOCURRENT/1-D",
+EVALCTS_TEST(ColorMaterial, MaterialUntouched, kMust, "EV-CMAT-NOSTATE/1-D", "EV-CMAT-NOCURRENT/1-D",
              combine(kSomeTracked).by(gl::curve_deliveries()))
 (Test& t, GLenum tracked) {
   t.require(1, 1);
@@ -164,7 +164,7 @@ const Part& tracked_vertex(Test& t, GLenum tracked, gl::Case commands = {}) {
 }
 
 // A Vertex after an evaluation is lit with the current colour again, as is an evaluation without the map.
-EVALCTS_TEST(ColorMaterial, NextVertex, must, "EV-CMAT-NEXT/1-D", combine(kSomeTracked).by(in_primitives()))
+EVALCTS_TEST(ColorMaterial, NextVertex, kMust, "EV-CMAT-NEXT/1-D", combine(kSomeTracked).by(in_primitives()))
 (Test& t, GLenum tracked) {
   t.require(1, 1);
   gl::Case drawing;
@@ -186,7 +186,7 @@ EVALCTS_TEST(ColorMaterial, NextVertex, must, "EV-CMAT-NEXT/1-D", combine(kSomeT
 constexpr GLenum kFaces[] = {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK};
 
 // A triangle seen from the front and one from behind, lit on both sides.
-EVALCTS_TEST(ColorMaterial, Faces, must, "EV-CMAT-FACES/1-D", combine(kFaces).by(in_primitives()))
+EVALCTS_TEST(ColorMaterial, Faces, kMust, "EV-CMAT-FACES/1-D", combine(kFaces).by(in_primitives()))
 (Test& t, GLenum face) {
   t.require(1, 1);
   const auto& [untracked, state] = lit(GL_EMISSION, face, true);
@@ -202,7 +202,7 @@ EVALCTS_TEST(ColorMaterial, Faces, must, "EV-CMAT-FACES/1-D", combine(kFaces).by
 };
 
 // Without COLOR_MATERIAL the lit colour is the material's, whatever the map says.
-EVALCTS_TEST(ColorMaterial, NotTracked, must, "EV-CMAT-OFF/1-D", by(every_command()))
+EVALCTS_TEST(ColorMaterial, NotTracked, kMust, "EV-CMAT-OFF/1-D", by(every_command()))
 (Test& t) {
   const auto& [state, tracking] = lit(GL_EMISSION);
   gl::Case drawing;
@@ -212,7 +212,7 @@ EVALCTS_TEST(ColorMaterial, NotTracked, must, "EV-CMAT-OFF/1-D", by(every_comman
 };
 
 // Without lighting the evaluated colour is the vertex's.
-EVALCTS_TEST(ColorMaterial, Unlit, must, "EV-CMAT-UNLIT/1-D", by(every_command()))
+EVALCTS_TEST(ColorMaterial, Unlit, kMust, "EV-CMAT-UNLIT/1-D", by(every_command()))
 (Test& t) {
   const auto& [untracked, tracked] = lit(GL_EMISSION);
   gl::Case state = tracked;
@@ -225,7 +225,7 @@ EVALCTS_TEST(ColorMaterial, Unlit, must, "EV-CMAT-UNLIT/1-D", by(every_command()
 
 // Without a vertex map, evaluating a colour map changes neither a material nor the current colour
 // (NoVertexMap), and a later vertex is lit with the current colour (NextVertexWithoutVertexMap).
-EVALCTS_TEST(ColorMaterial, NoVertexMap, must, "EV-CMAT-NOVERTEX/1-D",
+EVALCTS_TEST(ColorMaterial, NoVertexMap, kMust, "EV-CMAT-NOVERTEX/1-D",
              combine(kSomeTracked).by(every_command()))
 (Test& t, GLenum tracked) {
   t.require(1, 1);
@@ -240,7 +240,7 @@ EVALCTS_TEST(ColorMaterial, NoVertexMap, must, "EV-CMAT-NOVERTEX/1-D",
   c.check();
 };
 
-EVALCTS_TEST(ColorMaterial, NextVertexWithoutVertexMap, must, "EV-CMAT-NOVERTEX/1-D",
+EVALCTS_TEST(ColorMaterial, NextVertexWithoutVertexMap, kMust, "EV-CMAT-NOVERTEX/1-D",
              combine(kSomeTracked).by(every_command()))
 (Test& t, GLenum tracked) {
   const Part& control = tracked_vertex(t, tracked);

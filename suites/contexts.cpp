@@ -32,7 +32,7 @@ constexpr Other kOthers[] = {
     {"SHARING", [](gl::Case& c, GLuint number) { return c.SharingContextEVALCTS(number); }}};
 
 // A new context has the initial state, which the first one told before it was changed.
-EVALCTS_TEST(Contexts, Fresh, must, "EV-CTX-FRESH", combine(kOthers))
+EVALCTS_TEST(Contexts, Fresh, kMust, "EV-CTX-FRESH", combine(kOthers))
 (Test& t, const Other& other) {
   CheckedCase c(t, "everything set in the first context, then another one is made");
   const std::vector<gl::Ref> initial = c.query_everything();
@@ -45,7 +45,7 @@ EVALCTS_TEST(Contexts, Fresh, must, "EV-CTX-FRESH", combine(kOthers))
 
 // Commands in one context change nothing in the other, in either direction, in contexts that share objects as
 // well as in others. (An implementation that shares evaluators answers the same in both.)
-EVALCTS_TEST(Contexts, Private, must, "EV-CTX-PRIVATE", combine(kOthers))
+EVALCTS_TEST(Contexts, Private, kMust, "EV-CTX-PRIVATE", combine(kOthers))
 (Test& t, const Other& other) {
   CheckedCase c(t, "two contexts set in different ways in turn");
   const std::vector<gl::Ref> untouched = c.query_everything();
@@ -73,7 +73,7 @@ EVALCTS_TEST(Contexts, Private, must, "EV-CTX-PRIVATE", combine(kOthers))
 };
 
 // Maps that a list defines are those of the context that calls it; the list itself is shared.
-EVALCTS_TEST(Contexts, SharedListDefinesWhereItIsCalled, must, "EV-CTX-PRIVATE")
+EVALCTS_TEST(Contexts, SharedListDefinesWhereItIsCalled, kMust, "EV-CTX-PRIVATE")
 (Test& t) {
   gl::Case c("a list made in one context, called in the other");
   const Map own = random_map(t, GL_MAP1_VERTEX_3, 2), listed = random_map(t, GL_MAP1_VERTEX_3, 4);
@@ -102,7 +102,7 @@ EVALCTS_TEST(Contexts, SharedListDefinesWhereItIsCalled, must, "EV-CTX-PRIVATE")
   played.expect_values(other_segments, std::vector<GLint>{1});
 };
 
-EVALCTS_TEST(Contexts, Switched, must, "EV-CTX-SWITCH", combine(kOthers))
+EVALCTS_TEST(Contexts, Switched, kMust, "EV-CTX-SWITCH", combine(kOthers))
 (Test& t, const Other& other) {
   CheckedCase c(t, "everything set, another context used, and back");
   set_everything(t, c, 0);
@@ -121,7 +121,7 @@ EVALCTS_TEST(Contexts, Switched, must, "EV-CTX-SWITCH", combine(kOthers))
 };
 
 // Evaluation itself goes on as if there had been no other context: the pictures of both in feedback mode.
-EVALCTS_TEST(Contexts, EvaluatesAfterSwitch, must, "EV-CTX-SWITCH", "EV-CTX-PRIVATE", combine(kOthers))
+EVALCTS_TEST(Contexts, EvaluatesAfterSwitch, kMust, "EV-CTX-SWITCH", "EV-CTX-PRIVATE", combine(kOthers))
 (Test& t, const Other& other) {
   constexpr std::size_t kRoom = 64;
   gl::Case c("feedback of the same evaluation before and after another context evaluated");
@@ -184,7 +184,7 @@ std::vector<gl::Ref> query_pushable(gl::Case& c) {
   return queries;
 }
 
-EVALCTS_TEST(Contexts, CopyOfEvalBit, must, "EV-CTX-COPY")
+EVALCTS_TEST(Contexts, CopyOfEvalBit, kMust, "EV-CTX-COPY")
 (Test& t) {
   CheckedCase c(t, "EVAL_BIT is copied");
   set_and_copy(t, c, GL_EVAL_BIT);
@@ -195,7 +195,7 @@ EVALCTS_TEST(Contexts, CopyOfEvalBit, must, "EV-CTX-COPY")
   c.check();
 };
 
-EVALCTS_TEST(Contexts, CopyHasNoMaps, must, "EV-CTX-COPY-NOMAPS")
+EVALCTS_TEST(Contexts, CopyHasNoMaps, kMust, "EV-CTX-COPY-NOMAPS")
 (Test& t) {
   CheckedCase c(t, "ALL_ATTRIB_BITS are copied");
   const auto query_maps = [&] {

@@ -88,7 +88,7 @@ bool expect_kept(Test& t, const std::function<Written(bool evaluated)>& write) {
   const Written evaluated = write(true);
   if (keeps(evaluated)) return true;
   if (!keeps(write(false))) return false;
-  Played played = t.play(evaluated.script);  // what is reported is the case played last
+  Played played = t.play(evaluated.script);  // what is reported is the case run last
   for (const auto& [before, after] : evaluated.alike) played.expect_same(before, after);
   return true;
 }
@@ -99,7 +99,7 @@ void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter
   bool observed = false;
   for (int variant = 0; variant < kVariants; ++variant)
     for (const bool short_one : {true, false}) {
-      if (t.depth() == Depth::quick && short_one == (variant % 2 == 1)) continue;
+      if (t.depth() == Depth::kQuick && short_one == (variant % 2 == 1)) continue;
       const int vertices = short_one ? 1 : t.by_depth(300, 1000, 30000);
       const Map map = random_map(t, target, 4), carrier = random_map(t, GL_MAP1_VERTEX_3, 4);
       observed |= expect_kept(t, [&](bool evaluated) {
@@ -135,28 +135,28 @@ void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter
 // Queried at once, and after a flush: a flush hides some defects and shows others.
 constexpr Named<bool> kMoments[] = {{"AT_ONCE", false}, {"FLUSHED", true}};
 
-EVALCTS_TEST(CurrentValues, Color, must, "EV-CUR-COLOR/1-D", combine(kMoments).by(gl::curve_deliveries()))
+EVALCTS_TEST(CurrentValues, Color, kMust, "EV-CUR-COLOR/1-D", combine(kMoments).by(gl::curve_deliveries()))
 (Test& t, const Named<bool>& moment) {
   expect_current_untouched(t, GL_MAP1_COLOR_4, kQueries[0], set_color, moment.value);
 };
 
-EVALCTS_TEST(CurrentValues, Normal, must, "EV-CUR-NORMAL/1-D", combine(kMoments).by(gl::curve_deliveries()))
+EVALCTS_TEST(CurrentValues, Normal, kMust, "EV-CUR-NORMAL/1-D", combine(kMoments).by(gl::curve_deliveries()))
 (Test& t, const Named<bool>& moment) {
   expect_current_untouched(t, GL_MAP1_NORMAL, kQueries[1], set_normal, moment.value);
 };
 
-EVALCTS_TEST(CurrentValues, Index, must, "EV-CUR-INDEX/1-D", combine(kMoments).by(gl::curve_deliveries()))
+EVALCTS_TEST(CurrentValues, Index, kMust, "EV-CUR-INDEX/1-D", combine(kMoments).by(gl::curve_deliveries()))
 (Test& t, const Named<bool>& moment) {
   const auto set_index = [](gl::Case& c, int variant) { c.Indexf(7.0f + static_cast<float>(variant)); };
   expect_current_untouched(t, GL_MAP1_INDEX, {"INDEX", GL_CURRENT_INDEX, 1}, set_index, moment.value);
 };
 
-EVALCTS_TEST(CurrentValues, TextureCoordinates, must, "EV-CUR-TEX/1-D",
+EVALCTS_TEST(CurrentValues, TextureCoordinates, kMust, "EV-CUR-TEX/1-D",
              combine(kMoments).by(gl::curve_deliveries()))
 (Test& t, const Named<bool>& moment) {
   std::vector<GLenum> targets = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3,
                                  GL_MAP1_TEXTURE_COORD_4};
-  if (t.depth() == Depth::quick) targets = {targets[t.random()() % targets.size()]};
+  if (t.depth() == Depth::kQuick) targets = {targets[t.random()() % targets.size()]};
   for (const GLenum target : targets)
     expect_current_untouched(t, target, kQueries[2], set_texture, moment.value);
 };
@@ -195,7 +195,7 @@ void set_all(gl::Case& c, const Setting& setting) {
 
 // Implementations lay vertices out by what was set, in which order and how wide: one primitive, with every
 // map on, after every order of setting.
-EVALCTS_TEST(CurrentValues, EveryOrderOfSetting, must, "EV-CUR-COLOR/1-D", "EV-CUR-NORMAL/1-D",
+EVALCTS_TEST(CurrentValues, EveryOrderOfSetting, kMust, "EV-CUR-COLOR/1-D", "EV-CUR-NORMAL/1-D",
              "EV-CUR-TEX/1-D", combine(kQueries).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
 (Test& t, const Query& queried) {
   std::vector<Map> maps;
@@ -229,7 +229,7 @@ EVALCTS_TEST(CurrentValues, EveryOrderOfSetting, must, "EV-CUR-COLOR/1-D", "EV-C
   if (!observed) throw NotObservable("explicit vertices lose the current value as well");
 };
 
-EVALCTS_TEST(CurrentValues, EdgeFlag, must, "EV-CUR-EDGEFLAG/1-D",
+EVALCTS_TEST(CurrentValues, EdgeFlag, kMust, "EV-CUR-EDGEFLAG/1-D",
              by(gl::without(gl::kMeshes, gl::curve_deliveries())))
 (Test& t) {
   for (const GLboolean flag : {GL_FALSE, GL_TRUE}) {
@@ -245,7 +245,7 @@ EVALCTS_TEST(CurrentValues, EdgeFlag, must, "EV-CUR-EDGEFLAG/1-D",
 };
 
 // Meshes are primitives of their own, and have no edge flags.
-EVALCTS_TEST(CurrentValues, EdgeFlagAfterMeshes, must, "EV-CUR-EDGEFLAG", by(gl::list_deliveries()))
+EVALCTS_TEST(CurrentValues, EdgeFlagAfterMeshes, kMust, "EV-CUR-EDGEFLAG", by(gl::list_deliveries()))
 (Test& t) {
   for (const GLboolean flag : {GL_FALSE, GL_TRUE}) {
     CheckedCase c(t, flag ? "TRUE" : "FALSE");
@@ -262,7 +262,7 @@ EVALCTS_TEST(CurrentValues, EdgeFlagAfterMeshes, must, "EV-CUR-EDGEFLAG", by(gl:
 };
 
 // With all maps on, everything that can be queried of the evaluators stays as it was.
-EVALCTS_TEST_PAIR(CurrentValues.MapsGridsAndEnables, CurrentValues.MapsGridsAndEnables2, must,
+EVALCTS_TEST_PAIR(CurrentValues.MapsGridsAndEnables, CurrentValues.MapsGridsAndEnables2, kMust,
                   decide("EV-CUR-GRIDMAPS/1-D", "EV-CUR-GRIDMAPS/2-D"))
 (Test& t, bool two) {
   gl::Case c("all nine maps enabled");
@@ -293,7 +293,7 @@ EVALCTS_TEST_PAIR(CurrentValues.MapsGridsAndEnables, CurrentValues.MapsGridsAndE
 };
 
 // Maps of 1, 4, 2, 3 components in turn: nothing of one result gets into another vertex.
-EVALCTS_TEST(CurrentValues, NoComponentLeaks, must, "EV-CUR-MAXCOMP/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(CurrentValues, NoComponentLeaks, kMust, "EV-CUR-MAXCOMP/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("texture maps of 1, 4, 2, 3, 1 components, explicit vertices between them");
   define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 3));
@@ -314,12 +314,12 @@ EVALCTS_TEST(CurrentValues, NoComponentLeaks, must, "EV-CUR-MAXCOMP/1-D", by(gl:
   t.expect_emission(c, kPosition | kTextureCoordinate0);
 };
 
-EVALCTS_TEST(CurrentValues, OtherUnits, must, "EV-CUR-OTHERUNITS/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(CurrentValues, OtherUnits, kMust, "EV-CUR-OTHERUNITS/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   require_texture_units(t);
   for (const GLenum active : {GL_TEXTURE0, GL_TEXTURE1}) {
     CheckedCase c(t, "every unit, TEXTURE_COORD_2 enabled, " + gl::token_name(active) + " active");
-    c.ActiveTexture(GL_TEXTURE0);  // maps are refused elsewhere, where a list is called twice
+    c.ActiveTexture(GL_TEXTURE0);  // maps are rejected elsewhere, where a list is called twice
     define(c, random_map(t, GL_MAP1_TEXTURE_COORD_2, 3));
     enable_visibly(c, GL_MAP1_TEXTURE_COORD_2);
     const int units = std::min(t.gl().texture_units, 8);
@@ -355,7 +355,7 @@ void expect_same_as_explicit(Test& t, const std::string& identity,
 }
 
 // Secondary colour, fog coordinate and generic attributes have no maps.
-EVALCTS_TEST(CurrentValues, AttributesWithoutMaps, must, "EV-CUR-OTHERUNITS/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(CurrentValues, AttributesWithoutMaps, kMust, "EV-CUR-OTHERUNITS/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   t.require(2, 0);
   std::vector<Map> maps;
@@ -381,7 +381,7 @@ EVALCTS_TEST(CurrentValues, AttributesWithoutMaps, must, "EV-CUR-OTHERUNITS/1-D"
   });
 };
 
-EVALCTS_TEST(CurrentValues, RasterPosition, must, "EV-CUR-RASTERPOS/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(CurrentValues, RasterPosition, kMust, "EV-CUR-RASTERPOS/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   const std::pair<GLenum, std::size_t> queries[] = {{GL_CURRENT_RASTER_POSITION, 4},
                                                     {GL_CURRENT_RASTER_COLOR, 4},

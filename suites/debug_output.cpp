@@ -80,7 +80,7 @@ Answers answers(Test& t, const gl::Identity& identity, const std::vector<NamedCa
 }
 
 // If the error of another command is reported, those of evaluators are, too.
-EVALCTS_TEST(Pipeline, DebugMessages, quality, "EV-PIPE-DEBUG")
+EVALCTS_TEST(Pipeline, DebugMessages, kQuality, "EV-PIPE-DEBUG")
 (Test& t) {
   t.require(4, 3, "GL_KHR_debug");
   const Answers control =

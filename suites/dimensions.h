@@ -1,13 +1,13 @@
 // Registers one body as two tests that differ in one choice: most often one for one dimension and one for
 // two, or one along u and one along v.
 //
-//   EVALCTS_TEST_PAIR(Metamorphic.ReversedCurve, Metamorphic.ReversedSurface, must,
+//   EVALCTS_TEST_PAIR(Metamorphic.ReversedCurve, Metamorphic.ReversedSurface, kMust,
 //                     decide("EV-NUM-SYMMETRY/1-D", "EV-NUM-SYMMETRY/2-D"), by(in_lists()))
 //   (Test& t, bool two) { ... };
 //
 // Parameters are those of both tests, or what a function returns for each:
 //
-//   EVALCTS_TEST_PAIR(Map1State.EnableUntouched, Map2State.EnableUntouched, must, ...,
+//   EVALCTS_TEST_PAIR(Map1State.EnableUntouched, Map2State.EnableUntouched, kMust, ...,
 //                     [](bool two) { return combine(target_forms(two)).by(gl::list_deliveries()); })
 //   (Test& t, bool two, const TargetForm& form) { ... };
 #pragma once

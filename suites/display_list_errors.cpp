@@ -95,9 +95,9 @@ std::vector<Bad> bad_grids_and_meshes() {
   return all;
 }
 
-enum class Kind { maps_f, maps_d, grids_and_meshes };
+enum class Kind { kMapsF, kMapsD, kGridsAndMeshes };
 constexpr Named<Kind> kKindsOfBad[] = {
-    {"MAPS_f", Kind::maps_f}, {"MAPS_d", Kind::maps_d}, {"GRIDS_AND_MESHES", Kind::grids_and_meshes}};
+    {"MAPS_f", Kind::kMapsF}, {"MAPS_d", Kind::kMapsD}, {"GRIDS_AND_MESHES", Kind::kGridsAndMeshes}};
 
 std::optional<int> known_order_limit(const Test& t) {
   constexpr int kLargest = 64;  // the arrays of bad_maps() have room for one more
@@ -109,12 +109,12 @@ std::optional<int> known_order_limit(const Test& t) {
 }
 
 std::vector<Bad> bad_commands(const Named<Kind>& of, const Test& t) {
-  if (of.value == Kind::grids_and_meshes) return bad_grids_and_meshes();
-  return bad_maps(of.value == Kind::maps_d, of.value == Kind::maps_d ? "d" : "f", known_order_limit(t));
+  if (of.value == Kind::kGridsAndMeshes) return bad_grids_and_meshes();
+  return bad_maps(of.value == Kind::kMapsD, of.value == Kind::kMapsD ? "d" : "f", known_order_limit(t));
 }
 
 // One list for each condition; each step is asked for its error.
-EVALCTS_TEST(DisplayLists, ErrorsOfTheCall, must, "EV-DL-ERR-LATE", "EV-DL-ERR-ALL", combine(kKindsOfBad))
+EVALCTS_TEST(DisplayLists, ErrorsOfTheCall, kMust, "EV-DL-ERR-LATE", "EV-DL-ERR-ALL", combine(kKindsOfBad))
 (Test& t, const Named<Kind>& kind) {
   for (const Bad& bad : bad_commands(kind, t)) {
     CheckedCase c(t, bad.name);
@@ -134,7 +134,7 @@ EVALCTS_TEST(DisplayLists, ErrorsOfTheCall, must, "EV-DL-ERR-LATE", "EV-DL-ERR-A
   }
 };
 
-EVALCTS_TEST(DisplayLists, ErrorsWhileCompilingAndExecuting, must, "EV-DL-ERR-ALL", "EV-DL-COMPEXEC",
+EVALCTS_TEST(DisplayLists, ErrorsWhileCompilingAndExecuting, kMust, "EV-DL-ERR-ALL", "EV-DL-COMPEXEC",
              combine(kKindsOfBad))
 (Test& t, const Named<Kind>& kind) {
   for (const Bad& bad : bad_commands(kind, t)) {
@@ -154,7 +154,7 @@ EVALCTS_TEST(DisplayLists, ErrorsWhileCompilingAndExecuting, must, "EV-DL-ERR-AL
 };
 
 // A good command before and behind each bad one.
-EVALCTS_TEST(DisplayLists, ErrorDoesNotEndTheList, must, "EV-DL-ERR-CONTINUE", combine(kKindsOfBad))
+EVALCTS_TEST(DisplayLists, ErrorDoesNotEndTheList, kMust, "EV-DL-ERR-CONTINUE", combine(kKindsOfBad))
 (Test& t, const Named<Kind>& kind) {
   for (const Bad& bad : bad_commands(kind, t)) {
     CheckedCase c(t, bad.name + " between MapGrid1, Map1, Enable");
@@ -176,7 +176,7 @@ EVALCTS_TEST(DisplayLists, ErrorDoesNotEndTheList, must, "EV-DL-ERR-CONTINUE", c
 };
 
 // A list in which an error occurs may be called by others, which go on.
-EVALCTS_TEST(DisplayLists, ErrorInAnInnerList, must, "EV-DL-ERR-CONTINUE")
+EVALCTS_TEST(DisplayLists, ErrorInAnInnerList, kMust, "EV-DL-ERR-CONTINUE")
 (Test& t) {
   const Bad bad[] = {
       {"MapGrid1f of no segments", GL_INVALID_VALUE, [](gl::Case& c) { c.MapGrid1f(0, 3.0f, 4.0f); }},

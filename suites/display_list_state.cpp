@@ -9,7 +9,7 @@
 namespace evalcts::suite_display_lists {
 
 // Points, enables and what wins are those of the call.
-EVALCTS_TEST(DisplayLists, MapsOfTheCall, must, "EV-DL-EXECSTATE-MAP", combine(kDimensions))
+EVALCTS_TEST(DisplayLists, MapsOfTheCall, kMust, "EV-DL-EXECSTATE-MAP", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   t.leave_current_values_to_their_rules();
   gl::Case c = with_maps(
@@ -29,7 +29,7 @@ EVALCTS_TEST(DisplayLists, MapsOfTheCall, must, "EV-DL-EXECSTATE-MAP", combine(k
 };
 
 // Positions alone: the map that is drawn defined anew, then outranked by another, then off.
-EVALCTS_TEST(DisplayLists, VertexMapsOfTheCall, must, "EV-DL-EXECSTATE-MAP", combine(kDimensions))
+EVALCTS_TEST(DisplayLists, VertexMapsOfTheCall, kMust, "EV-DL-EXECSTATE-MAP", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   const GLenum three = target_in(dimension.two, GL_MAP1_VERTEX_3);
   const GLenum four = target_in(dimension.two, GL_MAP1_VERTEX_4);
@@ -56,7 +56,7 @@ EVALCTS_TEST(DisplayLists, VertexMapsOfTheCall, must, "EV-DL-EXECSTATE-MAP", com
 };
 
 // Compiled while no map was enabled at all.
-EVALCTS_TEST(DisplayLists, MapsEnabledAfterwards, must, "EV-DL-EXECSTATE-MAP", combine(kDimensions))
+EVALCTS_TEST(DisplayLists, MapsEnabledAfterwards, kMust, "EV-DL-EXECSTATE-MAP", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   gl::Case c("compiled with no map enabled");
   compile_points(c, kList, dimension.two);
@@ -66,7 +66,7 @@ EVALCTS_TEST(DisplayLists, MapsEnabledAfterwards, must, "EV-DL-EXECSTATE-MAP", c
   t.expect_emission(c, kUnit0);
 };
 
-EVALCTS_TEST(DisplayLists, GridOfTheCall, must, "EV-DL-EXECSTATE-GRID", combine(kDimensions))
+EVALCTS_TEST(DisplayLists, GridOfTheCall, kMust, "EV-DL-EXECSTATE-GRID", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   gl::Case c =
       with_maps(t, "compiled under one grid, called under two others", dimension.two, {7, 0.0f, 1.0f});
@@ -78,7 +78,7 @@ EVALCTS_TEST(DisplayLists, GridOfTheCall, must, "EV-DL-EXECSTATE-GRID", combine(
   t.expect_emission(c, kUnit0);
 };
 
-EVALCTS_TEST(DisplayLists, ActiveTextureOfTheCall, must, "EV-DL-ACTIVETEX", combine(kForms))
+EVALCTS_TEST(DisplayLists, ActiveTextureOfTheCall, kMust, "EV-DL-ACTIVETEX", combine(kForms))
 (Test& t, const Form& form) {
   t.require(1, 3, "GL_ARB_multitexture");
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_COLOR_4}) {
@@ -115,7 +115,7 @@ EVALCTS_TEST(DisplayLists, ActiveTextureOfTheCall, must, "EV-DL-ACTIVETEX", comb
 };
 
 // ActiveTexture itself may be in the list.
-EVALCTS_TEST(DisplayLists, ActiveTextureInTheList, must, "EV-DL-ACTIVETEX")
+EVALCTS_TEST(DisplayLists, ActiveTextureInTheList, kMust, "EV-DL-ACTIVETEX")
 (Test& t) {
   t.require(1, 3, "GL_ARB_multitexture");
   const Map good = random_map(t, GL_MAP1_VERTEX_3, 3);
@@ -135,7 +135,7 @@ EVALCTS_TEST(DisplayLists, ActiveTextureInTheList, must, "EV-DL-ACTIVETEX")
 };
 
 // GetMap and GetnMap write when they are issued, never when the list is called.
-EVALCTS_TEST(DisplayLists, QueriesAreNotCompiled, must, "EV-DL-GETMAP", combine(kForms))
+EVALCTS_TEST(DisplayLists, QueriesAreNotCompiled, kMust, "EV-DL-GETMAP", combine(kForms))
 (Test& t, const Form& form) {
   CheckedCase c(t, "GetMap and IsEnabled between compiled commands");
   const Map old = random_map(t, GL_MAP1_COLOR_4, 2), changed = random_map(t, GL_MAP1_COLOR_4, 3);
@@ -152,7 +152,7 @@ EVALCTS_TEST(DisplayLists, QueriesAreNotCompiled, must, "EV-DL-GETMAP", combine(
   c.check();
 };
 
-EVALCTS_TEST(DisplayLists, GetnMapIsNotCompiled, must, "EV-DL-GETMAP")
+EVALCTS_TEST(DisplayLists, GetnMapIsNotCompiled, kMust, "EV-DL-GETMAP")
 (Test& t) {
   t.require(4, 5, "GL_ARB_robustness");
   CheckedCase c(t, "GetnMapfv between compiled commands");
@@ -199,7 +199,7 @@ std::vector<gl::Ref> ask_in_every_form(gl::Case& c, bool getn) {
 
 // Queries while the list is open are answered as outside of it: before it, or after it if its commands are
 // executed.
-EVALCTS_TEST(DisplayLists, EveryQueryInAnOpenList, must, "EV-DL-GETMAP", combine(kModes))
+EVALCTS_TEST(DisplayLists, EveryQueryInAnOpenList, kMust, "EV-DL-GETMAP", combine(kModes))
 (Test& t, GLenum mode) {
   const bool getn = t.gl().at_least(4, 5) || t.gl().extensions.contains("GL_ARB_robustness");
   const auto set = [&](gl::Case& c, int order, bool on) {

@@ -86,7 +86,7 @@ namespace {
 
 // --- Compiling -------------------------------------------------------------------------------------------
 
-EVALCTS_TEST(DisplayLists, CompilingExecutesNothing, must, "EV-DL-COMPILED", "EV-DL-GETMAP",
+EVALCTS_TEST(DisplayLists, CompilingExecutesNothing, kMust, "EV-DL-COMPILED", "EV-DL-GETMAP",
              combine(settings()))
 (Test& t, const Setting& setting) {
   CheckedCase c(t, "queried before the list, in it and after it");
@@ -101,7 +101,7 @@ EVALCTS_TEST(DisplayLists, CompilingExecutesNothing, must, "EV-DL-COMPILED", "EV
   c.check();
 };
 
-EVALCTS_TEST(DisplayLists, CompilingDrawsNothing, must, "EV-DL-COMPILED", combine(kDimensions))
+EVALCTS_TEST(DisplayLists, CompilingDrawsNothing, kMust, "EV-DL-COMPILED", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   gl::Case c = with_maps(t, "EvalCoord, EvalPoint and EvalMesh compiled, then a point", dimension.two);
   compile_points(c, kList, dimension.two);
@@ -130,7 +130,7 @@ void expect_changed(CheckedCase& c, const std::vector<gl::Ref>& before, const st
 }
 
 // The command itself, issued once more, changes nothing then.
-EVALCTS_TEST(DisplayLists, CallHasLastingEffect, must, "EV-DL-EXECUTE", combine(settings()))
+EVALCTS_TEST(DisplayLists, CallHasLastingEffect, kMust, "EV-DL-EXECUTE", combine(settings()))
 (Test& t, const Setting& setting) {
   CheckedCase c(t, "queried before the call, after it, and after the commands themselves");
   prepare_for(c, setting);
@@ -145,7 +145,7 @@ EVALCTS_TEST(DisplayLists, CallHasLastingEffect, must, "EV-DL-EXECUTE", combine(
 };
 
 // Indices are signed and of 32 bits in lists, too.
-EVALCTS_TEST(DisplayLists, IndicesKept, must, "EV-DL-EXECUTE", combine(kDimensions))
+EVALCTS_TEST(DisplayLists, IndicesKept, kMust, "EV-DL-EXECUTE", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   const bool two = dimension.two;
   gl::Case c("points outside the grid, and far in a fine one");
@@ -168,7 +168,7 @@ EVALCTS_TEST(DisplayLists, IndicesKept, must, "EV-DL-EXECUTE", combine(kDimensio
   t.expect_emission(c, kPosition);
 };
 
-EVALCTS_TEST(DisplayLists, CompileAndExecuteDrawsOnce, must, "EV-DL-COMPEXEC", combine(kDimensions))
+EVALCTS_TEST(DisplayLists, CompileAndExecuteDrawsOnce, kMust, "EV-DL-COMPEXEC", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   gl::Case c = with_maps(t, "compiled and executed, a point, then called", dimension.two);
   compile_points(c, kList, dimension.two, GL_COMPILE_AND_EXECUTE);
@@ -179,7 +179,8 @@ EVALCTS_TEST(DisplayLists, CompileAndExecuteDrawsOnce, must, "EV-DL-COMPEXEC", c
   t.expect_emission(c, kUnit0);
 };
 
-EVALCTS_TEST(DisplayLists, CompileAndExecuteSets, must, "EV-DL-COMPEXEC", "EV-DL-GETMAP", combine(settings()))
+EVALCTS_TEST(DisplayLists, CompileAndExecuteSets, kMust, "EV-DL-COMPEXEC", "EV-DL-GETMAP",
+             combine(settings()))
 (Test& t, const Setting& setting) {
   CheckedCase c(t, "queried in the list, after it, and after the commands themselves");
   prepare_for(c, setting);
@@ -199,7 +200,7 @@ EVALCTS_TEST(DisplayLists, CompileAndExecuteSets, must, "EV-DL-COMPEXEC", "EV-DL
 
 // Compiles the definition and calls the list.
 void expect_listed(Test& t, const std::string& identity, const Map& map, bool doubles,
-                   gl::AfterCall after = gl::AfterCall::keep) {
+                   gl::AfterCall after = gl::AfterCall::kKeep) {
   CheckedCase c(t, identity);
   compile(c, kList, [&](gl::Case& list) { define(list, map, doubles, after); });
   c.CallList(kList);
@@ -207,7 +208,7 @@ void expect_listed(Test& t, const std::string& identity, const Map& map, bool do
   c.check();
 }
 
-EVALCTS_TEST(DisplayLists, PointsReadWhileCompiling, must, "EV-DL-POINTS-COPIED", combine(kFates))
+EVALCTS_TEST(DisplayLists, PointsReadWhileCompiling, kMust, "EV-DL-POINTS-COPIED", combine(kFates))
 (Test& t, const Fate& fate) {
   for (const TargetForm& form : target_forms(kCurves))
     expect_listed(t, form.name, random_map(t, form.target, 5, 6), form.doubles, fate.after);
@@ -216,7 +217,7 @@ EVALCTS_TEST(DisplayLists, PointsReadWhileCompiling, must, "EV-DL-POINTS-COPIED"
 };
 
 // Two lists from the same memory with other contents.
-EVALCTS_TEST(DisplayLists, SamePointerNewPoints, must, "EV-DL-POINTS-COPIED", combine(kForms))
+EVALCTS_TEST(DisplayLists, SamePointerNewPoints, kMust, "EV-DL-POINTS-COPIED", combine(kForms))
 (Test& t, const Form& form) {
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP1_TEXTURE_COORD_1}) {
     CheckedCase c(t, label(target));
@@ -231,7 +232,7 @@ EVALCTS_TEST(DisplayLists, SamePointerNewPoints, must, "EV-DL-POINTS-COPIED", co
   }
 };
 
-EVALCTS_TEST(DisplayLists, StrideKept1, must, "EV-DL-STRIDE-KEPT", combine(target_forms(kCurves)))
+EVALCTS_TEST(DisplayLists, StrideKept1, kMust, "EV-DL-STRIDE-KEPT", combine(target_forms(kCurves)))
 (Test& t, const TargetForm& form) {
   const int k = gl::components_of(form.target);
   for (const int stride : {k, k + 1, 2 * k, 17, 257})
@@ -240,14 +241,14 @@ EVALCTS_TEST(DisplayLists, StrideKept1, must, "EV-DL-STRIDE-KEPT", combine(targe
                     random_map(t, form.target, order, stride), form.doubles);
 };
 
-EVALCTS_TEST(DisplayLists, StrideKept2, must, "EV-DL-STRIDE-KEPT", combine(target_forms(kSurfaces)))
+EVALCTS_TEST(DisplayLists, StrideKept2, kMust, "EV-DL-STRIDE-KEPT", combine(target_forms(kSurfaces)))
 (Test& t, const TargetForm& form) {
   for (const Layout& layout : kLayouts)
     expect_listed(t, layout.name, random_map(t, form.target, {3, 5}, layout), form.doubles);
 };
 
 // Over domains where single precision would tell another argument.
-EVALCTS_TEST(DisplayLists, DoubleForms, must, "EV-DL-DOUBLE", combine(kDimensions))
+EVALCTS_TEST(DisplayLists, DoubleForms, kMust, "EV-DL-DOUBLE", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   for (const auto& [u1, u2] : {std::pair{0.1, 0.7}, {1.0 / 3, -2.0}}) {
     gl::Case c(fmt::format("all commands with doubles, over [{}, {}]", u1, u2));
@@ -270,7 +271,7 @@ EVALCTS_TEST(DisplayLists, DoubleForms, must, "EV-DL-DOUBLE", combine(kDimension
 
 // --- Begin and End ---------------------------------------------------------------------------------------
 
-EVALCTS_TEST(DisplayLists, CalledBetweenBeginAndEnd, must, "EV-DL-INBEGIN", combine(kDimensions))
+EVALCTS_TEST(DisplayLists, CalledBetweenBeginAndEnd, kMust, "EV-DL-INBEGIN", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   gl::Case c = with_maps(t, "points of a list among those of the primitive", dimension.two);
   const auto points = [&](gl::Case& list, float u, GLint i) {
@@ -292,7 +293,7 @@ EVALCTS_TEST(DisplayLists, CalledBetweenBeginAndEnd, must, "EV-DL-INBEGIN", comb
 };
 
 // The list is called between two points; a further command of it is legal there.
-EVALCTS_TEST(DisplayLists, ForbiddenBetweenBeginAndEnd, must, "EV-DL-INBEGIN",
+EVALCTS_TEST(DisplayLists, ForbiddenBetweenBeginAndEnd, kMust, "EV-DL-INBEGIN",
              combine(forbidden_in_primitives()))
 (Test& t, const NamedCalls& command) {
   CheckedCase c(t, "called between Begin and End");
@@ -314,7 +315,7 @@ EVALCTS_TEST(DisplayLists, ForbiddenBetweenBeginAndEnd, must, "EV-DL-INBEGIN",
   t.expect_emission(c, kUnit0);
 };
 
-EVALCTS_TEST(DisplayLists, BeginAndEndFromDifferentLists, must, "EV-DL-SPLIT", combine(kDimensions))
+EVALCTS_TEST(DisplayLists, BeginAndEndFromDifferentLists, kMust, "EV-DL-SPLIT", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   const auto point = [&](gl::Case& c, double u) { eval_coord(c, dimension.two, u, 1.75); };
   for (const GLenum mode : {GL_POINTS, GL_LINE_STRIP}) {
@@ -347,7 +348,7 @@ EVALCTS_TEST(DisplayLists, BeginAndEndFromDifferentLists, must, "EV-DL-SPLIT", c
 
 // --- Lists and lists -------------------------------------------------------------------------------------
 
-EVALCTS_TEST(DisplayLists, CalledTwiceSameBits, must, "EV-DL-REPEAT", combine(kDimensions))
+EVALCTS_TEST(DisplayLists, CalledTwiceSameBits, kMust, "EV-DL-REPEAT", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   gl::Case c = with_maps(t, "one list, called twice, with another evaluation between", dimension.two);
   compile_points(c, kList, dimension.two);
@@ -364,7 +365,7 @@ EVALCTS_TEST(DisplayLists, CalledTwiceSameBits, must, "EV-DL-REPEAT", combine(kD
       mismatch.expected = std::to_string(all);
       mismatch.captured = std::to_string(vertices.size());
       mismatch.message = fmt::format("{} vertices come out, expected {}", vertices.size(), all);
-      mismatch.of = Mismatch::Of::vertices;
+      mismatch.of = Mismatch::Of::kVertices;
       return mismatches;
     }
     for (std::size_t i = 0; i < once; ++i) {
@@ -381,7 +382,7 @@ EVALCTS_TEST(DisplayLists, CalledTwiceSameBits, must, "EV-DL-REPEAT", combine(kD
 };
 
 // The definitions of the inner list apply from its call on.
-EVALCTS_TEST(DisplayLists, MapsOfAnInnerList, must, "EV-DL-NESTED", combine(kDimensions))
+EVALCTS_TEST(DisplayLists, MapsOfAnInnerList, kMust, "EV-DL-NESTED", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   gl::Case c = with_maps(t, "a list that evaluates calls one that defines and enables, between evaluations",
                          dimension.two);
@@ -402,7 +403,7 @@ EVALCTS_TEST(DisplayLists, MapsOfAnInnerList, must, "EV-DL-NESTED", combine(kDim
 };
 
 // The inner list is looked up at the call: defined later, and defined anew.
-EVALCTS_TEST(DisplayLists, InnerListOfTheCall, must, "EV-DL-NESTED")
+EVALCTS_TEST(DisplayLists, InnerListOfTheCall, kMust, "EV-DL-NESTED")
 (Test& t) {
   gl::Case c("an inner list that is defined after the outer one, and once more");
   c.Enable(GL_MAP1_VERTEX_3);
@@ -417,7 +418,7 @@ EVALCTS_TEST(DisplayLists, InnerListOfTheCall, must, "EV-DL-NESTED")
   t.expect_emission(c, kPosition);
 };
 
-EVALCTS_TEST(DisplayLists, NestedDeeply, must, "EV-DL-NESTED", combine(kDimensions))
+EVALCTS_TEST(DisplayLists, NestedDeeply, kMust, "EV-DL-NESTED", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   constexpr GLuint kDepth = 60;  // MAX_LIST_NESTING is at least 64
   gl::Case c = with_maps(t, "an evaluation sixty lists deep", dimension.two);
@@ -431,7 +432,7 @@ EVALCTS_TEST(DisplayLists, NestedDeeply, must, "EV-DL-NESTED", combine(kDimensio
 // --- Current values --------------------------------------------------------------------------------------
 
 // Texture maps of fewer components than the last TexCoord, and vertices that take the current values.
-EVALCTS_TEST(DisplayLists, CurrentValuesUntouched, must, "EV-DL-CURRENT", combine(kDimensions))
+EVALCTS_TEST(DisplayLists, CurrentValuesUntouched, kMust, "EV-DL-CURRENT", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   for (const int components : {1, 2, 3, 4}) {
     gl::Case c(fmt::format("TexCoord4, a map of {} components, Vertex, in one list", components));
@@ -471,7 +472,7 @@ EVALCTS_TEST(DisplayLists, CurrentValuesUntouched, must, "EV-DL-CURRENT", combin
 };
 
 // Current values are kept by meshes and by points between Begin and End.
-EVALCTS_TEST(DisplayLists, CurrentValuesAfterTheCall, must, "EV-DL-CURRENT", combine(kDimensions))
+EVALCTS_TEST(DisplayLists, CurrentValuesAfterTheCall, kMust, "EV-DL-CURRENT", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   for (const bool mesh : {true, false}) {
     CheckedCase c(t, mesh ? "a mesh" : "a primitive");

@@ -9,7 +9,7 @@
 namespace evalcts::suite_enables {
 namespace {
 
-EVALCTS_TEST(Enables, Accepted, must, "EV-EN-CAPS", combine(all_caps()).by(gl::list_deliveries()))
+EVALCTS_TEST(Enables, Accepted, kMust, "EV-EN-CAPS", combine(all_caps()).by(gl::list_deliveries()))
 (Test& t, GLenum cap) {
   CheckedCase c(t, "off, on, on again, off");
   const auto ask = [&](bool expected) {
@@ -27,7 +27,7 @@ EVALCTS_TEST(Enables, Accepted, must, "EV-EN-CAPS", combine(all_caps()).by(gl::l
   c.check();
 };
 
-EVALCTS_TEST(Enables, Independent, must, "EV-EN-INDEP", combine(all_caps()).by(gl::list_deliveries()))
+EVALCTS_TEST(Enables, Independent, kMust, "EV-EN-INDEP", combine(all_caps()).by(gl::list_deliveries()))
 (Test& t, GLenum cap) {
   // Alone on among eighteen off, then alone off among eighteen on; map contents make no difference.
   for (const bool alone_on : {true, false}) {
@@ -42,7 +42,7 @@ EVALCTS_TEST(Enables, Independent, must, "EV-EN-INDEP", combine(all_caps()).by(g
 };
 
 // ... whatever maps of two dimensions and grids hold.
-EVALCTS_TEST(Enables, IndependentOfDefinitions, must, "EV-EN-INDEP",
+EVALCTS_TEST(Enables, IndependentOfDefinitions, kMust, "EV-EN-INDEP",
              combine(all_caps()).by(gl::list_deliveries()))
 (Test& t, GLenum cap) {
   for (const bool alone_on : {true, false}) {
@@ -57,7 +57,7 @@ EVALCTS_TEST(Enables, IndependentOfDefinitions, must, "EV-EN-INDEP",
   }
 };
 
-EVALCTS_TEST(Enables, EveryGet, must, "EV-EN-GETS", combine(all_caps()).by(gl::list_deliveries()))
+EVALCTS_TEST(Enables, EveryGet, kMust, "EV-EN-GETS", combine(all_caps()).by(gl::list_deliveries()))
 (Test& t, GLenum cap) {
   struct Stage {
     const char* name;
@@ -76,7 +76,7 @@ EVALCTS_TEST(Enables, EveryGet, must, "EV-EN-GETS", combine(all_caps()).by(gl::l
   }
 };
 
-EVALCTS_TEST(Enables, AllTogether, must, "EV-EN-MULTI", by(gl::list_deliveries()))
+EVALCTS_TEST(Enables, AllTogether, kMust, "EV-EN-MULTI", by(gl::list_deliveries()))
 (Test& t) {
   CheckedCase c(t, "all 18, enabled from the last to the first");
   const std::vector<GLenum>& caps = all_caps();
@@ -86,7 +86,7 @@ EVALCTS_TEST(Enables, AllTogether, must, "EV-EN-MULTI", by(gl::list_deliveries()
   c.check();
 };
 
-EVALCTS_TEST(Enables, BetweenBeginAndEnd, must, "EV-EN-BEGINEND",
+EVALCTS_TEST(Enables, BetweenBeginAndEnd, kMust, "EV-EN-BEGINEND",
              combine(all_caps()).by(gl::list_deliveries()))
 (Test& t, GLenum cap) {
   struct Attempt {
@@ -111,7 +111,7 @@ EVALCTS_TEST(Enables, BetweenBeginAndEnd, must, "EV-EN-BEGINEND",
 };
 
 // Enables in every primitive, before and after a vertex.
-EVALCTS_TEST(Enables, InEveryPrimitive, must, "EV-EN-BEGINEND", combine(all_caps()))
+EVALCTS_TEST(Enables, InEveryPrimitive, kMust, "EV-EN-BEGINEND", combine(all_caps()))
 (Test& t, GLenum cap) {
   CheckedCase c(t, "Enable, Disable and IsEnabled");
   for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode)
@@ -133,7 +133,8 @@ EVALCTS_TEST(Enables, InEveryPrimitive, must, "EV-EN-BEGINEND", combine(all_caps
   c.check();
 };
 
-EVALCTS_TEST(Enables, NotPerTextureUnit, must, "EV-EN-NOTUNIT", combine(all_caps()).by(gl::list_deliveries()))
+EVALCTS_TEST(Enables, NotPerTextureUnit, kMust, "EV-EN-NOTUNIT",
+             combine(all_caps()).by(gl::list_deliveries()))
 (Test& t, GLenum cap) {
   require_texture_units(t);
   for (const int unit : {1, t.gl().texture_units - 1}) {
@@ -153,7 +154,7 @@ EVALCTS_TEST(Enables, NotPerTextureUnit, must, "EV-EN-NOTUNIT", combine(all_caps
 };
 
 // MAP2 maps that are enabled, each with its initial constant, must not show in one-dimensional evaluation.
-EVALCTS_TEST_PAIR(Enables.OtherDimensionHasNoEffect, Enables.OtherDimensionHasNoEffect2, must,
+EVALCTS_TEST_PAIR(Enables.OtherDimensionHasNoEffect, Enables.OtherDimensionHasNoEffect2, kMust,
                   decide("EV-EN-DIM/1-D", "EV-EN-DIM/2-D"), decide("EV-COORD-DIM1", "EV-COORD-DIM2"),
                   by(gl::list_deliveries()))
 (Test& t, bool two) {

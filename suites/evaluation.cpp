@@ -37,7 +37,7 @@ constexpr GLenum kTextureTargets[] = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_C
 
 // --- Section 7: evaluation commands ----------------------------------------------------------------------
 
-EVALCTS_TEST(Evaluation, AllKindsTogether, must, "EV-COORD-ASIF/1-D", "EV-COORD-VERTEXLAST/1-D",
+EVALCTS_TEST(Evaluation, AllKindsTogether, kMust, "EV-COORD-ASIF/1-D", "EV-COORD-VERTEXLAST/1-D",
              "EV-PREC-PERKIND/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c = with_current_values(
@@ -49,7 +49,7 @@ EVALCTS_TEST(Evaluation, AllKindsTogether, must, "EV-COORD-ASIF/1-D", "EV-COORD-
   t.expect_emission(c, kUnit0);
 };
 
-EVALCTS_TEST(Evaluation, VertexCarriesItsOwnAttributes, must, "EV-COORD-VERTEXLAST/1-D",
+EVALCTS_TEST(Evaluation, VertexCarriesItsOwnAttributes, kMust, "EV-COORD-VERTEXLAST/1-D",
              combine(visible_targets(kCurves)).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
   gl::Case c = with_current_values("first vertex of a primitive, then far jumps of u");
@@ -59,7 +59,7 @@ EVALCTS_TEST(Evaluation, VertexCarriesItsOwnAttributes, must, "EV-COORD-VERTEXLA
   t.expect_emission(c, kPosition | attribute_of(target));
 };
 
-EVALCTS_TEST(Evaluation, CurrentValuesOfTheMoment, must, "EV-COORD-CURRENT/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(Evaluation, CurrentValuesOfTheMoment, kMust, "EV-COORD-CURRENT/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("Color, Normal and TexCoord between the evaluations of one primitive");
   define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 4));
@@ -77,7 +77,7 @@ EVALCTS_TEST(Evaluation, CurrentValuesOfTheMoment, must, "EV-COORD-CURRENT/1-D",
 };
 
 // A map that is switched off gives way to the current value at once, whatever else was evaluated before.
-EVALCTS_TEST(Evaluation, MapSwitchedOff, must, "EV-COORD-CURRENT/1-D",
+EVALCTS_TEST(Evaluation, MapSwitchedOff, kMust, "EV-COORD-CURRENT/1-D",
              combine((std::vector<GLenum>{GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_1,
                                           GL_MAP1_TEXTURE_COORD_4}))
                  .by(gl::curve_deliveries()))
@@ -106,7 +106,7 @@ EVALCTS_TEST(Evaluation, MapSwitchedOff, must, "EV-COORD-CURRENT/1-D",
 };
 
 // Without a vertex map nothing happens at all.
-EVALCTS_TEST(Evaluation, NothingWithoutVertexMap, must, "EV-COORD-NOVERTEX/1-D",
+EVALCTS_TEST(Evaluation, NothingWithoutVertexMap, kMust, "EV-COORD-NOVERTEX/1-D",
              combine(kAttributeTargets).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
   CheckedCase c(t, "no vertex map enabled");
@@ -137,7 +137,7 @@ EVALCTS_TEST(Evaluation, NothingWithoutVertexMap, must, "EV-COORD-NOVERTEX/1-D",
   t.expect_emission(empty, kPosition);
 };
 
-EVALCTS_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, must, "EV-COORD-NOVERTEX-OTHERDIM/1-D",
+EVALCTS_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, kMust, "EV-COORD-NOVERTEX-OTHERDIM/1-D",
              by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c = with_current_values("MAP2_VERTEX_3 and MAP2_VERTEX_4 enabled, MAP1 colour enabled");
@@ -153,7 +153,7 @@ EVALCTS_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, must, "EV-COORD-N
 };
 
 EVALCTS_TEST_PAIR(
-    Evaluation.LegalInEveryPrimitive, Evaluation.LegalInEveryPrimitive2, must,
+    Evaluation.LegalInEveryPrimitive, Evaluation.LegalInEveryPrimitive2, kMust,
     decide("EV-COORD-INBEGIN/1-D", "EV-COORD-INBEGIN/2-D"), [](bool two) {
       return combine(std::array{target_in(two, GL_MAP1_VERTEX_3), target_in(two, GL_MAP1_VERTEX_4)});
     })
@@ -187,7 +187,7 @@ constexpr Named<GLenum> kModes[] = {{"POINTS", GL_POINTS},
                                     {"POLYGON", GL_POLYGON}};
 
 // Primitives of 0 to 9 vertices, complete or not.
-EVALCTS_TEST(Evaluation, Primitives, must, "EV-COORD-PRIMS/1-D",
+EVALCTS_TEST(Evaluation, Primitives, kMust, "EV-COORD-PRIMS/1-D",
              combine(kModes).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
 (Test& t, const Named<GLenum>& mode) {
   gl::Case c("0 to 9 vertices");
@@ -208,7 +208,7 @@ EVALCTS_TEST(Evaluation, Primitives, must, "EV-COORD-PRIMS/1-D",
 
 // The same with a Vertex for every third vertex; with no map but the vertex map, so that nothing but the
 // primitive is at stake.
-EVALCTS_TEST(Evaluation, MixedPrimitives, must, "EV-COORD-PRIMS/1-D", "EV-COORD-MIX/1-D",
+EVALCTS_TEST(Evaluation, MixedPrimitives, kMust, "EV-COORD-PRIMS/1-D", "EV-COORD-MIX/1-D",
              combine(kModes).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
 (Test& t, const Named<GLenum>& mode) {
   gl::Case c = with_current_values("0 to 9 vertices, every third explicit");
@@ -223,7 +223,7 @@ EVALCTS_TEST(Evaluation, MixedPrimitives, must, "EV-COORD-PRIMS/1-D", "EV-COORD-
   t.expect_emission(c, kPosition | kTextureCoordinate0);
 };
 
-EVALCTS_TEST(Evaluation, MixedWithVertex, must, "EV-COORD-MIX/1-D", "EV-CUR-NEXTVERTEX/1-D",
+EVALCTS_TEST(Evaluation, MixedWithVertex, kMust, "EV-COORD-MIX/1-D", "EV-CUR-NEXTVERTEX/1-D",
              by(gl::curve_deliveries()))
 (Test& t) {
   for (const GLenum target : kAttributeTargets) {
@@ -244,7 +244,7 @@ EVALCTS_TEST(Evaluation, MixedWithVertex, must, "EV-COORD-MIX/1-D", "EV-CUR-NEXT
 };
 
 // u, then v: a patch that is one thing along u and another along v.
-EVALCTS_TEST(Evaluation, FirstArgumentIsU, must, "EV-COORD-ARGORDER", by(gl::surface_deliveries()))
+EVALCTS_TEST(Evaluation, FirstArgumentIsU, kMust, "EV-COORD-ARGORDER", by(gl::surface_deliveries()))
 (Test& t) {
   gl::Case c("x is u, y is 10 v, z is 100 u v");
   define_and_enable(c, make_map2(GL_MAP2_VERTEX_3, 2, 2, {0, 0, 0, 0, 10, 0, 1, 0, 0, 1, 10, 100}));
@@ -279,18 +279,18 @@ void expect_dimensions_in_turn(Test& t, GLenum target1, GLenum target2) {
   }
 }
 
-EVALCTS_TEST(Evaluation, DimensionsInTurn, must, "EV-COORD-MIXDIM", by(gl::list_deliveries()))
+EVALCTS_TEST(Evaluation, DimensionsInTurn, kMust, "EV-COORD-MIXDIM", by(gl::list_deliveries()))
 (Test& t) { expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_COLOR_4); };
 
 // Attributes without a map of the dimension come from the current values, not from maps of the other one.
-EVALCTS_TEST(Evaluation, DimensionsInTurnWithOtherMaps, must, "EV-COORD-MIXDIM", "EV-COORD-CURRENT",
+EVALCTS_TEST(Evaluation, DimensionsInTurnWithOtherMaps, kMust, "EV-COORD-MIXDIM", "EV-COORD-CURRENT",
              by(gl::list_deliveries()))
 (Test& t) {
   t.leave_current_values_to_their_rules();
   expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_NORMAL);
 };
 
-EVALCTS_TEST_PAIR(Evaluation.NoArgumentIsAnError, Evaluation.NoArgumentIsAnError2, must,
+EVALCTS_TEST_PAIR(Evaluation.NoArgumentIsAnError, Evaluation.NoArgumentIsAnError2, kMust,
                   decide("EV-COORD-NOERR/1-D", "EV-COORD-NOERR/2-D"), combine(kForms))
 (Test& t, bool two, const Form& form) {
   gl::Case c("arguments over the whole range");
@@ -311,7 +311,7 @@ EVALCTS_TEST_PAIR(Evaluation.NoArgumentIsAnError, Evaluation.NoArgumentIsAnError
 
 // The same call on the same state: the same bits, in one primitive, in the next, after other calls.
 EVALCTS_TEST(
-    Evaluation, RepeatedCallSameBits, must, "EV-COORD-REPEAT/1-D",
+    Evaluation, RepeatedCallSameBits, kMust, "EV-COORD-REPEAT/1-D",
     combine(visible_targets(kCurves)).by(gl::without(gl::kGrids | gl::kRepetition, gl::curve_deliveries())))
 (Test& t, GLenum target) {
   gl::Case c("each argument four times");
@@ -355,7 +355,7 @@ EVALCTS_TEST(
 
 // --- Section 8: attributes produced ----------------------------------------------------------------------
 
-EVALCTS_TEST(Attributes, Vertex3HasW1, must, "EV-ATTR-VERTEX3/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(Attributes, Vertex3HasW1, kMust, "EV-ATTR-VERTEX3/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("after vertices with other w, beside coordinates with other q");
   define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 4));
@@ -371,7 +371,7 @@ EVALCTS_TEST(Attributes, Vertex3HasW1, must, "EV-ATTR-VERTEX3/1-D", by(gl::curve
 };
 
 // A quarter circle: w varies, and the division comes later in the pipeline.
-EVALCTS_TEST(Attributes, Vertex4IsHomogeneous, must, "EV-ATTR-VERTEX4/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(Attributes, Vertex4IsHomogeneous, kMust, "EV-ATTR-VERTEX4/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("quarter circle, weights 1, 1, 2");
   define_and_enable(c, make_map1(GL_MAP1_VERTEX_4, {1, 0, 0, 1, 1, 1, 0, 1, 0, 2, 0, 2}));
@@ -379,7 +379,7 @@ EVALCTS_TEST(Attributes, Vertex4IsHomogeneous, must, "EV-ATTR-VERTEX4/1-D", by(g
   t.expect_emission(c, kPosition);
 };
 
-EVALCTS_TEST(Attributes, NegativeWStays, must, "EV-ATTR-VERTEX4/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(Attributes, NegativeWStays, kMust, "EV-ATTR-VERTEX4/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("w from 2 to -2");
   define_and_enable(c, make_map1(GL_MAP1_VERTEX_4, {1, 2, 3, 2, 4, 5, 6, -2}));
@@ -387,7 +387,7 @@ EVALCTS_TEST(Attributes, NegativeWStays, must, "EV-ATTR-VERTEX4/1-D", by(gl::cur
   t.expect_emission(c, kPosition);
 };
 
-EVALCTS_TEST(Attributes, OnlyVertexIsRational, must, "EV-ATTR-RATIONAL-ONLYVTX/1-D",
+EVALCTS_TEST(Attributes, OnlyVertexIsRational, kMust, "EV-ATTR-RATIONAL-ONLYVTX/1-D",
              combine(kAttributeTargets).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
   gl::Case c("w from 1 to 4");
@@ -398,7 +398,7 @@ EVALCTS_TEST(Attributes, OnlyVertexIsRational, must, "EV-ATTR-RATIONAL-ONLYVTX/1
   t.expect_emission(c, kPosition | attribute_of(target));
 };
 
-EVALCTS_TEST(Attributes, ColorHasAlpha, must, "EV-ATTR-COLOR/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(Attributes, ColorHasAlpha, kMust, "EV-ATTR-COLOR/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c = with_current_values("alpha from 0.25 to 0.75, current alpha 0.4");
   define(c, make_map1(GL_MAP1_COLOR_4, {0.125, 0.25, 0.5, 0.25, 0.875, 0.75, 0.625, 0.75}));
@@ -407,7 +407,7 @@ EVALCTS_TEST(Attributes, ColorHasAlpha, must, "EV-ATTR-COLOR/1-D", by(gl::curve_
   t.expect_emission(c, kColor);
 };
 
-EVALCTS_TEST(Attributes, ColorIsNotClamped, must, "EV-ATTR-COLOR-CLAMP/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(Attributes, ColorIsNotClamped, kMust, "EV-ATTR-COLOR-CLAMP/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("components from -1 to 2");
   define(c, make_map1(GL_MAP1_COLOR_4, {-1, 2, 0.5, 3, 2, -1, 0.25, -2}));
@@ -418,7 +418,7 @@ EVALCTS_TEST(Attributes, ColorIsNotClamped, must, "EV-ATTR-COLOR-CLAMP/1-D", by(
   t.expect_emission(c, kColor);
 };
 
-EVALCTS_TEST(Attributes, IndexDoesNothingInRGBA, must, "EV-ATTR-INDEX-RGBA/1-D", "EV-CUR-INDEX/1-D",
+EVALCTS_TEST(Attributes, IndexDoesNothingInRGBA, kMust, "EV-ATTR-INDEX-RGBA/1-D", "EV-CUR-INDEX/1-D",
              by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c = with_current_values("INDEX map enabled");
@@ -434,7 +434,7 @@ EVALCTS_TEST(Attributes, IndexDoesNothingInRGBA, must, "EV-ATTR-INDEX-RGBA/1-D",
   queried.check();
 };
 
-EVALCTS_TEST(Attributes, NormalIsNotNormalised, must, "EV-ATTR-NORMAL/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(Attributes, NormalIsNotNormalised, kMust, "EV-ATTR-NORMAL/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("lengths from 0.1 to 300");
   define(c, make_map1(GL_MAP1_NORMAL, {3, 0, 0, 0, 300, 0, 0, -200, -0.1f}));
@@ -457,16 +457,16 @@ void expect_texture_defaults(Test& t, GLenum target) {
   t.expect_emission(c, kTextureCoordinate0);
 }
 
-EVALCTS_TEST(Attributes, TextureCoord1, must, "EV-ATTR-TEX1/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(Attributes, TextureCoord1, kMust, "EV-ATTR-TEX1/1-D", by(gl::curve_deliveries()))
 (Test& t) { expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_1); };
-EVALCTS_TEST(Attributes, TextureCoord2, must, "EV-ATTR-TEX2/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(Attributes, TextureCoord2, kMust, "EV-ATTR-TEX2/1-D", by(gl::curve_deliveries()))
 (Test& t) { expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_2); };
-EVALCTS_TEST(Attributes, TextureCoord3, must, "EV-ATTR-TEX3/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(Attributes, TextureCoord3, kMust, "EV-ATTR-TEX3/1-D", by(gl::curve_deliveries()))
 (Test& t) { expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_3); };
-EVALCTS_TEST(Attributes, TextureCoord4, must, "EV-ATTR-TEX4/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(Attributes, TextureCoord4, kMust, "EV-ATTR-TEX4/1-D", by(gl::curve_deliveries()))
 (Test& t) { expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_4); };
 
-EVALCTS_TEST(Attributes, TextureMapsFeedUnit0, must, "EV-ATTR-UNIT0/1-D", "EV-ATTR-OTHERUNITS/1-D",
+EVALCTS_TEST(Attributes, TextureMapsFeedUnit0, kMust, "EV-ATTR-UNIT0/1-D", "EV-ATTR-OTHERUNITS/1-D",
              combine(kTextureTargets).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
   require_texture_units(t);
@@ -483,7 +483,7 @@ EVALCTS_TEST(Attributes, TextureMapsFeedUnit0, must, "EV-ATTR-UNIT0/1-D", "EV-AT
 
 // --- Section 9: precedence -------------------------------------------------------------------------------
 
-EVALCTS_TEST(Precedence, Vertex4BeforeVertex3, must, "EV-PREC-VERTEX/1-D", "EV-PREC-ORDERFREE/1-D",
+EVALCTS_TEST(Precedence, Vertex4BeforeVertex3, kMust, "EV-PREC-VERTEX/1-D", "EV-PREC-ORDERFREE/1-D",
              by(gl::curve_deliveries()))
 (Test& t) {
   for (const bool four_first : {false, true}) {
@@ -499,7 +499,7 @@ EVALCTS_TEST(Precedence, Vertex4BeforeVertex3, must, "EV-PREC-VERTEX/1-D", "EV-P
 };
 
 // All 15 subsets of the texture maps, defined and enabled upwards and downwards.
-EVALCTS_TEST(Precedence, MostTextureCoordinates, must, "EV-PREC-TEX/1-D", "EV-PREC-LOSER-IGNORED/1-D",
+EVALCTS_TEST(Precedence, MostTextureCoordinates, kMust, "EV-PREC-TEX/1-D", "EV-PREC-LOSER-IGNORED/1-D",
              "EV-PREC-ORDERFREE/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   for (const bool upwards : {true, false}) {
@@ -528,11 +528,11 @@ EVALCTS_TEST(Precedence, MostTextureCoordinates, must, "EV-PREC-TEX/1-D", "EV-PR
 // them, though its values do not show. At quick depth those that so many steps apart (no factor of the number
 // of subsets) leave: some captures make each subset a program of the library's own. What happens without a
 // vertex map has tests of its own.
-EVALCTS_TEST(Precedence, AllSubsets, must, "EV-PREC-VERTEX/1-D", "EV-PREC-TEX/1-D", "EV-PREC-PERKIND/1-D",
+EVALCTS_TEST(Precedence, AllSubsets, kMust, "EV-PREC-VERTEX/1-D", "EV-PREC-TEX/1-D", "EV-PREC-PERKIND/1-D",
              "EV-EN-MULTI", by(gl::curve_deliveries()))
 (Test& t) {
   t.leave_current_values_to_their_rules();
-  const unsigned step = t.depth() == Depth::quick ? 13 : 1;
+  const unsigned step = t.depth() == Depth::kQuick ? 13 : 1;
   gl::Case c = with_current_values("subsets of the nine enables");
   for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, 3));
   static_assert(gl::kMap1Targets[7] == GL_MAP1_VERTEX_3 && gl::kMap1Targets[8] == GL_MAP1_VERTEX_4);
@@ -554,7 +554,7 @@ EVALCTS_TEST(Precedence, AllSubsets, must, "EV-PREC-VERTEX/1-D", "EV-PREC-TEX/1-
   t.expect_emission(c, kUnit0);
 };
 
-EVALCTS_TEST(Precedence, DisabledWinnerGivesWay, must, "EV-PREC-FALLBACK/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(Precedence, DisabledWinnerGivesWay, kMust, "EV-PREC-FALLBACK/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("texture maps 4 to 1, then VERTEX_4, disabled one after the other");
   for (const GLenum target : visible_targets(kCurves)) define_and_enable(c, random_map(t, target, 3));
@@ -567,7 +567,8 @@ EVALCTS_TEST(Precedence, DisabledWinnerGivesWay, must, "EV-PREC-FALLBACK/1-D", b
   t.expect_emission(c, kPosition | kTextureCoordinate0);
 };
 
-EVALCTS_TEST(Precedence, UndefinedWinnerStillWins, must, "EV-PREC-NOVALIDITY/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(Precedence, UndefinedWinnerStillWins, kMust, "EV-PREC-NOVALIDITY/1-D",
+             by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("VERTEX_3 and TEXTURE_COORD_1 defined, VERTEX_4 and TEXTURE_COORD_4 only enabled");
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_1})

@@ -25,7 +25,7 @@ constexpr Foreign kForeign[] = {{"VERTEX_ATTRIB0_4_NV_1", 0x8660, "GL_NV_vertex_
                                 {"TANGENT_1", 0x8444, "GL_EXT_coordinate_frame"},
                                 {"NURBS", 0x81CB, "GL_SGIX_nurbs_eval"}};
 
-EVALCTS_TEST(Extensions, UnknownTarget, must, "EV-EXT-UNKNOWN-TARGET", combine(kForeign))
+EVALCTS_TEST(Extensions, UnknownTarget, kMust, "EV-EXT-UNKNOWN-TARGET", combine(kForeign))
 (Test& t, const Foreign& foreign) {
   if (has(t, foreign.extension)) throw NotSupported(fmt::format("{} gives it a meaning", foreign.extension));
   const GLenum target = foreign.target;
@@ -95,7 +95,7 @@ void expect_colors(Test& t, const gl::Case& state, const std::vector<Color>& col
                         why);
 }
 
-EVALCTS_TEST(VertexPrograms, Run, must, "EV-EXT-ARBVP-RUN")
+EVALCTS_TEST(VertexPrograms, Run, kMust, "EV-EXT-ARBVP-RUN")
 (Test& t) {
   require_extension(t, "GL_ARB_vertex_program");
   gl::Case state;
@@ -105,7 +105,7 @@ EVALCTS_TEST(VertexPrograms, Run, must, "EV-EXT-ARBVP-RUN")
 };
 
 // Generic attribute 6, which no conventional attribute aliases, changes from vertex to vertex.
-EVALCTS_TEST(VertexPrograms, NoGenericMaps, must, "EV-EXT-ARBVP-NOGENERIC")
+EVALCTS_TEST(VertexPrograms, NoGenericMaps, kMust, "EV-EXT-ARBVP-NOGENERIC")
 (Test& t) {
   require_extension(t, "GL_ARB_vertex_program");
   gl::Case state;

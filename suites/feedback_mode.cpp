@@ -45,7 +45,7 @@ std::size_t count_segments(const Drawing& drawing) {
 }
 
 // One for one. The order of a mesh is for its own tests.
-EVALCTS_TEST(Feedback, PointMesh, must, "EV-FB-POINT")
+EVALCTS_TEST(Feedback, PointMesh, kMust, "EV-FB-POINT")
 (Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_POINTS);
   const Picture control =
@@ -62,7 +62,7 @@ EVALCTS_TEST(Feedback, PointMesh, must, "EV-FB-POINT")
 };
 
 // Either token stands for a segment.
-EVALCTS_TEST(Feedback, LineMesh, must, "EV-FB-LINE")
+EVALCTS_TEST(Feedback, LineMesh, kMust, "EV-FB-LINE")
 (Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_LINE_STRIP);
   const Picture control =
@@ -93,7 +93,7 @@ bool starts_elsewhere(const Drawing& drawing, const Part& part) {
 }
 
 // LINE_RESET_TOKEN stands at the first segment of a strip only: advice (U-FEEDBACK-RESET).
-EVALCTS_TEST(Feedback, LineStarts, quality, "EV-FB-LINE")
+EVALCTS_TEST(Feedback, LineStarts, kQuality, "EV-FB-LINE")
 (Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_LINE_STRIP);
   const Picture control = feedback(t, gl::control("explicit strips"), scenes_of(drawings, false));
@@ -143,7 +143,7 @@ Part areas_of(const Part& part) {
   return areas;
 }
 
-EVALCTS_TEST(Feedback, FillMesh, must, "EV-FB-FILL")
+EVALCTS_TEST(Feedback, FillMesh, kMust, "EV-FB-FILL")
 (Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_QUAD_STRIP);
   const Picture control =
@@ -186,7 +186,7 @@ gl::Case choose_texture_map(bool two, int components) {
 }
 
 // Any current texture coordinates, and those of unit 1, leave evaluated ones alone.
-EVALCTS_TEST(Feedback, TextureCoordinates, must, "EV-FB-TEX")
+EVALCTS_TEST(Feedback, TextureCoordinates, kMust, "EV-FB-TEX")
 (Test& t) {
   std::vector<Drawing> drawings;
   gl::Case state;
@@ -249,7 +249,7 @@ bool is_clamped(const Part& part) {
   return true;
 }
 
-EVALCTS_TEST(Feedback, Colors, must, "EV-FB-COLOR", combine(kColorStages))
+EVALCTS_TEST(Feedback, Colors, kMust, "EV-FB-COLOR", combine(kColorStages))
 (Test& t, const ColorStage& stage) {
   const bool lighting = std::string_view(stage.name) == "LIGHTING";
   const std::vector<Drawing> drawings = lighting ? meshes(t) : meshes_of_colors_beyond_1(t);
@@ -288,7 +288,7 @@ FlatColors flat_colors_of(const Drawing& drawing, const Part& part) {
 }
 
 // Each segment and each quad is judged where its explicit one is flat.
-EVALCTS_TEST(Feedback, FlatColors, must, "EV-FB-COLOR")
+EVALCTS_TEST(Feedback, FlatColors, kMust, "EV-FB-COLOR")
 (Test& t) {
   const std::vector<Drawing> lines = meshes(t, GL_LINE_STRIP), quads = meshes(t, GL_QUAD_STRIP);
   gl::Case flat;

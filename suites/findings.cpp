@@ -9,7 +9,7 @@ namespace {
 
 [[maybe_unused]] const bool registered = [] {
   for (const fuzz::KnownFinding& finding : fuzz::known_findings())
-    declare({"Findings", finding.name, {finding.requirement}, Level::must, nullptr}) << [&finding](Test& t) {
+    declare({"Findings", finding.name, {finding.requirement}, Level::kMust, nullptr}) << [&finding](Test& t) {
       fuzz::expect_as_specified(t, finding.program, specify(finding.program, t.max_order()));
     };
   return true;

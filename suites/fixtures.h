@@ -63,7 +63,7 @@ bool same_vertex(const ObservedVertex& a, const ObservedVertex& b);
 Failure failure_of(const gl::Case& c, std::string what, std::string message, std::string expected,
                    std::string captured);
 
-// Plays `c` with two more queries of errors: the first gives one of `allowed`, the second none, and `query`,
+// Runs `c` with two more queries of errors: the first gives one of `allowed`, the second none, and `query`,
 // a command of `c`, writes nothing.
 void expect_query_refused(Test& t, gl::Case c, gl::Ref query, std::initializer_list<GLenum> allowed);
 

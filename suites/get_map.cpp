@@ -38,7 +38,7 @@ void expect_unchanged_values(CheckedCase& c, gl::Ref query, const std::vector<do
   c.expect([=](Played& played) {
     const gl::Trace& trace = played.trace();
     std::vector<double> values;
-    if (trace.type(query) == gl::Scalar::f64) {
+    if (trace.type(query) == gl::Scalar::kF64) {
       values = trace.values<GLdouble>(query);
     } else {
       const std::vector<GLfloat> floats = trace.values<GLfloat>(query);
@@ -54,7 +54,7 @@ void expect_unchanged_values(CheckedCase& c, gl::Ref query, const std::vector<do
 // --- Rules of both dimensions ----------------------------------------------------------------------------
 
 // Float data are returned unchanged, which is more than the sources promise of a conversion.
-EVALCTS_TEST_PAIR(GetMap.FloatDataUnchanged, GetMap2.FloatDataUnchanged, quality,
+EVALCTS_TEST_PAIR(GetMap.FloatDataUnchanged, GetMap2.FloatDataUnchanged, kQuality,
                   decide("EV-GETMAP-FLOAT/1-D", "EV-GETMAP-FLOAT/2-D"), kEachTarget)
 (Test& t, bool, GLenum target) {
   const Map map = over(random_map(t, target, {6, 4}), {-1000.1f, 0.3f}, {1.1f, 0x1.555556p-2});
@@ -68,7 +68,7 @@ EVALCTS_TEST_PAIR(GetMap.FloatDataUnchanged, GetMap2.FloatDataUnchanged, quality
   c.check();
 };
 
-EVALCTS_TEST_PAIR(GetMap.DoubleData, GetMap2.DoubleData, must,
+EVALCTS_TEST_PAIR(GetMap.DoubleData, GetMap2.DoubleData, kMust,
                   decide("EV-GETMAP-DOUBLE/1-D", "EV-GETMAP-DOUBLE/2-D"), kEachTarget)
 (Test& t, bool two, GLenum target) {
   std::vector<double> fractions;
@@ -82,7 +82,7 @@ EVALCTS_TEST_PAIR(GetMap.DoubleData, GetMap2.DoubleData, must,
 };
 
 // Points and ends away from halves.
-EVALCTS_TEST_PAIR(GetMap.IntegersAreRounded, GetMap2.IntegersAreRounded, must,
+EVALCTS_TEST_PAIR(GetMap.IntegersAreRounded, GetMap2.IntegersAreRounded, kMust,
                   decide("EV-GETMAP-ROUND/1-D", "EV-GETMAP-ROUND/2-D"), kEachPlainTarget)
 (Test& t, bool two, GLenum target) {
   constexpr double kValues[] = {1.4, -1.6, 2.51, -0.3, 7.0, -100.75, 1000.499, 0.0};
@@ -104,7 +104,7 @@ EVALCTS_TEST_PAIR(GetMap.IntegersAreRounded, GetMap2.IntegersAreRounded, must,
 };
 
 // Values far beyond the range of int, and values that 32 bits without a sign or a float still hold.
-EVALCTS_TEST_PAIR(GetMap.IntegersSaturate, GetMap2.IntegersSaturate, must,
+EVALCTS_TEST_PAIR(GetMap.IntegersSaturate, GetMap2.IntegersSaturate, kMust,
                   decide("EV-GETMAP-SATURATE/1-D", "EV-GETMAP-SATURATE/2-D"), kEachPlainTarget)
 (Test& t, bool two, GLenum target) {
   constexpr double kValues[] = {1e20, -1e20, 3e9, -3e9};
@@ -122,7 +122,7 @@ EVALCTS_TEST_PAIR(GetMap.IntegersSaturate, GetMap2.IntegersSaturate, must,
   c.check();
 };
 
-EVALCTS_TEST_PAIR(GetMap.DisabledAndUndefined, GetMap2.DisabledAndUndefined, must,
+EVALCTS_TEST_PAIR(GetMap.DisabledAndUndefined, GetMap2.DisabledAndUndefined, kMust,
                   decide("EV-GETMAP-DISABLED/1-D", "EV-GETMAP-DISABLED/2-D"), kEachTarget)
 (Test& t, bool two, GLenum target) {
   CheckedCase c(t, "never defined; defined and never enabled; enabled and disabled again");
@@ -144,7 +144,7 @@ EVALCTS_TEST_PAIR(GetMap.DisabledAndUndefined, GetMap2.DisabledAndUndefined, mus
   c.check();
 };
 
-EVALCTS_TEST_PAIR(GetMap.AnyTextureUnit, GetMap2.AnyTextureUnit, must,
+EVALCTS_TEST_PAIR(GetMap.AnyTextureUnit, GetMap2.AnyTextureUnit, kMust,
                   decide("EV-GETMAP-NOUNIT/1-D", "EV-GETMAP-NOUNIT/2-D"), kEachTarget)
 (Test& t, bool two, GLenum target) {
   const Map map = two ? random_map(t, target, {3, 4}) : random_map(t, target, 3, 4);
@@ -160,7 +160,7 @@ EVALCTS_TEST_PAIR(GetMap.AnyTextureUnit, GetMap2.AnyTextureUnit, must,
   }
 };
 
-EVALCTS_TEST_PAIR(GetMap.PackBufferIgnored, GetMap2.PackBufferIgnored, must,
+EVALCTS_TEST_PAIR(GetMap.PackBufferIgnored, GetMap2.PackBufferIgnored, kMust,
                   decide("EV-GETMAP-NOPBO/1-D", "EV-GETMAP-NOPBO/2-D"), kEachTarget)
 (Test& t, bool two, GLenum target) {
   const Map map = two ? random_map(t, target, {3, 4}) : random_map(t, target, 3, 4);
@@ -180,7 +180,7 @@ EVALCTS_TEST_PAIR(GetMap.PackBufferIgnored, GetMap2.PackBufferIgnored, must,
 // --- One dimension, and errors ---------------------------------------------------------------------------
 
 // The array ends with the answer: one value more would land in the guard behind it and be seen.
-EVALCTS_TEST(GetMap, OrderDomainAndPoints, must, "EV-GETMAP-ORDER1", "EV-GETMAP-DOMAIN1", "EV-GETMAP-COEFF1",
+EVALCTS_TEST(GetMap, OrderDomainAndPoints, kMust, "EV-GETMAP-ORDER1", "EV-GETMAP-DOMAIN1", "EV-GETMAP-COEFF1",
              "EV-GETMAP-COUNT/1-D", "EV-GETMAP-FLOAT/1-D", combine(gl::kMap1Targets))
 (Test& t, GLenum target) {
   const int k = gl::components_of(target);
@@ -217,7 +217,7 @@ void expect_refused(Test& t, const Getter& getter, GLenum target, GLenum query, 
   expect_query_refused(t, c, get, {error});
 }
 
-EVALCTS_TEST(GetMap, BadTarget, must, "EV-GETMAP-ERR-TARGET", "EV-GETMAP-ERR-NOWRITE", combine(kGetters))
+EVALCTS_TEST(GetMap, BadTarget, kMust, "EV-GETMAP-ERR-TARGET", "EV-GETMAP-ERR-NOWRITE", combine(kGetters))
 (Test& t, const Getter& getter) {
   for (const GLenum target : {0u, 0x0D8Fu, 0x0D99u, 0x0DA0u, 0x0DAFu, 0x0DB9u, 0x10D90u, 0x80000DB7u,
                               static_cast<GLenum>(GL_TEXTURE_2D), static_cast<GLenum>(GL_AUTO_NORMAL),
@@ -226,7 +226,7 @@ EVALCTS_TEST(GetMap, BadTarget, must, "EV-GETMAP-ERR-TARGET", "EV-GETMAP-ERR-NOW
       expect_refused(t, getter, target, query, GL_INVALID_ENUM);
 };
 
-EVALCTS_TEST(GetMap, BadQuery, must, "EV-GETMAP-ERR-QUERY", "EV-GETMAP-ERR-NOWRITE", combine(kGetters))
+EVALCTS_TEST(GetMap, BadQuery, kMust, "EV-GETMAP-ERR-QUERY", "EV-GETMAP-ERR-NOWRITE", combine(kGetters))
 (Test& t, const Getter& getter) {
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_INDEX, GL_MAP2_COLOR_4})
     for (const GLenum query : {0u, 0x09FFu, 0x0A03u, 0x0B01u, 0x10A00u,
@@ -234,7 +234,7 @@ EVALCTS_TEST(GetMap, BadQuery, must, "EV-GETMAP-ERR-QUERY", "EV-GETMAP-ERR-NOWRI
       expect_refused(t, getter, target, query, GL_INVALID_ENUM);
 };
 
-EVALCTS_TEST(GetMap, BetweenBeginAndEnd, must, "EV-GETMAP-ERR-BEGINEND", "EV-GETMAP-ERR-NOWRITE",
+EVALCTS_TEST(GetMap, BetweenBeginAndEnd, kMust, "EV-GETMAP-ERR-BEGINEND", "EV-GETMAP-ERR-NOWRITE",
              combine(kGetters))
 (Test& t, const Getter& getter) {
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP2_INDEX})
@@ -243,7 +243,7 @@ EVALCTS_TEST(GetMap, BetweenBeginAndEnd, must, "EV-GETMAP-ERR-BEGINEND", "EV-GET
         expect_refused(t, getter, target, query, GL_INVALID_OPERATION, primitive);
 };
 
-EVALCTS_TEST(GetMap, ChangesNothing, must, "EV-GETMAP-NOSIDE/1-D", combine(kGetters))
+EVALCTS_TEST(GetMap, ChangesNothing, kMust, "EV-GETMAP-NOSIDE/1-D", combine(kGetters))
 (Test& t, const Getter& getter) {
   CheckedCase c(t, "all queries of all maps between two snapshots");
   for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, 3, 4));
@@ -255,7 +255,7 @@ EVALCTS_TEST(GetMap, ChangesNothing, must, "EV-GETMAP-NOSIDE/1-D", combine(kGett
 };
 
 // An error that waits goes on waiting.
-EVALCTS_TEST(GetMap, KeepsTheErrorThatWaits, must, "EV-GETMAP-NOSIDE", combine(kGetters))
+EVALCTS_TEST(GetMap, KeepsTheErrorThatWaits, kMust, "EV-GETMAP-NOSIDE", combine(kGetters))
 (Test& t, const Getter& getter) {
   CheckedCase c(t, "MapGrid1 of no segments, then all queries of all maps");
   c.MapGrid1f(0, 0, 1);
@@ -294,8 +294,8 @@ void expect_answered(Test& t, GLenum target, int uorder, int vorder) {
 }
 
 // v fastest, also where the orders differ and the printed formula cannot be meant (C-COEFF-ORDER).
-EVALCTS_TEST(GetMap2, OrderDomainAndPoints, must, "EV-GETMAP-ORDER2", "EV-GETMAP-DOMAIN2", "EV-GETMAP-COEFF2",
-             "EV-GETMAP-COUNT/2-D", "EV-GETMAP-FLOAT/2-D", combine(gl::kMap2Targets))
+EVALCTS_TEST(GetMap2, OrderDomainAndPoints, kMust, "EV-GETMAP-ORDER2", "EV-GETMAP-DOMAIN2",
+             "EV-GETMAP-COEFF2", "EV-GETMAP-COUNT/2-D", "EV-GETMAP-FLOAT/2-D", combine(gl::kMap2Targets))
 (Test& t, GLenum target) {
   const int max = t.max_order();
   for (const auto& [u, v] : {std::pair{2, 3}, {3, 2}, {1, 4}, {4, 1}, {1, 1}, {max, 2}, {3, max}})
@@ -303,13 +303,13 @@ EVALCTS_TEST(GetMap2, OrderDomainAndPoints, must, "EV-GETMAP-ORDER2", "EV-GETMAP
 };
 
 // Here every specification prints the formula that the test above expects.
-EVALCTS_TEST(GetMap2, SquareNet, must, "EV-GETMAP-COEFF2-SQUARE", "EV-GETMAP-COUNT/2-D",
+EVALCTS_TEST(GetMap2, SquareNet, kMust, "EV-GETMAP-COEFF2-SQUARE", "EV-GETMAP-COUNT/2-D",
              combine(gl::kMap2Targets))
 (Test& t, GLenum target) {
   for (const int order : {2, 3, t.max_order()}) expect_answered(t, target, order, order);
 };
 
-EVALCTS_TEST(GetMap2, ChangesNothing, must, "EV-GETMAP-NOSIDE/2-D")
+EVALCTS_TEST(GetMap2, ChangesNothing, kMust, "EV-GETMAP-NOSIDE/2-D")
 (Test& t) {
   CheckedCase c(t, "all queries of all maps between two snapshots");
   for (const GLenum target : gl::kMap2Targets) define(c, random_map(t, target, {3, 2}));
@@ -324,7 +324,7 @@ EVALCTS_TEST(GetMap2, ChangesNothing, must, "EV-GETMAP-NOSIDE/2-D")
 // --- Get -------------------------------------------------------------------------------------------------
 
 // Values away from halves, so that rounding to integers is the same whatever one reads.
-EVALCTS_TEST(Get, Grid1, must, "EV-GET-GRIDDOMAIN/1-D", "EV-GET-GRIDSEG/1-D")
+EVALCTS_TEST(Get, Grid1, kMust, "EV-GET-GRIDDOMAIN/1-D", "EV-GET-GRIDSEG/1-D")
 (Test& t) {
   struct Grid {
     GLint segments;
@@ -357,7 +357,7 @@ EVALCTS_TEST(Get, Grid1, must, "EV-GET-GRIDDOMAIN/1-D", "EV-GET-GRIDSEG/1-D")
     }
 };
 
-EVALCTS_TEST(Get, MaxEvalOrder, must, "EV-GET-MAXORDER")
+EVALCTS_TEST(Get, MaxEvalOrder, kMust, "EV-GET-MAXORDER")
 (Test& t) {
   CheckedCase c(t, "every form, before and after maps are defined");
   const std::vector<GLint> expected = {t.gl().max_eval_order};
@@ -371,7 +371,7 @@ EVALCTS_TEST(Get, MaxEvalOrder, must, "EV-GET-MAXORDER")
   c.check();
 };
 
-EVALCTS_TEST(Get, BetweenBeginAndEnd, must, "EV-GET-ERR-BEGINEND")
+EVALCTS_TEST(Get, BetweenBeginAndEnd, kMust, "EV-GET-ERR-BEGINEND")
 (Test& t) {
   for (const GLenum name : {GL_MAX_EVAL_ORDER, GL_MAP1_GRID_DOMAIN, GL_MAP1_GRID_SEGMENTS,
                             GL_MAP2_GRID_DOMAIN, GL_MAP2_GRID_SEGMENTS, GL_MAP1_VERTEX_3, GL_AUTO_NORMAL})

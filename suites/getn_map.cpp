@@ -80,7 +80,7 @@ std::string named(GLenum target, GLenum query) {
   return gl::token_name(target) + " " + gl::token_name(query);
 }
 
-// All answers of two dimensions, each asked for with these sizes: refused, with nothing written.
+// All answers of two dimensions, each asked for with these sizes: rejected, with nothing written.
 void expect_sizes_refused2(Test& t, const Getter& getter, const std::string& identity,
                            std::vector<GLsizei> (*sizes)(GLsizei exact, GLsizei element), GLenum error,
                            GLenum other_error) {
@@ -94,7 +94,7 @@ void expect_sizes_refused2(Test& t, const Getter& getter, const std::string& ide
   c.check();
 }
 
-EVALCTS_TEST_PAIR(GetnMap.SameAsGetMap, GetnMap.SameAsGetMap2, must, "EV-GETN-SAME", combine(kGetters))
+EVALCTS_TEST_PAIR(GetnMap.SameAsGetMap, GetnMap.SameAsGetMap2, kMust, "EV-GETN-SAME", combine(kGetters))
 (Test& t, bool two, const Getter& getter) {
   CheckedCase c = with_maps(
       t, two, fmt::format("every target and query, room to spare{}", two ? ", two dimensions" : ""));
@@ -113,7 +113,7 @@ EVALCTS_TEST_PAIR(GetnMap.SameAsGetMap, GetnMap.SameAsGetMap2, must, "EV-GETN-SA
   c.check();
 };
 
-EVALCTS_TEST_PAIR(GetnMap.ExactSizeIsEnough, GetnMap.ExactSizeIsEnough2, must, "EV-GETN-BYTES",
+EVALCTS_TEST_PAIR(GetnMap.ExactSizeIsEnough, GetnMap.ExactSizeIsEnough2, kMust, "EV-GETN-BYTES",
                   combine(kGetters))
 (Test& t, bool two, const Getter& getter) {
   CheckedCase c = with_maps(t, two,
@@ -128,7 +128,7 @@ EVALCTS_TEST_PAIR(GetnMap.ExactSizeIsEnough, GetnMap.ExactSizeIsEnough2, must, "
   c.check();
 };
 
-EVALCTS_TEST(GetnMap, TooSmall, must, "EV-GETN-SMALL", combine(kGetters))
+EVALCTS_TEST(GetnMap, TooSmall, kMust, "EV-GETN-SMALL", combine(kGetters))
 (Test& t, const Getter& getter) {
   for (const Answer& answer : answers(kCurves)) {
     const GLsizei exact = bytes_of(getter, answer);
@@ -139,7 +139,7 @@ EVALCTS_TEST(GetnMap, TooSmall, must, "EV-GETN-SMALL", combine(kGetters))
   }
 };
 
-EVALCTS_TEST(GetnMap, TooSmall2, must, "EV-GETN-SMALL", combine(kGetters))
+EVALCTS_TEST(GetnMap, TooSmall2, kMust, "EV-GETN-SMALL", combine(kGetters))
 (Test& t, const Getter& getter) {
   expect_sizes_refused2(
       t, getter, "one byte, one value, all of them too few, for every target and query",
@@ -149,7 +149,7 @@ EVALCTS_TEST(GetnMap, TooSmall2, must, "EV-GETN-SMALL", combine(kGetters))
       GL_INVALID_OPERATION, GL_INVALID_OPERATION);
 };
 
-EVALCTS_TEST(GetnMap, NegativeSize, must, "EV-GETN-NEGATIVE", combine(kGetters))
+EVALCTS_TEST(GetnMap, NegativeSize, kMust, "EV-GETN-NEGATIVE", combine(kGetters))
 (Test& t, const Getter& getter) {
   for (const Answer& answer : answers(kCurves))
     for (const GLsizei bytes : {-1, -1000})
@@ -157,7 +157,7 @@ EVALCTS_TEST(GetnMap, NegativeSize, must, "EV-GETN-NEGATIVE", combine(kGetters))
                      answer.target, answer.query, bytes, {GL_INVALID_VALUE, GL_INVALID_OPERATION});
 };
 
-EVALCTS_TEST(GetnMap, NegativeSize2, must, "EV-GETN-NEGATIVE", combine(kGetters))
+EVALCTS_TEST(GetnMap, NegativeSize2, kMust, "EV-GETN-NEGATIVE", combine(kGetters))
 (Test& t, const Getter& getter) {
   expect_sizes_refused2(
       t, getter, "-1 and -1000 bytes, for every target and query",
@@ -167,7 +167,7 @@ EVALCTS_TEST(GetnMap, NegativeSize2, must, "EV-GETN-NEGATIVE", combine(kGetters)
       GL_INVALID_VALUE, GL_INVALID_OPERATION);
 };
 
-EVALCTS_TEST(GetnMap, ErrorsOfGetMap, must, "EV-GETN-ERRORS", combine(kGetters))
+EVALCTS_TEST(GetnMap, ErrorsOfGetMap, kMust, "EV-GETN-ERRORS", combine(kGetters))
 (Test& t, const Getter& getter) {
   const auto bytes = static_cast<GLsizei>(kRoom * getter.element);
   for (const GLenum target : {0u, 0x0D8Fu, 0x0D99u, 0x10D97u, 0x10DB0u, static_cast<GLenum>(GL_AUTO_NORMAL)})

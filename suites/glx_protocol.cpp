@@ -33,7 +33,7 @@ gl::Ref recorded_requests(gl::Case& c, std::size_t room = kRoom) {
   return c.RecordedRequestsEVALCTS(static_cast<GLsizei>(room), gl::out<GLubyte>(room));
 }
 
-// Plays the calls; their requests have to be exactly these commands of evaluators.
+// Runs the calls; their requests have to be exactly these commands of evaluators.
 void expect_sent(Test& t, const std::string& identity, const Calls& issue,
                  const std::vector<SentCommand>& expected, std::size_t room = kRoom) {
   gl::Case c(identity);
@@ -163,19 +163,19 @@ SentCommand sent_map(const Map& map, bool doubles) {
   return {opcode, true, false, wire.reals(map.coefficients(), doubles).bytes()};
 }
 
-EVALCTS_TEST(GlxProtocol, Opcodes, must, "EV-GLX-OPCODES", combine(commands()))
+EVALCTS_TEST(GlxProtocol, Opcodes, kMust, "EV-GLX-OPCODES", combine(commands()))
 (Test& t, const Command& command) { expect_sent(t, command); };
 
-EVALCTS_TEST(GlxProtocol, ScalarForms, must, "EV-GLX-SCALAR", combine(scalar_forms()))
+EVALCTS_TEST(GlxProtocol, ScalarForms, kMust, "EV-GLX-SCALAR", combine(scalar_forms()))
 (Test& t, const Command& command) { expect_sent(t, command); };
 
-EVALCTS_TEST(GlxProtocol, Grids, must, "EV-GLX-MAPGRID", combine(grids()))
+EVALCTS_TEST(GlxProtocol, Grids, kMust, "EV-GLX-MAPGRID", combine(grids()))
 (Test& t, const Command& command) { expect_sent(t, command); };
 
-EVALCTS_TEST(GlxProtocol, Queries, must, "EV-GLX-SINGLES", combine(queries()))
+EVALCTS_TEST(GlxProtocol, Queries, kMust, "EV-GLX-SINGLES", combine(queries()))
 (Test& t, const Command& command) { expect_sent(t, command, false); };
 
-EVALCTS_TEST(GlxProtocol, PointsOfMap1, must, "EV-GLX-MAP1-PACK", combine(gl::kMap1Targets))
+EVALCTS_TEST(GlxProtocol, PointsOfMap1, kMust, "EV-GLX-MAP1-PACK", combine(gl::kMap1Targets))
 (Test& t, GLenum target) {
   for (const Form& form : kForms)
     for (const int padding : {0, 3}) {
@@ -185,7 +185,7 @@ EVALCTS_TEST(GlxProtocol, PointsOfMap1, must, "EV-GLX-MAP1-PACK", combine(gl::kM
     }
 };
 
-EVALCTS_TEST(GlxProtocol, PointsOfMap2, must, "EV-GLX-MAP2-PACK", combine(gl::kMap2Targets))
+EVALCTS_TEST(GlxProtocol, PointsOfMap2, kMust, "EV-GLX-MAP2-PACK", combine(gl::kMap2Targets))
 (Test& t, GLenum target) {
   for (const Form& form : kForms)
     for (const Layout& layout : kLayouts)
@@ -197,7 +197,7 @@ EVALCTS_TEST(GlxProtocol, PointsOfMap2, must, "EV-GLX-MAP2-PACK", combine(gl::kM
 };
 
 // Maps may be too large for one request: the command that arrives is the same.
-EVALCTS_TEST(GlxProtocol, LargeMaps, must, "EV-GLX-LARGE")
+EVALCTS_TEST(GlxProtocol, LargeMaps, kMust, "EV-GLX-LARGE")
 (Test& t) {
   const int most = t.max_order();
   for (const Form& form : kForms)
@@ -295,13 +295,13 @@ void expect_no_points(Test& t, const Erroneous& bad) {
                   fmt::format("{} bytes, or no command", small(command.opcode)), in_words({command}));
 }
 
-EVALCTS_TEST(GlxProtocol, ErroneousMaps, must, "EV-GLX-ERRONEOUS", combine(erroneous_maps()))
+EVALCTS_TEST(GlxProtocol, ErroneousMaps, kMust, "EV-GLX-ERRONEOUS", combine(erroneous_maps()))
 (Test& t, const Erroneous& bad) {
   expect_erroneous(t, bad);
   expect_no_points(t, bad);
 };
 
-EVALCTS_TEST(GlxProtocol, SmallStrides, must, "EV-GLX-STRIDE-CLIENT", combine(small_strides()))
+EVALCTS_TEST(GlxProtocol, SmallStrides, kMust, "EV-GLX-STRIDE-CLIENT", combine(small_strides()))
 (Test& t, const Erroneous& bad) { expect_erroneous(t, bad); };
 
 // Begins a case; its later queries show that rendering is indirect.
@@ -312,7 +312,7 @@ void begin_indirect(gl::Case& c) {
 }
 
 // n values, for n = 1 and more; behind an array of n values lies a guard.
-EVALCTS_TEST(GlxProtocol, Replies, must, "EV-GLX-GETMAP-REPLY", combine(kGetters))
+EVALCTS_TEST(GlxProtocol, Replies, kMust, "EV-GLX-GETMAP-REPLY", combine(kGetters))
 (Test& t, const Getter& form) {
   const std::vector<double> points = {3, -5, 2, 7, 11, -13, 1, 4};
   CheckedCase c(t, "orders, domains and points");
@@ -331,7 +331,7 @@ EVALCTS_TEST(GlxProtocol, Replies, must, "EV-GLX-GETMAP-REPLY", combine(kGetters
 };
 
 // A query that raises an error leaves the array alone, and the next one is answered as ever.
-EVALCTS_TEST(GlxProtocol, EmptyReplies, must, "EV-GLX-GETMAP-REPLY", combine(kGetters))
+EVALCTS_TEST(GlxProtocol, EmptyReplies, kMust, "EV-GLX-GETMAP-REPLY", combine(kGetters))
 (Test& t, const Getter& form) {
   CheckedCase c(t, "a bad query, a bad target");
   begin_indirect(c);
@@ -349,7 +349,7 @@ EVALCTS_TEST(GlxProtocol, EmptyReplies, must, "EV-GLX-GETMAP-REPLY", combine(kGe
 };
 
 // All other tests are this one, too: here stands that rendering is indirect, and a little of everything.
-EVALCTS_TEST(GlxProtocol, SameResult, must, "EV-GLX-SAMERESULT")
+EVALCTS_TEST(GlxProtocol, SameResult, kMust, "EV-GLX-SAMERESULT")
 (Test& t) {
   expect_sent(t, commands().front());  // it is indirect
   for (const bool two : {false, true}) {

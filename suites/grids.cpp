@@ -1,4 +1,4 @@
-// Section 13 of the requirements, state and errors: what MapGrid sets and refuses.
+// Section 13 of the requirements, state and errors: what MapGrid sets and rejects.
 #include <fmt/format.h>
 
 #include <optional>
@@ -116,13 +116,13 @@ std::vector<Calls> setting(const std::vector<Grids>& grids, bool doubles) {
 
 const auto kEachForm = combine(kForms).by(gl::list_deliveries());
 
-EVALCTS_TEST(Grids, MapGrid1Sets, must, "EV-GRID-SET1", kEachForm)
+EVALCTS_TEST(Grids, MapGrid1Sets, kMust, "EV-GRID-SET1", kEachForm)
 (Test& t, const Form& form) { expect_set(t, "several grids", some_grids1(), form.doubles); };
 
-EVALCTS_TEST(Grids, MapGrid2Sets, must, "EV-GRID-SET2", kEachForm)
+EVALCTS_TEST(Grids, MapGrid2Sets, kMust, "EV-GRID-SET2", kEachForm)
 (Test& t, const Form& form) { expect_set(t, "several grids", some_grids2(), form.doubles); };
 
-EVALCTS_TEST(Grids, Independent, must, "EV-GRID-INDEP", kEachForm)
+EVALCTS_TEST(Grids, Independent, kMust, "EV-GRID-INDEP", kEachForm)
 (Test& t, const Form& form) {
   expect_nothing_else(t, "MapGrid1", kPlaceOfGrid1, [&](gl::Case& c) {
     set(c, Grids{3, 20, 30}, form.doubles);
@@ -150,14 +150,14 @@ EVALCTS_TEST(Grids, Independent, must, "EV-GRID-INDEP", kEachForm)
   c.check();
 };
 
-EVALCTS_TEST(Grids, NotPositive, must, "EV-GRID-ERR-N", "EV-GRID-ERR-NOEFFECT", kEachForm)
+EVALCTS_TEST(Grids, NotPositive, kMust, "EV-GRID-ERR-N", "EV-GRID-ERR-NOEFFECT", kEachForm)
 (Test& t, const Form& form) {
   expect_refused(t, "MapGrid1 of 0, -1, -100 and the lowest int segments",
                  setting({{0, 2, 3}, {-1, 2, 3}, {-100, 3, 2}, {kLowest, 2, 3}}, form.doubles),
                  {GL_INVALID_VALUE});
 };
 
-EVALCTS_TEST_PAIR(Grids.UNotPositive, Grids.VNotPositive, must, decide("EV-GRID-ERR-UN", "EV-GRID-ERR-VN"),
+EVALCTS_TEST_PAIR(Grids.UNotPositive, Grids.VNotPositive, kMust, decide("EV-GRID-ERR-UN", "EV-GRID-ERR-VN"),
                   "EV-GRID-ERR-NOEFFECT", kEachForm)
 (Test& t, bool along_v, const Form& form) {
   std::vector<Grids> bad = {
@@ -168,7 +168,7 @@ EVALCTS_TEST_PAIR(Grids.UNotPositive, Grids.VNotPositive, must, decide("EV-GRID-
                  setting(bad, form.doubles), {GL_INVALID_VALUE});
 };
 
-EVALCTS_TEST(Grids, NeitherPositive, must, "EV-GRID-ERR-UN", "EV-GRID-ERR-VN", "EV-GRID-ERR-NOEFFECT",
+EVALCTS_TEST(Grids, NeitherPositive, kMust, "EV-GRID-ERR-UN", "EV-GRID-ERR-VN", "EV-GRID-ERR-NOEFFECT",
              kEachForm)
 (Test& t, const Form& form) {
   expect_refused(t, "both counts bad",
@@ -176,7 +176,7 @@ EVALCTS_TEST(Grids, NeitherPositive, must, "EV-GRID-ERR-UN", "EV-GRID-ERR-VN", "
                  {GL_INVALID_VALUE});
 };
 
-EVALCTS_TEST(Grids, BetweenBeginAndEnd, must, "EV-GRID-ERR-BEGINEND", "EV-GRID-ERR-NOEFFECT", kEachForm)
+EVALCTS_TEST(Grids, BetweenBeginAndEnd, kMust, "EV-GRID-ERR-BEGINEND", "EV-GRID-ERR-NOEFFECT", kEachForm)
 (Test& t, const Form& form) {
   for (const bool two : {false, true}) {
     std::vector<Calls> bad;
@@ -190,7 +190,7 @@ EVALCTS_TEST(Grids, BetweenBeginAndEnd, must, "EV-GRID-ERR-BEGINEND", "EV-GRID-E
 };
 
 // The primitive goes on, and what follows is evaluated on the old grid.
-EVALCTS_TEST(Grids, PrimitiveUndisturbed, must, "EV-GRID-ERR-BEGINEND", "EV-GRID-ERR-NOEFFECT", kEachForm)
+EVALCTS_TEST(Grids, PrimitiveUndisturbed, kMust, "EV-GRID-ERR-BEGINEND", "EV-GRID-ERR-NOEFFECT", kEachForm)
 (Test& t, const Form& form) {
   gl::Case c("points of both grids around MapGrid1 and MapGrid2");
   define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
@@ -217,8 +217,8 @@ EVALCTS_TEST(Grids, PrimitiveUndisturbed, must, "EV-GRID-ERR-BEGINEND", "EV-GRID
   t.expect_emission(c, kPosition);
 };
 
-// A refused call is over with its error: the next legal one sets the grid.
-EVALCTS_TEST(Grids, LegalCallAfterwards, must, "EV-GRID-ERR-NOEFFECT", kEachForm)
+// A rejected call is over with its error: the next legal one sets the grid.
+EVALCTS_TEST(Grids, LegalCallAfterwards, kMust, "EV-GRID-ERR-NOEFFECT", kEachForm)
 (Test& t, const Form& form) {
   CheckedCase c(t, "refused, then legal");
   set(c, Grids{0, 1, 2}, form.doubles);
@@ -234,7 +234,7 @@ EVALCTS_TEST(Grids, LegalCallAfterwards, must, "EV-GRID-ERR-NOEFFECT", kEachForm
   c.check();
 };
 
-EVALCTS_TEST(Grids, EqualEndsAreLegal, must, "EV-GRID-EQUAL", kEachForm)
+EVALCTS_TEST(Grids, EqualEndsAreLegal, kMust, "EV-GRID-EQUAL", kEachForm)
 (Test& t, const Form& form) {
   expect_set(t, "MapGrid1", {{3, 5, 5}, {1, 0, 0}, {8, -2.5, -2.5}, {kHighest, 1, 1}}, form.doubles);
   expect_set(
@@ -244,7 +244,7 @@ EVALCTS_TEST(Grids, EqualEndsAreLegal, must, "EV-GRID-EQUAL", kEachForm)
 };
 
 // Any count; the first and the last grid point of the largest are the ends of the grid.
-EVALCTS_TEST(Grids, LargestCount, must, "EV-GRID-LARGE", kEachForm)
+EVALCTS_TEST(Grids, LargestCount, kMust, "EV-GRID-LARGE", kEachForm)
 (Test& t, const Form& form) {
   expect_set(t, "MapGrid1", {{kHighest, 0, 1}, {kHighest - 1, 3, -3}, {0x1000001, 0, 1}}, form.doubles);
   expect_set(t, "MapGrid2",
@@ -267,7 +267,7 @@ EVALCTS_TEST(Grids, LargestCount, must, "EV-GRID-LARGE", kEachForm)
   }
 };
 
-EVALCTS_TEST(Grids, AnyTextureUnit, must, "EV-GRID-NOUNIT", kEachForm)
+EVALCTS_TEST(Grids, AnyTextureUnit, kMust, "EV-GRID-NOUNIT", kEachForm)
 (Test& t, const Form& form) {
   require_texture_units(t);
   const Calls other_unit = [](gl::Case& c) { c.ActiveTexture(GL_TEXTURE1); };
@@ -295,7 +295,7 @@ EVALCTS_TEST(Grids, AnyTextureUnit, must, "EV-GRID-NOUNIT", kEachForm)
 };
 
 // Each form replaces what the other set.
-EVALCTS_TEST(Grids, FormsShareState, must, "EV-GRID-FD", "EV-API-FD/2-D", by(gl::list_deliveries()))
+EVALCTS_TEST(Grids, FormsShareState, kMust, "EV-GRID-FD", "EV-API-FD/2-D", by(gl::list_deliveries()))
 (Test& t) {
   for (const bool doubles_first : {false, true}) {
     CheckedCase c(t, doubles_first ? "d, f, d, ..." : "f, d, f, ...");
@@ -311,7 +311,7 @@ EVALCTS_TEST(Grids, FormsShareState, must, "EV-GRID-FD", "EV-API-FD/2-D", by(gl:
 };
 
 // Values away from halves, so that rounding to integers is the same whatever one reads.
-EVALCTS_TEST(Get, Grid2, must, "EV-GET-GRIDDOMAIN/2-D", "EV-GET-GRIDSEG/2-D", by(gl::list_deliveries()))
+EVALCTS_TEST(Get, Grid2, kMust, "EV-GET-GRIDDOMAIN/2-D", "EV-GET-GRIDSEG/2-D", by(gl::list_deliveries()))
 (Test& t) {
   struct Rounded {
     Grids grid;

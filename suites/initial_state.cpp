@@ -46,7 +46,7 @@ void expect_initial_points(Test& t, std::initializer_list<GLenum> targets) {
   }
 }
 
-EVALCTS_TEST(InitialState, MapsDisabled, must, "EV-INIT-MAPS-OFF")
+EVALCTS_TEST(InitialState, MapsDisabled, kMust, "EV-INIT-MAPS-OFF")
 (Test& t) {
   t.require_initial_state();
   CheckedCase c(t, "all 18 enables");
@@ -57,7 +57,7 @@ EVALCTS_TEST(InitialState, MapsDisabled, must, "EV-INIT-MAPS-OFF")
   c.check();
 };
 
-EVALCTS_TEST(InitialState, AutoNormalDisabled, must, "EV-INIT-AUTON-OFF")
+EVALCTS_TEST(InitialState, AutoNormalDisabled, kMust, "EV-INIT-AUTON-OFF")
 (Test& t) {
   t.require_initial_state();
   CheckedCase c(t, "AUTO_NORMAL");
@@ -66,7 +66,7 @@ EVALCTS_TEST(InitialState, AutoNormalDisabled, must, "EV-INIT-AUTON-OFF")
   c.check();
 };
 
-EVALCTS_TEST_PAIR(InitialState.OrderOf1D, InitialState.OrderOf2D, must,
+EVALCTS_TEST_PAIR(InitialState.OrderOf1D, InitialState.OrderOf2D, kMust,
                   decide("EV-INIT-ORDER1", "EV-INIT-ORDER2"))
 (Test& t, bool two) {
   t.require_initial_state();
@@ -79,22 +79,22 @@ EVALCTS_TEST_PAIR(InitialState.OrderOf1D, InitialState.OrderOf2D, must,
   }
 };
 
-EVALCTS_TEST(InitialState, VertexPoint, must, "EV-INIT-COEFF-VERTEX")
+EVALCTS_TEST(InitialState, VertexPoint, kMust, "EV-INIT-COEFF-VERTEX")
 (Test& t) {
   t.require_initial_state();
   expect_initial_points(t, {GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4, GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4});
 };
 
-EVALCTS_TEST(InitialState, NormalPoint, must, "EV-INIT-COEFF-NORMAL")
+EVALCTS_TEST(InitialState, NormalPoint, kMust, "EV-INIT-COEFF-NORMAL")
 (Test& t) { expect_initial_points(t, {GL_MAP1_NORMAL, GL_MAP2_NORMAL}); };
 
-EVALCTS_TEST(InitialState, ColorPoint, must, "EV-INIT-COEFF-COLOR")
+EVALCTS_TEST(InitialState, ColorPoint, kMust, "EV-INIT-COEFF-COLOR")
 (Test& t) { expect_initial_points(t, {GL_MAP1_COLOR_4, GL_MAP2_COLOR_4}); };
 
-EVALCTS_TEST(InitialState, IndexPoint, must, "EV-INIT-COEFF-INDEX")
+EVALCTS_TEST(InitialState, IndexPoint, kMust, "EV-INIT-COEFF-INDEX")
 (Test& t) { expect_initial_points(t, {GL_MAP1_INDEX, GL_MAP2_INDEX}); };
 
-EVALCTS_TEST(InitialState, TexturePoint, must, "EV-INIT-COEFF-TEX")
+EVALCTS_TEST(InitialState, TexturePoint, kMust, "EV-INIT-COEFF-TEX")
 (Test& t) {
   t.require_initial_state();
   t.require(1, 1);
@@ -103,7 +103,7 @@ EVALCTS_TEST(InitialState, TexturePoint, must, "EV-INIT-COEFF-TEX")
                             GL_MAP2_TEXTURE_COORD_3, GL_MAP2_TEXTURE_COORD_4});
 };
 
-EVALCTS_TEST(InitialState, Domain, quality, "EV-INIT-DOMAIN")
+EVALCTS_TEST(InitialState, Domain, kQuality, "EV-INIT-DOMAIN")
 (Test& t) {
   t.require_initial_state();
   for (const GLenum target : all_targets()) {
@@ -116,7 +116,7 @@ EVALCTS_TEST(InitialState, Domain, quality, "EV-INIT-DOMAIN")
   }
 };
 
-EVALCTS_TEST_PAIR(InitialState.Grid1, InitialState.Grid2, must, decide("EV-INIT-GRID1", "EV-INIT-GRID2"))
+EVALCTS_TEST_PAIR(InitialState.Grid1, InitialState.Grid2, kMust, decide("EV-INIT-GRID1", "EV-INIT-GRID2"))
 (Test& t, bool two) {
   t.require_initial_state();
   const std::size_t directions = two ? 2 : 1;
@@ -135,7 +135,7 @@ EVALCTS_TEST_PAIR(InitialState.Grid1, InitialState.Grid2, must, decide("EV-INIT-
 // Outside the domain, too.
 const std::vector<double> kArguments = {-3, 0, 0.5, 7};
 
-EVALCTS_TEST(InitialState, Evaluable, must, "EV-INIT-EVALUABLE")
+EVALCTS_TEST(InitialState, Evaluable, kMust, "EV-INIT-EVALUABLE")
 (Test& t) {
   t.require_initial_state();
   for (const GLenum vertex : {GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4}) {
@@ -147,7 +147,7 @@ EVALCTS_TEST(InitialState, Evaluable, must, "EV-INIT-EVALUABLE")
 };
 
 // Every other map as well: its initial constant, on a vertex map that was never defined either.
-EVALCTS_TEST_PAIR(InitialState.EvaluableWith, InitialState.Evaluable2, must, "EV-INIT-EVALUABLE",
+EVALCTS_TEST_PAIR(InitialState.EvaluableWith, InitialState.Evaluable2, kMust, "EV-INIT-EVALUABLE",
                   [](bool two) { return combine(visible_targets(two)); })
 (Test& t, bool two, GLenum target) {
   t.require_initial_state();
@@ -161,7 +161,7 @@ EVALCTS_TEST_PAIR(InitialState.EvaluableWith, InitialState.Evaluable2, must, "EV
   t.expect_emission(c, attribute_of(target));
 };
 
-EVALCTS_TEST(InitialState, MaxEvalOrder, must, "EV-INIT-MAXORDER/1-D")
+EVALCTS_TEST(InitialState, MaxEvalOrder, kMust, "EV-INIT-MAXORDER/1-D")
 (Test& t) {
   t.require_initial_state();
   gl::Case limit("MAX_EVAL_ORDER");
@@ -182,7 +182,7 @@ EVALCTS_TEST(InitialState, MaxEvalOrder, must, "EV-INIT-MAXORDER/1-D")
 };
 
 // The same value serves two dimensions, and u as well as v.
-EVALCTS_TEST(InitialState, MaxEvalOrder2, must, "EV-INIT-MAXORDER/2-D", combine(gl::kMap2Targets))
+EVALCTS_TEST(InitialState, MaxEvalOrder2, kMust, "EV-INIT-MAXORDER/2-D", combine(gl::kMap2Targets))
 (Test& t, GLenum target) {
   t.require_initial_state();
   const int max = t.max_order();

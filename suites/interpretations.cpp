@@ -68,7 +68,7 @@ void follow_error(Test& t, const std::string& text, GLenum seen,
   follow(t, text, {static_cast<double>(seen)}, values, 0);
 }
 
-EVALCTS_TEST(Interpretations, IntegersOfColors, interpretation, "EV-GETMAP-ROUND/1-D")
+EVALCTS_TEST(Interpretations, IntegersOfColors, kInterpretation, "EV-GETMAP-ROUND/1-D")
 (Test& t) {
   gl::Case c("GetMapiv of a colour");
   c.Map1f(GL_MAP1_COLOR_4, 0.0f, 1.0f, 4, 1, std::vector<float>{0.25f, 0.75f, -0.25f, 1});
@@ -81,7 +81,7 @@ EVALCTS_TEST(Interpretations, IntegersOfColors, interpretation, "EV-GETMAP-ROUND
          {{"rounded", {0, 1, 0, 1}}, {"scaled", {0.25 * kMost, 0.75 * kMost, -0.25 * kMost, kMost}}}, 1e-6);
 };
 
-EVALCTS_TEST(Interpretations, NegativeSize, interpretation, "EV-GETN-NEGATIVE")
+EVALCTS_TEST(Interpretations, NegativeSize, kInterpretation, "EV-GETN-NEGATIVE")
 (Test& t) {
   t.require(4, 5, "GL_ARB_robustness");
   gl::Case c("GetnMapfv of -1 bytes");
@@ -91,7 +91,7 @@ EVALCTS_TEST(Interpretations, NegativeSize, interpretation, "EV-GETN-NEGATIVE")
                {{"INVALID_VALUE", GL_INVALID_VALUE}, {"INVALID_OPERATION", GL_INVALID_OPERATION}});
 };
 
-EVALCTS_TEST(Interpretations, NormalOverReversedDomain, interpretation, "EV-AUTON-CURVED")
+EVALCTS_TEST(Interpretations, NormalOverReversedDomain, kInterpretation, "EV-AUTON-CURVED")
 (Test& t) {
   std::vector<double> normal = normal_over(t, 1, 0);
   const double length = std::hypot(normal[0], normal[1], normal[2]);
@@ -99,7 +99,7 @@ EVALCTS_TEST(Interpretations, NormalOverReversedDomain, interpretation, "EV-AUTO
   follow(t, "U-AUTON-REVSIGN", normal, {{"normalised", {0, 0, 1}}, {"domain", {0, 0, -1}}});
 };
 
-EVALCTS_TEST(Interpretations, LengthOfNormalOverLongDomain, interpretation, "EV-AUTON-SHADER")
+EVALCTS_TEST(Interpretations, LengthOfNormalOverLongDomain, kInterpretation, "EV-AUTON-SHADER")
 (Test& t) {
   if (std::abs(normal_over(t, 0, 1)[2] - 4) > 1e-3)
     throw NotObservable("over [0,1] the length is not that of the cross product (EV-AUTON-SHADER)");
@@ -107,7 +107,7 @@ EVALCTS_TEST(Interpretations, LengthOfNormalOverLongDomain, interpretation, "EV-
   follow(t, "U-AUTON-MAGN", normal, {{"normalised", {0, 0, 4}}, {"domain", {0, 0, 2}}});
 };
 
-EVALCTS_TEST(Interpretations, EndsThatDifferAsDoubles, interpretation, "EV-MAP1-ERR-DOMAIN")
+EVALCTS_TEST(Interpretations, EndsThatDifferAsDoubles, kInterpretation, "EV-MAP1-ERR-DOMAIN")
 (Test& t) {
   gl::Case c("Map1d over [1, 1 + 1e-12]");
   c.Map1d(GL_MAP1_VERTEX_3, 1.0, 1.0 + 1e-12, 3, 2, std::vector<double>{1, 2, 3, 4, 5, 6});

@@ -14,7 +14,7 @@ namespace {
 
 // Every order; at quick depth those up to 10, a few between, and the largest.
 int step(Test& t, int order) {
-  return order < 10 || t.depth() != Depth::quick ? 1 : std::max(1, std::min(9, t.max_order() - order));
+  return order < 10 || t.depth() != Depth::kQuick ? 1 : std::max(1, std::min(9, t.max_order() - order));
 }
 
 // The cross-check that gives a library its accuracy figures: every order, values spread over the domain and
@@ -81,14 +81,14 @@ void measure2(Test& t, GLenum target, int values_per_map) {
 const auto kEachTarget = [](bool two) { return combine(visible_targets(two)); };
 
 // One test to fail where a result leaves the acceptance interval ...
-EVALCTS_TEST_PAIR(Map1Accuracy.Acceptable, Map2Accuracy.Acceptable, must,
+EVALCTS_TEST_PAIR(Map1Accuracy.Acceptable, Map2Accuracy.Acceptable, kMust,
                   decide("EV-NUM-ACCURACY/1-D", "EV-NUM-ACCURACY/2-D"), kEachTarget)
 (Test& t, bool two, GLenum target) {
   two ? measure2(t, target, t.by_depth(12, 30, 1000)) : measure1(t, target, t.by_depth(20, 40, 2000));
 };
 
 // ... and one to warn where it is worse than good single precision.
-EVALCTS_TEST_PAIR(Map1Accuracy.GoodSinglePrecision, Map2Accuracy.GoodSinglePrecision, quality,
+EVALCTS_TEST_PAIR(Map1Accuracy.GoodSinglePrecision, Map2Accuracy.GoodSinglePrecision, kQuality,
                   decide("EV-NUM-ACCURACY/1-D", "EV-NUM-ACCURACY/2-D"), kEachTarget)
 (Test& t, bool two, GLenum target) {
   two ? measure2(t, target, t.by_depth(4, 8, 500)) : measure1(t, target, t.by_depth(4, 4, 1000));
@@ -96,7 +96,8 @@ EVALCTS_TEST_PAIR(Map1Accuracy.GoodSinglePrecision, Map2Accuracy.GoodSinglePreci
 
 // ... also next to an end of the domain, where one of t and s is small and may not be what rounding the other
 // one left of it: the point there is 0, so that nothing hides the error.
-EVALCTS_TEST(Map1Accuracy, GoodNearTheEnds, quality, "EV-NUM-ACCURACY/1-D", combine(visible_targets(kCurves)))
+EVALCTS_TEST(Map1Accuracy, GoodNearTheEnds, kQuality, "EV-NUM-ACCURACY/1-D",
+             combine(visible_targets(kCurves)))
 (Test& t, GLenum target) {
   const auto k = static_cast<std::size_t>(gl::components_of(target));
   gl::Case c("the numbers next to each end");

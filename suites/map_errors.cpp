@@ -27,7 +27,7 @@ void expect_targets_refused(Test& t, bool two, bool doubles, const std::vector<G
   }
 }
 
-EVALCTS_TEST_PAIR(Map1Errors.BadTarget, Map2Errors.BadTarget, must,
+EVALCTS_TEST_PAIR(Map1Errors.BadTarget, Map2Errors.BadTarget, kMust,
                   decide("EV-MAP1-ERR-TARGET", "EV-MAP2-ERR-TARGET"),
                   decide("EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT"), kEachForm)
 (Test& t, bool two, const Form& form) {
@@ -40,7 +40,7 @@ EVALCTS_TEST_PAIR(Map1Errors.BadTarget, Map2Errors.BadTarget, must,
 
 // Targets of similar numbers, whatever part of the number a library looks at. (Apart from the test above:
 // those who lose the error in display lists fail it in other cases then.)
-EVALCTS_TEST_PAIR(Map1Errors.BadTargetOfSimilarNumber, Map2Errors.BadTargetOfSimilarNumber, must,
+EVALCTS_TEST_PAIR(Map1Errors.BadTargetOfSimilarNumber, Map2Errors.BadTargetOfSimilarNumber, kMust,
                   decide("EV-MAP1-ERR-TARGET", "EV-MAP2-ERR-TARGET"),
                   decide("EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT"), combine(kForms))
 (Test& t, bool two, const Form& form) {
@@ -50,7 +50,7 @@ EVALCTS_TEST_PAIR(Map1Errors.BadTargetOfSimilarNumber, Map2Errors.BadTargetOfSim
 };
 
 // +0 and -0 are equal, which the text does not say in so many words (U-ZERO-SIGN).
-EVALCTS_TEST_PAIR(Map1Errors.ZeroOfEitherSign, Map2Errors.ZeroOfEitherSign, quality,
+EVALCTS_TEST_PAIR(Map1Errors.ZeroOfEitherSign, Map2Errors.ZeroOfEitherSign, kQuality,
                   decide("EV-MAP1-ERR-DOMAIN", "EV-MAP2-ERR-UDOMAIN"), decide(nullptr, "EV-MAP2-ERR-VDOMAIN"),
                   kEachForm)
 (Test& t, bool two, const Form& form) {
@@ -63,8 +63,8 @@ EVALCTS_TEST_PAIR(Map1Errors.ZeroOfEitherSign, Map2Errors.ZeroOfEitherSign, qual
   }
 };
 
-// The primitive goes on as if the refused command had not been there.
-EVALCTS_TEST_PAIR(Map1Errors.PrimitiveUndisturbed, Map2Errors.PrimitiveUndisturbed, must,
+// The primitive goes on as if the rejected command had not been there.
+EVALCTS_TEST_PAIR(Map1Errors.PrimitiveUndisturbed, Map2Errors.PrimitiveUndisturbed, kMust,
                   decide("EV-MAP1-ERR-BEGINEND", "EV-MAP2-ERR-BEGINEND"),
                   decide("EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT"),
                   decide("EV-BE-IGNORED/1-D", "EV-BE-IGNORED/2-D"), kEachTargetForm)
@@ -98,7 +98,7 @@ void for_each_illegal(GLenum target, const std::function<void(const Map&)>& call
 }
 
 // Evaluations after a rejected call of each kind use the map of the last legal call.
-EVALCTS_TEST_PAIR(Map1Errors.EvaluatesAsBefore, Map2Errors.EvaluatesAsBefore, must,
+EVALCTS_TEST_PAIR(Map1Errors.EvaluatesAsBefore, Map2Errors.EvaluatesAsBefore, kMust,
                   decide("EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT"),
                   [](bool two) { return combine(visible_target_forms(two)).by(gl::list_deliveries()); })
 (Test& t, bool two, const TargetForm& form) {
@@ -129,7 +129,7 @@ EVALCTS_TEST_PAIR(Map1Errors.EvaluatesAsBefore, Map2Errors.EvaluatesAsBefore, mu
 };
 
 // An error reported once is gone, and the next legal call works.
-EVALCTS_TEST_PAIR(Map1Errors.LegalCallAfterwards, Map2Errors.LegalCallAfterwards, must,
+EVALCTS_TEST_PAIR(Map1Errors.LegalCallAfterwards, Map2Errors.LegalCallAfterwards, kMust,
                   decide("EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT"), kEachTargetForm)
 (Test& t, bool two, const TargetForm& form) {
   std::vector<double> coefficients;
@@ -160,13 +160,13 @@ void expect_values_refused(Test& t, const TargetForm& form, const char* identity
   }
 }
 
-EVALCTS_TEST(Map1Errors, OrderTooLow, must, "EV-MAP1-ERR-ORDER-LOW", "EV-MAP1-ERR-NOEFFECT",
+EVALCTS_TEST(Map1Errors, OrderTooLow, kMust, "EV-MAP1-ERR-ORDER-LOW", "EV-MAP1-ERR-NOEFFECT",
              kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
   expect_values_refused(t, form, "order", &Map::uorder, {0, -1, -64, kLowest});
 };
 
-EVALCTS_TEST(Map1Errors, OrderTooHigh, must, "EV-MAP1-ERR-ORDER-HIGH", "EV-MAP1-ERR-NOEFFECT",
+EVALCTS_TEST(Map1Errors, OrderTooHigh, kMust, "EV-MAP1-ERR-ORDER-HIGH", "EV-MAP1-ERR-NOEFFECT",
              kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
   const int limit = t.gl().max_eval_order;
@@ -188,17 +188,17 @@ std::vector<int> strides_below(int k, const Test& t) {
   return {k - 1, 0, -1, -17, kLowest};
 }
 
-EVALCTS_TEST(Map1Errors, StrideBelowK, must, "EV-MAP1-ERR-STRIDE", "EV-MAP1-ERR-NOEFFECT",
+EVALCTS_TEST(Map1Errors, StrideBelowK, kMust, "EV-MAP1-ERR-STRIDE", "EV-MAP1-ERR-NOEFFECT",
              kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
   expect_values_refused(t, form, "stride", &Map::ustride, strides_below(gl::components_of(form.target), t));
 };
 
-EVALCTS_TEST(Map1Errors, StrideBelowKAtEveryOrder, must, "EV-MAP1-ERR-STRIDE", "EV-MAP1-ERR-NOEFFECT",
+EVALCTS_TEST(Map1Errors, StrideBelowKAtEveryOrder, kMust, "EV-MAP1-ERR-STRIDE", "EV-MAP1-ERR-NOEFFECT",
              combine(target_forms(kCurves)))
 (Test& t, const TargetForm& form) {
   CheckedCase c(t, "stride k - 1, orders 1 to MAX");
-  prepare(c, Prepared::maps1, false);
+  prepare(c, Prepared::kMaps1, false);
   const std::vector<gl::Ref> before = c.query_everything();
   for (int order = 1; order <= t.max_order(); ++order) {
     Map map = legal_map(form.target);
@@ -211,7 +211,7 @@ EVALCTS_TEST(Map1Errors, StrideBelowKAtEveryOrder, must, "EV-MAP1-ERR-STRIDE", "
   c.check();
 };
 
-EVALCTS_TEST(Map1Errors, StrideBelowKAtOrder1, must, "EV-MAP1-ERR-STRIDE-ORDER1", "EV-MAP1-ERR-NOEFFECT",
+EVALCTS_TEST(Map1Errors, StrideBelowKAtOrder1, kMust, "EV-MAP1-ERR-STRIDE-ORDER1", "EV-MAP1-ERR-NOEFFECT",
              kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
   std::vector<int> strides = strides_below(gl::components_of(form.target), t);
@@ -219,7 +219,7 @@ EVALCTS_TEST(Map1Errors, StrideBelowKAtOrder1, must, "EV-MAP1-ERR-STRIDE-ORDER1"
   expect_values_refused(t, form, "order 1 stride", &Map::ustride, strides, 1);
 };
 
-EVALCTS_TEST(Map1Errors, EqualDomainEnds, must, "EV-MAP1-ERR-DOMAIN", "EV-MAP1-ERR-NOEFFECT",
+EVALCTS_TEST(Map1Errors, EqualDomainEnds, kMust, "EV-MAP1-ERR-DOMAIN", "EV-MAP1-ERR-NOEFFECT",
              kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
   for (const int order : {1, 3, 2, 8})
@@ -233,7 +233,7 @@ EVALCTS_TEST(Map1Errors, EqualDomainEnds, must, "EV-MAP1-ERR-DOMAIN", "EV-MAP1-E
     }
 };
 
-EVALCTS_TEST(Map1Errors, BetweenBeginAndEnd, must, "EV-MAP1-ERR-BEGINEND", "EV-MAP1-ERR-NOEFFECT",
+EVALCTS_TEST(Map1Errors, BetweenBeginAndEnd, kMust, "EV-MAP1-ERR-BEGINEND", "EV-MAP1-ERR-NOEFFECT",
              kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
   for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode)
@@ -241,12 +241,12 @@ EVALCTS_TEST(Map1Errors, BetweenBeginAndEnd, must, "EV-MAP1-ERR-BEGINEND", "EV-M
       if ((mode % 2 == 0) == (after[0] == 'V') && mode != GL_TRIANGLES) continue;
       expect_refused(t, fmt::format("{} after {}", gl::primitive_name(mode), after),
                      {in_primitive(mode, after[0] == 'V', defining(legal_map(form.target), form.doubles))},
-                     {GL_INVALID_OPERATION}, Prepared::maps1);
+                     {GL_INVALID_OPERATION}, Prepared::kMaps1);
     }
 };
 
 // Several conditions at once: one of the matching errors, whichever.
-EVALCTS_TEST(Map1Errors, SeveralAtOnce, must, "EV-MAP-ERR-ANY/1-D", "EV-MAP1-ERR-NOEFFECT",
+EVALCTS_TEST(Map1Errors, SeveralAtOnce, kMust, "EV-MAP-ERR-ANY/1-D", "EV-MAP1-ERR-NOEFFECT",
              combine(kForms).by(gl::list_deliveries()))
 (Test& t, const Form& form) {
   const auto spoiled = [](GLenum target, int order, int stride, double u2) {
@@ -269,15 +269,15 @@ EVALCTS_TEST(Map1Errors, SeveralAtOnce, must, "EV-MAP-ERR-ANY/1-D", "EV-MAP1-ERR
                  form.doubles, {GL_INVALID_VALUE});
   expect_refused(t, "target, between Begin and End",
                  {in_primitive(GL_LINES, false, defining(spoiled(GL_MAP2_VERTEX_4, 3, 4, 1), form.doubles))},
-                 {GL_INVALID_ENUM, GL_INVALID_OPERATION}, Prepared::maps1);
+                 {GL_INVALID_ENUM, GL_INVALID_OPERATION}, Prepared::kMaps1);
 };
 
 // An error that nobody has asked for changes nothing about the calls that follow.
-EVALCTS_TEST(Map1Errors, RefusedWhileAnErrorWaits, must, "EV-MAP1-ERR-NOEFFECT",
+EVALCTS_TEST(Map1Errors, RefusedWhileAnErrorWaits, kMust, "EV-MAP1-ERR-NOEFFECT",
              combine(target_forms(kCurves)))
 (Test& t, const TargetForm& form) {
   CheckedCase c(t, "refused for order, stride, domain, target and once more order");
-  prepare(c, Prepared::maps1, true);
+  prepare(c, Prepared::kMaps1, true);
   const std::vector<gl::Ref> before = c.query_everything();
   const auto refused = [&](const std::function<void(Map&)>& spoil) {
     Map bad = legal_map(form.target);
@@ -297,7 +297,7 @@ EVALCTS_TEST(Map1Errors, RefusedWhileAnErrorWaits, must, "EV-MAP1-ERR-NOEFFECT",
 };
 
 // Conditions that are no error: EV-MAP-NOERR-OTHER names them.
-EVALCTS_TEST(Map1Errors, NoOtherCondition, must, "EV-MAP-NOERR-OTHER/1-D", kEachTargetForm(kCurves))
+EVALCTS_TEST(Map1Errors, NoOtherCondition, kMust, "EV-MAP-NOERR-OTHER/1-D", kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
   const auto expect_accepted = [&](const std::string& identity, const std::function<void(Map&)>& change) {
     Map map = legal_map(form.target);
@@ -326,7 +326,7 @@ EVALCTS_TEST(Map1Errors, NoOtherCondition, must, "EV-MAP-NOERR-OTHER/1-D", kEach
 
 // --- Two-dimensional maps --------------------------------------------------------------------------------
 
-EVALCTS_TEST_PAIR(Map2Errors.UOrder, Map2Errors.VOrder, must,
+EVALCTS_TEST_PAIR(Map2Errors.UOrder, Map2Errors.VOrder, kMust,
                   decide("EV-MAP2-ERR-UORDER", "EV-MAP2-ERR-VORDER"), "EV-MAP2-ERR-NOEFFECT",
                   kEachTargetForm(kSurfaces))
 (Test& t, bool along_v, const TargetForm& form) {
@@ -351,7 +351,7 @@ EVALCTS_TEST_PAIR(Map2Errors.UOrder, Map2Errors.VOrder, must,
   expect_refused(t, "orders MAX+1, MAX+2, MAX+100, 0x101, 0x10001", too_high, {GL_INVALID_VALUE});
 };
 
-EVALCTS_TEST_PAIR(Map2Errors.UStride, Map2Errors.VStride, must,
+EVALCTS_TEST_PAIR(Map2Errors.UStride, Map2Errors.VStride, kMust,
                   decide("EV-MAP2-ERR-USTRIDE", "EV-MAP2-ERR-VSTRIDE"), "EV-MAP2-ERR-NOEFFECT",
                   kEachTargetForm(kSurfaces))
 (Test& t, bool along_v, const TargetForm& form) {
@@ -373,7 +373,7 @@ EVALCTS_TEST_PAIR(Map2Errors.UStride, Map2Errors.VStride, must,
                  bad, {GL_INVALID_VALUE});
 };
 
-EVALCTS_TEST_PAIR(Map2Errors.UDomain, Map2Errors.VDomain, must,
+EVALCTS_TEST_PAIR(Map2Errors.UDomain, Map2Errors.VDomain, kMust,
                   decide("EV-MAP2-ERR-UDOMAIN", "EV-MAP2-ERR-VDOMAIN"), "EV-MAP2-ERR-NOEFFECT",
                   kEachTargetForm(kSurfaces))
 (Test& t, bool along_v, const TargetForm& form) {
@@ -390,7 +390,7 @@ EVALCTS_TEST_PAIR(Map2Errors.UDomain, Map2Errors.VDomain, must,
 };
 
 // k - 1 is too little whatever the orders are.
-EVALCTS_TEST(Map2Errors, StridesAtManyOrders, must, "EV-MAP2-ERR-USTRIDE", "EV-MAP2-ERR-VSTRIDE",
+EVALCTS_TEST(Map2Errors, StridesAtManyOrders, kMust, "EV-MAP2-ERR-USTRIDE", "EV-MAP2-ERR-VSTRIDE",
              combine(target_forms(kSurfaces)))
 (Test& t, const TargetForm& form) {
   std::vector<Calls> bad;
@@ -415,13 +415,13 @@ void expect_refused_in(Test& t, const TargetForm& form, const std::string& ident
   expect_refused(t, identity, bad, {GL_INVALID_OPERATION});
 }
 
-EVALCTS_TEST(Map2Errors, BetweenBeginAndEnd, must, "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT",
+EVALCTS_TEST(Map2Errors, BetweenBeginAndEnd, kMust, "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT",
              kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) {
   expect_refused_in(t, form, "in POINTS, TRIANGLES, QUAD_STRIP, POLYGON; first and after Vertex",
                     {GL_POINTS, GL_TRIANGLES, GL_QUAD_STRIP, GL_POLYGON});
 };
-EVALCTS_TEST(Map2Errors, BetweenBeginAndEndElsewhere, must, "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT",
+EVALCTS_TEST(Map2Errors, BetweenBeginAndEndElsewhere, kMust, "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT",
              combine(target_forms(kSurfaces)))
 (Test& t, const TargetForm& form) {
   expect_refused_in(t, form, "in the other primitives; first and after Vertex",
@@ -429,7 +429,7 @@ EVALCTS_TEST(Map2Errors, BetweenBeginAndEndElsewhere, must, "EV-MAP2-ERR-BEGINEN
 };
 
 // Several conditions at once: one of the matching errors, whichever.
-EVALCTS_TEST(Map2Errors, SeveralAtOnce, must, "EV-MAP-ERR-ANY/2-D", "EV-MAP2-ERR-NOEFFECT",
+EVALCTS_TEST(Map2Errors, SeveralAtOnce, kMust, "EV-MAP-ERR-ANY/2-D", "EV-MAP2-ERR-NOEFFECT",
              combine(kForms).by(gl::list_deliveries()))
 (Test& t, const Form& form) {
   const auto spoiled = [&](const std::function<void(Map&)>& spoil) {
@@ -464,7 +464,7 @@ EVALCTS_TEST(Map2Errors, SeveralAtOnce, must, "EV-MAP-ERR-ANY/2-D", "EV-MAP2-ERR
 };
 
 // Conditions that are no error: EV-MAP-NOERR-OTHER names them.
-EVALCTS_TEST(Map2Errors, NoOtherCondition, must, "EV-MAP-NOERR-OTHER/2-D", kEachTargetForm(kSurfaces))
+EVALCTS_TEST(Map2Errors, NoOtherCondition, kMust, "EV-MAP-NOERR-OTHER/2-D", kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) {
   CheckedCase c(
       t,

@@ -19,7 +19,7 @@ Calls in_unit(GLenum unit, const Calls& calls) {
 }
 
 // The texture unit that is active at the time of the call decides, and a rejected call leaves it active.
-EVALCTS_TEST_PAIR(Map1Errors.ActiveTexture, Map2Errors.ActiveTexture, must,
+EVALCTS_TEST_PAIR(Map1Errors.ActiveTexture, Map2Errors.ActiveTexture, kMust,
                   decide("EV-MAP1-ERR-ACTIVETEX", "EV-MAP2-ERR-ACTIVETEX"),
                   decide("EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT"),
                   decide("EV-EXT-MT-RULE/1-D", "EV-EXT-MT-RULE/2-D"),
@@ -33,9 +33,9 @@ EVALCTS_TEST_PAIR(Map1Errors.ActiveTexture, Map2Errors.ActiveTexture, must,
   if (two) {
     expect_refused(t, "TEXTURE1 and the last unit active", bad, {GL_INVALID_OPERATION});
   } else {
-    expect_refused(t, "TEXTURE1 active", {bad[0]}, {GL_INVALID_OPERATION}, Prepared::maps1);
+    expect_refused(t, "TEXTURE1 active", {bad[0]}, {GL_INVALID_OPERATION}, Prepared::kMaps1);
     if (bad.size() > 1)
-      expect_refused(t, "the last unit active", {bad[1]}, {GL_INVALID_OPERATION}, Prepared::maps1);
+      expect_refused(t, "the last unit active", {bad[1]}, {GL_INVALID_OPERATION}, Prepared::kMaps1);
   }
 
   CheckedCase unit(t, "TEXTURE1 stays active");
@@ -55,7 +55,7 @@ EVALCTS_TEST_PAIR(Map1Errors.ActiveTexture, Map2Errors.ActiveTexture, must,
 };
 
 // The same for a unit that PopAttrib made active.
-EVALCTS_TEST_PAIR(Map1Errors.ActiveTextureOfPopAttrib, Map2Errors.ActiveTextureOfPopAttrib, must,
+EVALCTS_TEST_PAIR(Map1Errors.ActiveTextureOfPopAttrib, Map2Errors.ActiveTextureOfPopAttrib, kMust,
                   decide("EV-MAP1-ERR-ACTIVETEX", "EV-MAP2-ERR-ACTIVETEX"),
                   combine(kForms).by(gl::list_deliveries()))
 (Test& t, bool two, const Form& form) {

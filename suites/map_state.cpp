@@ -46,7 +46,8 @@ void expect_maps(Test& t, const gl::Case& commands, const std::vector<Map>& maps
 }
 
 // Defines a map: no error, and what GetMap then answers.
-void expect_defined(CheckedCase& c, const Map& map, bool doubles, gl::AfterCall after = gl::AfterCall::keep) {
+void expect_defined(CheckedCase& c, const Map& map, bool doubles,
+                    gl::AfterCall after = gl::AfterCall::kKeep) {
   define(c, map, doubles, after);
   c.expect_no_error();
   c.expect_map(map, doubles);
@@ -64,7 +65,7 @@ void expect_replaced(Test& t, gl::Case c, std::vector<Map> others, const Map& fi
 
 // --- Rules of both dimensions ----------------------------------------------------------------------------
 
-EVALCTS_TEST_PAIR(Map1State.EveryOrderAccepted, Map2State.EveryOrderAccepted, must,
+EVALCTS_TEST_PAIR(Map1State.EveryOrderAccepted, Map2State.EveryOrderAccepted, kMust,
                   decide("EV-MAP1-ORDER-ALL", "EV-MAP2-ORDER-ALL"), kEachTargetForm)
 (Test& t, bool two, const TargetForm& form) {
   const int max = t.max_order(), small = two ? t.by_depth(4, 8, max) : max;
@@ -84,7 +85,7 @@ EVALCTS_TEST_PAIR(Map1State.EveryOrderAccepted, Map2State.EveryOrderAccepted, mu
 };
 
 // k shows in two ways: where the stride errors begin, and in how much COEFF answers.
-EVALCTS_TEST_PAIR(Map1State.ValuesPerPoint, Map2State.ValuesPerPoint, must, decide("EV-MAP1-K", "EV-MAP2-K"),
+EVALCTS_TEST_PAIR(Map1State.ValuesPerPoint, Map2State.ValuesPerPoint, kMust, decide("EV-MAP1-K", "EV-MAP2-K"),
                   kEachTarget)
 (Test& t, bool two, GLenum target) {
   const int k = gl::components_of(target), count = (two ? 6 : 3) * k;
@@ -110,7 +111,7 @@ EVALCTS_TEST_PAIR(Map1State.ValuesPerPoint, Map2State.ValuesPerPoint, must, deci
 };
 
 // Each definition is queried before the next: nothing of an answer is left, whatever stays the same.
-EVALCTS_TEST_PAIR(Map1State.ReplaceAfterQuery, Map2State.ReplaceAfterQuery, must,
+EVALCTS_TEST_PAIR(Map1State.ReplaceAfterQuery, Map2State.ReplaceAfterQuery, kMust,
                   decide("EV-MAP1-REPLACE", "EV-MAP2-REPLACE"), kEachTarget)
 (Test& t, bool two, GLenum target) {
   CheckedCase c(t, two ? "the same values in other shapes, over other domains; another vorder"
@@ -134,7 +135,7 @@ EVALCTS_TEST_PAIR(Map1State.ReplaceAfterQuery, Map2State.ReplaceAfterQuery, must
   c.check();
 };
 
-EVALCTS_TEST_PAIR(Map1State.Independent, Map2State.Independent, must,
+EVALCTS_TEST_PAIR(Map1State.Independent, Map2State.Independent, kMust,
                   decide("EV-MAP1-INDEP", "EV-MAP2-REPLACE"), by(list_deliveries()))
 (Test& t, bool two) {
   const std::vector<Map> maps = nine_maps(t, two);
@@ -147,7 +148,7 @@ EVALCTS_TEST_PAIR(Map1State.Independent, Map2State.Independent, must,
 
 // Everything but the maps of the dimension that is defined: those of the other one, grids, AUTO_NORMAL,
 // current values.
-EVALCTS_TEST_PAIR(Map1State.LeavesMap2Alone, Map2State.LeavesTheRestAlone, must,
+EVALCTS_TEST_PAIR(Map1State.LeavesMap2Alone, Map2State.LeavesTheRestAlone, kMust,
                   decide("EV-MAP1-VS-MAP2/1-D", "EV-MAP1-VS-MAP2/2-D"),
                   decide("EV-MAP1-REPLACE", "EV-MAP2-REPLACE"), by(list_deliveries()))
 (Test& t, bool two) {
@@ -169,7 +170,7 @@ EVALCTS_TEST_PAIR(Map1State.LeavesMap2Alone, Map2State.LeavesTheRestAlone, must,
 };
 
 // The definition of a constant map, or of a longer one, enables and disables nothing.
-EVALCTS_TEST_PAIR(Map1State.EnableUntouched, Map2State.EnableUntouched, must,
+EVALCTS_TEST_PAIR(Map1State.EnableUntouched, Map2State.EnableUntouched, kMust,
                   decide("EV-MAP1-NOENABLE", "EV-MAP2-NOENABLE"), kEachTargetForm)
 (Test& t, bool two, const TargetForm& form) {
   const std::vector<GLenum> caps =
@@ -199,7 +200,7 @@ EVALCTS_TEST_PAIR(Map1State.EnableUntouched, Map2State.EnableUntouched, must,
 };
 
 // The points are plain client memory: pixel store modes and bound buffers move nothing.
-EVALCTS_TEST_PAIR(Map1State.PixelStoreIgnored, Map2State.PixelStoreIgnored, must,
+EVALCTS_TEST_PAIR(Map1State.PixelStoreIgnored, Map2State.PixelStoreIgnored, kMust,
                   decide("EV-MAP1-NOPIXELSTORE", "EV-MAP2-ADDRESS"), kEachTargetForm)
 (Test& t, bool two, const TargetForm& form) {
   CheckedCase c(t, "swapped bytes, row length, skips, alignment");
@@ -213,7 +214,7 @@ EVALCTS_TEST_PAIR(Map1State.PixelStoreIgnored, Map2State.PixelStoreIgnored, must
   c.check();
 };
 
-EVALCTS_TEST_PAIR(Map1State.BuffersIgnored, Map2State.BuffersIgnored, must,
+EVALCTS_TEST_PAIR(Map1State.BuffersIgnored, Map2State.BuffersIgnored, kMust,
                   decide("EV-MAP1-NOBUFFER", "EV-MAP2-ADDRESS"), kEachTargetForm)
 (Test& t, bool two, const TargetForm& form) {
   t.require(1, 5, "GL_ARB_vertex_buffer_object");
@@ -228,7 +229,7 @@ EVALCTS_TEST_PAIR(Map1State.BuffersIgnored, Map2State.BuffersIgnored, must,
 
 // --- One-dimensional maps --------------------------------------------------------------------------------
 
-EVALCTS_TEST(Map1State, Stride, must, "EV-MAP1-STRIDE", "EV-MAP1-PADDING", kEachTargetForm(kCurves))
+EVALCTS_TEST(Map1State, Stride, kMust, "EV-MAP1-STRIDE", "EV-MAP1-PADDING", kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
   const int k = gl::components_of(form.target);
   for (const int stride : {k, k + 1, 2 * k, 17, 257, 1000, 0x10000 + k})
@@ -241,7 +242,7 @@ EVALCTS_TEST(Map1State, Stride, must, "EV-MAP1-STRIDE", "EV-MAP1-PADDING", kEach
     }
 };
 
-EVALCTS_TEST(Map1State, SmallestStride, must, "EV-MAP1-STRIDE-MIN", kEachTargetForm(kCurves))
+EVALCTS_TEST(Map1State, SmallestStride, kMust, "EV-MAP1-STRIDE-MIN", kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
   for (const int order : {1, 2, t.max_order()}) {
     CheckedCase c(t, fmt::format("stride k, order {}", order));
@@ -252,7 +253,7 @@ EVALCTS_TEST(Map1State, SmallestStride, must, "EV-MAP1-STRIDE-MIN", kEachTargetF
   }
 };
 
-EVALCTS_TEST(Map1State, CopyOnCall, must, "EV-MAP1-COPY", combine(kFates).by(list_deliveries()))
+EVALCTS_TEST(Map1State, CopyOnCall, kMust, "EV-MAP1-COPY", combine(kFates).by(list_deliveries()))
 (Test& t, const Fate& fate) {
   for (const TargetForm& form : target_forms(kCurves))
     for (const int order : {1, 4, t.max_order()})
@@ -264,7 +265,7 @@ EVALCTS_TEST(Map1State, CopyOnCall, must, "EV-MAP1-COPY", combine(kFates).by(lis
       }
 };
 
-EVALCTS_TEST(Map1State, CopyOnCallEvaluated, must, "EV-MAP1-COPY", combine(kFates).by(list_deliveries()))
+EVALCTS_TEST(Map1State, CopyOnCallEvaluated, kMust, "EV-MAP1-COPY", combine(kFates).by(list_deliveries()))
 (Test& t, const Fate& fate) {
   for (const GLenum target : visible_targets(kCurves)) {
     gl::Case c(label(target) + ", both forms");
@@ -280,7 +281,7 @@ EVALCTS_TEST(Map1State, CopyOnCallEvaluated, must, "EV-MAP1-COPY", combine(kFate
 };
 
 // The same memory with other contents is another definition, whatever a library remembers of the pointer.
-EVALCTS_TEST(Map1State, SamePointerNewPoints, must, "EV-MAP1-COPY", "EV-MAP1-REPLACE", "EV-MAP1-LIVE",
+EVALCTS_TEST(Map1State, SamePointerNewPoints, kMust, "EV-MAP1-COPY", "EV-MAP1-REPLACE", "EV-MAP1-LIVE",
              combine(visible_target_forms(kCurves)).by(list_deliveries()))
 (Test& t, const TargetForm& form) {
   gl::Case c("three definitions through one array");
@@ -298,7 +299,7 @@ EVALCTS_TEST(Map1State, SamePointerNewPoints, must, "EV-MAP1-COPY", "EV-MAP1-REP
   expect_maps(t, queried, {second}, form.doubles);
 };
 
-EVALCTS_TEST(Map1State, Replace, must, "EV-MAP1-REPLACE", kEachTarget(kCurves))
+EVALCTS_TEST(Map1State, Replace, kMust, "EV-MAP1-REPLACE", kEachTarget(kCurves))
 (Test& t, GLenum target) {
   for (const auto& [before, after] :
        {std::pair{5, 2}, {2, 5}, {4, 4}, {1, 1}, {1, t.max_order()}, {t.max_order(), 1}}) {
@@ -309,7 +310,7 @@ EVALCTS_TEST(Map1State, Replace, must, "EV-MAP1-REPLACE", kEachTarget(kCurves))
   }
 };
 
-EVALCTS_TEST(Map1State, IndependentLongMaps, must, "EV-MAP1-INDEP", by(list_deliveries()))
+EVALCTS_TEST(Map1State, IndependentLongMaps, kMust, "EV-MAP1-INDEP", by(list_deliveries()))
 (Test& t) {
   for (const int fewer : {0, 1}) {
     gl::Case c(fewer == 0 ? "all of the largest order" : "all of one less");
@@ -323,7 +324,7 @@ EVALCTS_TEST(Map1State, IndependentLongMaps, must, "EV-MAP1-INDEP", by(list_deli
 };
 
 // Also at the argument that was evaluated last, and with the order that the map had.
-EVALCTS_TEST(Map1State, Live, must, "EV-MAP1-LIVE",
+EVALCTS_TEST(Map1State, Live, kMust, "EV-MAP1-LIVE",
              combine(visible_target_forms(kCurves)).by(list_deliveries()))
 (Test& t, const TargetForm& form) {
   gl::Case c("evaluate, define anew, evaluate");
@@ -361,15 +362,15 @@ void expect_layouts(Test& t, const TargetForm& form, bool shared) {
   }
 }
 
-EVALCTS_TEST(Map2State, Layouts, must, "EV-MAP2-ADDRESS", "EV-MAP2-PADDING", "EV-MAP2-STRIDE-FREE",
+EVALCTS_TEST(Map2State, Layouts, kMust, "EV-MAP2-ADDRESS", "EV-MAP2-PADDING", "EV-MAP2-STRIDE-FREE",
              kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) { expect_layouts(t, form, false); };
 
-EVALCTS_TEST(Map2State, SharedPoints, must, "EV-MAP2-STRIDE-FREE", "EV-MAP2-ADDRESS",
+EVALCTS_TEST(Map2State, SharedPoints, kMust, "EV-MAP2-STRIDE-FREE", "EV-MAP2-ADDRESS",
              kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) { expect_layouts(t, form, true); };
 
-EVALCTS_TEST(Map2State, LargeStrides, must, "EV-MAP2-ADDRESS", "EV-MAP2-PADDING", "EV-MAP2-STRIDE-FREE",
+EVALCTS_TEST(Map2State, LargeStrides, kMust, "EV-MAP2-ADDRESS", "EV-MAP2-PADDING", "EV-MAP2-STRIDE-FREE",
              kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) {
   CheckedCase c(t, "strides up to 1000");
@@ -384,7 +385,7 @@ EVALCTS_TEST(Map2State, LargeStrides, must, "EV-MAP2-ADDRESS", "EV-MAP2-PADDING"
 };
 
 // The same net from either order of memory is the same map.
-EVALCTS_TEST(Map2State, SameNetEitherWay, must, "EV-MAP2-ADDRESS", kEachTargetForm(kSurfaces))
+EVALCTS_TEST(Map2State, SameNetEitherWay, kMust, "EV-MAP2-ADDRESS", kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) {
   const int k = gl::components_of(form.target);
   CheckedCase c(t, "3x5 in both orders of memory");
@@ -401,7 +402,7 @@ EVALCTS_TEST(Map2State, SameNetEitherWay, must, "EV-MAP2-ADDRESS", kEachTargetFo
   c.check();
 };
 
-EVALCTS_TEST(Map2State, StridesCountValues, must, "EV-MAP2-STRIDE-UNITS", kEachTarget(kSurfaces))
+EVALCTS_TEST(Map2State, StridesCountValues, kMust, "EV-MAP2-STRIDE-UNITS", kEachTarget(kSurfaces))
 (Test& t, GLenum target) {
   CheckedCase c(t, "the same integers in both forms");
   for (const auto& [ustride, vstride] : {std::pair{24, 6}, {6, 24}, {7, 50}, {5, 5}})
@@ -410,7 +411,7 @@ EVALCTS_TEST(Map2State, StridesCountValues, must, "EV-MAP2-STRIDE-UNITS", kEachT
   c.check();
 };
 
-EVALCTS_TEST(Map2State, CopyOnCall, must, "EV-MAP2-COPY", combine(kFates).by(list_deliveries()))
+EVALCTS_TEST(Map2State, CopyOnCall, kMust, "EV-MAP2-COPY", combine(kFates).by(list_deliveries()))
 (Test& t, const Fate& fate) {
   for (const TargetForm& form : target_forms(kSurfaces)) {
     CheckedCase c(t, form.name);
@@ -423,7 +424,7 @@ EVALCTS_TEST(Map2State, CopyOnCall, must, "EV-MAP2-COPY", combine(kFates).by(lis
 };
 
 // Asked only when all are defined and gone.
-EVALCTS_TEST(Map2State, CopiesOfAll, must, "EV-MAP2-COPY", combine(kFates).by(list_deliveries()))
+EVALCTS_TEST(Map2State, CopiesOfAll, kMust, "EV-MAP2-COPY", combine(kFates).by(list_deliveries()))
 (Test& t, const Fate& fate) {
   const std::vector<Map> maps = nine_maps(t, kSurfaces);
   for (const Form& form : kForms) {
@@ -434,7 +435,7 @@ EVALCTS_TEST(Map2State, CopiesOfAll, must, "EV-MAP2-COPY", combine(kFates).by(li
 };
 
 // The same memory with other contents is another definition, whatever a library remembers of the pointer.
-EVALCTS_TEST(Map2State, SamePointerNewPoints, must, "EV-MAP2-COPY", "EV-MAP2-REPLACE",
+EVALCTS_TEST(Map2State, SamePointerNewPoints, kMust, "EV-MAP2-COPY", "EV-MAP2-REPLACE",
              kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) {
   CheckedCase c(t, "three definitions through one array");
@@ -447,7 +448,7 @@ EVALCTS_TEST(Map2State, SamePointerNewPoints, must, "EV-MAP2-COPY", "EV-MAP2-REP
   c.check();
 };
 
-EVALCTS_TEST(Map2State, Replace, must, "EV-MAP2-REPLACE", kEachTarget(kSurfaces))
+EVALCTS_TEST(Map2State, Replace, kMust, "EV-MAP2-REPLACE", kEachTarget(kSurfaces))
 (Test& t, GLenum target) {
   const int max = t.max_order();
   const std::vector<Map> others = nine_maps(t, kSurfaces);
@@ -467,7 +468,7 @@ EVALCTS_TEST(Map2State, Replace, must, "EV-MAP2-REPLACE", kEachTarget(kSurfaces)
   }
 };
 
-EVALCTS_TEST(Map2State, IndependentLargeNets, must, "EV-MAP2-REPLACE", by(list_deliveries()))
+EVALCTS_TEST(Map2State, IndependentLargeNets, kMust, "EV-MAP2-REPLACE", by(list_deliveries()))
 (Test& t) {
   const int max = t.max_order();
   for (const auto& [u, v] : {Orders{max, 3}, {4, max}}) {
@@ -482,7 +483,7 @@ EVALCTS_TEST(Map2State, IndependentLargeNets, must, "EV-MAP2-REPLACE", by(list_d
 };
 
 // A pair of namesakes, defined in either order, queried together.
-EVALCTS_TEST(Map2State, Namesakes, must, "EV-MAP1-VS-MAP2/2-D", kEachTargetForm(kSurfaces))
+EVALCTS_TEST(Map2State, Namesakes, kMust, "EV-MAP1-VS-MAP2/2-D", kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) {
   const GLenum namesake = form.target - gl::kMap2Targets[0] + gl::kMap1Targets[0];
   for (const bool two_first : {false, true}) {

@@ -21,7 +21,7 @@ EVALCTS_LIFTED_SUITE(Map1Values, Map2Values);
 const auto kEachTarget = combine(visible_targets(kCurves)).by(gl::curve_deliveries());
 
 // All orders of one target in one case: the map is defined anew before each Begin.
-EVALCTS_TEST(Map1Values, AllOrders, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D", kEachTarget)
+EVALCTS_TEST(Map1Values, AllOrders, kMust, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("orders 1 to the largest");
   enable_visibly(c, target);
@@ -33,7 +33,7 @@ EVALCTS_TEST(Map1Values, AllOrders, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D
 };
 
 // Data on which terms cancel: alternating signs, steep steps, near-linear points, large offsets.
-EVALCTS_TEST(Map1Values, AwkwardData, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D", kEachTarget)
+EVALCTS_TEST(Map1Values, AwkwardData, kMust, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("alternating, step, line, offset, one spike");
   enable_visibly(c, target);
@@ -56,7 +56,7 @@ EVALCTS_TEST(Map1Values, AwkwardData, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1
 };
 
 // At uh = 0 and uh = 1 all powers but one are 0^0: other points, however large, do not show.
-EVALCTS_TEST(Map1Values, Ends, must, "EV-MAP1-ZEROPOW", kEachTarget)
+EVALCTS_TEST(Map1Values, Ends, kMust, "EV-MAP1-ZEROPOW", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("first and last point among points near the largest that the GL promises to hold");
   enable_visibly(c, target);
@@ -102,12 +102,12 @@ void expect_over_domain(Test& t, const NamedDomain& named) {
   }
 }
 
-EVALCTS_TEST(Map1Values, Domain, must, "EV-MAP1-DOMAIN", combine(kDomains).by(gl::curve_deliveries()))
+EVALCTS_TEST(Map1Values, Domain, kMust, "EV-MAP1-DOMAIN", combine(kDomains).by(gl::curve_deliveries()))
 (Test& t, const NamedDomain& domain) { expect_over_domain(t, domain); };
 
 // If all points but the first few are far from zero, arguments next to the first end tell how exactly the
 // argument is taken apart.
-EVALCTS_TEST(Map1Values, NextToTheFirstEnd, must, "EV-MAP1-DOMAIN", kEachTarget)
+EVALCTS_TEST(Map1Values, NextToTheFirstEnd, kMust, "EV-MAP1-DOMAIN", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("ramps that begin with zero");
   enable_visibly(c, target);
@@ -128,7 +128,7 @@ EVALCTS_TEST(Map1Values, NextToTheFirstEnd, must, "EV-MAP1-DOMAIN", kEachTarget)
 };
 
 // Each of the maps that make one vertex has a domain of its own.
-EVALCTS_TEST(Map1Values, OwnDomains, must, "EV-MAP1-DOMAIN", by(gl::curve_deliveries()))
+EVALCTS_TEST(Map1Values, OwnDomains, kMust, "EV-MAP1-DOMAIN", by(gl::curve_deliveries()))
 (Test& t) {
   constexpr Interval kOwn[] = {{0, 1}, {-1, 2}, {1.5, -0.5}, {0.25, 4.25}};
   gl::Case c("vertex, colour, normal and texture maps over four domains, exchanged four times");
@@ -143,11 +143,11 @@ EVALCTS_TEST(Map1Values, OwnDomains, must, "EV-MAP1-DOMAIN", by(gl::curve_delive
   t.expect_emission(c, kUnit0);
 };
 
-EVALCTS_TEST(Map1Values, ReversedDomain, must, "EV-MAP1-REVERSED",
+EVALCTS_TEST(Map1Values, ReversedDomain, kMust, "EV-MAP1-REVERSED",
              combine(kReversedDomains).by(gl::curve_deliveries()))
 (Test& t, const NamedDomain& domain) { expect_over_domain(t, domain); };
 
-EVALCTS_TEST(Map1Values, OutsideDomain, must, "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D", kEachTarget)
+EVALCTS_TEST(Map1Values, OutsideDomain, kMust, "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("every order, to the left and to the right of the domain");
   enable_visibly(c, target);
@@ -167,7 +167,7 @@ EVALCTS_TEST(Map1Values, OutsideDomain, must, "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACC
 };
 
 // So far that powers of the argument leave the usual range of magnitudes; the results do not.
-EVALCTS_TEST(Map1Values, FarOutsideDomain, must, "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D", kEachTarget)
+EVALCTS_TEST(Map1Values, FarOutsideDomain, kMust, "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("2^15 to 2^20 widths of the domain away");
   enable_visibly(c, target);
@@ -184,7 +184,7 @@ EVALCTS_TEST(Map1Values, FarOutsideDomain, must, "EV-MAP1-EXTRAPOLATE", "EV-NUM-
   t.expect_emission(c, attribute_of(target));
 };
 
-EVALCTS_TEST(Map1Values, OrderOneIsConstant, must, "EV-MAP1-ORDER-ONE", kEachTarget)
+EVALCTS_TEST(Map1Values, OrderOneIsConstant, kMust, "EV-MAP1-ORDER-ONE", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("one point, arguments in and outside the domain");
   enable_visibly(c, target);
@@ -197,7 +197,7 @@ EVALCTS_TEST(Map1Values, OrderOneIsConstant, must, "EV-MAP1-ORDER-ONE", kEachTar
 };
 
 // Values that differ in every component, so that no permutation of them goes unseen.
-EVALCTS_TEST(Map1Values, ComponentOrder, must, "EV-MAP1-COMPORDER", kEachTarget)
+EVALCTS_TEST(Map1Values, ComponentOrder, kMust, "EV-MAP1-COMPORDER", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("components 1/8, 3/8, 5/8, 7/8");
   std::vector<double> points;
@@ -210,7 +210,7 @@ EVALCTS_TEST(Map1Values, ComponentOrder, must, "EV-MAP1-COMPORDER", kEachTarget)
   t.expect_emission(c, attribute_of(target));
 };
 
-EVALCTS_TEST(Map1Values, Stride, must, "EV-MAP1-STRIDE", "EV-MAP1-PADDING", kEachTarget)
+EVALCTS_TEST(Map1Values, Stride, kMust, "EV-MAP1-STRIDE", "EV-MAP1-PADDING", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("strides k, k+1, 2k, 17 with poisoned padding");
   enable_visibly(c, target);
@@ -223,7 +223,7 @@ EVALCTS_TEST(Map1Values, Stride, must, "EV-MAP1-STRIDE", "EV-MAP1-PADDING", kEac
   t.expect_emission(c, attribute_of(target));
 };
 
-EVALCTS_TEST(Map1Values, PaddingNaN, must, "EV-MAP1-PADDING", kEachTarget)
+EVALCTS_TEST(Map1Values, PaddingNaN, kMust, "EV-MAP1-PADDING", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("padding of NaN and infinity");
   enable_visibly(c, target);
@@ -262,12 +262,12 @@ void expect_of_all_kinds(Test& t, const std::string& identity,
 std::vector<gl::Delivery> both_forms() {
   std::vector<gl::Delivery> forms = gl::surface_deliveries();
   std::erase_if(forms, [](const gl::Delivery& delivery) {
-    return delivery.evaluation != gl::Delivery::Evaluation::coordinates;
+    return delivery.evaluation != gl::Delivery::Evaluation::kCoordinates;
   });
   return forms;
 }
 
-EVALCTS_TEST(Map2Values, OrderPairs, must, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2-D", "EV-MAP2-ASYM",
+EVALCTS_TEST(Map2Values, OrderPairs, kMust, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2-D", "EV-MAP2-ASYM",
              combine(visible_targets(kSurfaces)).by(gl::surface_deliveries()))
 (Test& t, GLenum target) {
   gl::Case c("all pairs of orders up to 8x8");
@@ -280,7 +280,7 @@ EVALCTS_TEST(Map2Values, OrderPairs, must, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2-
   t.expect_emission(c, attribute_of(target));
 };
 
-EVALCTS_TEST(Map2Values, LargeOrders, must, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2-D", "EV-MAP2-ASYM",
+EVALCTS_TEST(Map2Values, LargeOrders, kMust, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2-D", "EV-MAP2-ASYM",
              by(both_forms()))
 (Test& t) {
   const int max = t.max_order();
@@ -296,7 +296,7 @@ EVALCTS_TEST(Map2Values, LargeOrders, must, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2
 };
 
 // Every point of a grid: long runs of neighbours, along u and then along v.
-EVALCTS_TEST(Map2Values, GridOfArguments, must, "EV-MAP2-BEZIER", kEachCommand)
+EVALCTS_TEST(Map2Values, GridOfArguments, kMust, "EV-MAP2-BEZIER", kEachCommand)
 (Test& t) {
   expect_of_all_kinds(t, "8x8 arguments", [](gl::Case& c, const DefineAll& define_all) {
     for (const auto& [uorder, vorder] : {Orders{4, 4}, {3, 5}, {2, 2}}) {
@@ -312,7 +312,7 @@ EVALCTS_TEST(Map2Values, GridOfArguments, must, "EV-MAP2-BEZIER", kEachCommand)
 };
 
 // R_ij begins ustride*i + vstride*j values after the first; everything between is poisoned.
-EVALCTS_TEST(Map2Values, Layouts, must, "EV-MAP2-ADDRESS", "EV-MAP2-STRIDE-FREE", "EV-MAP2-PADDING",
+EVALCTS_TEST(Map2Values, Layouts, kMust, "EV-MAP2-ADDRESS", "EV-MAP2-STRIDE-FREE", "EV-MAP2-PADDING",
              combine(kLayouts).by(both_forms()))
 (Test& t, const Layout& layout) {
   gl::Case c("orders 3x5, 4x2, 1x6, 6x1");
@@ -324,7 +324,7 @@ EVALCTS_TEST(Map2Values, Layouts, must, "EV-MAP2-ADDRESS", "EV-MAP2-STRIDE-FREE"
   t.expect_emission(c, kUnit0);
 };
 
-EVALCTS_TEST(Map2Values, PaddingOfNaN, must, "EV-MAP2-PADDING", by(both_forms()))
+EVALCTS_TEST(Map2Values, PaddingOfNaN, kMust, "EV-MAP2-PADDING", by(both_forms()))
 (Test& t) {
   gl::Case c("padding of NaN and infinity");
   for (const GLenum target : kKinds2[1].targets) c.Enable(target);
@@ -341,7 +341,7 @@ EVALCTS_TEST(Map2Values, PaddingOfNaN, must, "EV-MAP2-PADDING", by(both_forms())
   t.expect_emission(c, kUnit0);
 };
 
-EVALCTS_TEST(Map2Values, TwoIntervals, must, "EV-MAP2-DOMAIN", kEachCommand)
+EVALCTS_TEST(Map2Values, TwoIntervals, kMust, "EV-MAP2-DOMAIN", kEachCommand)
 (Test& t) {
   const std::pair<Interval, Interval> domains[] = {{{0, 1}, {2, 5}},
                                                    {{-3, -1}, {0, 1}},
@@ -361,7 +361,7 @@ EVALCTS_TEST(Map2Values, TwoIntervals, must, "EV-MAP2-DOMAIN", kEachCommand)
 };
 
 // Each of the maps that make one vertex has intervals of its own, some of them as wide in u as in v.
-EVALCTS_TEST(Map2Values, OwnIntervals, must, "EV-MAP2-DOMAIN", kEachCommand)
+EVALCTS_TEST(Map2Values, OwnIntervals, kMust, "EV-MAP2-DOMAIN", kEachCommand)
 (Test& t) {
   constexpr std::pair<Interval, Interval> kOwn[] = {
       {{0, 1}, {1, 2}}, {{-1, 2}, {0.5, 1.5}}, {{0, 1}, {0.25, 2.25}}, {{1.5, -0.5}, {2, 0}}};
@@ -379,7 +379,7 @@ EVALCTS_TEST(Map2Values, OwnIntervals, must, "EV-MAP2-DOMAIN", kEachCommand)
   t.expect_emission(c, kUnit0);
 };
 
-EVALCTS_TEST(Map2Values, ReversedIntervals, must, "EV-MAP2-REVERSED", kEachCommand)
+EVALCTS_TEST(Map2Values, ReversedIntervals, kMust, "EV-MAP2-REVERSED", kEachCommand)
 (Test& t) {
   expect_of_all_kinds(
       t, "neither interval reversed, either, both", [&](gl::Case& c, const DefineAll& define_all) {
@@ -392,7 +392,7 @@ EVALCTS_TEST(Map2Values, ReversedIntervals, must, "EV-MAP2-REVERSED", kEachComma
       });
 };
 
-EVALCTS_TEST(Map2Values, OutsideTheRectangle, must, "EV-MAP2-EXTRAPOLATE", "EV-NUM-ACCURACY/2-D",
+EVALCTS_TEST(Map2Values, OutsideTheRectangle, kMust, "EV-MAP2-EXTRAPOLATE", "EV-NUM-ACCURACY/2-D",
              kEachCommand)
 (Test& t) {
   expect_of_all_kinds(t, "beyond each edge and each corner", [&](gl::Case& c, const DefineAll& define_all) {
@@ -409,7 +409,7 @@ EVALCTS_TEST(Map2Values, OutsideTheRectangle, must, "EV-MAP2-EXTRAPOLATE", "EV-N
   });
 };
 
-EVALCTS_TEST(Map2Values, UnequalOrders, must, "EV-MAP2-ASYM", "EV-MAP2-BEZIER", kEachCommand)
+EVALCTS_TEST(Map2Values, UnequalOrders, kMust, "EV-MAP2-ASYM", "EV-MAP2-BEZIER", kEachCommand)
 (Test& t) {
   const int max = t.max_order();
   expect_of_all_kinds(t, "2x5, 7x1, 1x7, MAXx1, 1xMAX", [&](gl::Case& c, const DefineAll& define_all) {
@@ -421,7 +421,7 @@ EVALCTS_TEST(Map2Values, UnequalOrders, must, "EV-MAP2-ASYM", "EV-MAP2-BEZIER", 
 };
 
 // Constant in the direction of order 1, far outside the domain as well; 1x1 is constant everywhere.
-EVALCTS_TEST(Map2Values, OrderOneInOneDirection, must, "EV-MAP2-ORDER-ONE", kEachCommand)
+EVALCTS_TEST(Map2Values, OrderOneInOneDirection, kMust, "EV-MAP2-ORDER-ONE", kEachCommand)
 (Test& t) {
   expect_of_all_kinds(t, "1x1, 1x4, 4x1", [&](gl::Case& c, const DefineAll& define_all) {
     define_all(1, 1, {2, 5}, {0, 1});
@@ -434,7 +434,7 @@ EVALCTS_TEST(Map2Values, OrderOneInOneDirection, must, "EV-MAP2-ORDER-ONE", kEac
 };
 
 // The weights of the other direction sum to 1 wherever it is evaluated.
-EVALCTS_TEST(Map2Values, ConstantInOneDirection, must, "EV-MAP2-SEPARABLE", kEachCommand)
+EVALCTS_TEST(Map2Values, ConstantInOneDirection, kMust, "EV-MAP2-SEPARABLE", kEachCommand)
 (Test& t) {
   gl::Case c("R_ij = R_i and R_ij = R_j");
   for (const Kinds& kinds : kKinds2) {
@@ -462,7 +462,7 @@ EVALCTS_TEST(Map2Values, ConstantInOneDirection, must, "EV-MAP2-SEPARABLE", kEac
 };
 
 // At the corners all other points, however large, have no weight.
-EVALCTS_TEST(Map2Values, Corners, must, "EV-NUM-CORNERS", kEachCommand)
+EVALCTS_TEST(Map2Values, Corners, kMust, "EV-NUM-CORNERS", kEachCommand)
 (Test& t) {
   gl::Case c("among points near the largest that the GL promises to hold");
   for (const Kinds& kinds : kKinds2) {
@@ -488,7 +488,7 @@ EVALCTS_TEST(Map2Values, Corners, must, "EV-NUM-CORNERS", kEachCommand)
 };
 
 // The points are gone when the map is evaluated.
-EVALCTS_TEST(Map2Values, PointsGone, must, "EV-MAP2-COPY", combine(kFates).by(both_forms()))
+EVALCTS_TEST(Map2Values, PointsGone, kMust, "EV-MAP2-COPY", combine(kFates).by(both_forms()))
 (Test& t, const Fate& fate) {
   gl::Case c("four maps in three layouts");
   for (const GLenum target : kKinds2[1].targets) c.Enable(target);
@@ -501,7 +501,7 @@ EVALCTS_TEST(Map2Values, PointsGone, must, "EV-MAP2-COPY", combine(kFates).by(bo
 };
 
 // A map is redefined, through the same memory or with other orders and domains, between evaluations.
-EVALCTS_TEST(Map2Values, Redefinition, must, "EV-MAP2-REPLACE", "EV-MAP2-COPY", by(both_forms()))
+EVALCTS_TEST(Map2Values, Redefinition, kMust, "EV-MAP2-REPLACE", "EV-MAP2-COPY", by(both_forms()))
 (Test& t) {
   gl::Case c("one map after the other, of each target in turn");
   for (const GLenum target : kKinds2[1].targets) define_and_enable(c, random_map(t, target, {2, 2}));

@@ -20,7 +20,7 @@ gl::Ref define_with(gl::Case& c, const Map& m, bool doubles, const gl::Input& po
   return c.Map2f(m.target, m.u1, m.u2, m.ustride, m.uorder, m.v1, m.v2, m.vstride, m.vorder, points);
 }
 
-gl::Input points_of(const Map& map, bool doubles, gl::AfterCall after = gl::AfterCall::keep) {
+gl::Input points_of(const Map& map, bool doubles, gl::AfterCall after = gl::AfterCall::kKeep) {
   return doubles ? gl::array(map.points, after) : gl::array(converted<float>(map.points), after);
 }
 

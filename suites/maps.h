@@ -128,9 +128,9 @@ struct Fate {
   const char* name;
   gl::AfterCall after;
 };
-inline constexpr Fate kFates[] = {{"OVERWRITTEN", gl::AfterCall::overwrite},
-                                  {"UNMAPPED", gl::AfterCall::unmap},
-                                  {"PROTECTED", gl::AfterCall::protect}};
+inline constexpr Fate kFates[] = {{"OVERWRITTEN", gl::AfterCall::kOverwrite},
+                                  {"UNMAPPED", gl::AfterCall::kUnmap},
+                                  {"PROTECTED", gl::AfterCall::kProtect}};
 
 // A target and a form: "MAP1_VERTEX_3_f".
 struct TargetForm {
@@ -147,7 +147,7 @@ const std::vector<TargetForm>& visible_target_forms(bool two);
 const std::vector<GLenum>& visible_targets(bool two);
 
 // Map1f or Map1d, Map2f or Map2d.
-gl::Ref define(gl::Case& c, const Map& map, bool doubles = false, gl::AfterCall after = gl::AfterCall::keep);
+gl::Ref define(gl::Case& c, const Map& map, bool doubles = false, gl::AfterCall after = gl::AfterCall::kKeep);
 // The control points have the same memory in every call with this slot, with the contents of the moment.
 gl::Ref define_in_slot(gl::Case& c, const Map& map, bool doubles, int slot);
 void define_and_enable(gl::Case& c, const Map& map, bool doubles = false);

@@ -1,4 +1,4 @@
-// Sections 14 to 16 of the requirements, the errors: which modes EvalMesh refuses, where it may not stand,
+// Sections 14 to 16 of the requirements, the errors: which modes EvalMesh rejects, where it may not stand,
 // and that no index of EvalPoint is wrong.
 #include <fmt/format.h>
 
@@ -52,7 +52,7 @@ std::vector<Calls> bad_meshes(bool two, bool empty = false) {
   return calls;
 }
 
-EVALCTS_TEST_PAIR(MeshErrors.Mesh1BadMode, MeshErrors.Mesh2BadMode, must,
+EVALCTS_TEST_PAIR(MeshErrors.Mesh1BadMode, MeshErrors.Mesh2BadMode, kMust,
                   decide("EV-MESH1-ERR-MODE", "EV-MESH2-ERR-MODE"), by(gl::list_deliveries()))
 (Test& t, bool two) {
   expect_refused(t, "every other second map enabled", bad_meshes(two), {GL_INVALID_ENUM});
@@ -67,7 +67,7 @@ EVALCTS_TEST_PAIR(MeshErrors.Mesh1BadMode, MeshErrors.Mesh2BadMode, must,
   c.check();
 };
 
-EVALCTS_TEST_PAIR(MeshErrors.Mesh1ModeCheckedFirst, MeshErrors.Mesh2ModeCheckedFirst, must,
+EVALCTS_TEST_PAIR(MeshErrors.Mesh1ModeCheckedFirst, MeshErrors.Mesh2ModeCheckedFirst, kMust,
                   decide("EV-MESH1-ERR-FIRST", "EV-MESH2-ERR-FIRST"), by(gl::list_deliveries()))
 (Test& t, bool two) {
   for (const bool enabled : {false, true})
@@ -91,7 +91,7 @@ EVALCTS_TEST_PAIR(MeshErrors.Mesh1ModeCheckedFirst, MeshErrors.Mesh2ModeCheckedF
     }
 };
 
-EVALCTS_TEST_PAIR(MeshErrors.Mesh1BetweenBeginAndEnd, MeshErrors.Mesh2BetweenBeginAndEnd, must,
+EVALCTS_TEST_PAIR(MeshErrors.Mesh1BetweenBeginAndEnd, MeshErrors.Mesh2BetweenBeginAndEnd, kMust,
                   decide("EV-MESH1-ERR-BEGINEND", "EV-MESH2-ERR-BEGINEND"), by(gl::list_deliveries()))
 (Test& t, bool two) {
   const auto inside = [two](GLenum primitive, GLenum mode, bool empty, bool after_vertex) {
@@ -134,8 +134,8 @@ void define_vertices(gl::Case& c) {
   c.MapGrid2f(2, 0, 1, 2, 0, 1);
 }
 
-// A mesh that is refused draws nothing, and the primitive around it goes on.
-EVALCTS_TEST_PAIR(MeshErrors.Mesh1PrimitiveUndisturbed, MeshErrors.Mesh2PrimitiveUndisturbed, must,
+// A mesh that is rejected draws nothing, and the primitive around it goes on.
+EVALCTS_TEST_PAIR(MeshErrors.Mesh1PrimitiveUndisturbed, MeshErrors.Mesh2PrimitiveUndisturbed, kMust,
                   decide("EV-MESH1-ERR-BEGINEND", "EV-MESH2-ERR-BEGINEND"),
                   decide("EV-BE-IGNORED/1-D", "EV-BE-IGNORED/2-D"), by(gl::list_deliveries()))
 (Test& t, bool two) {
@@ -154,7 +154,7 @@ EVALCTS_TEST_PAIR(MeshErrors.Mesh1PrimitiveUndisturbed, MeshErrors.Mesh2Primitiv
     }
 };
 
-EVALCTS_TEST_PAIR(MeshErrors.Mesh1RefusedDrawsNothing, MeshErrors.Mesh2RefusedDrawsNothing, must,
+EVALCTS_TEST_PAIR(MeshErrors.Mesh1RefusedDrawsNothing, MeshErrors.Mesh2RefusedDrawsNothing, kMust,
                   decide("EV-MESH1-ERR-MODE", "EV-MESH2-ERR-MODE"), by(gl::list_deliveries()))
 (Test& t, bool two) {
   gl::Case c("bad modes between two points");
@@ -174,7 +174,7 @@ EVALCTS_TEST_PAIR(MeshErrors.Mesh1RefusedDrawsNothing, MeshErrors.Mesh2RefusedDr
 };
 
 // The GL is outside Begin/End after any mesh, drawn or rejected: Begin is legal and End alone is not.
-EVALCTS_TEST(MeshErrors, LeavesNothingOpen, must, "EV-BE-MESHNOTINSIDE", by(gl::list_deliveries()))
+EVALCTS_TEST(MeshErrors, LeavesNothingOpen, kMust, "EV-BE-MESHNOTINSIDE", by(gl::list_deliveries()))
 (Test& t) {
   struct Attempt {
     Calls call;
@@ -212,7 +212,7 @@ EVALCTS_TEST(MeshErrors, LeavesNothingOpen, must, "EV-BE-MESHNOTINSIDE", by(gl::
 };
 
 // Far outside the grid, up to the ends of int: neither an error nor the end of the library (U-INTMIN-POINT).
-EVALCTS_TEST(PointErrors, NoIndexIsAnError, must, "EV-POINT-RANGE", by(gl::list_deliveries()))
+EVALCTS_TEST(PointErrors, NoIndexIsAnError, kMust, "EV-POINT-RANGE", by(gl::list_deliveries()))
 (Test& t) {
   constexpr GLint kIndices[] = {-3, 12, -1, 0x1000001, kHighest, -0x7FFFFFFF, kLowest};
   CheckedCase c(t, "-3, n+4, -1, 2^24+1, the highest, the lowest but one and the lowest int");

@@ -195,7 +195,7 @@ Picture outlined_meshes(Test& t, std::initializer_list<bool> flags) {
 // --- Quads -----------------------------------------------------------------------------------------------
 
 // A quad has four edges, none of them inside; in POINT, a point where each of them begins.
-EVALCTS_TEST(Mesh2, FillIsQuads, must, "EV-MESH2-ISQUADS")
+EVALCTS_TEST(Mesh2, FillIsQuads, kMust, "EV-MESH2-ISQUADS")
 (Test& t) {
   Picture picture = outlined_meshes(t, {true});
   for (std::size_t i = 0; i < picture.parts.size(); ++i) {
@@ -205,7 +205,7 @@ EVALCTS_TEST(Mesh2, FillIsQuads, must, "EV-MESH2-ISQUADS")
 };
 
 // Edges of quad strips are always boundaries; what else comes out, FillIsQuads says.
-EVALCTS_TEST(Mesh2, EdgeFlagHasNoInfluence, must, "EV-MESH2-EDGEFLAG")
+EVALCTS_TEST(Mesh2, EdgeFlagHasNoInfluence, kMust, "EV-MESH2-EDGEFLAG")
 (Test& t) {
   Picture picture = outlined_meshes(t, {true, false});
   for (std::size_t i = 0; i < picture.parts.size(); ++i) {
@@ -222,7 +222,7 @@ EVALCTS_TEST(Mesh2, EdgeFlagHasNoInfluence, must, "EV-MESH2-EDGEFLAG")
   }
 };
 
-EVALCTS_TEST(Mesh2, NoDiagonals, must, "EV-MESH2-ISQUADS")
+EVALCTS_TEST(Mesh2, NoDiagonals, kMust, "EV-MESH2-ISQUADS")
 (Test& t) {
   const gl::Case state = polygon_mode(GL_LINE);
   // Either diagonal goes through the middle.
@@ -250,7 +250,7 @@ EVALCTS_TEST(Mesh2, NoDiagonals, must, "EV-MESH2-ISQUADS")
 };
 
 // The vertices are those of the mesh and the middle is covered, however the quads are split.
-EVALCTS_TEST(Mesh2, NonPlanarQuads, quality, "EV-MESH2-PLANAR")
+EVALCTS_TEST(Mesh2, NonPlanarQuads, kQuality, "EV-MESH2-PLANAR")
 (Test& t) {
   // Seen from the front as the patch is; z twists the quads.
   const double left = at_pixel(kLeft), right = at_pixel(kLeft + kWidth * kColumns);
@@ -301,14 +301,14 @@ void expect_flat(Test& t, const gl::Case& state, bool first_vertex) {
   expect_like_explicit(pixels(t, "evaluated", state, mesh(GL_FILL), areas), control);
 }
 
-EVALCTS_TEST(Mesh2, FlatShading, must, "EV-MESH2-FLAT")
+EVALCTS_TEST(Mesh2, FlatShading, kMust, "EV-MESH2-FLAT")
 (Test& t) {
   gl::Case state;
   state.ShadeModel(GL_FLAT);
   expect_flat(t, state, false);
 };
 
-EVALCTS_TEST(Mesh2, FlatShadingByTheFirstVertex, must, "EV-MESH2-FLAT-FIRST")
+EVALCTS_TEST(Mesh2, FlatShadingByTheFirstVertex, kMust, "EV-MESH2-FLAT-FIRST")
 (Test& t) {
   t.require(3, 2, "GL_ARB_provoking_vertex");
   gl::Case question(gl::control("whether quads follow"));
@@ -353,7 +353,7 @@ void expect_facings(Test& t, const std::vector<Facing>& facings, bool automatic_
 }
 
 // The quads run (i,j), (i,j+1), (i+1,j+1), (i+1,j): clockwise, with u along +x and v along +y.
-EVALCTS_TEST(Mesh2, Winding, must, "EV-MESH2-WINDING")
+EVALCTS_TEST(Mesh2, Winding, kMust, "EV-MESH2-WINDING")
 (Test& t) {
   std::vector<Facing> facings;
   for (const GLenum front : {GL_CCW, GL_CW})
@@ -380,7 +380,7 @@ EVALCTS_TEST(Mesh2, Winding, must, "EV-MESH2-WINDING")
 
 // The generated normal points to the viewer where the facet is seen from the back: the back material with the
 // normal reversed. Mirrored, the front material with the normal as it is.
-EVALCTS_TEST(Mesh2, TwoSidedLighting, must, "EV-MESH2-TWOSIDE")
+EVALCTS_TEST(Mesh2, TwoSidedLighting, kMust, "EV-MESH2-TWOSIDE")
 (Test& t) {
   using Values = std::vector<float>;
   std::vector<Facing> facings;
@@ -494,7 +494,7 @@ class Looks {
   Picture picture_;
 };
 
-EVALCTS_TEST(Mesh2, LinesAndPointsAreNoPolygons, must, "EV-MESH2-NOPOLYMODE", combine(kStages))
+EVALCTS_TEST(Mesh2, LinesAndPointsAreNoPolygons, kMust, "EV-MESH2-NOPOLYMODE", combine(kStages))
 (Test& t, const Stages& stages) {
   const std::vector<gl::Case> meshes = {mesh(GL_POINT), mesh(GL_LINE)};
   const Looks control(
@@ -520,7 +520,7 @@ EVALCTS_TEST(Mesh2, LinesAndPointsAreNoPolygons, must, "EV-MESH2-NOPOLYMODE", co
 };
 
 // In feedback, what comes out is the same kind of primitives at the same places: FillIsQuads counts them.
-EVALCTS_TEST(Mesh2, FillsArePolygons, must, "EV-MESH2-NOPOLYMODE", combine(kStages))
+EVALCTS_TEST(Mesh2, FillsArePolygons, kMust, "EV-MESH2-NOPOLYMODE", combine(kStages))
 (Test& t, const Stages& stages) {
   const gl::Case evaluated = mesh(GL_FILL);
   const Looks control(t, stages, gl::control("explicit quad strips"), {explicit_strips(t, evaluated)});

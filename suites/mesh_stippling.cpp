@@ -138,7 +138,7 @@ void expect_starts(Test& t, const gl::Case& evaluated) {
                           "LINE_TOKEN", "LINE_RESET_TOKEN");
 }
 
-EVALCTS_TEST_PAIR(Mesh1.Stipple, Mesh2.Stipple, must, decide("EV-MESH1-STIPPLE", "EV-MESH2-STIPPLE"),
+EVALCTS_TEST_PAIR(Mesh1.Stipple, Mesh2.Stipple, kMust, decide("EV-MESH1-STIPPLE", "EV-MESH2-STIPPLE"),
                   combine(kStipples))
 (Test& t, bool two, const Stipple& stipple) {
   std::vector<Area> areas;
@@ -150,7 +150,7 @@ EVALCTS_TEST_PAIR(Mesh1.Stipple, Mesh2.Stipple, must, decide("EV-MESH1-STIPPLE",
   expect_stipple(t, stipple, two ? stippled_mesh2() : stippled_mesh1(), areas);
 };
 
-EVALCTS_TEST_PAIR(Mesh1.StippleInFeedback, Mesh2.StippleInFeedback, must,
+EVALCTS_TEST_PAIR(Mesh1.StippleInFeedback, Mesh2.StippleInFeedback, kMust,
                   decide("EV-MESH1-STIPPLE", "EV-MESH2-STIPPLE"))
 (Test& t, bool two) { expect_starts(t, two ? stippled_mesh2() : stippled_mesh1()); };
 

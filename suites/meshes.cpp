@@ -50,7 +50,7 @@ void expect_meshes2(Test& t, const MeshMode& mode, const std::string& identity,
 
 // --- EvalMesh1 -------------------------------------------------------------------------------------------
 
-EVALCTS_TEST(Mesh1, Points, must, "EV-MESH1-POINT", "EV-MESH1-COORDS", by(gl::list_deliveries()))
+EVALCTS_TEST(Mesh1, Points, kMust, "EV-MESH1-POINT", "EV-MESH1-COORDS", by(gl::list_deliveries()))
 (Test& t) {
   expect_meshes1(t, kModes1[0], "whole meshes of points",
                  {{1, 0, 1}, {4, -0.5f, 2.5f}, {7, 2, -1}, {10, 0.1f, 0.7f}}, {{0, 1}, {0, 4}, {0, 10}});
@@ -58,27 +58,27 @@ EVALCTS_TEST(Mesh1, Points, must, "EV-MESH1-POINT", "EV-MESH1-COORDS", by(gl::li
 };
 
 // N points are N - 1 connected segments, as those of an explicit LINE_STRIP (C-MESH1-LINES).
-EVALCTS_TEST(Mesh1, Lines, must, "EV-MESH1-LINE", "EV-MESH1-COORDS", by(gl::list_deliveries()))
+EVALCTS_TEST(Mesh1, Lines, kMust, "EV-MESH1-LINE", "EV-MESH1-COORDS", by(gl::list_deliveries()))
 (Test& t) {
   expect_meshes1(t, kModes1[1], "whole meshes of lines",
                  {{1, 0, 1}, {4, -0.5f, 2.5f}, {7, 2, -1}, {10, 0.1f, 0.7f}}, {{0, 1}, {0, 4}, {0, 10}});
   expect_meshes1(t, kModes1[1], "one long strip", {{300, -0.5f, 2.5f}}, {{0, 300}});
 };
 
-EVALCTS_TEST(Mesh1, SubRange, must, "EV-MESH1-SUBRANGE", "EV-MESH1-COORDS",
+EVALCTS_TEST(Mesh1, SubRange, kMust, "EV-MESH1-SUBRANGE", "EV-MESH1-COORDS",
              combine(kModes1).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
   expect_meshes1(t, mode, "parts of meshes", awkward_grids(),
                  {{1, 3}, {2, 3}, {0, 2}, {5, 9}, {40, 44}, {997, 1000}, {65530, 65536}});
 };
 
-EVALCTS_TEST(Mesh1, EmptyRange, must, "EV-MESH1-EMPTY", combine(kModes1).by(gl::list_deliveries()))
+EVALCTS_TEST(Mesh1, EmptyRange, kMust, "EV-MESH1-EMPTY", combine(kModes1).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
   expect_meshes1(t, mode, "i1 above i2 draws nothing", {{4, 0, 1}},
                  {{1, 0}, {4, 0}, {0, -1}, {5, -5}, {3, 2}, {kHighest, -kHighest}, {kHighest, kLowest}});
 };
 // One point, or a strip of one vertex, which is nothing.
-EVALCTS_TEST(Mesh1, SinglePoint, must, "EV-MESH1-SINGLE", combine(kModes1).by(gl::list_deliveries()))
+EVALCTS_TEST(Mesh1, SinglePoint, kMust, "EV-MESH1-SINGLE", combine(kModes1).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
   expect_meshes1(t, mode, "i1 equal to i2", {{4, 0, 1}, {3, 0.1f, 0.7f}},
                  {{0, 0}, {1, 1}, {3, 3}, {4, 4}, {-1, -1}, {7, 7}});
@@ -87,7 +87,7 @@ EVALCTS_TEST(Mesh1, SinglePoint, must, "EV-MESH1-SINGLE", combine(kModes1).by(gl
 // Meshes of one dimension have no FILL.
 const auto kEachMode = [](bool two) { return combine(two ? kModes2 : kModes1).by(gl::list_deliveries()); };
 
-EVALCTS_TEST_PAIR(Mesh1.OutsideTheGrid, Mesh2.OutsideTheGrid, must,
+EVALCTS_TEST_PAIR(Mesh1.OutsideTheGrid, Mesh2.OutsideTheGrid, kMust,
                   decide("EV-MESH1-NEGATIVE", "EV-MESH2-RANGE"), kEachMode)
 (Test& t, bool two, const MeshMode& mode) {
   two ? expect_meshes2(t, mode, "indices below 0 and above un and vn",
@@ -98,7 +98,7 @@ EVALCTS_TEST_PAIR(Mesh1.OutsideTheGrid, Mesh2.OutsideTheGrid, must,
                        {{-2, 6}, {-7, -3}, {8, 11}, {-1, 0}, {3, 8}});
 };
 
-EVALCTS_TEST_PAIR(Mesh1.EmptyRangeBetween, Mesh2.EmptyRangeBetween, must,
+EVALCTS_TEST_PAIR(Mesh1.EmptyRangeBetween, Mesh2.EmptyRangeBetween, kMust,
                   decide("EV-MESH1-EMPTY", "EV-MESH2-EMPTY"), kEachMode)
 (Test& t, bool two, const MeshMode& mode) {
   const auto ranges = two ? std::vector<Range>{{0, 2, 0, 1}, {1, 0, 0, 3}, {2, 4, 1, 3}, {0, 4, 1, 0}}
@@ -106,7 +106,7 @@ EVALCTS_TEST_PAIR(Mesh1.EmptyRangeBetween, Mesh2.EmptyRangeBetween, must,
   expect_meshes(t, two, mode, "nothing between meshes that draw", {{{4, 0, 1}, {3, 1, 2}}}, ranges);
 };
 
-EVALCTS_TEST_PAIR(Mesh1.EqualEnds, Mesh2.EqualEnds, must, "EV-GRID-EQUAL", kEachMode)
+EVALCTS_TEST_PAIR(Mesh1.EqualEnds, Mesh2.EqualEnds, kMust, "EV-GRID-EQUAL", kEachMode)
 (Test& t, bool two, const MeshMode& mode) {
   two ? expect_meshes2(t, mode, "all points, or all of a row, coincide",
                        {{{3, 0.7f, 0.7f}, {2, 1, 1}}, {{3, 0.7f, 0.7f}, {2, 1, 2}}, {{3, 0, 1}, {2, 1, 1}}},
@@ -114,7 +114,7 @@ EVALCTS_TEST_PAIR(Mesh1.EqualEnds, Mesh2.EqualEnds, must, "EV-GRID-EQUAL", kEach
       : expect_meshes1(t, mode, "all points coincide", {{3, 0.7f, 0.7f}, {1, -1, -1}}, {{0, 3}, {-1, 5}});
 };
 
-EVALCTS_TEST_PAIR(Mesh1.ReversedGrid, Mesh2.ReversedGrid, must, "EV-GRID-REVERSED", kEachMode)
+EVALCTS_TEST_PAIR(Mesh1.ReversedGrid, Mesh2.ReversedGrid, kMust, "EV-GRID-REVERSED", kEachMode)
 (Test& t, bool two, const MeshMode& mode) {
   two ? expect_meshes2(t, mode, "du, dv and both negative",
                        {{{3, 0.7f, 0.1f}, {2, 1, 2}}, {{3, 0, 1}, {2, 2, 1}}, {{3, 1, -1}, {2, 1.7f, 1.1f}}},
@@ -122,7 +122,7 @@ EVALCTS_TEST_PAIR(Mesh1.ReversedGrid, Mesh2.ReversedGrid, must, "EV-GRID-REVERSE
       : expect_meshes1(t, mode, "du is negative", {{3, 0.7f, 0.1f}, {8, 2.5f, -0.9f}}, {{0, 3}, {2, 8}});
 };
 
-EVALCTS_TEST_PAIR(Mesh1.NothingWithoutVertexMap, Mesh2.NothingWithoutVertexMap, must,
+EVALCTS_TEST_PAIR(Mesh1.NothingWithoutVertexMap, Mesh2.NothingWithoutVertexMap, kMust,
                   decide("EV-MESH1-NOVERTEX", "EV-MESH2-NOVERTEX"), kEachMode)
 (Test& t, bool two, const MeshMode& mode) {
   gl::Case c(fmt::format("all maps but those of vertices, and those of {}",
@@ -136,7 +136,7 @@ EVALCTS_TEST_PAIR(Mesh1.NothingWithoutVertexMap, Mesh2.NothingWithoutVertexMap, 
   t.expect_emission(c, kPosition);
 };
 
-EVALCTS_TEST_PAIR(Mesh1.OtherDimensionHasNoEffect, Mesh2.OtherDimensionHasNoEffect, must,
+EVALCTS_TEST_PAIR(Mesh1.OtherDimensionHasNoEffect, Mesh2.OtherDimensionHasNoEffect, kMust,
                   decide("EV-MESH1-ONLY1D", "EV-MESH2-ONLY2D"), kEachMode)
 (Test& t, bool two, const MeshMode& mode) {
   gl::Case c =
@@ -151,7 +151,7 @@ EVALCTS_TEST_PAIR(Mesh1.OtherDimensionHasNoEffect, Mesh2.OtherDimensionHasNoEffe
   t.expect_emission(c, kUnit0);
 };
 
-EVALCTS_TEST_PAIR(Mesh1.CurrentValues, Mesh2.CurrentValues, must,
+EVALCTS_TEST_PAIR(Mesh1.CurrentValues, Mesh2.CurrentValues, kMust,
                   decide("EV-MESH1-CURRENT", "EV-MESH2-COORDS"), decide(nullptr, "EV-COORD-CURRENT/2-D"),
                   kEachMode)
 (Test& t, bool two, const MeshMode& mode) {
@@ -180,8 +180,8 @@ std::pair<int, int> range_ending_at(const Grid& grid, bool last) {
   return last ? std::pair{grid.segments - steps, grid.segments} : std::pair{0, steps};
 }
 
-EVALCTS_TEST_PAIR(Mesh1.FirstIsExact, Mesh1.LastIsExact, must, decide("EV-MESH1-EXACT-0", "EV-MESH1-EXACT-N"),
-                  combine(kModes1).by(gl::list_deliveries()))
+EVALCTS_TEST_PAIR(Mesh1.FirstIsExact, Mesh1.LastIsExact, kMust,
+                  decide("EV-MESH1-EXACT-0", "EV-MESH1-EXACT-N"), combine(kModes1).by(gl::list_deliveries()))
 (Test& t, bool last, const MeshMode& mode) {
   std::size_t most = 0;
   for (const Grid& grid : probed_grids(t)) most += 2 * static_cast<std::size_t>(grid.segments + 8);
@@ -214,7 +214,7 @@ std::vector<MeshAlong> all_along() {
 }
 
 // In both directions; across it one step, so that FILL has both sides of a strip.
-EVALCTS_TEST(Mesh2, EndsAreExact, must, "EV-MESH2-EXACT", combine(all_along()).by(gl::list_deliveries()))
+EVALCTS_TEST(Mesh2, EndsAreExact, kMust, "EV-MESH2-EXACT", combine(all_along()).by(gl::list_deliveries()))
 (Test& t, const MeshAlong& which) {
   const int whole = t.by_depth(20, 40, 300);
   std::size_t most = 0;
@@ -243,17 +243,17 @@ void expect_whole_meshes2(Test& t, const MeshMode& mode) {
   expect_meshes2(t, mode, "long strips", {{{90, -0.5f, 2.5f}, {90, 2, 1}}}, {{0, 90, 0, 1}, {0, 1, 0, 90}});
 }
 
-EVALCTS_TEST(Mesh2, Points, must, "EV-MESH2-POINT", "EV-MESH2-COORDS", by(gl::list_deliveries()))
+EVALCTS_TEST(Mesh2, Points, kMust, "EV-MESH2-POINT", "EV-MESH2-COORDS", by(gl::list_deliveries()))
 (Test& t) { expect_whole_meshes2(t, kModes2[0]); };
 // First the strips along i, then those along j; nothing is merged.
-EVALCTS_TEST(Mesh2, Lines, must, "EV-MESH2-LINE", "EV-MESH2-COORDS", "EV-MESH2-LINE-OVERLAP",
+EVALCTS_TEST(Mesh2, Lines, kMust, "EV-MESH2-LINE", "EV-MESH2-COORDS", "EV-MESH2-LINE-OVERLAP",
              by(gl::list_deliveries()))
 (Test& t) { expect_whole_meshes2(t, kModes2[1]); };
 // Quads come in the order of rows, whole or in two triangles.
-EVALCTS_TEST(Mesh2, Quads, must, "EV-MESH2-FILL", "EV-MESH2-COORDS", by(gl::list_deliveries()))
+EVALCTS_TEST(Mesh2, Quads, kMust, "EV-MESH2-FILL", "EV-MESH2-COORDS", by(gl::list_deliveries()))
 (Test& t) { expect_whole_meshes2(t, kModes2[2]); };
 
-EVALCTS_TEST(Mesh2, SubRange, must, "EV-MESH2-COORDS", combine(kModes2).by(gl::list_deliveries()))
+EVALCTS_TEST(Mesh2, SubRange, kMust, "EV-MESH2-COORDS", combine(kModes2).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
   std::vector<std::pair<Grid, Grid>> grids;
   for (const Grid& grid : awkward_grids()) grids.emplace_back(grid, kV);
@@ -263,7 +263,7 @@ EVALCTS_TEST(Mesh2, SubRange, must, "EV-MESH2-COORDS", combine(kModes2).by(gl::l
                  {{1, 2, 996, 998}, {300, 302, 2, 3}, {999, 1000, 513, 514}});
 };
 
-EVALCTS_TEST(Mesh2, EmptyRange, must, "EV-MESH2-EMPTY", combine(kModes2).by(gl::list_deliveries()))
+EVALCTS_TEST(Mesh2, EmptyRange, kMust, "EV-MESH2-EMPTY", combine(kModes2).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
   expect_meshes2(t, mode, "i1 above i2, j1 above j2, both", {{{4, 0, 1}, {3, 1, 2}}},
                  {{1, 0, 0, 3},
@@ -280,7 +280,7 @@ EVALCTS_TEST(Mesh2, EmptyRange, must, "EV-MESH2-EMPTY", combine(kModes2).by(gl::
 };
 
 // A strip along one direction only, or nothing.
-EVALCTS_TEST(Mesh2, LinesOfOneRow, must, "EV-MESH2-LINE-DEGENERATE", by(gl::list_deliveries()))
+EVALCTS_TEST(Mesh2, LinesOfOneRow, kMust, "EV-MESH2-LINE-DEGENERATE", by(gl::list_deliveries()))
 (Test& t) {
   expect_meshes2(t, kModes2[1], "i1 = i2, j1 = j2, both", {{{4, 0, 1}, {3, 1, 2}}},
                  {{2, 2, 0, 3}, {0, 4, 1, 1}, {1, 1, 2, 2}, {0, 0, 0, 1}, {4, 4, 3, 3}});
@@ -357,9 +357,9 @@ std::vector<LongMesh> long_meshes2() {
   return all;
 }
 
-EVALCTS_TEST(Mesh1, ErrorDoesNotAccumulate, must, "EV-MESH1-NOACCUM", combine(kModes1).by(in_lists()))
+EVALCTS_TEST(Mesh1, ErrorDoesNotAccumulate, kMust, "EV-MESH1-NOACCUM", combine(kModes1).by(in_lists()))
 (Test& t, const MeshMode& mode) { expect_no_accumulation(t, mode, kAlong[0]); };
-EVALCTS_TEST(Mesh2, ErrorDoesNotAccumulate, must, "EV-MESH2-NOACCUM", combine(long_meshes2()).by(in_lists()))
+EVALCTS_TEST(Mesh2, ErrorDoesNotAccumulate, kMust, "EV-MESH2-NOACCUM", combine(long_meshes2()).by(in_lists()))
 (Test& t, const LongMesh& mesh) { expect_no_accumulation(t, mesh.mode, mesh.along); };
 
 // --- The same vertex wherever it is drawn ----------------------------------------------------------------
@@ -422,7 +422,7 @@ void expect_same_bits(Test& t, const std::string& what, const ByPoint& all, cons
 const Range kWhole = {0, 37, 0, 11};
 
 // Within one mesh a point that several primitives share is the same vertex in all of them: no cracks.
-EVALCTS_TEST(Mesh2, SharedVertices, must, "EV-MESH2-SHAREDROW",
+EVALCTS_TEST(Mesh2, SharedVertices, kMust, "EV-MESH2-SHAREDROW",
              combine((std::vector<MeshMode>{kModes2[1], kModes2[2]})).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
   const ByPoint points = draw_numbered(t, mode, {kWhole}, random_map(t, GL_MAP2_VERTEX_4, {4, 4}));
@@ -437,7 +437,7 @@ EVALCTS_TEST(Mesh2, SharedVertices, must, "EV-MESH2-SHAREDROW",
   if (shared < 100) throw NotObservable("the points of the mesh do not come out, which other tests say");
 };
 
-EVALCTS_TEST(Mesh2, ModesAgree, quality, "EV-MESH2-MODESAGREE", by(gl::list_deliveries()))
+EVALCTS_TEST(Mesh2, ModesAgree, kQuality, "EV-MESH2-MODESAGREE", by(gl::list_deliveries()))
 (Test& t) {
   const Map map = random_map(t, GL_MAP2_VERTEX_4, {4, 4});
   const ByPoint points = draw_numbered(t, kModes2[0], {kWhole}, map);
@@ -445,7 +445,7 @@ EVALCTS_TEST(Mesh2, ModesAgree, quality, "EV-MESH2-MODESAGREE", by(gl::list_deli
   expect_same_bits(t, "in FILL than in POINT", points, draw_numbered(t, kModes2[2], {kWhole}, map));
 };
 
-EVALCTS_TEST(Mesh2, PartsAgree, quality, "EV-MESH2-MODESAGREE", combine(kModes2).by(gl::list_deliveries()))
+EVALCTS_TEST(Mesh2, PartsAgree, kQuality, "EV-MESH2-MODESAGREE", combine(kModes2).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
   const Map map = random_map(t, GL_MAP2_VERTEX_4, {4, 4});
   const ByPoint whole = draw_numbered(t, mode, {kWhole}, map);
@@ -454,7 +454,7 @@ EVALCTS_TEST(Mesh2, PartsAgree, quality, "EV-MESH2-MODESAGREE", combine(kModes2)
 };
 
 // ... and in one dimension.
-EVALCTS_TEST(Mesh1, PartsAgree, quality, "EV-MESH1-SUBRANGE", combine(kModes1).by(gl::list_deliveries()))
+EVALCTS_TEST(Mesh1, PartsAgree, kQuality, "EV-MESH1-SUBRANGE", combine(kModes1).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
   const Map map = random_map(t, GL_MAP1_VERTEX_4, 4);
   const ByPoint whole = draw_numbered(t, mode, {{0, 100}}, map);

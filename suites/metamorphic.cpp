@@ -317,7 +317,7 @@ std::vector<Map> random_maps(Test& t, const Kinds& kinds, const Orders& orders, 
 
 // --- EV-NUM-SYMMETRY -------------------------------------------------------------------------------------
 
-EVALCTS_TEST_PAIR(Metamorphic.ReversedCurve, Metamorphic.ReversedSurface, must,
+EVALCTS_TEST_PAIR(Metamorphic.ReversedCurve, Metamorphic.ReversedSurface, kMust,
                   decide("EV-NUM-SYMMETRY/1-D", "EV-NUM-SYMMETRY/2-D"), by(in_lists()))
 (Test& t, bool two) {
   expect_relations(t, two, "points reversed", [&](Relations& relations, const Kinds& kinds) {
@@ -348,7 +348,7 @@ EVALCTS_TEST_PAIR(Metamorphic.ReversedCurve, Metamorphic.ReversedSurface, must,
 
 // --- EV-NUM-ELEVATION ------------------------------------------------------------------------------------
 
-EVALCTS_TEST_PAIR(Metamorphic.ElevatedCurve, Metamorphic.ElevatedSurface, must,
+EVALCTS_TEST_PAIR(Metamorphic.ElevatedCurve, Metamorphic.ElevatedSurface, kMust,
                   decide("EV-NUM-ELEVATION/1-D", "EV-NUM-ELEVATION/2-D"), by(in_lists()))
 (Test& t, bool two) {
   expect_relations(t, two, "a higher degree", [&](Relations& relations, const Kinds& kinds) {
@@ -378,7 +378,7 @@ EVALCTS_TEST_PAIR(Metamorphic.ElevatedCurve, Metamorphic.ElevatedSurface, must,
 
 // --- EV-NUM-TRANSPOSE ------------------------------------------------------------------------------------
 
-EVALCTS_TEST(Metamorphic, Transposed, must, "EV-NUM-TRANSPOSE", by(in_lists()))
+EVALCTS_TEST(Metamorphic, Transposed, kMust, "EV-NUM-TRANSPOSE", by(in_lists()))
 (Test& t) {
   expect_relations(t, true, "u and v change their roles", [&](Relations& relations, const Kinds& kinds) {
     for (const Orders& orders : all_orders(t, true)) {
@@ -397,7 +397,7 @@ EVALCTS_TEST(Metamorphic, Transposed, must, "EV-NUM-TRANSPOSE", by(in_lists()))
 
 // --- EV-NUM-AFFINE ---------------------------------------------------------------------------------------
 
-EVALCTS_TEST_PAIR(Metamorphic.MovedCurve, Metamorphic.MovedSurface, must,
+EVALCTS_TEST_PAIR(Metamorphic.MovedCurve, Metamorphic.MovedSurface, kMust,
                   decide("EV-NUM-AFFINE/1-D", "EV-NUM-AFFINE/2-D"), by(in_lists()))
 (Test& t, bool two) {
   constexpr SameUpTo kChanges[] = {{1, 0.25}, {1, -8}, {0.5, 0}, {-4, 0}, {16, -4}};
@@ -416,7 +416,7 @@ EVALCTS_TEST_PAIR(Metamorphic.MovedCurve, Metamorphic.MovedSurface, must,
 
 // --- EV-NUM-CONVEX ---------------------------------------------------------------------------------------
 
-EVALCTS_TEST_PAIR(Metamorphic.ConvexHullOfCurve, Metamorphic.ConvexHullOfSurface, must,
+EVALCTS_TEST_PAIR(Metamorphic.ConvexHullOfCurve, Metamorphic.ConvexHullOfSurface, kMust,
                   decide("EV-NUM-CONVEX/1-D", "EV-NUM-CONVEX/2-D"), by(in_lists()))
 (Test& t, bool two) {
   expect_relations(t, two, "inside the range of the points", [&](Relations& relations, const Kinds& kinds) {
@@ -443,7 +443,7 @@ EVALCTS_TEST_PAIR(Metamorphic.ConvexHullOfCurve, Metamorphic.ConvexHullOfSurface
 constexpr Named<bool> kAlong[] = {{"ALONG_U", false}, {"ALONG_V", true}};
 
 // A net that is constant in one direction is the curve of the other, whatever the other argument.
-EVALCTS_TEST(Metamorphic, CurveInSurface, must, "EV-MAP2-SEPARABLE", combine(kAlong).by(in_lists()))
+EVALCTS_TEST(Metamorphic, CurveInSurface, kMust, "EV-MAP2-SEPARABLE", combine(kAlong).by(in_lists()))
 (Test& t, const Named<bool>& along) {
   for (std::size_t kind = 0; kind < std::size(kKinds1); ++kind) {
     Relations relations(t, fmt::format("{}: against the map of one dimension", kKinds1[kind].name));
@@ -507,11 +507,11 @@ void expect_domain_shift(Test& t, bool two, bool bits) {
   });
 }
 
-EVALCTS_TEST_PAIR(Metamorphic.ShiftedDomainOfCurve, Metamorphic.ShiftedDomainOfSurface, must,
+EVALCTS_TEST_PAIR(Metamorphic.ShiftedDomainOfCurve, Metamorphic.ShiftedDomainOfSurface, kMust,
                   decide("EV-NUM-DOMAINSHIFT/1-D", "EV-NUM-DOMAINSHIFT/2-D"), by(in_lists()))
 (Test& t, bool two) { expect_domain_shift(t, two, false); };
 // u - u1 and u2 - u1 are exact and their quotient the same: so are the bits, evaluated literally.
-EVALCTS_TEST_PAIR(Metamorphic.SameBitsOfCurve, Metamorphic.SameBitsOfSurface, quality,
+EVALCTS_TEST_PAIR(Metamorphic.SameBitsOfCurve, Metamorphic.SameBitsOfSurface, kQuality,
                   decide("EV-NUM-DOMAINSHIFT/1-D", "EV-NUM-DOMAINSHIFT/2-D"), by(in_lists()))
 (Test& t, bool two) { expect_domain_shift(t, two, true); };
 

@@ -59,7 +59,7 @@ const Stage kStages[] = {{"MODEL_VIEW", 0, {kTwice, kSheared}},
                          {"NORMALIZE", GL_NORMALIZE, {kTurnedTwice, kSheared}},
                          {"RESCALE", GL_RESCALE_NORMAL, {kTurnedTwice}}};
 
-EVALCTS_TEST(AutomaticNormals, Transformed, must, "EV-AUTON-FFTRANSFORM", combine(kStages))
+EVALCTS_TEST(AutomaticNormals, Transformed, kMust, "EV-AUTON-FFTRANSFORM", combine(kStages))
 (Test& t, const Stage& stage) {
   t.require(1, 3);
   const gl::Case evaluated = points_of(patch(1));
@@ -86,7 +86,7 @@ EVALCTS_TEST(AutomaticNormals, Transformed, must, "EV-AUTON-FFTRANSFORM", combin
 };
 
 // Without NORMALIZE the colour is that of a unit normal, whatever the size of the patch.
-EVALCTS_TEST(AutomaticNormals, LitAsUnits, must, "EV-AUTON-UNIT")
+EVALCTS_TEST(AutomaticNormals, LitAsUnits, kMust, "EV-AUTON-UNIT")
 (Test& t) {
   gl::Case state;
   enable_light(state, {0.36f, 0.48f, 0.8f, 0});
@@ -112,7 +112,7 @@ EVALCTS_TEST(AutomaticNormals, LitAsUnits, must, "EV-AUTON-UNIT")
 };
 
 // AUTO_NORMAL is disabled in a fresh context: the current normal is that of each vertex, and is lit.
-EVALCTS_TEST(AutomaticNormals, InitiallyOff, must, "EV-INIT-AUTON-OFF")
+EVALCTS_TEST(AutomaticNormals, InitiallyOff, kMust, "EV-INIT-AUTON-OFF")
 (Test& t) {
   gl::Case state;
   enable_light(state, {0.36f, 0.48f, 0.8f, 0});
@@ -148,7 +148,7 @@ constexpr Plane kPlanes[] = {{"10 by 10", {10, 0, 0}, {0, 10, 0}, 2, 2},
                              {"tilted, order 4 by 3", {6, 3, -1.5}, {-1, 4, 2}, 4, 3}};
 
 // n = du x dv as it is.
-EVALCTS_TEST(AutomaticNormals, NotNormalisedForVertexProgram, must, "EV-AUTON-VP")
+EVALCTS_TEST(AutomaticNormals, NotNormalisedForVertexProgram, kMust, "EV-AUTON-VP")
 (Test& t) {
   require_extension(t, "GL_ARB_vertex_program");
   gl::Case state;
@@ -171,7 +171,7 @@ EVALCTS_TEST(AutomaticNormals, NotNormalisedForVertexProgram, must, "EV-AUTON-VP
     normals.push_back(normal);
     const gl::Case drawing = points_of(make_map2(GL_MAP2_VERTEX_3, plane.uorder, plane.vorder, points));
     evaluated.emplace_back(plane.name, state, drawing);
-    // The specification plays the commands with normals of unit length.
+    // The specification runs the commands with normals of unit length.
     const gl::Case units = explicit_commands(t, drawing);
     with_normals.emplace_back(plane.name, state);
     for (const gl::Command& command : units.commands()) {

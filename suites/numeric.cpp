@@ -91,12 +91,12 @@ void evaluate_at(gl::Case& c, bool two, double u) { eval_coord(c, two, u, u); }
 
 namespace {
 
-EVALCTS_TEST_PAIR(Numeric.StartOfDomain, Numeric.EndOfDomain, must,
+EVALCTS_TEST_PAIR(Numeric.StartOfDomain, Numeric.EndOfDomain, kMust,
                   decide("EV-NUM-START/1-D", "EV-NUM-END/1-D"), by(of_curves()))
 (Test& t, bool last) {
   gl::Case c(last ? "u2, every order" : "u1, every order");
   for (const Kinds& kinds : kKinds1)
-    for (int order = 1; order <= t.max_order(); order += order < 8 || t.depth() != Depth::quick ? 1 : 5) {
+    for (int order = 1; order <= t.max_order(); order += order < 8 || t.depth() != Depth::kQuick ? 1 : 5) {
       const Interval& domain = kDomains[static_cast<std::size_t>(order) % std::size(kDomains)];
       define_random(t, c, kinds, order, domain);
       c.Begin(GL_POINTS);
@@ -107,7 +107,7 @@ EVALCTS_TEST_PAIR(Numeric.StartOfDomain, Numeric.EndOfDomain, must,
 };
 
 // The start of the domain gives the first control point, bit for bit.
-EVALCTS_TEST_PAIR(Numeric.StartIsFirstPoint, Numeric.StartIsCorner, quality,
+EVALCTS_TEST_PAIR(Numeric.StartIsFirstPoint, Numeric.StartIsCorner, kQuality,
                   decide("EV-NUM-START/1-D", "EV-NUM-START/2-D"),
                   [](bool two) { return by(two ? of_surfaces() : in_one_dimension()); })
 (Test& t, bool two) {
@@ -175,7 +175,7 @@ const std::vector<GLenum> kNotColors = {
     GL_MAP1_VERTEX_3,        GL_MAP1_VERTEX_4,        GL_MAP1_NORMAL,         GL_MAP1_TEXTURE_COORD_1,
     GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_4};
 
-EVALCTS_TEST(Numeric, LargePoints, must, "EV-NUM-RANGE-POS/1-D", "EV-NUM-RANGE-COLOR/1-D", by(of_curves()))
+EVALCTS_TEST(Numeric, LargePoints, kMust, "EV-NUM-RANGE-POS/1-D", "EV-NUM-RANGE-COLOR/1-D", by(of_curves()))
 (Test& t) {
   gl::Case c("points up to the largest of each target");
   for (const Kinds& kinds : kKinds1)
@@ -189,14 +189,14 @@ EVALCTS_TEST(Numeric, LargePoints, must, "EV-NUM-RANGE-POS/1-D", "EV-NUM-RANGE-C
     }
   t.expect_emission(c, kUnit0);
 };
-EVALCTS_TEST(Numeric, LargePointsKept, must, "EV-NUM-RANGE-POS/1-D", "EV-NUM-RANGE-POS/2-D", by(in_lists()))
+EVALCTS_TEST(Numeric, LargePointsKept, kMust, "EV-NUM-RANGE-POS/1-D", "EV-NUM-RANGE-POS/2-D", by(in_lists()))
 (Test& t) { expect_large_points_kept(t, kNotColors); };
-EVALCTS_TEST(Numeric, LargeColorsKept, must, "EV-NUM-RANGE-COLOR/1-D", "EV-NUM-RANGE-COLOR/2-D",
+EVALCTS_TEST(Numeric, LargeColorsKept, kMust, "EV-NUM-RANGE-COLOR/1-D", "EV-NUM-RANGE-COLOR/2-D",
              by(in_lists()))
 (Test& t) { expect_large_points_kept(t, {GL_MAP1_COLOR_4}); };
 
 // Domains and arguments of that size.
-EVALCTS_TEST(Numeric, LargeDomain, must, "EV-NUM-RANGE-POS/1-D", by(of_curves()))
+EVALCTS_TEST(Numeric, LargeDomain, kMust, "EV-NUM-RANGE-POS/1-D", by(of_curves()))
 (Test& t) {
   gl::Case c("domains up to 2^32");
   for (const Kinds& kinds : kKinds1)
@@ -212,7 +212,7 @@ EVALCTS_TEST(Numeric, LargeDomain, must, "EV-NUM-RANGE-POS/1-D", by(of_curves())
 };
 
 // Negative zero, subnormal numbers and those next to them, as arguments, points and one end of a domain.
-EVALCTS_TEST(Numeric, DenormalsAndNegativeZero, must, "EV-NUM-DENORMAL/1-D", by(of_curves()))
+EVALCTS_TEST(Numeric, DenormalsAndNegativeZero, kMust, "EV-NUM-DENORMAL/1-D", by(of_curves()))
 (Test& t) {
   constexpr double kSmall[] = {-0.0, 0x1p-149, -0x1p-149, 0x1p-130, -0x1.8p-127, 0x1p-126, -0x1p-126};
   gl::Case c("arguments and points");
@@ -235,7 +235,7 @@ EVALCTS_TEST(Numeric, DenormalsAndNegativeZero, must, "EV-NUM-DENORMAL/1-D", by(
   t.expect_emission(c, kUnit0);
 };
 
-EVALCTS_TEST_PAIR(Numeric.NegativeZeroIsZero1, Numeric.NegativeZeroIsZero2, quality,
+EVALCTS_TEST_PAIR(Numeric.NegativeZeroIsZero1, Numeric.NegativeZeroIsZero2, kQuality,
                   decide("EV-NUM-DENORMAL/1-D", "EV-NUM-DENORMAL/2-D"), by(in_lists()))
 (Test& t, bool two) {
   for (const Kinds& kinds : kinds_of(two)) {
@@ -346,7 +346,7 @@ std::size_t draw_finite(gl::Case& c, bool two, const std::vector<Map>& maps) {
 }
 
 // Drawings after such values are those without them.
-EVALCTS_TEST_PAIR(Numeric.ResultsAfterSpecials1, Numeric.ResultsAfterSpecials2, must,
+EVALCTS_TEST_PAIR(Numeric.ResultsAfterSpecials1, Numeric.ResultsAfterSpecials2, kMust,
                   decide("EV-NUM-SPECIAL-SAFE/1-D", "EV-NUM-SPECIAL-SAFE/2-D"),
                   combine(kFeeds).by(in_lists()))
 (Test& t, bool two, const Special& special) {
@@ -386,7 +386,7 @@ EVALCTS_TEST_PAIR(Numeric.ResultsAfterSpecials1, Numeric.ResultsAfterSpecials2, 
 
 // ... also where they are rasterized, in all modes. Other maps, enables and current values are what they
 // were.
-EVALCTS_TEST_PAIR(Numeric.StateAfterSpecials1, Numeric.StateAfterSpecials2, must,
+EVALCTS_TEST_PAIR(Numeric.StateAfterSpecials1, Numeric.StateAfterSpecials2, kMust,
                   decide("EV-NUM-SPECIAL-SAFE/1-D", "EV-NUM-SPECIAL-SAFE/2-D"),
                   combine(kFeeds).by(in_lists()))
 (Test& t, bool two, const Special& special) {

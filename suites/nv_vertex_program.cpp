@@ -37,7 +37,7 @@ void define_attribute_map(gl::Case& c, GLenum target, GLint stride, const std::v
                    : c.Map2f(target, 0.0f, 1.0f, 2 * stride, 2, 0.0f, 1.0f, stride, 2, points);
 }
 
-EVALCTS_TEST(NvVertexProgram, Tokens, must, "EV-EXT-NVVP-TOKENS")
+EVALCTS_TEST(NvVertexProgram, Tokens, kMust, "EV-EXT-NVVP-TOKENS")
 (Test& t) {
   require_nv(t);
   for (const GLenum target : attribute_maps(t)) {
@@ -56,7 +56,7 @@ EVALCTS_TEST(NvVertexProgram, Tokens, must, "EV-EXT-NVVP-TOKENS")
   }
 };
 
-EVALCTS_TEST(NvVertexProgram, FourComponents, must, "EV-EXT-NVVP-K")
+EVALCTS_TEST(NvVertexProgram, FourComponents, kMust, "EV-EXT-NVVP-K")
 (Test& t) {
   require_nv(t);
   std::vector<Calls> calls;
@@ -65,7 +65,7 @@ EVALCTS_TEST(NvVertexProgram, FourComponents, must, "EV-EXT-NVVP-K")
   expect_refused(t, "stride 3", calls, {GL_INVALID_VALUE});
 };
 
-EVALCTS_TEST(NvVertexProgram, Initial, must, "EV-EXT-NVVP-INIT")
+EVALCTS_TEST(NvVertexProgram, Initial, kMust, "EV-EXT-NVVP-INIT")
 (Test& t) {
   require_nv(t);
   for (const GLenum target : attribute_maps(t)) {
@@ -77,7 +77,7 @@ EVALCTS_TEST(NvVertexProgram, Initial, must, "EV-EXT-NVVP-INIT")
   }
 };
 
-EVALCTS_TEST(NvVertexProgram, AttributeStack, must, "EV-EXT-NVVP-STACK")
+EVALCTS_TEST(NvVertexProgram, AttributeStack, kMust, "EV-EXT-NVVP-STACK")
 (Test& t) {
   require_nv(t);
   for (const GLbitfield bit : {GL_ENABLE_BIT, GL_EVAL_BIT}) {
@@ -198,7 +198,7 @@ void expect_points(Test& t, const gl::Identity& identity, const gl::Case& state,
   picture.played.expect(why.empty(), picture.parts.at(0).shown, why, "what the maps of attributes say", why);
 }
 
-EVALCTS_TEST(NvVertexProgram, IgnoredWithoutProgram, must, "EV-EXT-NVVP-MODE", combine(kDimensions))
+EVALCTS_TEST(NvVertexProgram, IgnoredWithoutProgram, kMust, "EV-EXT-NVVP-MODE", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   require_nv(t);
   const GLenum vertex = target_in(dimension.two, GL_MAP1_VERTEX_4);
@@ -216,7 +216,7 @@ EVALCTS_TEST(NvVertexProgram, IgnoredWithoutProgram, must, "EV-EXT-NVVP-MODE", c
   expect_points(t, "a map of attribute 0, no program, no map of vertices", {}, no_vertices, 0, ramp({}, {}));
 };
 
-EVALCTS_TEST(NvVertexProgram, BeatConventionalMaps, must, "EV-EXT-NVVP-PRIORITY", combine(kDimensions))
+EVALCTS_TEST(NvVertexProgram, BeatConventionalMaps, kMust, "EV-EXT-NVVP-PRIORITY", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   require_nv(t);
   require_programs(t, "v[COL0]", set_current_color, kCurrent);
@@ -235,7 +235,7 @@ EVALCTS_TEST(NvVertexProgram, BeatConventionalMaps, must, "EV-EXT-NVVP-PRIORITY"
   }
 };
 
-EVALCTS_TEST(NvVertexProgram, Attribute0IsTheVertex, must, "EV-EXT-NVVP-VERTEX", combine(kDimensions))
+EVALCTS_TEST(NvVertexProgram, Attribute0IsTheVertex, kMust, "EV-EXT-NVVP-VERTEX", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   require_nv(t);
   require_programs(t, "v[COL0]", set_current_color, kCurrent);
@@ -255,7 +255,7 @@ EVALCTS_TEST(NvVertexProgram, Attribute0IsTheVertex, must, "EV-EXT-NVVP-VERTEX",
 
 // q = (u/w - 1/2, v/(2 w) - 1/4, 0) with w = 1 + u/2: dq/du x dq/dv = (0, 0, 1/w^2 * 1/(2 w)), shorter
 // than 1.
-EVALCTS_TEST(NvVertexProgram, AutoNormal, must, "EV-EXT-NVVP-AUTON")
+EVALCTS_TEST(NvVertexProgram, AutoNormal, kMust, "EV-EXT-NVVP-AUTON")
 (Test& t) {
   require_nv(t);
   const Dimension& kSurface = kDimensions[1];
@@ -291,7 +291,7 @@ EVALCTS_TEST(NvVertexProgram, AutoNormal, must, "EV-EXT-NVVP-AUTON")
   picture.played.expect(why.empty(), picture.parts.at(0).shown, why, "(mx, my, mz, 1), not normalized", why);
 };
 
-EVALCTS_TEST(NvVertexProgram, CurrentAttributesStay, must, "EV-EXT-NVVP-CURRENT", combine(kDimensions))
+EVALCTS_TEST(NvVertexProgram, CurrentAttributesStay, kMust, "EV-EXT-NVVP-CURRENT", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   require_nv(t);
   CheckedCase c(t, "all 16 attributes have maps");

@@ -42,7 +42,7 @@ void enable_vertices(Test& t, gl::Case& c) {
 constexpr GLenum kModes[] = {GL_POINTS,         GL_LINES,        GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLES,
                              GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,     GL_QUAD_STRIP, GL_POLYGON};
 
-EVALCTS_TEST(Ordering, AllowedInPrimitives, must, "EV-BE-ALLOWED", combine(allowed_in_primitives()))
+EVALCTS_TEST(Ordering, AllowedInPrimitives, kMust, "EV-BE-ALLOWED", combine(allowed_in_primitives()))
 (Test& t, const NamedCalls& command) {
   CheckedCase c(t, "in every primitive");
   enable_vertices(t, c);
@@ -55,7 +55,7 @@ EVALCTS_TEST(Ordering, AllowedInPrimitives, must, "EV-BE-ALLOWED", combine(allow
   c.check();
 };
 
-EVALCTS_TEST(Ordering, ForbiddenInPrimitives, must, "EV-BE-ALLOWED", "EV-BE-IGNORED",
+EVALCTS_TEST(Ordering, ForbiddenInPrimitives, kMust, "EV-BE-ALLOWED", "EV-BE-IGNORED",
              combine(forbidden()).by(gl::list_deliveries()))
 (Test& t, const NamedCalls& command) {
   CheckedCase c(t, "between two points of a primitive");
@@ -155,7 +155,7 @@ constexpr Drawn kDrawn[] = {
      }}};
 
 // One picture of ten drawings with a change of state before each; the explicit vertices get the same changes.
-EVALCTS_TEST_PAIR(Ordering.SeesEarlierState1, Ordering.SeesEarlierState2, must,
+EVALCTS_TEST_PAIR(Ordering.SeesEarlierState1, Ordering.SeesEarlierState2, kMust,
                   decide("EV-BE-ORDER/1-D", "EV-BE-ORDER/2-D"), combine(kDrawn))
 (Test& t, bool two, const Drawn& drawn) {
   gl::Case evaluated, vertices;
@@ -186,7 +186,7 @@ EVALCTS_TEST_PAIR(Ordering.SeesEarlierState1, Ordering.SeesEarlierState2, must,
 };
 
 // The changes that concern the evaluator show in what comes out of it, too.
-EVALCTS_TEST_PAIR(Ordering.EvaluatesInOrder1, Ordering.EvaluatesInOrder2, must,
+EVALCTS_TEST_PAIR(Ordering.EvaluatesInOrder1, Ordering.EvaluatesInOrder2, kMust,
                   decide("EV-BE-ORDER/1-D", "EV-BE-ORDER/2-D"), combine(kDrawn).by(gl::list_deliveries()))
 (Test& t, bool two, const Drawn& drawn) {
   gl::Case c("drawn after each change");
@@ -200,7 +200,7 @@ EVALCTS_TEST_PAIR(Ordering.EvaluatesInOrder1, Ordering.EvaluatesInOrder2, must,
 
 // The map of each attribute switched on and off again, a drawing after each change. Current values are given
 // anew, as above.
-EVALCTS_TEST_PAIR(Ordering.SeesEnables1, Ordering.SeesEnables2, must,
+EVALCTS_TEST_PAIR(Ordering.SeesEnables1, Ordering.SeesEnables2, kMust,
                   decide("EV-BE-ORDER/1-D", "EV-BE-ORDER/2-D"), combine(kDrawn).by(gl::list_deliveries()))
 (Test& t, bool two, const Drawn& drawn) {
   gl::Case c("drawn with each map, and without it");

@@ -12,13 +12,13 @@ namespace {
 
 // Views of a drawing.
 enum class View {
-  feedback,  // window coordinates, colours and texture coordinates of what is drawn
-  pixel,     // one pixel in the middle, for what feedback does not show
+  kFeedback,  // window coordinates, colours and texture coordinates of what is drawn
+  kPixel,     // one pixel in the middle, for what feedback does not show
 };
 
 Picture look(Test& t, View view, const gl::Identity& identity, const gl::Case& state,
              const gl::Case& drawing) {
-  if (view == View::pixel) {
+  if (view == View::kPixel) {
     gl::Case large_points = state;
     large_points.PointSize(16.0f);
     return pixels(t, identity, large_points, drawing, {{kSide / 2, kSide / 2}});
@@ -50,18 +50,18 @@ struct Stage {
   void (*set)(gl::Case&);
 };
 constexpr Stage kStages[] = {
-    {"MODEL_VIEW", GL_POINTS, View::feedback, [](gl::Case& c) { c.LoadMatrixf(kRotation); }},
-    {"PROJECTION", GL_POINTS, View::feedback,
+    {"MODEL_VIEW", GL_POINTS, View::kFeedback, [](gl::Case& c) { c.LoadMatrixf(kRotation); }},
+    {"PROJECTION", GL_POINTS, View::kFeedback,
      [](gl::Case& c) {
        c.MatrixMode(GL_PROJECTION);
        c.LoadMatrixf(kPerspective);
      }},
-    {"TEXTURE_MATRIX", GL_POINTS, View::feedback,
+    {"TEXTURE_MATRIX", GL_POINTS, View::kFeedback,
      [](gl::Case& c) {
        c.MatrixMode(GL_TEXTURE);
        c.LoadMatrixf(kRotation);
      }},
-    {"TEXTURE_GENERATION", GL_POINTS, View::feedback,
+    {"TEXTURE_GENERATION", GL_POINTS, View::kFeedback,
      [](gl::Case& c) {
        c.TexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
        c.TexGenfv(GL_S, GL_OBJECT_PLANE, std::vector<float>{2, 1, -1, 0.5f});
@@ -69,8 +69,8 @@ constexpr Stage kStages[] = {
        c.TexGeni(GL_T, GL_TEXTURE_GEN_MODE, GL_SPHERE_MAP);
        c.Enable(GL_TEXTURE_GEN_T);
      }},
-    {"LIGHTING", GL_POINTS, View::feedback, light},
-    {"FOG", GL_POINTS, View::pixel,
+    {"LIGHTING", GL_POINTS, View::kFeedback, light},
+    {"FOG", GL_POINTS, View::kPixel,
      [](gl::Case& c) {
        c.Enable(GL_FOG);
        c.Fogi(GL_FOG_MODE, GL_LINEAR);
@@ -78,11 +78,11 @@ constexpr Stage kStages[] = {
        c.Fogf(GL_FOG_END, 2.0f);
        c.Fogfv(GL_FOG_COLOR, std::vector<float>{0, 1, 1, 0});
      }},
-    {"CLIPPING", GL_LINE_STRIP, View::feedback,
+    {"CLIPPING", GL_LINE_STRIP, View::kFeedback,
      [](gl::Case& c) {
        c.LoadMatrixf(std::vector<float>{3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
      }},
-    {"CLIP_PLANE", GL_LINE_STRIP, View::feedback, [](gl::Case& c) {
+    {"CLIP_PLANE", GL_LINE_STRIP, View::kFeedback, [](gl::Case& c) {
        c.ClipPlane(GL_CLIP_PLANE0, std::vector<double>{1, 0.25, 0, 0.0625});
        c.Enable(GL_CLIP_PLANE0);
      }}};
@@ -97,19 +97,19 @@ void define_maps(gl::Case& c) {
     c.Enable(target);
 }
 
-EVALCTS_TEST(Pipeline, Stage, must, "EV-COORD-TRANSFORM/1-D", combine(kStages).by(without_lists()))
+EVALCTS_TEST(Pipeline, Stage, kMust, "EV-COORD-TRANSFORM/1-D", combine(kStages).by(without_lists()))
 (Test& t, const Stage& stage) {
   const View view = stage.view;
   gl::Case plain, staged;
   // A pixel shows one vertex, in the middle; it has no texture, which would hide the colour.
-  if (view == View::feedback) {
+  if (view == View::kFeedback) {
     set_up_texture(plain);
     set_up_texture(staged);
   }
   stage.set(staged);
 
   gl::Case evaluated;
-  if (view == View::pixel) {
+  if (view == View::kPixel) {
     define(evaluated, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.5, 0.5, 0.5, 0.5, 0.5}));
     define(evaluated, make_map1(GL_MAP1_COLOR_4, {1, 0.5, 0, 1, 1, 0, 0.5, 1}));
     evaluated.Enable(GL_MAP1_VERTEX_3);
@@ -118,7 +118,7 @@ EVALCTS_TEST(Pipeline, Stage, must, "EV-COORD-TRANSFORM/1-D", combine(kStages).b
     define_maps(evaluated);
   }
   evaluated.Begin(stage.mode);
-  if (view == View::pixel) {
+  if (view == View::kPixel) {
     evaluated.EvalCoord1f(0.5f);
   } else {
     for (int i = 0; i <= 8; ++i) evaluated.EvalCoord1f(static_cast<float>(i) / 8);
@@ -157,10 +157,10 @@ constexpr Between kBetween[] = {
      }},
     {"CALL_LIST", false, [](gl::Case& c) { c.CallList(kList); }}};
 
-EVALCTS_TEST(Pipeline, BetweenEvaluations, must, "EV-COORD-MATERIAL/1-D",
+EVALCTS_TEST(Pipeline, BetweenEvaluations, kMust, "EV-COORD-MATERIAL/1-D",
              combine(kBetween).by(without_lists()))
 (Test& t, const Between& between) {
-  constexpr View view = View::feedback;
+  constexpr View view = View::kFeedback;
   gl::Case state;
   set_up_texture(state);
   if (between.lit) light(state);
@@ -209,9 +209,9 @@ EVALCTS_TEST(Pipeline, BetweenEvaluations, must, "EV-COORD-MATERIAL/1-D",
 };
 
 // The edge flag has no map: the current one counts, at each vertex.
-EVALCTS_TEST(Pipeline, CurrentEdgeFlag, must, "EV-ATTR-NOMAPS/1-D", by(without_lists()))
+EVALCTS_TEST(Pipeline, CurrentEdgeFlag, kMust, "EV-ATTR-NOMAPS/1-D", by(without_lists()))
 (Test& t) {
-  constexpr View view = View::feedback;
+  constexpr View view = View::kFeedback;
   gl::Case state;
   state.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   const auto flag = [](std::size_t vertex) { return static_cast<GLboolean>(vertex % 3 != 1); };
@@ -234,7 +234,7 @@ EVALCTS_TEST(Pipeline, CurrentEdgeFlag, must, "EV-ATTR-NOMAPS/1-D", by(without_l
 };
 
 // Client arrays are for DrawArrays and its like; evaluation takes what no map gives from the current values.
-EVALCTS_TEST(Pipeline, ArraysHaveNoInfluence, must, "EV-COORD-NOARRAYS/1-D", by(without_lists()))
+EVALCTS_TEST(Pipeline, ArraysHaveNoInfluence, kMust, "EV-COORD-NOARRAYS/1-D", by(without_lists()))
 (Test& t) {
   gl::Case c("vertex, colour, normal and texture coordinate arrays enabled");
   const std::vector<float> wrong(64, 0.625f);

@@ -46,31 +46,31 @@ void expect_points(Test& t, bool two, const std::string& identity, const std::ve
   t.expect_emission(c, kUnit0);
 }
 
-EVALCTS_TEST_PAIR(Points.SameAsEvalCoord1, Points.SameAsEvalCoord2, must,
+EVALCTS_TEST_PAIR(Points.SameAsEvalCoord1, Points.SameAsEvalCoord2, kMust,
                   decide("EV-POINT1-EQUIV", "EV-POINT2-EQUIV"),
                   decide("EV-GRID-NOTMAP/1-D", "EV-GRID-NOTMAP/2-D"),
                   decide("EV-POINT-LIKEMESH/1-D", "EV-POINT-LIKEMESH/2-D"), by(gl::list_deliveries()))
 (Test& t, bool two) { expect_points(t, two, "awkward grids", awkward_grids(), 0); };
 
-EVALCTS_TEST(Points, OutsideTheGrid, must, "EV-POINT-RANGE", combine(kDimensions).by(gl::list_deliveries()))
+EVALCTS_TEST(Points, OutsideTheGrid, kMust, "EV-POINT-RANGE", combine(kDimensions).by(gl::list_deliveries()))
 (Test& t, const Dimension& d) {
   expect_points(t, d.two, "indices from -4 to n+4", {{4, 0, 1}, {3, 0.1f, 0.7f}, {100, 2, -1}, {1, 1, 1.5f}},
                 4);
 };
 
-EVALCTS_TEST(Points, EqualEnds, must, "EV-GRID-EQUAL", combine(kDimensions).by(gl::list_deliveries()))
+EVALCTS_TEST(Points, EqualEnds, kMust, "EV-GRID-EQUAL", combine(kDimensions).by(gl::list_deliveries()))
 (Test& t, const Dimension& d) {
   expect_points(t, d.two, "all points of the grid coincide", {{3, 0.7f, 0.7f}, {1, -1, -1}, {1000, 0, 0}}, 3);
 };
 
-EVALCTS_TEST(Points, Reversed, must, "EV-GRID-REVERSED", combine(kDimensions).by(gl::list_deliveries()))
+EVALCTS_TEST(Points, Reversed, kMust, "EV-GRID-REVERSED", combine(kDimensions).by(gl::list_deliveries()))
 (Test& t, const Dimension& d) {
   expect_points(t, d.two, "from the larger end to the smaller",
                 {{4, 1, 0}, {3, 0.7f, 0.1f}, {50, 2.5f, -0.9f}}, 2);
 };
 
 // The argument between the ends of such a grid is that of a large index times a small step.
-EVALCTS_TEST(Points, LargestCounts, must, "EV-GRID-LARGE", combine(kDimensions).by(gl::list_deliveries()))
+EVALCTS_TEST(Points, LargestCounts, kMust, "EV-GRID-LARGE", combine(kDimensions).by(gl::list_deliveries()))
 (Test& t, const Dimension& d) {
   gl::Case c("up to 2^31-1 segments");
   enable_maps(t, c, d.two);
@@ -84,7 +84,7 @@ EVALCTS_TEST(Points, LargestCounts, must, "EV-GRID-LARGE", combine(kDimensions).
 };
 
 // The grid in force is the one of the moment, for points as for meshes.
-EVALCTS_TEST(Points, GridOfTheMoment, must, "EV-GRID-LATE", combine(kDimensions).by(gl::list_deliveries()))
+EVALCTS_TEST(Points, GridOfTheMoment, kMust, "EV-GRID-LATE", combine(kDimensions).by(gl::list_deliveries()))
 (Test& t, const Dimension& d) {
   gl::Case c("grids change between points, between meshes, with and without maps");
   map_grid(c, d.two, {4, 0, 1}, kOther);
@@ -104,7 +104,7 @@ EVALCTS_TEST(Points, GridOfTheMoment, must, "EV-GRID-LATE", combine(kDimensions)
   t.expect_emission(c, kUnit0);
 };
 
-EVALCTS_TEST_PAIR(Points.FirstIsExact, Points.LastIsExact, must,
+EVALCTS_TEST_PAIR(Points.FirstIsExact, Points.LastIsExact, kMust,
                   decide("EV-POINT-EXACT-0", "EV-POINT-EXACT-N"), combine(kAlong).by(gl::list_deliveries()))
 (Test& t, bool last, const Along& along) {
   const auto draw = [&](gl::Case& c, const Grid& grid) {
@@ -117,7 +117,7 @@ EVALCTS_TEST_PAIR(Points.FirstIsExact, Points.LastIsExact, must,
 };
 
 // The same index is the same domain value in both, and so the same vertex.
-EVALCTS_TEST(Points, SameBitsAsMesh, quality, "EV-POINT-LIKEMESH",
+EVALCTS_TEST(Points, SameBitsAsMesh, kQuality, "EV-POINT-LIKEMESH",
              combine(kDimensions).by(gl::list_deliveries()))
 (Test& t, const Dimension& d) {
   gl::Case c("points, then meshes of them");

@@ -63,7 +63,7 @@ struct Removed {
   GLenum error, other;
 };
 
-// Each of the calls, played in a context of the kind, raises one of its errors.
+// Each of the calls, run in a context of the kind, raises one of its errors.
 void expect_removed(Test& t, GLuint kind, const std::string& identity, const std::vector<Removed>& calls) {
   CheckedCase c(t, identity);
   const Entered entered = enter(c, kind);
@@ -81,7 +81,7 @@ void expect_removed(Test& t, GLuint kind, const std::string& identity, const std
   expect_removed(t, kind, identity, removed);
 }
 
-EVALCTS_TEST(Profiles, Commands, must, "EV-PROF-CORE-FUNC", combine(kRemoved))
+EVALCTS_TEST(Profiles, Commands, kMust, "EV-PROF-CORE-FUNC", combine(kRemoved))
 (Test& t, const Named<GLuint>& removed) {
   std::vector<Removed> calls;
   for (const NamedCalls& command : commands_without_queries())
@@ -92,7 +92,7 @@ EVALCTS_TEST(Profiles, Commands, must, "EV-PROF-CORE-FUNC", combine(kRemoved))
   expect_removed(t, removed.value, "every command of evaluators", calls);
 };
 
-EVALCTS_TEST(Profiles, Enables, must, "EV-PROF-CORE-ENABLE", combine(kRemoved))
+EVALCTS_TEST(Profiles, Enables, kMust, "EV-PROF-CORE-ENABLE", combine(kRemoved))
 (Test& t, const Named<GLuint>& removed) {
   std::vector<Calls> calls;
   for (const GLenum name : all_caps()) {
@@ -104,7 +104,7 @@ EVALCTS_TEST(Profiles, Enables, must, "EV-PROF-CORE-ENABLE", combine(kRemoved))
                  GL_INVALID_ENUM);
 };
 
-EVALCTS_TEST(Profiles, Gets, must, "EV-PROF-CORE-GET", combine(kRemoved))
+EVALCTS_TEST(Profiles, Gets, kMust, "EV-PROF-CORE-GET", combine(kRemoved))
 (Test& t, const Named<GLuint>& removed) {
   std::vector<GLenum> names = all_caps();
   names.insert(names.end(), {GL_MAX_EVAL_ORDER, GL_MAP1_GRID_DOMAIN, GL_MAP1_GRID_SEGMENTS,
@@ -169,14 +169,14 @@ void expect_everything(Test& t) {
   t.expect_emission(meshes, kPosition | kNormal);
 }
 
-EVALCTS_TEST(Profiles, Compatibility, must, "EV-PROF-COMPAT")
+EVALCTS_TEST(Profiles, Compatibility, kMust, "EV-PROF-COMPAT")
 (Test& t) {
   t.require(3, 1);
   expect_everything(t);
 };
 
 // A later version is for the test before.
-EVALCTS_TEST(Profiles, Deprecated, must, "EV-PROF-DEPRECATED")
+EVALCTS_TEST(Profiles, Deprecated, kMust, "EV-PROF-DEPRECATED")
 (Test& t) {
   t.require(3, 0);
   if (t.gl().at_least(3, 1)) throw NotSupported("a rule of GL 3.0, and this is GL " + t.gl().version);
@@ -184,7 +184,7 @@ EVALCTS_TEST(Profiles, Deprecated, must, "EV-PROF-DEPRECATED")
 };
 
 // Legal commands work, and GetError has nothing to say. (Illegal ones are undefined there.)
-EVALCTS_TEST(Profiles, NoError, must, "EV-PROF-NOERROR")
+EVALCTS_TEST(Profiles, NoError, kMust, "EV-PROF-NOERROR")
 (Test& t) {
   CheckedCase c(t, "legal commands in a no-error context");
   std::optional<Entered> entered;  // the usual context may be one itself

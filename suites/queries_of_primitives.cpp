@@ -57,13 +57,13 @@ void expect_counted_like_explicit(Test& t, GLenum target, const std::vector<Draw
                           std::to_string(control.count(i)), std::to_string(counted.count(i)));
 }
 
-EVALCTS_TEST(Pipeline, SamplesPassed, must, "EV-PIPE-QUERY")
+EVALCTS_TEST(Pipeline, SamplesPassed, kMust, "EV-PIPE-QUERY")
 (Test& t) {
   t.require(1, 5, "GL_ARB_occlusion_query");
   expect_counted_like_explicit(t, GL_SAMPLES_PASSED, all_drawings(t));
 };
 
-EVALCTS_TEST(Pipeline, PrimitivesGenerated, must, "EV-PIPE-PRIMGEN", combine(kMeshKinds))
+EVALCTS_TEST(Pipeline, PrimitivesGenerated, kMust, "EV-PIPE-PRIMGEN", combine(kMeshKinds))
 (Test& t, const MeshKind& kind) {
   t.require(3, 0);
   expect_counted_like_explicit(t, GL_PRIMITIVES_GENERATED, meshes_of(t, kind));
@@ -125,13 +125,13 @@ void expect_discarded(Test& t, const std::vector<Drawing>& drawings) {
   }
 }
 
-EVALCTS_TEST(Pipeline, ConditionalMeshes, must, "EV-PIPE-CONDRENDER")
+EVALCTS_TEST(Pipeline, ConditionalMeshes, kMust, "EV-PIPE-CONDRENDER")
 (Test& t) {
   t.require(3, 0, "GL_NV_conditional_render");
   expect_discarded(t, meshes(t));
 };
 
-EVALCTS_TEST(Pipeline, ConditionalPrimitives, must, "EV-PIPE-CONDRENDER-COORD")
+EVALCTS_TEST(Pipeline, ConditionalPrimitives, kMust, "EV-PIPE-CONDRENDER-COORD")
 (Test& t) {
   t.require(3, 0);
   expect_discarded(t, primitives(t));

@@ -193,7 +193,7 @@ void require_recorded(const Recordings& control, const std::vector<Drawing>& dra
       throw NotObservable("pipeline: explicit vertices are not recorded as they come");
 }
 
-EVALCTS_TEST(Pipeline, TransformFeedback, must, "EV-PIPE-XFB")
+EVALCTS_TEST(Pipeline, TransformFeedback, kMust, "EV-PIPE-XFB")
 (Test& t) {
   t.require(3, 0);
   const std::vector<Drawing> drawings = all_drawings(t);
@@ -205,7 +205,7 @@ EVALCTS_TEST(Pipeline, TransformFeedback, must, "EV-PIPE-XFB")
 };
 
 // Nothing is drawn, all is recorded.
-EVALCTS_TEST(Pipeline, RasterizerDiscard, must, "EV-PIPE-DISCARD")
+EVALCTS_TEST(Pipeline, RasterizerDiscard, kMust, "EV-PIPE-DISCARD")
 (Test& t) {
   t.require(3, 0);
   const std::vector<Drawing> drawings = all_drawings(t);
@@ -236,7 +236,7 @@ EVALCTS_TEST(Pipeline, RasterizerDiscard, must, "EV-PIPE-DISCARD")
 };
 
 // Errors are those of drawing.
-EVALCTS_TEST(Pipeline, ErrorsWithRasterizerDiscard, must, "EV-PIPE-DISCARD")
+EVALCTS_TEST(Pipeline, ErrorsWithRasterizerDiscard, kMust, "EV-PIPE-DISCARD")
 (Test& t) {
   t.require(3, 0);
   CheckedCase c(t, "errors with RASTERIZER_DISCARD");

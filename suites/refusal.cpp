@@ -7,7 +7,7 @@
 namespace evalcts {
 
 void prepare(gl::Case& c, Prepared prepared, bool odd_enabled) {
-  const bool all = prepared == Prepared::everything;
+  const bool all = prepared == Prepared::kEverything;
   set_current_values(c);
   for (int i = 0; i < 9; ++i) {
     const auto index = static_cast<std::size_t>(i);
@@ -119,7 +119,7 @@ Calls in_primitive(GLenum mode, bool after_vertex, const Calls& calls) {
 void expect_refused(Test& t, const std::string& identity, const Map& bad, bool doubles,
                     std::initializer_list<GLenum> allowed) {
   expect_refused(t, identity, {defining(bad, doubles)}, allowed,
-                 bad.two ? Prepared::everything : Prepared::maps1);
+                 bad.two ? Prepared::kEverything : Prepared::kMaps1);
 }
 
 }  // namespace evalcts

@@ -1,4 +1,4 @@
-// Commands that have to be refused: each raises one of its errors, once, and leaves everything as it was.
+// Commands that have to be rejected: each raises one of its errors, once, and leaves everything as it was.
 #pragma once
 
 #include <functional>
@@ -26,14 +26,14 @@ std::vector<NamedCalls> allowed_in_primitives();
 
 // State that differs from the initial one before a bad call: the current values and, with every second map
 // enabled, the nine one-dimensional maps or all maps and grids.
-enum class Prepared { maps1, everything };
+enum class Prepared { kMaps1, kEverything };
 // The state that a rejected command must leave unchanged.
 void prepare(gl::Case& c, Prepared prepared, bool odd_enabled);
 
-// Plays the bad calls one behind the other in a prepared context. Each raises one of the allowed errors,
+// Runs the bad calls one behind the other in a prepared context. Each raises one of the allowed errors,
 // once; after the last everything is as before the first. A bad call that needs Begin brings its End.
 void expect_refused(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,
-                    std::initializer_list<GLenum> allowed, Prepared prepared = Prepared::everything);
+                    std::initializer_list<GLenum> allowed, Prepared prepared = Prepared::kEverything);
 
 // --- Bad maps --------------------------------------------------------------------------------------------
 

@@ -45,7 +45,7 @@ struct Attempts {
   std::vector<Attempt> all;
 };
 
-// Begin, where it is refused, is closed by End, whose own error, INVALID_OPERATION without Begin, says the
+// Begin, where it is rejected, is closed by End, whose own error, INVALID_OPERATION without Begin, says the
 // same.
 Attempts attempts(Test& t, const gl::Identity& identity, const std::vector<Drawing>& drawings,
                   const Prepare& prepare, GLenum counted, bool evaluated) {
@@ -141,7 +141,7 @@ const std::vector<GLenum> kNone = {};
 
 // --- Framebuffers ----------------------------------------------------------------------------------------
 
-EVALCTS_TEST(Pipeline, IncompleteFramebuffer, must, "EV-PIPE-FBO")
+EVALCTS_TEST(Pipeline, IncompleteFramebuffer, kMust, "EV-PIPE-FBO")
 (Test& t) {
   t.require(3, 0, "GL_ARB_framebuffer_object");
   expect_refused_like_begin(
@@ -172,7 +172,7 @@ struct Invalid {
 constexpr Invalid kInvalid[] = {{"VERTEX_PROGRAM", "GL_ARB_vertex_program", GL_VERTEX_PROGRAM_ARB},
                                 {"FRAGMENT_PROGRAM", "GL_ARB_fragment_program", GL_FRAGMENT_PROGRAM_ARB}};
 
-EVALCTS_TEST(Pipeline, NoValidAssemblyProgram, must, "EV-PIPE-INVALIDPROGRAM", combine(kInvalid))
+EVALCTS_TEST(Pipeline, NoValidAssemblyProgram, kMust, "EV-PIPE-INVALIDPROGRAM", combine(kInvalid))
 (Test& t, const Invalid& invalid) {
   require_extension(t, invalid.extension);
   expect_refused_like_begin(
@@ -186,7 +186,7 @@ EVALCTS_TEST(Pipeline, NoValidAssemblyProgram, must, "EV-PIPE-INVALIDPROGRAM", c
 };
 
 // Two samplers of different types have the same unit, which both have from the start.
-EVALCTS_TEST(Pipeline, SamplersInConflict, must, "EV-PIPE-INVALIDPROGRAM")
+EVALCTS_TEST(Pipeline, SamplersInConflict, kMust, "EV-PIPE-INVALIDPROGRAM")
 (Test& t) {
   t.require(2, 0);
   expect_refused_like_begin(
@@ -205,8 +205,8 @@ EVALCTS_TEST(Pipeline, SamplersInConflict, must, "EV-PIPE-INVALIDPROGRAM")
 
 constexpr std::size_t kRecordedFloats = 4096;
 
-// Primitives that are not refused are recorded like explicit vertices.
-EVALCTS_TEST(Pipeline, TransformFeedbackModes, must, "EV-PIPE-XFB-MODE")
+// Primitives that are not rejected are recorded like explicit vertices.
+EVALCTS_TEST(Pipeline, TransformFeedbackModes, kMust, "EV-PIPE-XFB-MODE")
 (Test& t) {
   t.require(3, 0);
   expect_refused_like_begin(
@@ -253,7 +253,7 @@ std::string geometry_shader(const char* input, const char* output, int vertices)
       input, output, vertices, vertices);
 }
 
-EVALCTS_TEST(Pipeline, GeometryShaderInputs, must, "EV-PIPE-GS", combine(kMeshKinds))
+EVALCTS_TEST(Pipeline, GeometryShaderInputs, kMust, "EV-PIPE-GS", combine(kMeshKinds))
 (Test& t, const MeshKind& kind) {
   t.require(3, 2);
   struct Input {
@@ -284,7 +284,7 @@ EVALCTS_TEST(Pipeline, GeometryShaderInputs, must, "EV-PIPE-GS", combine(kMeshKi
       GL_INVALID_OPERATION);
 };
 
-EVALCTS_TEST(Pipeline, Tessellation, must, "EV-PIPE-TESS")
+EVALCTS_TEST(Pipeline, Tessellation, kMust, "EV-PIPE-TESS")
 (Test& t) {
   t.require(4, 0);
   expect_refused_like_begin(

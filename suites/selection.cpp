@@ -100,7 +100,7 @@ gl::Case moved(float x, float z, float z_scale) {
 }
 
 // Each mesh and each primitive at two depths, and outside the clip volume.
-EVALCTS_TEST(Selection, Hits, must, "EV-SEL-HIT")
+EVALCTS_TEST(Selection, Hits, kMust, "EV-SEL-HIT")
 (Test& t) {
   const std::vector<Drawing> drawings = all_drawings(t);
   struct Place {
@@ -133,7 +133,7 @@ EVALCTS_TEST(Selection, Hits, must, "EV-SEL-HIT")
   expect_hits_like_explicit(selection, control, evaluated);
 };
 
-EVALCTS_TEST(Selection, CulledMesh, must, "EV-SEL-CULLED")
+EVALCTS_TEST(Selection, CulledMesh, kMust, "EV-SEL-CULLED")
 (Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_QUAD_STRIP);
   std::vector<Scene> evaluated, vertices;
@@ -162,7 +162,7 @@ EVALCTS_TEST(Selection, CulledMesh, must, "EV-SEL-CULLED")
 };
 
 // Last comes a mesh that hits.
-EVALCTS_TEST(Selection, EmptyMesh, must, "EV-SEL-EMPTY")
+EVALCTS_TEST(Selection, EmptyMesh, kMust, "EV-SEL-EMPTY")
 (Test& t) {
   std::vector<Scene> scenes;
   for (const GLenum mode : {GL_POINT, GL_LINE, GL_FILL}) {

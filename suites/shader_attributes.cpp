@@ -30,7 +30,7 @@ void expect_count(Test& t, const gl::Case& c, const RecordedVaryings& recorded) 
 
 // Secondary colour, fog coordinate and generic attributes (6 and 7, which nothing aliases) change between the
 // vertices of one primitive.
-EVALCTS_TEST(ShaderAttributes, WithoutMaps, must, "EV-ATTR-NOMAPS/1-D", by(gl::curve_deliveries()))
+EVALCTS_TEST(ShaderAttributes, WithoutMaps, kMust, "EV-ATTR-NOMAPS/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   t.require(3, 0);
   const VaryingShader shader = {
@@ -91,7 +91,7 @@ EVALCTS_TEST(ShaderAttributes, WithoutMaps, must, "EV-ATTR-NOMAPS/1-D", by(gl::c
 
 // Vertex and VertexAttrib 0 are the same command: what gl_Vertex gives, generic attribute 0 gives bit for
 // bit.
-EVALCTS_TEST(ShaderAttributes, GenericZero, must, "EV-ATTR-GENERIC0/1-D",
+EVALCTS_TEST(ShaderAttributes, GenericZero, kMust, "EV-ATTR-GENERIC0/1-D",
              combine((std::vector<GLenum>{GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4})).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
   t.require(3, 0);

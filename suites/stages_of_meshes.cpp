@@ -105,7 +105,7 @@ gl::Case seen_from_a_distance() {
 
 constexpr Named<bool> kNormals[] = {{"EVALUATED", false}, {"GENERATED", true}};
 
-EVALCTS_TEST(Pipeline, TextureGeneration, must, "EV-PIPE-TEXGEN", combine(kNormals))
+EVALCTS_TEST(Pipeline, TextureGeneration, kMust, "EV-PIPE-TEXGEN", combine(kNormals))
 (Test& t, const Named<bool>& normals) {
   std::vector<Stage> stages = {{"no generation", seen_from_a_distance()}};
   for (const Generation& generation : kGenerations) {
@@ -131,7 +131,7 @@ EVALCTS_TEST(Pipeline, TextureGeneration, must, "EV-PIPE-TEXGEN", combine(kNorma
   expect_stages_in_feedback(t, stages, drawings);
 };
 
-EVALCTS_TEST(Pipeline, TextureMatrix, must, "EV-PIPE-TEXMATRIX")
+EVALCTS_TEST(Pipeline, TextureMatrix, kMust, "EV-PIPE-TEXMATRIX")
 (Test& t) {
   const std::pair<const char*, Values> matrices[] = {
       {"identity", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}},
@@ -183,7 +183,7 @@ std::vector<Stage> right_halves_clipped() {
   return stages;
 }
 
-EVALCTS_TEST(Pipeline, ClippedPointsAndLines, must, "EV-PIPE-CLIPPLANE")
+EVALCTS_TEST(Pipeline, ClippedPointsAndLines, kMust, "EV-PIPE-CLIPPLANE")
 (Test& t) {
   std::vector<Drawing> drawings = meshes(t, GL_POINTS);
   for (Drawing& drawing : meshes(t, GL_LINE_STRIP)) drawings.push_back(std::move(drawing));
@@ -198,7 +198,7 @@ EVALCTS_TEST(Pipeline, ClippedPointsAndLines, must, "EV-PIPE-CLIPPLANE")
 };
 
 // Clipped quads have other vertices whichever way they are decomposed: pixels on both sides of the plane.
-EVALCTS_TEST(Pipeline, ClippedQuads, must, "EV-PIPE-CLIPPLANE")
+EVALCTS_TEST(Pipeline, ClippedQuads, kMust, "EV-PIPE-CLIPPLANE")
 (Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_QUAD_STRIP);
   const std::vector<Stage> stages = right_halves_clipped();
@@ -279,13 +279,13 @@ void expect_fog(Test& t, const std::vector<Stage>& stages) {
   }
 }
 
-EVALCTS_TEST(Pipeline, FogByDistance, must, "EV-PIPE-FOG")
+EVALCTS_TEST(Pipeline, FogByDistance, kMust, "EV-PIPE-FOG")
 (Test& t) {
   expect_fog(t,
              {{"no fog", fog(0)}, {"LINEAR", fog(GL_LINEAR)}, {"EXP", fog(GL_EXP)}, {"EXP2", fog(GL_EXP2)}});
 };
 
-EVALCTS_TEST(Pipeline, FogByCoordinate, must, "EV-PIPE-FOG")
+EVALCTS_TEST(Pipeline, FogByCoordinate, kMust, "EV-PIPE-FOG")
 (Test& t) {
   t.require(1, 4, "GL_EXT_fog_coord");
   std::vector<Stage> stages = {{"no fog", fog(0)}, {"LINEAR, by distance", fog(GL_LINEAR)}};
@@ -301,7 +301,7 @@ EVALCTS_TEST(Pipeline, FogByCoordinate, must, "EV-PIPE-FOG")
 // --- Flat shading ----------------------------------------------------------------------------------------
 
 // Pixels near both ends of each segment have the colour of its second vertex.
-EVALCTS_TEST(Pipeline, FlatLines, must, "EV-PIPE-FLATLINE")
+EVALCTS_TEST(Pipeline, FlatLines, kMust, "EV-PIPE-FLATLINE")
 (Test& t) {
   gl::Case state;
   state.ShadeModel(GL_FLAT);
@@ -334,7 +334,7 @@ EVALCTS_TEST(Pipeline, FlatLines, must, "EV-PIPE-FLATLINE")
 // --- Primitive restart -----------------------------------------------------------------------------------
 
 // It is for elements of arrays: whatever the index, all comes out as without.
-EVALCTS_TEST(Pipeline, NoPrimitiveRestart, must, "EV-PIPE-NORESTART")
+EVALCTS_TEST(Pipeline, NoPrimitiveRestart, kMust, "EV-PIPE-NORESTART")
 (Test& t) {
   t.require(3, 1);
   std::vector<Stage> stages(1);

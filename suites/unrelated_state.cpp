@@ -210,7 +210,7 @@ Repetition repeated(const std::string& identity, gl::Case maps, bool two) {
           }};
 }
 
-EVALCTS_TEST_PAIR(Numeric.UnrelatedState1, Numeric.UnrelatedState2, must,
+EVALCTS_TEST_PAIR(Numeric.UnrelatedState1, Numeric.UnrelatedState2, kMust,
                   decide("EV-NUM-INVARIANT-STATE/1-D", "EV-NUM-INVARIANT-STATE/2-D"),
                   combine(kUnrelated).by(in_lists()))
 (Test& t, bool two, const Unrelated& unrelated) {
@@ -224,7 +224,7 @@ EVALCTS_TEST_PAIR(Numeric.UnrelatedState1, Numeric.UnrelatedState2, must,
   }
 };
 
-EVALCTS_TEST_PAIR(Numeric.UnrelatedMaps1, Numeric.UnrelatedMaps2, quality,
+EVALCTS_TEST_PAIR(Numeric.UnrelatedMaps1, Numeric.UnrelatedMaps2, kQuality,
                   decide("EV-NUM-UNRELATEDMAPS/1-D", "EV-NUM-UNRELATEDMAPS/2-D"), by(in_lists()))
 (Test& t, bool two) {
   for (const Kinds& kinds : kinds_of(two))
@@ -251,7 +251,7 @@ EVALCTS_TEST_PAIR(Numeric.UnrelatedMaps1, Numeric.UnrelatedMaps2, quality,
 };
 
 // AUTO_NORMAL is evaluator state as well (appendix A).
-EVALCTS_TEST(Numeric, AutomaticNormals, quality, "EV-NUM-UNRELATEDMAPS/2-D", by(in_lists()))
+EVALCTS_TEST(Numeric, AutomaticNormals, kQuality, "EV-NUM-UNRELATEDMAPS/2-D", by(in_lists()))
 (Test& t) {
   gl::Case maps;
   define_and_enable(maps, random_map(t, GL_MAP2_VERTEX_4, {4, 3}));

@@ -68,7 +68,7 @@ Picture look(Test& t, const Named<bool>& kind, const gl::Identity& identity,
   return picture;
 }
 
-EVALCTS_TEST(Pipeline, VertexPrograms, must, "EV-PIPE-VS", combine(kKinds))
+EVALCTS_TEST(Pipeline, VertexPrograms, kMust, "EV-PIPE-VS", combine(kKinds))
 (Test& t, const Named<bool>& kind) {
   kind.value ? require_extension(t, "GL_ARB_vertex_program") : t.require(2, 0);
   const std::vector<Drawing> drawings = all_drawings(t);
@@ -103,7 +103,7 @@ std::vector<float> expected_of(const reference::Vertex& vertex) {
 }
 
 // The values themselves, as transform feedback records them: within 1e-4, ten times the steps of these maps.
-EVALCTS_TEST(Pipeline, VertexShaderAttributes, must, "EV-PIPE-VS")
+EVALCTS_TEST(Pipeline, VertexShaderAttributes, kMust, "EV-PIPE-VS")
 (Test& t) {
   t.require(3, 0);
   for (const Drawing& drawing : all_drawings(t)) {

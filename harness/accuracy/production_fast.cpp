@@ -54,7 +54,7 @@ class ProductionFast final : public Subject {
     const glev_plan_info plan_info = {sizeof plan_info, two_dimensional ? std::size_t{2} : std::size_t{1}};
     if (glevGetError(context_) != GLEV_NO_ERROR ||
         glevCreatePlan(context_, &plan_info, &plan) != GLEV_SUCCESS)
-      throw NotObservable("the map is refused");
+      throw NotObservable("the map is rejected");
     const std::unique_ptr<glev_plan, void (*)(glev_plan*)> release(plan, glevReleasePlan);
 
     glev_output output{};
@@ -75,7 +75,7 @@ class ProductionFast final : public Subject {
       scratch.resize(glevGetMeshScratchSize(plan, &mesh));
       mesh.scratch = scratch.data();
       mesh.scratch_size = scratch.size();
-      if (glevEvaluateMesh(plan, &mesh) != GLEV_SUCCESS) throw NotObservable("a mesh is refused");
+      if (glevEvaluateMesh(plan, &mesh) != GLEV_SUCCESS) throw NotObservable("a mesh is rejected");
     }
   }
 

@@ -35,7 +35,7 @@ class ProductionStream final : public Stream {
     glevEnable(context_, target);
     const glev_plan_info info = {sizeof info, two_dimensional_ ? std::size_t{2} : std::size_t{1}};
     if (glevGetError(context_) != GLEV_NO_ERROR || glevCreatePlan(context_, &info, &plan_) != GLEV_SUCCESS)
-      throw NotObservable("the map is refused");
+      throw NotObservable("the map is rejected");
   }
   ProductionStream(const ProductionStream&) = delete;
   ProductionStream& operator=(const ProductionStream&) = delete;
@@ -65,7 +65,7 @@ class ProductionStream final : public Stream {
                                            &output};
     batch.outputs = &outputs;
     batch.output_count = 1;
-    if (glevEvaluate(plan_, &batch) != GLEV_SUCCESS) throw NotObservable("a batch is refused");
+    if (glevEvaluate(plan_, &batch) != GLEV_SUCCESS) throw NotObservable("a batch is rejected");
   }
 
  private:

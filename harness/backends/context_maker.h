@@ -54,7 +54,7 @@ class ContextMaker {
 std::unique_ptr<ContextMaker> make_osmesa_contexts(const std::string& library,
                                                    const std::string& in_front = "");
 
-enum class EglPlatform { any, surfaceless, device };
+enum class EglPlatform { kAny, kSurfaceless, kDevice };
 // Makes contexts of EGL without a window system. `library`: a path or a soname; empty: libEGL.so.1. Each
 // context has a pbuffer, or a complete framebuffer object if there are no surfaces. `in_front`: see
 // SharedLibrary. Throws CannotStart.
@@ -65,7 +65,7 @@ std::unique_ptr<ContextMaker> make_egl_contexts(const std::string& library, EglP
 // CannotStart.
 std::unique_ptr<ContextMaker> make_gles2_contexts();
 
-enum class GlxRendering { direct, indirect };
+enum class GlxRendering { kDirect, kIndirect };
 // Makes contexts of GLX. `library`: a path or a soname; empty: libGL.so.1. The X server is that of DISPLAY,
 // or an Xvfb that this process starts if DISPLAY does not answer. Each context has a pbuffer. `in_front`: see
 // SharedLibrary. Throws CannotStart.

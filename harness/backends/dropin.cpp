@@ -31,11 +31,11 @@ std::unique_ptr<Implementation> open_dropin(const std::string& name, const std::
   };
   if (name == "dropin-egl")
     return in_front_of("libEGL.so.1", [](const std::string& front) {
-      return make_egl_contexts("", EglPlatform::any, front);
+      return make_egl_contexts("", EglPlatform::kAny, front);
     });
   if (name == "dropin-glx")
     return in_front_of("libGL.so.1", [](const std::string& front) {
-      return make_glx_contexts("", GlxRendering::direct, front);
+      return make_glx_contexts("", GlxRendering::kDirect, front);
     });
   return in_front_of("libOSMesa.so.8",
                      [](const std::string& front) { return make_osmesa_contexts("", front); });

@@ -100,7 +100,7 @@ struct FramebufferCommands {
 #undef X
 };
 
-enum class Api { opengl, gles2 };
+enum class Api { kOpengl, kGles2 };
 
 class EglContexts final : public ContextMaker {
  public:
@@ -265,14 +265,14 @@ class EglContexts final : public ContextMaker {
 
   std::vector<Candidate> candidates(EglPlatform platform, std::vector<std::string>& reasons) const {
     std::vector<Candidate> found;
-    if (platform != EglPlatform::device) {
+    if (platform != EglPlatform::kDevice) {
       if (client_has("EGL_MESA_platform_surfaceless")) {
         found.push_back({"surfaceless", EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY});
       } else {
         reasons.push_back("surfaceless: EGL_MESA_platform_surfaceless is not supported");
       }
     }
-    if (platform != EglPlatform::surfaceless) {
+    if (platform != EglPlatform::kSurfaceless) {
       std::vector<EGLDeviceEXT> devices;
       if (client_has("EGL_EXT_platform_device") || client_has("EGL_EXT_platform_base"))
         devices = all_devices();
@@ -280,7 +280,7 @@ class EglContexts final : public ContextMaker {
         found.push_back({fmt::format("device {}", i), EGL_PLATFORM_DEVICE_EXT, devices[i]});
       if (devices.empty()) reasons.push_back("device: EGL_EXT_platform_device offers no device");
     }
-    if (platform == EglPlatform::any) {
+    if (platform == EglPlatform::kAny) {
       const Candidate usual{"default display", EGL_NONE, nullptr};
       // EGL_PLATFORM selects the default display, which is then tried first.
       found.insert(std::getenv("EGL_PLATFORM") ? found.begin() : found.end(), usual);
@@ -414,7 +414,7 @@ class EglContexts final : public ContextMaker {
           "the framebuffer object is not complete (status 0x{:04X}, error 0x{:04X})", status, error));
   }
 
-  bool opengl() const { return api_ == Api::opengl; }
+  bool opengl() const { return api_ == Api::kOpengl; }
 
   SharedLibrary library_;
   Functions egl_;
@@ -443,12 +443,12 @@ std::string usual_library() {
 
 std::unique_ptr<ContextMaker> make_egl_contexts(const std::string& library, EglPlatform platform,
                                                 const std::string& in_front) {
-  return std::make_unique<EglContexts>(library.empty() ? usual_library() : library, platform, Api::opengl,
+  return std::make_unique<EglContexts>(library.empty() ? usual_library() : library, platform, Api::kOpengl,
                                        in_front);
 }
 
 std::unique_ptr<ContextMaker> make_gles2_contexts() {
-  return std::make_unique<EglContexts>(usual_library(), EglPlatform::any, Api::gles2);
+  return std::make_unique<EglContexts>(usual_library(), EglPlatform::kAny, Api::kGles2);
 }
 
 }  // namespace evalcts

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Holds { name, files, directories, driver_directories };
+enum class Holds { kName, kFiles, kDirectories, kDriverDirectories };
 
 struct Variable {
   const char* name;
@@ -31,17 +31,17 @@ struct Variable {
 };
 
 constexpr std::array kVariables = {
-    Variable{"GALLIUM_DRIVER", Holds::name},
-    Variable{"MESA_LOADER_DRIVER_OVERRIDE", Holds::name},
-    Variable{"LIBGL_ALWAYS_SOFTWARE", Holds::name},
-    Variable{"EGL_PLATFORM", Holds::name},
-    Variable{"__GLX_VENDOR_LIBRARY_NAME", Holds::name},
-    Variable{"LIBGL_DRIVERS_PATH", Holds::driver_directories},
-    Variable{"LD_LIBRARY_PATH", Holds::directories},
-    Variable{"__EGL_VENDOR_LIBRARY_DIRS", Holds::directories},
-    Variable{"__EGL_VENDOR_LIBRARY_FILENAMES", Holds::files},
-    Variable{"VK_DRIVER_FILES", Holds::files},
-    Variable{"VK_ICD_FILENAMES", Holds::files},
+    Variable{"GALLIUM_DRIVER", Holds::kName},
+    Variable{"MESA_LOADER_DRIVER_OVERRIDE", Holds::kName},
+    Variable{"LIBGL_ALWAYS_SOFTWARE", Holds::kName},
+    Variable{"EGL_PLATFORM", Holds::kName},
+    Variable{"__GLX_VENDOR_LIBRARY_NAME", Holds::kName},
+    Variable{"LIBGL_DRIVERS_PATH", Holds::kDriverDirectories},
+    Variable{"LD_LIBRARY_PATH", Holds::kDirectories},
+    Variable{"__EGL_VENDOR_LIBRARY_DIRS", Holds::kDirectories},
+    Variable{"__EGL_VENDOR_LIBRARY_FILENAMES", Holds::kFiles},
+    Variable{"VK_DRIVER_FILES", Holds::kFiles},
+    Variable{"VK_ICD_FILENAMES", Holds::kFiles},
 };
 
 bool has_driver(const fs::path& directory) {
@@ -54,11 +54,11 @@ bool has_driver(const fs::path& directory) {
 // Returns what is wrong with one entry of a path list; empty if nothing is.
 std::string problem_of(const std::string& entry, Holds holds) {
   std::error_code error;
-  if (holds == Holds::name) return {};
-  if (holds == Holds::files)
+  if (holds == Holds::kName) return {};
+  if (holds == Holds::kFiles)
     return fs::is_regular_file(entry, error) ? "" : fmt::format("no such file '{}'", entry);
   if (!fs::is_directory(entry, error)) return fmt::format("no such directory '{}'", entry);
-  if (holds == Holds::driver_directories && !has_driver(entry))
+  if (holds == Holds::kDriverDirectories && !has_driver(entry))
     return fmt::format("no *_dri.so in '{}'", entry);
   return {};
 }

@@ -107,7 +107,7 @@ class GlxContexts final : public ContextMaker {
         xlib_library_(usual("libX11.so.6", "libx11-6")),
         xlib_(xlib_of(xlib_library_)),
         glx_(glx_of(library_)),
-        direct_(rendering == GlxRendering::direct) {
+        direct_(rendering == GlxRendering::kDirect) {
     errors::get_text = xlib_.GetErrorText;
     xlib_.SetErrorHandler(&errors::take);
     xlib_.SetIOErrorHandler(&errors::end);

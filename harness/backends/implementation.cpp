@@ -25,11 +25,11 @@ struct NamedContexts {
 const std::vector<NamedContexts>& named_contexts() {
   static const std::vector<NamedContexts> all = {
       {"osmesa", [] { return make_osmesa_contexts(""); }},
-      {"egl-surfaceless", [] { return make_egl_contexts("", EglPlatform::surfaceless); }},
-      {"egl-device", [] { return make_egl_contexts("", EglPlatform::device); }},
+      {"egl-surfaceless", [] { return make_egl_contexts("", EglPlatform::kSurfaceless); }},
+      {"egl-device", [] { return make_egl_contexts("", EglPlatform::kDevice); }},
       {"egl-gles2", [] { return make_gles2_contexts(); }},
-      {"glx", [] { return make_glx_contexts("", GlxRendering::direct); }},
-      {"glx-indirect", [] { return make_glx_contexts("", GlxRendering::indirect); }},
+      {"glx", [] { return make_glx_contexts("", GlxRendering::kDirect); }},
+      {"glx-indirect", [] { return make_glx_contexts("", GlxRendering::kIndirect); }},
       {"none", [] { return make_no_contexts(); }},
   };
   return all;
@@ -101,9 +101,9 @@ std::unique_ptr<Implementation> open_implementation(const ImplementationOptions&
   if (!options.context.empty()) return open_with_context(options);
   const std::string name = options.name.empty() ? guessed_kind(options.library) : options.name;
   if (name == "osmesa") return make_gl_library(name, make_osmesa_contexts(options.library), "");
-  if (name == "egl") return make_gl_library(name, make_egl_contexts(options.library, EglPlatform::any), "");
+  if (name == "egl") return make_gl_library(name, make_egl_contexts(options.library, EglPlatform::kAny), "");
   if (name == "glx" || name == "glx-indirect") {
-    const GlxRendering rendering = name == "glx" ? GlxRendering::direct : GlxRendering::indirect;
+    const GlxRendering rendering = name == "glx" ? GlxRendering::kDirect : GlxRendering::kIndirect;
     return make_gl_library(name, make_glx_contexts(options.library, rendering), "");
   }
   if (name == "dropin" || name == "dropin-egl" || name == "dropin-glx")

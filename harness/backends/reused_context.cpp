@@ -254,7 +254,7 @@ constexpr Pair kPairs[] = {{EntryPoint::Begin, EntryPoint::End},
                            {EntryPoint::NewList, EntryPoint::EndList},
                            {EntryPoint::PushAttrib, EntryPoint::PopAttrib}};
 
-// Objects and open constructs that the played cases left behind, which no constant list of commands removes.
+// Objects and open constructs that earlier cases left behind, which no constant list of commands removes.
 class Remains {
  public:
   void add(const Case& script, const gl::Trace& trace) {
@@ -293,7 +293,7 @@ class Remains {
   }
 
   // Returns the commands that delete all objects except the kept programs. No object may be bound when they
-  // are played.
+  // are run.
   Case deleting(const std::map<std::string, GLuint>& kept) const {
     Case c;
     for (const GLuint program : programs_)
@@ -365,7 +365,7 @@ class Shared {
   Attributes emitted_attributes() const { return context_->emitted_attributes(); }
   std::vector<ObservedPrimitive> take_emitted() { return context_->take_emitted(); }
 
-  std::map<std::string, GLuint>* kept_programs() { return programs_ == Programs::kept ? &kept_ : nullptr; }
+  std::map<std::string, GLuint>* kept_programs() { return programs_ == Programs::kKept ? &kept_ : nullptr; }
 
   gl::Trace play(const Case& script) {
     gl::Trace trace = gl::play(script, table_);

@@ -1,4 +1,4 @@
-// Benchmarks of random programs: commands per second that are generated, specified, played and judged on one
+// Benchmarks of random programs: commands per second that are generated, specified, run and judged on one
 // core.
 #include <benchmark/benchmark.h>
 
@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t kSeed = 1, kPrograms = 50;
 constexpr int kMostOrder = 30;
 
-// Generates programs, which plays each of them on the executable specification.
+// Generates programs, which runs each of them on the executable specification.
 void Write(benchmark::State& state) {
   const auto length = static_cast<int>(state.range(0));
   std::uint64_t commands = 0;
@@ -33,7 +33,7 @@ bool has_lists(const gl::Case& program) {
   });
 }
 
-// Plays and judges programs without a difference, because a difference costs hundreds of further plays.
+// Runs and judges programs without a difference, because a difference costs hundreds of further runs.
 // Display lists are left out for implementations on which they crash. Programs run in fresh contexts or in
 // one shared context.
 void Judge(benchmark::State& state, const char* name, bool with_lists, bool fresh) {
@@ -60,7 +60,7 @@ void Judge(benchmark::State& state, const char* name, bool with_lists, bool fres
   captures.prove_all();
   std::unique_ptr<Implementation> shared;
   if (!fresh) {
-    shared = reuse_context(*implementation, subject.info, Programs::kept);
+    shared = reuse_context(*implementation, subject.info, Programs::kKept);
     subject.implementation = shared.get();
   }
   if (!fresh)  // what the library keeps of a program is there

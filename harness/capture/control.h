@@ -26,7 +26,7 @@ Control make_control(const ControlOptions& options);
 // 0 only), otherwise a description of the difference.
 std::string compare(const Control& control, const Observation& observation, Attributes attributes);
 
-// Plays the control through the capture. Returns an empty string if it came back unchanged, otherwise a
+// Runs the control through the capture. Returns an empty string if it came back unchanged, otherwise a
 // description of the difference. Throws the exceptions of Capture::observe.
 std::string try_control(const Capture& capture, Implementation& implementation, const ControlOptions& options,
                         Attributes attributes);

@@ -9,7 +9,7 @@
 namespace evalcts {
 namespace {
 
-enum class TextureCoordinatesHold { texture, position, normal };
+enum class TextureCoordinatesHold { kTexture, kPosition, kNormal };
 
 // Returns a projection to x = y = z = 0, so that no vertex is clipped. If w is kept, vertices with w < 0 are
 // still clipped. If w becomes 0, none is clipped, provided that the library accepts the degenerate point.
@@ -33,9 +33,9 @@ gl::Case setup(TextureCoordinatesHold hold, bool keep_w, bool unclamp) {
   c.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   c.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   c.Enable(GL_TEXTURE_2D);
-  if (hold == TextureCoordinatesHold::texture) return c;
+  if (hold == TextureCoordinatesHold::kTexture) return c;
 
-  const bool position = hold == TextureCoordinatesHold::position;
+  const bool position = hold == TextureCoordinatesHold::kPosition;
   const GLenum coordinates[] = {GL_S, GL_T, GL_R, GL_Q};
   const GLenum switches[] = {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q};
   for (std::size_t i = 0; i < (position ? 4u : 3u); ++i) {
@@ -95,9 +95,9 @@ class FeedbackBuffer final : public Capture {
       }
     };
     if ((wanted & (kTextureCoordinate0 | kColor)) || (wanted & kAllAttributes) == 0)
-      pass(TextureCoordinatesHold::texture, kTextureCoordinate0 | kColor);
-    if (wanted & kPosition) pass(TextureCoordinatesHold::position, kPosition);
-    if (wanted & (kNormal | kUnitNormal)) pass(TextureCoordinatesHold::normal, kNormal | kUnitNormal);
+      pass(TextureCoordinatesHold::kTexture, kTextureCoordinate0 | kColor);
+    if (wanted & kPosition) pass(TextureCoordinatesHold::kPosition, kPosition);
+    if (wanted & (kNormal | kUnitNormal)) pass(TextureCoordinatesHold::kNormal, kNormal | kUnitNormal);
     if (!observation) throw NotObservable("feedback mode shows nothing of units 1 and up");
     // A control wants attributes that are not proved yet. Other attributes are not known to be right.
     observation->attributes &= attributes_ | inexact_attributes() | wanted;
@@ -162,13 +162,13 @@ class FeedbackBuffer final : public Capture {
     std::copy_n(data + 4, 4, vertex.color.begin());
     const GLfloat* const texture = data + 8;
     switch (hold) {
-      case TextureCoordinatesHold::texture:
+      case TextureCoordinatesHold::kTexture:
         std::copy_n(texture, 4, vertex.texture_coordinate[0].begin());
         break;
-      case TextureCoordinatesHold::position:
+      case TextureCoordinatesHold::kPosition:
         std::copy_n(texture, 4, vertex.position.begin());
         break;
-      case TextureCoordinatesHold::normal:
+      case TextureCoordinatesHold::kNormal:
         std::copy_n(texture, 3, vertex.normal.begin());
         break;
     }

@@ -155,7 +155,7 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-// The outcome of the test when the suite program played it once more.
+// The outcome of the test when the suite program ran it once more.
 struct Replayed {
   std::optional<TestRecord> record;  // none if the process died or hung in it
   bool hung = false;

@@ -166,7 +166,7 @@ std::vector<ImplementationOptions> chosen_implementations(const RunOptions& opti
   return chosen;
 }
 
-// The tests of the run, in the order in which they are played.
+// The tests of the run, in the order in which they are run.
 std::vector<ListedTest> chosen_tests(const RunOptions& options, const std::vector<ListedTest>& all,
                                      const RunRequest& request) {
   std::vector<ListedTest> tests = matching(all, options.filter);
@@ -177,7 +177,7 @@ std::vector<ListedTest> chosen_tests(const RunOptions& options, const std::vecto
   return tests;
 }
 
-// Says why no test is played; empty if one is.
+// Says why no test is run; empty if one is.
 std::string wrong_filter(const RunOptions& options, const std::vector<ListedTest>& all, Depth depth) {
   const std::vector<ListedTest> matched = matching(all, options.filter);
   if (matched.empty()) return fmt::format("no test matches '{}'; see 'evalcts list tests'", options.filter);
@@ -193,7 +193,7 @@ std::string wrong_filter(const RunOptions& options, const std::vector<ListedTest
 RunRequest request_of(const RunOptions& options, const std::string& shard) {
   RunRequest request;
   request.suite_program = places().suite_program;
-  request.depth = depth_named(options.depth).value_or(Depth::full);
+  request.depth = depth_named(options.depth).value_or(Depth::kFull);
   request.seed = options.seed;
   request.limits = {options.seconds_per_test, options.mebibytes << 20};
   request.retries = options.retries;

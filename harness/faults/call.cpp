@@ -76,7 +76,7 @@ struct Wrapper<kEntry, kMember, R (*)(A...)> {
     if constexpr (is_coordinate_vector(kEntry)) {
       using Real = std::remove_const_t<std::remove_pointer_t<std::common_type_t<A...>>>;
       const Real values[2] = {static_cast<Real>(call.numbers[0]), static_cast<Real>(call.numbers[1])};
-      (sound.*kMember)(values);
+      (unmodified.*kMember)(values);
     } else {
       invoke(call, std::index_sequence_for<A...>{});
     }
@@ -84,9 +84,9 @@ struct Wrapper<kEntry, kMember, R (*)(A...)> {
   template <std::size_t... kI>
   static void invoke(Call& call, std::index_sequence<kI...>) {
     if constexpr (std::is_arithmetic_v<R>)
-      call.result = static_cast<double>((sound.*kMember)(give<A>(call, kI)...));
+      call.result = static_cast<double>((unmodified.*kMember)(give<A>(call, kI)...));
     else
-      (sound.*kMember)(give<A>(call, kI)...);
+      (unmodified.*kMember)(give<A>(call, kI)...);
   }
 };
 
@@ -98,7 +98,7 @@ struct Command {
 };
 template <gl::EntryPoint kEntry, auto kMember>
 Command describe(std::string_view name) {
-  using Wrapped = Wrapper<kEntry, kMember, std::remove_cvref_t<decltype(sound.*kMember)>>;
+  using Wrapped = Wrapper<kEntry, kMember, std::remove_cvref_t<decltype(unmodified.*kMember)>>;
   return {Wrapped::install, Wrapped::remove, Wrapped::original, name};
 }
 const std::array<Command, gl::kEntryPointCount> commands{{
@@ -123,19 +123,19 @@ Net Net::transposed() const {
 void Map::define() const {
   const int k = net.components;
   if (is_map2_target(target) || net.columns > 1)
-    sound.Map2d(target, u1, u2, k * net.columns, net.rows, v1, v2, k, net.columns, net.values.data());
+    unmodified.Map2d(target, u1, u2, k * net.columns, net.rows, v1, v2, k, net.columns, net.values.data());
   else
-    sound.Map1d(target, u1, u2, k, net.rows, net.values.data());
+    unmodified.Map1d(target, u1, u2, k, net.rows, net.values.data());
 }
 
 Map current_map(GLenum target) {
   GLint order[2] = {1, 1};
   GLdouble domain[4] = {0, 1, 0, 1};
-  sound.GetMapiv(target, GL_ORDER, order);
-  sound.GetMapdv(target, GL_DOMAIN, domain);
+  unmodified.GetMapiv(target, GL_ORDER, order);
+  unmodified.GetMapdv(target, GL_DOMAIN, domain);
   Net net{gl::components_of(target), order[0], order[1], {}};
   net.values.resize(static_cast<std::size_t>(net.components * net.rows * net.columns));
-  sound.GetMapdv(target, GL_COEFF, net.values.data());
+  unmodified.GetMapdv(target, GL_COEFF, net.values.data());
   return {target, domain[0], domain[1], domain[2], domain[3], std::move(net)};
 }
 

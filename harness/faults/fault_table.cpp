@@ -52,7 +52,7 @@ class Trial {
   // Looks for a test that names the requirement and detects the fault.
   Detection detect(const ListedFault& fault, const std::string& requirement) {
     Detection detection;
-    for (const Depth depth : {Depth::quick, Depth::full}) {
+    for (const Depth depth : {Depth::kQuick, Depth::kFull}) {
       const std::vector<std::string> tests =
           passing_tests(fault, depth, tests_of(requirement, depth, fault.level));
       if (interrupted) throw CannotTry{"interrupted"};
@@ -96,7 +96,7 @@ class Trial {
     return passing;
   }
 
-  // Plays the tests with the fault until one detects it.
+  // Runs the tests with the fault until one detects it.
   Detection play_until_detected(const ListedFault& fault, Depth depth,
                                 const std::vector<std::string>& tests) {
     const ChildRun run = play(fault, fault.name, depth, tests);
@@ -107,7 +107,7 @@ class Trial {
     for (const std::string& name : run.finished) {
       const TestRecord& record = run.records.at(name);
       if (record.verdict == Verdict::kFail ||
-          (fault.level == Level::quality && record.verdict == Verdict::kQualityWarning))
+          (fault.level == Level::kQuality && record.verdict == Verdict::kQualityWarning))
         return detected(name, record.verdict, record.message);
     }
     if (!run.in_flight.empty())
@@ -117,7 +117,7 @@ class Trial {
     return {};
   }
 
-  // Plays the tests in one child. If the label is the name of the fault, the child has the fault and stops at
+  // Runs the tests in one child. If the label is the name of the fault, the child has the fault and stops at
   // the first failure.
   ChildRun play(const ListedFault& fault, const std::string& label, Depth depth,
                 const std::vector<std::string>& tests) const {

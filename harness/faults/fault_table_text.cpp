@@ -118,7 +118,7 @@ std::optional<std::vector<ListedFault>> parse_faults(const std::string& text) {
   std::vector<ListedFault> faults;
   JsonObject(value, "faults").each_object("faults", [&](const JsonObject& in) {
     faults.push_back({in.text("name"), in.text("implementation"), in.texts("arguments"),
-                      in.word("level", level_named).value_or(Level::must), words_of(in.text("requirements")),
+                      in.word("level", level_named).value_or(Level::kMust), words_of(in.text("requirements")),
                       in.text("what"), in.text("kind")});
   });
   return faults;

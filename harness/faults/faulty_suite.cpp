@@ -63,7 +63,7 @@ void list_variations(const char* file) {
     all.push_back({std::string(variation.name),
                    std::string(variation.implementation),
                    arguments_of(variation.implementation),
-                   Level::must,
+                   Level::kMust,
                    {std::istream_iterator<std::string>(violated), {}},
                    std::string(variation.what),
                    "variation"});

@@ -50,9 +50,9 @@ Rule curve_at(Value condition, Coordinate u) {
   return instead(EvalMesh1, kDrawsCurve && condition, [=](Call& c) {
     const GridIndex direction = direction_now(kCurveU);
     const GLint i1 = c.integer('i');
-    sound.Begin(c.integer('m') == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
-    for (GLint i = i1; i <= c.integer('k'); ++i) sound.EvalCoord1f(at(direction, u, i, i1, i));
-    sound.End();
+    unmodified.Begin(c.integer('m') == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
+    for (GLint i = i1; i <= c.integer('k'); ++i) unmodified.EvalCoord1f(at(direction, u, i, i1, i));
+    unmodified.End();
   });
 }
 
@@ -63,29 +63,29 @@ Rule surface_at(GLenum mode, Value condition, Coordinate u, Coordinate v) {
     const auto x = [&](GLint i) { return at(directions[0], u, i, i1, i); };
     const auto y = [&](GLint j, GLint lower) { return at(directions[1], v, j, j1, lower); };
     if (mode == GL_POINT) {
-      sound.Begin(GL_POINTS);
+      unmodified.Begin(GL_POINTS);
       for (GLint j = j1; j <= j2; ++j)
         for (GLint i = i1; i <= i2; ++i)
-          sound.EvalCoord2f(at(directions[0], u, i, i1, i, j == directions[1].segments),
-                            at(directions[1], v, j, j1, j, i == directions[0].segments));
-      sound.End();
+          unmodified.EvalCoord2f(at(directions[0], u, i, i1, i, j == directions[1].segments),
+                                 at(directions[1], v, j, j1, j, i == directions[0].segments));
+      unmodified.End();
     } else if (mode == GL_LINE) {
       kRows(c);
       for (GLint i = i1; i <= i2; ++i) {
-        sound.Begin(GL_LINE_STRIP);
-        for (GLint j = j1; j <= j2; ++j) sound.EvalCoord2f(x(i), y(j, j));
-        sound.End();
+        unmodified.Begin(GL_LINE_STRIP);
+        for (GLint j = j1; j <= j2; ++j) unmodified.EvalCoord2f(x(i), y(j, j));
+        unmodified.End();
       }
     } else {
       for (GLint j = j1; j < j2; ++j) {
         const GLfloat lower = y(j, j), upper = y(j + 1, j);
-        sound.Begin(GL_QUAD_STRIP);
+        unmodified.Begin(GL_QUAD_STRIP);
         for (GLint i = i1; i <= i2; ++i) {
           const GLfloat both = x(i);
-          sound.EvalCoord2f(both, lower);
-          sound.EvalCoord2f(both, upper);
+          unmodified.EvalCoord2f(both, lower);
+          unmodified.EvalCoord2f(both, upper);
         }
-        sound.End();
+        unmodified.End();
       }
     }
   });
@@ -103,14 +103,14 @@ Value noted_grid2(int i) { return kept(kFirstNoted + 3 + i); }
 Rules point1_at(Value condition, Coordinate u) {
   return {note_grids(), instead(EvalPoint1, condition, [=](Call& c) {
             const GLint i = c.integer('i');
-            sound.EvalCoord1f(at(direction_at_begin(kCurveU), u, i, i, i));
+            unmodified.EvalCoord1f(at(direction_at_begin(kCurveU), u, i, i, i));
           })};
 }
 Rules point2_at(Value condition, Coordinate u, Coordinate v) {
   return {note_grids(), instead(EvalPoint2, condition, [=](Call& c) {
             const GLint i = c.integer('i'), j = c.integer('j');
-            sound.EvalCoord2f(at(direction_at_begin(kSurfaceU), u, i, i, i),
-                              at(direction_at_begin(kSurfaceV), v, j, j, j));
+            unmodified.EvalCoord2f(at(direction_at_begin(kSurfaceU), u, i, i, i),
+                                   at(direction_at_begin(kSurfaceV), v, j, j, j));
           })};
 }
 

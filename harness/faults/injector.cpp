@@ -25,7 +25,7 @@ const std::vector<std::pair<int, Fault>>& mutations() {
 #define GLEV_MUTATION(name, level, requirements, what, test) \
   ++number;                                                  \
   if (*requirements != '\0')                                 \
-    list.push_back({number, {#name, "production", Level::level, requirements, what, nullptr}});
+    list.push_back({number, {#name, "production", *level_named(#level), requirements, what, nullptr}});
 #include "mutation_list.h"
 #undef GLEV_MUTATION
     return list;
@@ -43,13 +43,13 @@ class FaultyContext final : public Context {
  public:
   FaultyContext(std::unique_ptr<Context> inner, const Fault& fault) : inner_(std::move(inner)) {
     forget_rules();
-    sound = table_ = inner_->table();
+    unmodified = table_ = inner_->table();
     Injection injection{table_};
     fault.inject(injection);
     emitted_ = injection.emitted;
     // A command that is missing stays so.
 #define GL_ENTRY(name, kinds) \
-  if (!sound.name) table_.name = nullptr;
+  if (!unmodified.name) table_.name = nullptr;
 #include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
     watch(table_);

@@ -53,7 +53,7 @@ void eval_mesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   }
 }
 
-// --- EV-CTX-COPY, -NOMAPS: glXCopyContext, which Mesa refuses, of two groups
+// --- EV-CTX-COPY, -NOMAPS: glXCopyContext, which Mesa rejects, of two groups
 
 void copy_context(GLuint from, GLuint to, GLbitfield mask) {
   std::array<GLfloat, 4> color{}, domain2{};

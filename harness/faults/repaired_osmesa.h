@@ -1,5 +1,5 @@
 // OSMesa (or the same Mesa through EGL, see faulty_suite.cpp) without those of its own defects for which a
-// rule would have no sound implementation to put a fault into, `dropin` included: edge flags of filled
+// rule would have no correct implementation to put a fault into, `dropin` included: edge flags of filled
 // meshes, and CopyContext. Wrappers do what the rule says, in the commands that the plain deliveries of its
 // tests use. A test counts on it only where it passes.
 #pragma once

@@ -39,7 +39,7 @@ std::vector<double> exact_answers(Call& call) {
     const GLenum name = token(call.argument('e'));
     if (name < GL_MAP1_GRID_DOMAIN || name > GL_MAP2_GRID_SEGMENTS) return {};
     std::vector<double> values(4);
-    sound.GetDoublev(name, values.data());
+    unmodified.GetDoublev(name, values.data());
     values.resize(name == GL_MAP2_GRID_DOMAIN ? 4 : name == GL_MAP1_GRID_SEGMENTS ? 1 : 2);
     return values;
   }
@@ -112,19 +112,19 @@ Value forget() {
 // --- State -------------------------------------------------------------------------------------------------
 
 Value enabled(Value cap) {
-  return unary(cap, [](double c) { return sound.IsEnabled(token(c)); });
+  return unary(cap, [](double c) { return unmodified.IsEnabled(token(c)); });
 }
 Value state(Value pname, int i) {
   return unary(pname, [i](double name) {
     GLint values[16] = {};
-    sound.GetIntegerv(token(name), values);
+    unmodified.GetIntegerv(token(name), values);
     return values[i];
   });
 }
 Value real_state(Value pname, int i) {
   return unary(pname, [i](double name) {
     GLdouble values[16] = {};
-    sound.GetDoublev(token(name), values);
+    unmodified.GetDoublev(token(name), values);
     return values[i];
   });
 }
@@ -270,7 +270,7 @@ Value error(GLenum kind) {
   if (kind == GL_INVALID_VALUE) return call(MapGrid1f, {0, 0, 1});
   return [](Call&) {
     GLint unused = 0;
-    sound.GetnMapiv(GL_MAP1_INDEX, GL_ORDER, 0, &unused);
+    unmodified.GetnMapiv(GL_MAP1_INDEX, GL_ORDER, 0, &unused);
   };
 }
 Value error_inside() { return call(Begin, {GL_POINTS}); }
@@ -279,12 +279,12 @@ Value error_now(GLenum kind) {
   if (kind == GL_INVALID_OPERATION) return call(EndList);     // no list is open then
   return [](Call&) {
     GLint unused[4];
-    sound.GetMapiv(0, GL_ORDER, unused);
+    unmodified.GetMapiv(0, GL_ORDER, unused);
   };
 }
 Value replace_error(GLenum kind, GLenum by) {
   return [=](Call& c) {
-    GLenum seen = sound.GetError();
+    GLenum seen = unmodified.GetError();
     if (seen == kind) seen = by;
     if (seen != GL_NO_ERROR) error_now(seen)(c);
   };
@@ -393,8 +393,8 @@ Value change_answers(double (*change)(double exact, double answered)) {
 
 State enable_of(GLenum cap) {
   return [cap]() -> Restore {
-    const bool on = sound.IsEnabled(cap);
-    return [=] { on ? sound.Enable(cap) : sound.Disable(cap); };
+    const bool on = unmodified.IsEnabled(cap);
+    return [=] { on ? unmodified.Enable(cap) : unmodified.Disable(cap); };
   };
 }
 State map_of(GLenum target) {

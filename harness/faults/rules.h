@@ -1,6 +1,6 @@
 // Faults as data. A rule names entry points, a condition and the steps that are wrong:
 //
-//   EVALCTS_RULES(OrderZeroTaken, production, must, "EV-MAP1-ERR-ORDER-LOW", "Map1 takes order 0 as 1",
+//   EVALCTS_RULES(OrderZeroTaken, production, kMust, "EV-MAP1-ERR-ORDER-LOW", "Map1 takes order 0 as 1",
 //                 before(kMap1, kOrder == 0, set(kOrder, 1)));
 //
 // Conditions and steps are expressions (Value), which are evaluated during the call. A lambda that takes the

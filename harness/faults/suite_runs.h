@@ -12,7 +12,7 @@ namespace evalcts::faults {
 // The arguments that make the suite program open the implementation of the fault.
 std::vector<std::string> arguments_of(const ListedFault& fault);
 
-// Plays the tests, in this order, in one child with these arguments; it ends early if a test kills it. Files
+// Runs the tests, in this order, in one child with these arguments; it ends early if a test kills it. Files
 // in the scratch folder begin with the label.
 ChildRun play_in_child(const TableRequest& request, const std::string& label,
                        const std::vector<std::string>& arguments, Depth depth,

@@ -17,7 +17,7 @@ namespace evalcts::faults {
 namespace {
 
 constexpr int kMostDeathsOfOne = 60;  // of one implementation
-constexpr Depth kPlayedDepth = Depth::quick;
+constexpr Depth kPlayedDepth = Depth::kQuick;
 
 using Verdicts = std::map<std::string, TestRecord>;
 

@@ -15,11 +15,11 @@ std::vector<T> written_values(const gl::Trace& trace, gl::Ref query) {
 
 void expect_answer(Played& played, const gl::Trace& expected, gl::Ref query) {
   switch (expected.type(query)) {
-    case gl::Scalar::i32:
+    case gl::Scalar::kI32:
       return played.expect_values(query, written_values<GLint>(expected, query));
-    case gl::Scalar::u8:
+    case gl::Scalar::kU8:
       return played.expect_values(query, written_values<GLubyte>(expected, query));
-    case gl::Scalar::f32:
+    case gl::Scalar::kF32:
       return played.expect_values_near(query, written_values<GLfloat>(expected, query), kTolerance);
     default:
       return played.expect_values_near(query, written_values<GLdouble>(expected, query), kTolerance);
@@ -45,8 +45,8 @@ void expect_answers(Test& t, const gl::Case& program, const gl::Trace& expected)
 void expect_as_specified(Test& t, const gl::Case& program, const Specified& specified, Look look) {
   constexpr Attributes kJudged = kPosition | kColor | kNormal | kTextureCoordinate0;
   const bool emits = specified.prediction.vertex_count() > 0;
-  if (look != Look::vertices || !emits) expect_answers(t, program, specified.answers);
-  if (look != Look::answers && emits) t.expect_emission(program, specified.prediction, kJudged, false);
+  if (look != Look::kVertices || !emits) expect_answers(t, program, specified.answers);
+  if (look != Look::kAnswers && emits) t.expect_emission(program, specified.prediction, kJudged, false);
 }
 
 }  // namespace evalcts::fuzz

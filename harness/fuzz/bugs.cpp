@@ -60,7 +60,7 @@ bool draws_very_much(const FailingCase& failing) {
   return !failing.commands.empty() && vertices_of(gl::parse_case(failing.commands)) > kMostVertices;
 }
 
-// Reduces failing cases in child processes, and crashes by playing candidates in processes of their own.
+// Reduces failing cases in child processes, and crashes by running candidates in processes of their own.
 class BugHunt {
  public:
   BugHunt(const RunResult& run, const BugRequest& request,
@@ -224,7 +224,7 @@ class BugHunt {
     finding.requirement = requirement_of(minimal, how);
     finding.failure.what = how;
     finding.failure.message = test.message;
-    finding.failure.expected = "the program is played to its end";
+    finding.failure.expected = "the program is run to its end";
     finding.failure.captured = how;
     deaths_.push_back(finding);
     return {test.name, finding, ""};
@@ -303,7 +303,7 @@ Bug bug_from(const Group& group, const ImplementationRecord& implementation, int
   bug.cause = group.cause;
   bug.why_not_reduced = group.minimal ? "" : group.why_not_reduced;
   std::set<RequirementId> explained;
-  bug.level = Level::quality;
+  bug.level = Level::kQuality;
   bug.verdict = Verdict::kPass;
   for (const TestRecord* test : group.tests) {
     bug.tests.push_back(test->name);
@@ -437,7 +437,7 @@ void find_bugs(RunResult& run, const BugRequest& request,
     reductions = BugHunt(run, request, progress).reduce_all();
   } else {
     for (const TestRecord& test : run.tests)
-      reductions[test.name] = {test.name, {}, "it depends on what was played before in the same context"};
+      reductions[test.name] = {test.name, {}, "it depends on what was run before in the same context"};
   }
   run.bugs = bugs_of(run, reductions, max_eval_order);
   std::size_t tests = 0, left = 0, late = 0;

@@ -29,7 +29,7 @@ constexpr std::uint64_t kFreshEvery = 16;  // one program of so many has a conte
 Judged judge_program(const Subject& subject, const gl::Case& program, const Specified& specified, Look look) {
   TestRecord record;
   // The name decides if other captures check the first one, which a repeated look does not need.
-  record.name = look == Look::all ? program.identity() : "a smaller version";
+  record.name = look == Look::kAll ? program.identity() : "a smaller version";
   Test test(subject, record);
   test.run([&](Test& t) { expect_as_specified(t, program, specified, look); });
   if (record.verdict == Verdict::kInternalError)
@@ -122,7 +122,7 @@ class Player {
   }
 
   // Returns in a fresh context the difference that the shared context showed: of the program alone, or behind
-  // some that were played there before.
+  // some that were run there before.
   std::optional<Finding> repeated(const gl::Case& program, const Specified& specified) {
     if (std::optional<Finding> alone = judge_program(subject_, program, specified).finding) return alone;
     std::optional<Finding> found;
@@ -138,7 +138,7 @@ class Player {
     return found;
   }
 
-  // Leaves word of the program that is played next. False where the library has died in it before.
+  // Leaves word of the program that is run next. False where the library has died in it before.
   bool takes_off(const gl::Case& candidate) const {
     if (campaign_.in_flight.empty()) return true;
     const std::string text = gl::to_text(candidate);

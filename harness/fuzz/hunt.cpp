@@ -213,7 +213,7 @@ class Hunter {
   }
 
   // The death of the child in a program, or in a smaller one on the way to the cause of a difference, made
-  // small by playing candidates in processes of their own.
+  // small by running candidates in processes of their own.
   void died(const ChildRun& run, std::uint32_t number, const std::string& in_flight) {
     const std::string how = run.hung ? "timeout" : "crash";
     gl::Case program = in_flight.empty()
@@ -246,7 +246,7 @@ class Hunter {
     }
     bool outside = false;
     if (cause.empty() && !dies(program)) {
-      cause = fmt::format("what was played before: {}", how);
+      cause = fmt::format("what was run before: {}", how);
     } else if (cause.empty()) {
       program = shrink(program, dies, run.hung ? kMostHangs : kMostAttemptsAlone);
       outside = dies(gl::with_explicit_vertices(program));
@@ -260,7 +260,7 @@ class Hunter {
     finding.cause = cause;
     finding.failure.what = how;
     finding.failure.message = fmt::format("{}: {}", how, describe(run.ending));
-    finding.failure.expected = "the program is played to its end";
+    finding.failure.expected = "the program is run to its end";
     finding.failure.captured = describe(run.ending);
     finding.failure.calls = gl::all_calls(program);
     found(fmt::format("program {}", number), finding);

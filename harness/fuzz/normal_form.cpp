@@ -21,7 +21,7 @@ namespace {
 using gl::Command;
 using gl::EntryPoint;
 
-enum class Lists { none, compiled, executed };
+enum class Lists { kNone, kCompiled, kExecuted };
 
 std::int64_t integer_of(const Command& command, std::size_t i) {
   const auto* value =
@@ -51,7 +51,7 @@ bool is_vertex_map(std::int64_t target, int dimension) {
 
 // Facts about the commands of a program.
 struct Facts {
-  Lists lists = Lists::none;
+  Lists lists = Lists::kNone;
   int evaluations = 0;
   bool meshes = false, points = false, grids = false, automatic_normals = false, attribute_maps = false;
   bool without_vertices = false;   // evaluates in a dimension of which no vertex map is enabled
@@ -67,7 +67,7 @@ struct Facts {
       const EntryPoint entry = command.entry;
       const int dimension = dimension_of(entry);
       if (entry == EntryPoint::NewList)
-        lists = std::max(lists, integer_of(command, 1) == GL_COMPILE ? Lists::compiled : Lists::executed);
+        lists = std::max(lists, integer_of(command, 1) == GL_COMPILE ? Lists::kCompiled : Lists::kExecuted);
       if (is_evaluation(entry)) {
         ++evaluations;
         meshes = meshes || starts_with(entry, "EvalMesh");
@@ -179,8 +179,8 @@ std::string noun_of(const std::string& what, const Facts& facts) {
 }
 
 std::string in_lists(const Facts& facts) {
-  if (facts.lists == Lists::none) return {};
-  return facts.lists == Lists::compiled ? " in a display list" : " in a list that is compiled and executed";
+  if (facts.lists == Lists::kNone) return {};
+  return facts.lists == Lists::kCompiled ? " in a display list" : " in a list that is compiled and executed";
 }
 
 std::string cause_from(const std::string& head, const std::vector<std::string>& flags) {
@@ -231,7 +231,7 @@ NormalForm of_evaluated_values(const std::string& what, const Facts& facts) {
 }
 
 NormalForm of_vertices(const Failure& failure, const Facts& facts) {
-  const bool lists = facts.lists != Lists::none;
+  const bool lists = facts.lists != Lists::kNone;
   const std::string command = facts.meshes && !lists   ? "EvalMesh"
                               : facts.points && !lists ? "EvalPoint"
                                                        : "An evaluation";

@@ -17,7 +17,7 @@ namespace {
 constexpr GLuint kFirstList = 100;
 constexpr int kLists = 6, kMostDepth = 6;
 
-enum class Kind { points, lines, polygons };
+enum class Kind { kPoints, kLines, kPolygons };
 
 // Parts of a program. Most programs lack some: if everything comes together, the defect that shows most
 // easily hides the others.
@@ -28,7 +28,7 @@ struct Parts {
   bool given_vertices = true, current_values = true, automatic_normals = true, disabling = true;
   bool meshes = true, lists = true, stack = true, errors = true, queries = true, other_unit = true;
   bool errors_in_lists = false;  // GetError follows each CallList then
-  bool daring = true;  // what crashes libraries: lists that call lists, queries of maps that are refused
+  bool daring = true;  // what crashes libraries: lists that call lists, queries of maps that are rejected
 };
 
 bool makes_vertices(GLenum map) {
@@ -58,7 +58,7 @@ class ProgramWriter {
   ProgramWriter(gl::Case& c, Dice& dice, int max_eval_order, bool past)
       : c_(c), dice_(dice), max_order_(max_eval_order) {
     const int kind = dice_.below(8);
-    kind_ = past || kind > 1 ? Kind::points : kind == 0 ? Kind::lines : Kind::polygons;
+    kind_ = past || kind > 1 ? Kind::kPoints : kind == 0 ? Kind::kLines : Kind::kPolygons;
     hostile_ = dice_.one_in(4);
     choose_parts();
     if (past) has_.daring = has_.errors_in_lists = false;
@@ -82,8 +82,8 @@ class ProgramWriter {
  private:
   void choose_parts() {
     const int dimensions = dice_.below(4);
-    has_.curves = dimensions != 1 && kind_ != Kind::polygons;
-    has_.surfaces = dimensions != 0 || kind_ == Kind::polygons;
+    has_.curves = dimensions != 1 && kind_ != Kind::kPolygons;
+    has_.surfaces = dimensions != 0 || kind_ == Kind::kPolygons;
     has_.vertices_always = dice_.one_in(2);
     has_.grids_first = !dice_.one_in(3);
     has_.automatic_normals = dice_.one_in(2);
@@ -320,9 +320,9 @@ class ProgramWriter {
 
   GLenum mode() {
     switch (kind_) {
-      case Kind::points:
+      case Kind::kPoints:
         return GL_POINTS;
-      case Kind::lines:
+      case Kind::kLines:
         return dice_.one_in(2) ? GL_LINES : GL_LINE_STRIP;
       default: {
         constexpr GLenum kModes[] = {GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN};
@@ -389,7 +389,7 @@ class ProgramWriter {
     if (count == 0) count = dice_.one_in(60) ? 200 : 1 + dice_.below(6);
     c_.Begin(mode());
     // Complete lines and triangles only.
-    if (kind_ != Kind::points) count = 6;
+    if (kind_ != Kind::kPoints) count = 6;
     for (int i = 0; i < count; ++i) {
       if (has_.current_values && dice_.one_in(4)) current_value();
       vertex();
@@ -400,8 +400,8 @@ class ProgramWriter {
   void mesh() {
     const GLint i1 = dice_.below(4) - 1, i2 = i1 + 1 + dice_.below(4), j1 = dice_.below(3),
                 j2 = j1 + 1 + dice_.below(2);
-    const GLenum how = kind_ == Kind::points ? GL_POINT : GL_LINE;
-    if (kind_ == Kind::polygons)
+    const GLenum how = kind_ == Kind::kPoints ? GL_POINT : GL_LINE;
+    if (kind_ == Kind::kPolygons)
       c_.EvalMesh2(GL_FILL, i1, i2, j1, j2);
     else if (in_surfaces())
       c_.EvalMesh2(how, i1, i2, j1, j2);
@@ -592,7 +592,7 @@ class ProgramWriter {
     if (dice_.one_in(2)) call(name);
   }
 
-  // Map commands are refused while another unit is active.
+  // Map commands are rejected while another unit is active.
   void other_unit() {
     c_.ActiveTexture(GL_TEXTURE1);
     switch (dice_.below(3)) {

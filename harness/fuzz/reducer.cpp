@@ -34,7 +34,7 @@ Reducer::Reducer(const Subject& subject, SharedContext* shared, std::vector<std:
 Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful) {
   const std::string kind = kind_of(finding.failure.what);
   // Either an answer or a vertex differs: only that is looked at again.
-  const Look look = kind.starts_with("gl") ? Look::answers : Look::vertices;
+  const Look look = kind.starts_with("gl") ? Look::kAnswers : Look::kVertices;
   std::string wanted = kind;
   const auto look_at = [&](const gl::Case& candidate, const auto& judge) -> std::optional<Finding> {
     if (hooks_.alive) hooks_.alive();
@@ -87,7 +87,7 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful)
   const std::int64_t size = std::max<std::int64_t>(vertices_of(program) / kMostVertices, 1);
   const bool is_cheap_in_shared = shared_ && size == 1;
   bool known = (is_cheap_in_shared && is_known(true)) || is_known(false);
-  if (!known && look == Look::vertices && kind != kPrimitives) {
+  if (!known && look == Look::kVertices && kind != kPrimitives) {
     // If vertices are lost and others come twice, their number is right and nothing else of them.
     wanted = kPrimitives;
     known = is_known(false);

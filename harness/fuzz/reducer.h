@@ -15,8 +15,8 @@ class Reducer {
   // Functions of the caller that run around each program. Each may be empty.
   struct Hooks {
     std::function<void()> alive = {};    // before each program
-    std::function<bool()> is_over = {};  // true: the time is over, no program is played any more
-    // Before a program is played; false: it is left out, because the library has died in it before.
+    std::function<bool()> is_over = {};  // true: the time is over, no program is run any more
+    // Before a program is run; false: it is left out, because the library has died in it before.
     std::function<bool(const gl::Case&)> takes_off = {};
     std::function<void()> landed = {};                         // after the last program of a reduction
     std::function<void(const Finding& finding)> smaller = {};  // the smallest program so far

@@ -60,7 +60,7 @@ class CaseReducer {
     }
     has_grid_ = has(program, "glMapGrid");
     const bool is_answer = kind_of(failing.what).starts_with("gl");
-    const Look look = is_answer ? Look::answers : Look::vertices;
+    const Look look = is_answer ? Look::kAnswers : Look::kVertices;
     std::optional<Finding> found;
     if (vertices_of(program) > kMostVertices)
       program = excerpt_of(program, [&](const gl::Case& part) {
@@ -76,7 +76,7 @@ class CaseReducer {
       if (!specified)
         return not_reduced(failing, "the specification does not define everything that its case does");
       found = judge_program(subject_, program, *specified, look).finding;
-      if (!found) found = judge_program(subject_, program, *specified, Look::all).finding;
+      if (!found) found = judge_program(subject_, program, *specified, Look::kAll).finding;
       if (!found) return not_reduced(failing, why_it_does_not_show(script, program));
     }
 
@@ -87,7 +87,7 @@ class CaseReducer {
     Finding minimal = reducer_.explain(program, *found);
     // A wrong answer in it, such as a missing error, tells more than what comes of it.
     if (!kind.starts_with("gl"))
-      if (const std::optional<Finding> answer = difference_of(minimal.program, Look::answers))
+      if (const std::optional<Finding> answer = difference_of(minimal.program, Look::kAnswers))
         minimal = reducer_.explain(gl::Case(minimal.program), *answer);
     if (is_over()) return not_reduced(failing, kOutOfTime);
     if (vertices_of(plain) <= kMostVertices && fails_alike(plain, kind)) reduced_[key] = minimal;
@@ -139,7 +139,7 @@ class CaseReducer {
 
   bool fails_alike(const gl::Case& program, const std::string& kind) {
     const std::optional<Finding> found =
-        difference_of(program, kind.starts_with("gl") ? Look::answers : Look::vertices);
+        difference_of(program, kind.starts_with("gl") ? Look::kAnswers : Look::kVertices);
     return found && kind_of(found->failure.what) == kind;
   }
 

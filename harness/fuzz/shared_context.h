@@ -22,13 +22,13 @@ class SharedContext {
 
   explicit SharedContext(const Subject& fresh) : beside_(*fresh.implementation), subject_(fresh) { renew(); }
 
-  Judged judge(const gl::Case& program, const Specified& specified, Look look = Look::all) {
+  Judged judge(const gl::Case& program, const Specified& specified, Look look = Look::kAll) {
     history_.push_back(program);
     if (history_.size() > kMostHistory + 1) history_.pop_front();
     return judge_program(subject_, program, specified, look);
   }
 
-  // The program that was judged last, behind so many that were played before it; empty where there were less.
+  // The program that was judged last, behind so many that were run before it; empty where there were less.
   gl::Case behind(std::size_t count) const {
     gl::Case joint(history_.back().identity());
     if (count >= history_.size()) return joint;
@@ -38,13 +38,13 @@ class SharedContext {
 
   void renew() {
     reused_ = nullptr;
-    reused_ = reuse_context(beside_, subject_.info, Programs::kept);
+    reused_ = reuse_context(beside_, subject_.info, Programs::kKept);
     subject_.implementation = reused_.get();
     history_.clear();
   }
 
  private:
-  // Current again whenever something is played: the first of each case is what restores its state.
+  // Current again whenever something is run: the first of each case is what restores its state.
   class BesideContext final : public Context {
    public:
     explicit BesideContext(std::unique_ptr<Context> inner) : inner_(std::move(inner)) {}

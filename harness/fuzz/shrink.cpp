@@ -28,13 +28,13 @@ double number(const gl::Value& argument, std::size_t i = 0) {
   if (const auto* real = std::get_if<double>(&argument)) return *real;
   const auto* input = std::get_if<gl::Input>(&argument);
   if (!input || input->bytes.size() < (i + 1) * size_of(input->type)) return 0;
-  if (input->type == gl::Scalar::f32) {
+  if (input->type == gl::Scalar::kF32) {
     float single = 0;
     std::memcpy(&single, input->bytes.data() + i * sizeof single, sizeof single);
     return single;
   }
   double real = 0;
-  if (input->type == gl::Scalar::f64) std::memcpy(&real, input->bytes.data() + i * sizeof real, sizeof real);
+  if (input->type == gl::Scalar::kF64) std::memcpy(&real, input->bytes.data() + i * sizeof real, sizeof real);
   return real;
 }
 float single(const gl::Value& argument, std::size_t i = 0) { return static_cast<float>(number(argument, i)); }
@@ -316,8 +316,8 @@ class Shrinker {
 
   template <class With>
   bool simplify_array(std::size_t i, std::size_t k, const gl::Input& input, const With& with) {
-    if (input.type == gl::Scalar::f32) return simplify_elements<float>(i, k, input, with);
-    if (input.type == gl::Scalar::f64) return simplify_elements<double>(i, k, input, with);
+    if (input.type == gl::Scalar::kF32) return simplify_elements<float>(i, k, input, with);
+    if (input.type == gl::Scalar::kF64) return simplify_elements<double>(i, k, input, with);
     return false;
   }
 

@@ -85,7 +85,7 @@ class Writer {
  public:
   explicit Writer(const CProgram& program) : program_(program), commands_(program.script->commands()) {
     if (const Check* check = program.check) {
-      if (check->answer.of == Answer::Of::returned) kept_.insert(check->answer.command.index);
+      if (check->answer.of == Answer::Of::kReturned) kept_.insert(check->answer.command.index);
       for (const Ref command : check->recorded) kept_.insert(command.index);
       kept_.insert({check->answer.command.index, check->other.index});
     }
@@ -149,7 +149,7 @@ class Writer {
     for (const EntryPoint entry : used)
       line("  *(void **)&my_{0} = address_of(\"{0}\");\n  if (!my_{0}) missing(\"{0}\");", name_of(entry));
     text_ += "}\n";
-    const bool is_failure = program_.check && program_.check->rule == Check::Rule::has_commands;
+    const bool is_failure = program_.check && program_.check->rule == Check::Rule::kHasCommands;
     const std::string missing = fmt::format(
         "\nstatic void missing(const char *name) {{\n  printf(\"%s is missing{}\\n\", name);\n  "
         "exit({});\n}}\n",
@@ -204,19 +204,19 @@ class Writer {
           placed(*input, fmt::format("in_{}{}", index, i == 0 ? "" : fmt::format("_{}", i)));
       places[i] = name + ".start";
       switch (input->after) {
-        case AfterCall::keep:
+        case AfterCall::kKeep:
           break;
-        case AfterCall::overwrite:
+        case AfterCall::kOverwrite:
           fates +=
               fmt::format("  memset({0}.start, 0x4B, {0}.size); /* overwritten after the call */\n", name);
           break;
-        case AfterCall::unmap:
+        case AfterCall::kUnmap:
           fates += fmt::format(
               "  munmap({0}.base, {0}.usable + (size_t)sysconf(_SC_PAGESIZE)); /* unmapped after the "
               "call */\n",
               name);
           break;
-        case AfterCall::protect:
+        case AfterCall::kProtect:
           fates += fmt::format(
               "  mprotect({0}.base, {0}.usable, PROT_NONE); /* protected after the call */\n", name);
           break;
@@ -248,23 +248,23 @@ class Writer {
 
   void decide() {
     const Check* check = program_.check;
-    if (!check || check->rule == Check::Rule::has_commands) {
+    if (!check || check->rule == Check::Rule::kHasCommands) {
       text_ +=
           "\nstatic int decide(void) {\n  printf(\"all commands came back: the failure does not show\\n\");\n"
           "  return 0;\n}\n";
       return;
     }
     switch (check->rule) {
-      case Check::Rule::within:
+      case Check::Rule::kWithin:
         decide_within(*check);
         break;
-      case Check::Rule::same:
+      case Check::Rule::kSame:
         decide_same(*check);
         break;
-      case Check::Rule::unlike:
+      case Check::Rule::kUnlike:
         decide_unlike(*check);
         break;
-      case Check::Rule::has_commands:
+      case Check::Rule::kHasCommands:
         break;
     }
   }
@@ -279,11 +279,11 @@ class Writer {
   std::string answer_text(const Answer& answer) {
     const int command = answer.command.index;
     switch (answer.of) {
-      case Answer::Of::returned:
+      case Answer::Of::kReturned:
         return fmt::format("(double)result_{}", command);
-      case Answer::Of::element:
+      case Answer::Of::kElement:
         return fmt::format("(double)array_{}[{}]", command, answer.element);
-      case Answer::Of::written:
+      case Answer::Of::kWritten:
         text_ += fmt::format(
             "\n/* How many elements hold something else than the filler. */\nstatic size_t written(void) {{\n"
             "  size_t bytes = sizeof array_{0};\n"
@@ -291,11 +291,11 @@ class Writer {
             "  return (bytes + sizeof *array_{0} - 1) / sizeof *array_{0};\n}}\n",
             command);
         return "(double)written()";
-      case Answer::Of::left_over:
+      case Answer::Of::kLeftOver:
         return "(double)glGetError()";
-      case Answer::Of::emitted_value:
+      case Answer::Of::kEmittedValue:
         return fmt::format("(double)emitted[{}]", answer.element);
-      case Answer::Of::emitted_vertices:
+      case Answer::Of::kEmittedVertices:
         return "(double)emitted_vertices";
     }
     return "0";
@@ -315,19 +315,19 @@ class Writer {
         },
         4);
     call.pop_back();  // the semicolon
-    if (check.rule == Check::Rule::within && check.answer.of == Answer::Of::element)
+    if (check.rule == Check::Rule::kWithin && check.answer.of == Answer::Of::kElement)
       return fmt::format("values[{}] of {}", check.answer.element, call);
-    if (check.rule == Check::Rule::within && check.answer.of == Answer::Of::written)
+    if (check.rule == Check::Rule::kWithin && check.answer.of == Answer::Of::kWritten)
       return "number of values written by " + call;
     return call;
   }
 
   // Returns true if the type of the answer is an integer.
   bool is_whole(const Answer& answer) const {
-    if (answer.of == Answer::Of::emitted_value) return false;
-    if (answer.of != Answer::Of::element) return true;
+    if (answer.of == Answer::Of::kEmittedValue) return false;
+    if (answer.of != Answer::Of::kElement) return true;
     const Output* output = output_of(commands_.at(static_cast<std::size_t>(answer.command.index)));
-    return output && output->type != Scalar::f32 && output->type != Scalar::f64;
+    return output && output->type != Scalar::kF32 && output->type != Scalar::kF64;
   }
 
   std::string interval(const Check& check) const {

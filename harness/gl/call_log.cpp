@@ -29,19 +29,19 @@ std::string element(Scalar type, const std::byte* bytes) {
     return value;
   };
   switch (type) {
-    case Scalar::u8:
+    case Scalar::kU8:
       return fmt::format("{}", as(std::uint8_t{}));
-    case Scalar::i8:
+    case Scalar::kI8:
       return fmt::format("{}", static_cast<int>(as(std::int8_t{})));
-    case Scalar::i32:
+    case Scalar::kI32:
       return fmt::format("{}", as(std::int32_t{}));
-    case Scalar::u32:
+    case Scalar::kU32:
       return fmt::format("{}", as(std::uint32_t{}));
-    case Scalar::i64:
+    case Scalar::kI64:
       return fmt::format("{}", as(std::int64_t{}));
-    case Scalar::f32:
+    case Scalar::kF32:
       return c_constant(as(0.0f));
-    case Scalar::f64:
+    case Scalar::kF64:
       return c_constant(as(0.0));
   }
   return "";
@@ -49,13 +49,13 @@ std::string element(Scalar type, const std::byte* bytes) {
 
 const char* fate(AfterCall after) {
   switch (after) {
-    case AfterCall::keep:
+    case AfterCall::kKeep:
       return "";
-    case AfterCall::overwrite:
+    case AfterCall::kOverwrite:
       return " /* overwritten after the call */";
-    case AfterCall::unmap:
+    case AfterCall::kUnmap:
       return " /* unmapped after the call */";
-    case AfterCall::protect:
+    case AfterCall::kProtect:
       return " /* protected after the call */";
   }
   return "";
@@ -131,19 +131,19 @@ std::string c_constant(double value) { return constant(value, ""); }
 
 const char* c_type(Scalar type) {
   switch (type) {
-    case Scalar::u8:
+    case Scalar::kU8:
       return "GLubyte";
-    case Scalar::i8:
+    case Scalar::kI8:
       return "GLchar";
-    case Scalar::i32:
+    case Scalar::kI32:
       return "GLint";
-    case Scalar::u32:
+    case Scalar::kU32:
       return "GLuint";
-    case Scalar::i64:
+    case Scalar::kI64:
       return "GLint64";
-    case Scalar::f32:
+    case Scalar::kF32:
       return "GLfloat";
-    case Scalar::f64:
+    case Scalar::kF64:
       return "GLdouble";
   }
   return "GLubyte";

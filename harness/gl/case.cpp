@@ -5,15 +5,15 @@ namespace evalcts::gl {
 
 std::size_t size_of(Scalar type) {
   switch (type) {
-    case Scalar::u8:
-    case Scalar::i8:
+    case Scalar::kU8:
+    case Scalar::kI8:
       return 1;
-    case Scalar::i32:
-    case Scalar::u32:
-    case Scalar::f32:
+    case Scalar::kI32:
+    case Scalar::kU32:
+    case Scalar::kF32:
       return 4;
-    case Scalar::i64:
-    case Scalar::f64:
+    case Scalar::kI64:
+    case Scalar::kF64:
       return 8;
   }
   return 1;

@@ -15,8 +15,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::pair<Scalar, const char*> kTypes[] = {
-    {Scalar::u8, "u8"},   {Scalar::i8, "i8"},   {Scalar::i32, "i32"}, {Scalar::u32, "u32"},
-    {Scalar::i64, "i64"}, {Scalar::f32, "f32"}, {Scalar::f64, "f64"}};
+    {Scalar::kU8, "u8"},   {Scalar::kI8, "i8"},   {Scalar::kI32, "i32"}, {Scalar::kU32, "u32"},
+    {Scalar::kI64, "i64"}, {Scalar::kF32, "f32"}, {Scalar::kF64, "f64"}};
 
 const char* name_of_type(Scalar type) {
   for (const auto& [of, name] : kTypes)
@@ -33,17 +33,17 @@ Scalar type_named(const std::string& name) {
 template <class Use>
 auto with_type(Scalar type, Use use) {
   switch (type) {
-    case Scalar::u8:
+    case Scalar::kU8:
       return use(std::uint8_t());
-    case Scalar::i8:
+    case Scalar::kI8:
       return use(std::int8_t());
-    case Scalar::i32:
+    case Scalar::kI32:
       return use(std::int32_t());
-    case Scalar::u32:
+    case Scalar::kU32:
       return use(std::uint32_t());
-    case Scalar::i64:
+    case Scalar::kI64:
       return use(std::int64_t());
-    case Scalar::f32:
+    case Scalar::kF32:
       return use(float());
     default:
       return use(double());

@@ -300,11 +300,11 @@ std::vector<Delivery> with_lists(const std::vector<Delivery>& deliveries) {
     std::vector<std::string> evaluated;  // the ends of the names of the commands
   };
   static const std::vector<Way> ways = {
-      {Lists::compiled, "Compiled", {"1fv", "1d", "Point1", "Mesh1", "2dv", "2f"}},
-      {Lists::executed, "Executed", {"1f", "1dv", "2d", "Mesh2"}},
-      {Lists::nested, "Nested", {"1f", "1d", "2fv", "2d", "Point2"}},
-      {Lists::repeated, "Repeated", {"1f", "1d", "2f", "2d"}},
-      {Lists::split, "Split", {"1f", "1d", "2f", "2d"}}};
+      {Lists::kCompiled, "Compiled", {"1fv", "1d", "Point1", "Mesh1", "2dv", "2f"}},
+      {Lists::kExecuted, "Executed", {"1f", "1dv", "2d", "Mesh2"}},
+      {Lists::kNested, "Nested", {"1f", "1d", "2fv", "2d", "Point2"}},
+      {Lists::kRepeated, "Repeated", {"1f", "1d", "2f", "2d"}},
+      {Lists::kSplit, "Split", {"1f", "1d", "2f", "2d"}}};
   std::vector<Delivery> all = deliveries;
   for (const Way& way : ways)
     for (const Delivery& delivery : deliveries)
@@ -320,9 +320,9 @@ std::vector<Delivery> with_lists(const std::vector<Delivery>& deliveries) {
 }  // namespace
 
 DeliveredCase Delivery::apply(const Case& script) const {
-  if (lists != Lists::none) {
+  if (lists != Lists::kNone) {
     Delivery without_lists = *this;
-    without_lists.lists = Lists::none;
+    without_lists.lists = Lists::kNone;
     const DeliveredCase delivered = without_lists.apply(script);
     DeliveredCase listed = through_lists(delivered.script, lists);
     std::vector<int> positions;
@@ -336,37 +336,37 @@ DeliveredCase Delivery::apply(const Case& script) const {
     return unlifted.apply(lift(script, along_v));
   }
   switch (evaluation) {
-    case Evaluation::as_written:
+    case Evaluation::kAsWritten:
       return unchanged(script);
-    case Evaluation::point:
+    case Evaluation::kPoint:
       return OnGrids(script, false).apply();
-    case Evaluation::mesh:
+    case Evaluation::kMesh:
       return OnGrids(script, true).apply();
     default:
-      return one_for_one(script, doubles, evaluation == Evaluation::array);
+      return one_for_one(script, doubles, evaluation == Evaluation::kArray);
   }
 }
 
 bool Delivery::is_plain() const {
-  return lists == Lists::none &&
-         (evaluation == Evaluation::as_written || (evaluation == Evaluation::coordinates && !doubles));
+  return lists == Lists::kNone &&
+         (evaluation == Evaluation::kAsWritten || (evaluation == Evaluation::kCoordinates && !doubles));
 }
 
 const std::vector<Delivery>& curve_deliveries() {
   using enum Delivery::Evaluation;
   static const std::vector<Delivery> all =
-      with_lists({{"EvalCoord1f", coordinates},
-                  {"EvalCoord1fv", array},
-                  {.name = "EvalCoord1d", .evaluation = coordinates, .doubles = true},
-                  {.name = "EvalCoord1dv", .evaluation = array, .doubles = true},
-                  {"EvalPoint1", point},
-                  {"EvalMesh1", mesh},
-                  {"EvalCoord2f", coordinates, false, true, false},
-                  {"EvalCoord2fv", array, false, true, true},
-                  {"EvalCoord2d", coordinates, true, true, true},
-                  {"EvalCoord2dv", array, true, true, false},
-                  {"EvalPoint2", point, false, true, true},
-                  {"EvalMesh2", mesh, false, true, false}});
+      with_lists({{"EvalCoord1f", kCoordinates},
+                  {"EvalCoord1fv", kArray},
+                  {.name = "EvalCoord1d", .evaluation = kCoordinates, .doubles = true},
+                  {.name = "EvalCoord1dv", .evaluation = kArray, .doubles = true},
+                  {"EvalPoint1", kPoint},
+                  {"EvalMesh1", kMesh},
+                  {"EvalCoord2f", kCoordinates, false, true, false},
+                  {"EvalCoord2fv", kArray, false, true, true},
+                  {"EvalCoord2d", kCoordinates, true, true, true},
+                  {"EvalCoord2dv", kArray, true, true, false},
+                  {"EvalPoint2", kPoint, false, true, true},
+                  {"EvalMesh2", kMesh, false, true, false}});
   return all;
 }
 
@@ -382,11 +382,11 @@ const std::vector<Delivery>& surface_deliveries() {
 
 const std::vector<Delivery>& list_deliveries() {
   static const std::vector<Delivery> all = {{},
-                                            {.name = "Compiled", .lists = Lists::compiled},
-                                            {.name = "Executed", .lists = Lists::executed},
-                                            {.name = "Nested", .lists = Lists::nested},
-                                            {.name = "Repeated", .lists = Lists::repeated},
-                                            {.name = "Split", .lists = Lists::split}};
+                                            {.name = "Compiled", .lists = Lists::kCompiled},
+                                            {.name = "Executed", .lists = Lists::kExecuted},
+                                            {.name = "Nested", .lists = Lists::kNested},
+                                            {.name = "Repeated", .lists = Lists::kRepeated},
+                                            {.name = "Split", .lists = Lists::kSplit}};
   return all;
 }
 
@@ -400,15 +400,15 @@ std::vector<Delivery> without(unsigned traits, const std::vector<Delivery>& deli
   const auto has = [](const Delivery& delivery, unsigned trait) {
     switch (trait) {
       case kMeshes:
-        return delivery.evaluation == mesh;
+        return delivery.evaluation == kMesh;
       case kGrids:
-        return delivery.evaluation == mesh || delivery.evaluation == point;
+        return delivery.evaluation == kMesh || delivery.evaluation == kPoint;
       case kArrays:
-        return delivery.evaluation == array;
+        return delivery.evaluation == kArray;
       case kLists:
-        return delivery.lists != Lists::none;
+        return delivery.lists != Lists::kNone;
       default:
-        return delivery.lists == Lists::repeated;
+        return delivery.lists == Lists::kRepeated;
     }
   };
   std::vector<Delivery> kept = deliveries;

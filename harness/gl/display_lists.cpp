@@ -46,7 +46,7 @@ class ThroughLists {
   }
 
   DeliveredCase apply() {
-    if (lists_ == Lists::executed)
+    if (lists_ == Lists::kExecuted)
       execute();
     else
       compile();
@@ -101,21 +101,21 @@ class ThroughLists {
     for (const auto& [run, compiled] : runs()) {
       if (!compiled) {
         steps.push_back({run, {}});
-      } else if (lists_ == Lists::split) {
+      } else if (lists_ == Lists::kSplit) {
         constexpr std::size_t kPiece = 3;
         for (std::size_t begin = run.begin, piece = 0; begin < run.end; begin += kPiece, ++piece) {
           const Run part = {begin, std::min(begin + kPiece, run.end)};
           steps.push_back({part, {}});
           if (piece % 3 != 2) steps.back().calls = {list_of(part)};
         }
-      } else if (lists_ == Lists::nested) {
+      } else if (lists_ == Lists::kNested) {
         const std::size_t middle = run.begin + (run.size() + 1) / 2;
         const std::int64_t first = list_of({run.begin, middle}), second = list_of({middle, run.end});
         steps.push_back({run, {list_of_calls({first, second})}});
       } else {
         const std::int64_t list = list_of(run);
         steps.push_back({run, {list}});
-        if (lists_ == Lists::repeated && leaves_no_primitive_open(run)) steps.back().calls.push_back(list);
+        if (lists_ == Lists::kRepeated && leaves_no_primitive_open(run)) steps.back().calls.push_back(list);
       }
     }
     for (const Step& step : steps) {

@@ -96,14 +96,14 @@ class ClientArray {
 
   void meet(AfterCall fate) {
     switch (fate) {
-      case AfterCall::keep:
+      case AfterCall::kKeep:
         return;
-      case AfterCall::overwrite:
+      case AfterCall::kOverwrite:
         std::memset(data(), static_cast<int>(kUnlikely), size_);
         return;
-      case AfterCall::unmap:
+      case AfterCall::kUnmap:
         return pages_.unmap();
-      case AfterCall::protect:
+      case AfterCall::kProtect:
         return pages_.protect();
     }
   }
@@ -328,19 +328,19 @@ void Trace::replace_element(Ref command, std::size_t element, double value) {
     std::memcpy(array.bytes.data() + element * sizeof converted, &converted, sizeof converted);
   };
   switch (array.type) {
-    case Scalar::u8:
+    case Scalar::kU8:
       return store(static_cast<std::uint8_t>(value));
-    case Scalar::i8:
+    case Scalar::kI8:
       return store(static_cast<std::int8_t>(value));
-    case Scalar::i32:
+    case Scalar::kI32:
       return store(static_cast<std::int32_t>(value));
-    case Scalar::u32:
+    case Scalar::kU32:
       return store(static_cast<std::uint32_t>(value));
-    case Scalar::i64:
+    case Scalar::kI64:
       return store(static_cast<std::int64_t>(value));
-    case Scalar::f32:
+    case Scalar::kF32:
       return store(static_cast<float>(value));
-    case Scalar::f64:
+    case Scalar::kF64:
       return store(value);
   }
 }

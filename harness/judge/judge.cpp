@@ -72,7 +72,7 @@ class VertexJudge {
     const bool clamped = attribute == kColor && observation_.clamped_colors;
     const double capture_error = attribute == kColor ? observation_.color_error : 0;
     // Quality is not judged if the capture adds an error, which would be attributed to the library.
-    if (capture_error > 0 && options_.level == Level::quality) return;
+    if (capture_error > 0 && options_.level == Level::kQuality) return;
     if (capture_error > 0) measured_ = false;
     for (std::size_t i = 0; i < got.size(); ++i) {
       const auto what = [&] {
@@ -127,7 +127,7 @@ class VertexJudge {
       // Values outside [0,1] were clamped and cannot be distinguished from the end of the interval.
       if (got == 0.0f ? exact.sign() <= 0 : exact >= Rational(1)) return;
     }
-    if (options_.level != Level::quality && clearly_accepted(sample, exact, magnitude, got)) {
+    if (options_.level != Level::kQuality && clearly_accepted(sample, exact, magnitude, got)) {
       measure(what, sample, exact, magnitude, got);
       return;
     }
@@ -137,8 +137,8 @@ class VertexJudge {
       return;
     }
     measure(what, sample, exact, magnitude, got);
-    const Rational bound = (options_.level == Level::quality ? reference::quality_bound(component)
-                                                             : reference::acceptance_bound(component)) +
+    const Rational bound = (options_.level == Level::kQuality ? reference::quality_bound(component)
+                                                              : reference::acceptance_bound(component)) +
                            Rational(capture_error);
     if (!reference::is_within(got, exact, bound) && !(clamped && within_clamped(got, exact, bound)))
       judgement_.mismatches.push_back(mismatch(what(), sample, exact, magnitude, bound, got, clamped));
@@ -161,7 +161,7 @@ class VertexJudge {
     const bool either_sign = (u.first > u.last) != (v.first > v.last);
     const Rational bound =
         *acceptance->bound +
-        (options_.level == Level::quality ? Rational(0) : reference::normal_method_allowance());
+        (options_.level == Level::kQuality ? Rational(0) : reference::normal_method_allowance());
     const bool with_shader = observation_.attributes & kShaderNormal;
     const bool accepted = with_shader ? reference::direction_is_within(got, acceptance->m, bound, either_sign)
                                       : reference::is_within(got, acceptance->m, bound, either_sign);
@@ -325,7 +325,7 @@ Judgement judge(const Prediction& prediction, const Topology& topology, const Ob
     mismatch.expected = describe(topology.shape);
     mismatch.captured = describe(shape) + (observation.overflow ? " or more" : "");
     mismatch.message = fmt::format("{} came out, {} should have", mismatch.captured, mismatch.expected);
-    mismatch.of = Mismatch::Of::vertices;
+    mismatch.of = Mismatch::Of::kVertices;
     mismatch.got = static_cast<double>(flat(observation).size());
     mismatch.lowest = mismatch.highest = static_cast<double>(topology.vertices.size());
     judgement.mismatches.push_back(std::move(mismatch));

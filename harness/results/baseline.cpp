@@ -366,7 +366,7 @@ void Baseline::apply(RunResult& result) const {
       if (test.verdict == Verdict::kPass) test.baseline_reason = entry.reason;
     } else if (entry.status != status) {
       test.message = fmt::format("the baseline expects {}, not {}: {}", entry.status, status, test.message);
-    } else if (!knows(test, result.depth.value_or(Depth::full), result.seed.value_or(kSeedOfSignatures))) {
+    } else if (!knows(test, result.depth.value_or(Depth::kFull), result.seed.value_or(kSeedOfSignatures))) {
       test.message =
           fmt::format("a known failure, but other cases fail than the baseline knows: {}", test.message);
     } else {
@@ -429,7 +429,7 @@ BaselineFiles Baseline::renewed(const RunResult& result, const std::string& targ
   }
 
   const Baseline without = composed(std::move(others));
-  const std::string depth = name_of(result.depth.value_or(Depth::full));
+  const std::string depth = name_of(result.depth.value_or(Depth::kFull));
   const bool with_signatures = result.seed.value_or(kSeedOfSignatures) == kSeedOfSignatures;
   for (const TestRecord& test : result.tests) {
     const std::string& test_name = test.name;

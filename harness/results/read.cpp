@@ -102,7 +102,7 @@ TestRecord read_test(const JsonObject& in) {
   out.name = in.text("name");
   out.requirements = read_requirements(in);
   out.violated = read_requirements(in, "violated");
-  out.level = in.word("level", level_named).value_or(Level::must);
+  out.level = in.word("level", level_named).value_or(Level::kMust);
   out.expected_by_baseline = in.boolean("expected_by_baseline");
   out.baseline_reason = in.text("baseline_reason");
   out.also_in_fresh_context = in.boolean("also_in_fresh_context");
@@ -153,7 +153,7 @@ Bug read_bug(const JsonObject& in) {
   out.cause = in.text("cause");
   out.requirements = read_requirements(in);
   out.clause = in.text("clause");
-  out.level = in.word("level", level_named).value_or(Level::must);
+  out.level = in.word("level", level_named).value_or(Level::kMust);
   out.verdict = read_verdict(in).value_or(Verdict::kFail);
   if (const auto failure = in.object("failure")) out.failure = read_failure(*failure);
   out.commands = in.json_text("commands");
@@ -314,9 +314,9 @@ std::optional<std::vector<ListedTest>> parse_tests(const std::string& text) {
     std::vector<ListedTest> tests;
     in.each_object("tests", [&](const JsonObject& test) {
       tests.push_back({test.text("name"), read_requirements(test),
-                       test.word("level", level_named).value_or(Level::must),
+                       test.word("level", level_named).value_or(Level::kMust),
                        test.word("from", [](const std::string& word) { return depth_named(word); })
-                           .value_or(Depth::quick)});
+                           .value_or(Depth::kQuick)});
     });
     return tests;
   });

@@ -202,7 +202,7 @@ class Production {
     const glev_attribute_output outputs = {GLEV_ATTRIBUTE_TEXCOORD, &output};
     batch.outputs = &outputs;
     batch.output_count = 1;
-    if (glevEvaluate(plan_, &batch) != GLEV_SUCCESS) throw std::logic_error("a batch is refused");
+    if (glevEvaluate(plan_, &batch) != GLEV_SUCCESS) throw std::logic_error("a batch is rejected");
   }
 
   void mesh(int i1, int i2, int j1, int j2, int components, std::vector<float>& results) {
@@ -216,7 +216,7 @@ class Production {
     scratch_.resize(glevGetMeshScratchSize(plan_, &mesh));
     mesh.scratch = scratch_.data();
     mesh.scratch_size = scratch_.size();
-    if (glevEvaluateMesh(plan_, &mesh) != GLEV_SUCCESS) throw std::logic_error("a mesh is refused");
+    if (glevEvaluateMesh(plan_, &mesh) != GLEV_SUCCESS) throw std::logic_error("a mesh is rejected");
   }
 
   std::array<float, 4> coord(bool two_dimensional, double u, double v) {

@@ -83,7 +83,7 @@ void adopt_what_children_leave() {
 }
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::string& log, Prints prints) {
-  if (prints == Prints::limited && !log.empty()) output_.emplace(log);
+  if (prints == Prints::kLimited && !log.empty()) output_.emplace(log);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);

@@ -11,12 +11,12 @@ namespace evalcts {
 // The tests that have to come before a failing one, as far as they were found.
 struct History {
   enum class Found {
-    shortest,        // `tests` is as short as single tests can make it
-    shortened,       // time ran out: `tests` shows the failure, and may be longer than it has to be
-    not_reproduced,  // not even all predecessors in their order show it: it does not always happen
-    out_of_time,     // nothing was found in the time given
+    kShortest,       // `tests` is as short as single tests can make it
+    kShortened,      // time ran out: `tests` shows the failure, and may be longer than it has to be
+    kNotReproduced,  // not even all predecessors in their order show it: it does not always happen
+    kOutOfTime,      // nothing was found in the time given
   };
-  Found found = Found::out_of_time;
+  Found found = Found::kOutOfTime;
   std::vector<std::string> tests;
 };
 

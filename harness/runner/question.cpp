@@ -35,7 +35,7 @@ fs::path temporary_file() {
 Question::Question(std::vector<std::string> command, const fs::path& log, std::uint64_t memory)
     : answer_file_(temporary_file()), log_(log), memory_(memory) {
   command.insert(command.end(), {"--die-with-parent", "--answer", answer_file_.string()});
-  child_.emplace(command, log.string(), ChildProcess::Prints::limited);
+  child_.emplace(command, log.string(), ChildProcess::Prints::kLimited);
 }
 
 Question::~Question() {

@@ -296,9 +296,9 @@ class Run {
     }
   }
 
-  // Plays the tests in several processes, each of which takes the next one that none has taken. A process
+  // Runs the tests in several processes, each of which takes the next one that none has taken. A process
   // that dies is replaced. Their results are in records_; the return value is how each of them ended, but for
-  // those that an interruption killed in a test, and those that died in a test that is to be played again.
+  // those that an interruption killed in a test, and those that died in a test that is to be run again.
   std::vector<ChildRun> run_side_by_side(const std::vector<std::string>& tests) {
     Claims::create(scratch_ / "claims", tests.size());
     const Claims claims(scratch_ / "claims");
@@ -439,7 +439,7 @@ class Run {
     return same_crashes_[run.crash->call + "\n" + run.crash->group()];
   }
 
-  // Records the tests that children died in. Each is played alone, but for crashes in a map command of which
+  // Records the tests that children died in. Each is run alone, but for crashes in a map command of which
   // several have been confirmed, and none has turned out to be something else.
   void record_deaths(const std::vector<ChildRun>& ended) {
     std::vector<const ChildRun*> first, like_others, rest;
@@ -458,7 +458,7 @@ class Run {
         continue;
       }
       add_record(child->in_flight, Verdict::kCrash,
-                 fmt::format("{}; as in {} tests that were played again alone",
+                 fmt::format("{}; as in {} tests that were run again alone",
                              describe(*child, request_.limits), same.confirmed),
                  {}, child->crash);
     }
@@ -549,7 +549,7 @@ class Run {
         names.push_back(test.name);
     }
     if (request_.retries == 0) return;
-    std::map<std::string, std::vector<std::string>> rest_of_group;  // by the one that is played again for all
+    std::map<std::string, std::vector<std::string>> rest_of_group;  // by the one that is run again for all
     if (names.size() > kMostPlayedAgain) rest_of_group = keep_one_of_each_group(names);
     for (int round = 0; round < request_.retries; ++round) {
       std::vector<std::string> same;
@@ -558,7 +558,7 @@ class Run {
         const std::vector<std::string> some(
             names.begin() + static_cast<std::ptrdiff_t>(begin),
             names.begin() + static_cast<std::ptrdiff_t>(std::min(begin + jobs, names.size())));
-        progress_({"playing again", begin, names.size(), some.front()});
+        progress_({"running again", begin, names.size(), some.front()});
         const std::vector<ChildRun> runs = run_alone(some, false);
         for (std::size_t i = 0; i < some.size() && !interrupted; ++i) {
           const std::optional<Repetition> other = other_outcome(records_[some[i]], runs[i]);
@@ -604,7 +604,7 @@ class Run {
     record = before;
     record.flake = true;
     record.again = again;
-    record.message = fmt::format("{}; a flake: played again, alone in a new process, its verdict is {}",
+    record.message = fmt::format("{}; a flake: run again, alone in a new process, its verdict is {}",
                                  record.message, text_of(again.verdict).word);
   }
 
@@ -668,7 +668,7 @@ class Run {
     const std::optional<bool> alone = happens_again(record, {});
     History history;
     if (alone && *alone) {
-      history.found = History::Found::shortest;
+      history.found = History::Found::kShortest;
     } else if (alone) {
       const bool guess_applies = std::all_of(guess_.begin(), guess_.end(), [&](const std::string& test) {
         return std::find(predecessors.begin(), predecessors.end(), test) != predecessors.end();
@@ -683,7 +683,7 @@ class Run {
     searches_left_ = std::max(searches_left_ - seconds_since(begin), 0.0);
     if (!history.tests.empty()) guess_ = history.tests;
     record.message = words_for(history, only_case, predecessors.size(), record.message);
-    if (history.found == History::Found::shortest || history.found == History::Found::shortened)
+    if (history.found == History::Found::kShortest || history.found == History::Found::kShortened)
       record.history = history.tests;
     else
       record.flake = true;
@@ -705,14 +705,14 @@ class Run {
   static std::string words_for(const History& history, const std::string& only_case, std::size_t predecessors,
                                const std::string& message) {
     switch (history.found) {
-      case History::Found::not_reproduced:
+      case History::Found::kNotReproduced:
         return fmt::format(
             "{}; not reproduced, neither alone nor after the same {} tests: it does not always happen",
             message, predecessors);
-      case History::Found::out_of_time:
+      case History::Found::kOutOfTime:
         return message + "; what it depends on was not found in the time given";
-      case History::Found::shortest:
-      case History::Found::shortened:
+      case History::Found::kShortest:
+      case History::Found::kShortened:
         break;
     }
     std::string after = "its own earlier cases";
@@ -723,7 +723,7 @@ class Run {
       after = fmt::format("{}", fmt::join(history.tests, ", "));
     }
     if (!only_case.empty()) after += fmt::format(" up to its case '{}'", only_case);
-    if (history.found == History::Found::shortened) after += " (perhaps fewer: time ran out)";
+    if (history.found == History::Found::kShortened) after += " (perhaps fewer: time ran out)";
     return fmt::format("after {}: {}", after, message);
   }
 

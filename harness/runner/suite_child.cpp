@@ -29,7 +29,7 @@ std::string describe(const ChildRun& run, const Limits& limits) {
 
 SuiteChild::SuiteChild(const std::vector<std::string>& command, const std::filesystem::path& events,
                        const std::filesystem::path& log, const Limits& limits)
-    : events_(events), limits_(limits), process_(command, log.string(), ChildProcess::Prints::limited) {}
+    : events_(events), limits_(limits), process_(command, log.string(), ChildProcess::Prints::kLimited) {}
 
 bool SuiteChild::look(double seconds, const Deadline& deadline,
                       const std::function<void(const Event& event)>& each) {

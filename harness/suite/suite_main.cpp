@@ -270,36 +270,36 @@ void parse(int argc, char** argv, Options& options) {
   app.add_flag("--describe", options.describe, "say what the implementation is, as JSON, and stop");
   app.add_option("--prove", options.prove, "prove one capture, as JSON, and stop");
   app.add_flag("--list", options.list, "list the tests with their requirements, as JSON, and stop");
-  app.add_flag("--fuzz", options.fuzz, "play random programs of the seed instead of tests");
+  app.add_flag("--fuzz", options.fuzz, "run random programs of the seed instead of tests");
   app.add_option("--first", options.campaign.first, "number of the first program")->needs("--fuzz");
   app.add_option("--step", options.campaign.step, "from a program to the next one")->needs("--fuzz");
   app.add_option("--programs", options.campaign.programs, "how many")->needs("--fuzz");
   app.add_option("--seconds", options.campaign.seconds, "for how long")->needs("--fuzz");
   app.add_option("--known", options.known, "file of causes that are known (JSON)")->needs("--fuzz");
   app.add_option("--in-flight", options.campaign.in_flight,
-                 "file for each smaller version of a program, before it is played")
+                 "file for each smaller version of a program, before it is run")
       ->needs("--fuzz");
-  app.add_option("--deadly", options.deadly, "file of smaller versions that are not to be played (JSON)")
+  app.add_option("--deadly", options.deadly, "file of smaller versions that are not to be run (JSON)")
       ->needs("--fuzz");
   app.add_option("--length", options.campaign.length, "commands of a program")->needs("--fuzz");
   app.add_flag("--fresh-contexts", options.campaign.fresh_contexts, "a context for each program")
       ->needs("--fuzz");
-  app.add_option("--replay", options.replay, "play the program of this file (JSON) instead of tests");
+  app.add_option("--replay", options.replay, "run the program of this file (JSON) instead of tests");
   app.add_option("--reduce", options.reduce,
-                 "reduce the failing cases of this file (JSON) to minimal programs instead of playing tests")
+                 "reduce the failing cases of this file (JSON) to minimal programs instead of running tests")
       ->needs("--claims");
   app.add_option("--reduce-seconds", options.reduce_seconds, "for how long")->needs("--reduce");
-  app.add_flag("--trace-cases", options.trace_cases, "record the calls of each case before it is played");
+  app.add_flag("--trace-cases", options.trace_cases, "record the calls of each case before it is run");
   app.add_flag("--crash-control", options.crash_control,
-               "play the last case of each test that --tests asks for with explicit vertices in the place of "
+               "run the last case of each test that --tests asks for with explicit vertices in the place of "
                "evaluations, and stop the test");
   app.add_option("--leave-out", options.left_out,
-                 "a command that crashes, \"glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)\": not played by tests "
+                 "a command that crashes, \"glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)\": not run by tests "
                  "that can do without it")
       ->expected(1)
       ->take_all();
   app.add_flag("--reuse-context", options.reuse_context,
-               "play all cases on one context, whose state is restored by calls in between");
+               "run all cases on one context, whose state is restored by calls in between");
   app.add_flag("--die-with-parent", options.die_with_parent,
                "end when the process that started this one ends");
   try {
@@ -385,7 +385,7 @@ std::set<std::string> rejected_queries(Implementation& implementation) {
   return rejected;
 }
 
-// Plays the controls of a case that ends the process: explicit commands stand where it evaluates, and maps
+// Runs the controls of a case that ends the process: explicit commands stand where it evaluates, and maps
 // and grids are left out. If the case draws no vertices, the first control leaves its evaluations out
 // instead. Throws NotObservable if the library survives all of them.
 void play_without_evaluators(const Program& program, const gl::Case& script) {
@@ -418,7 +418,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
   }
   const bool answers = options.describe || !options.prove.empty();
   const bool plays_programs = options.fuzz || !options.replay.empty() || !options.reduce.empty();
-  const Depth depth = depth_named(options.depth).value_or(Depth::full);
+  const Depth depth = depth_named(options.depth).value_or(Depth::kFull);
   const std::vector<Chosen> tests =
       answers || plays_programs ? std::vector<Chosen>() : tests_to_register(options.tests, depth, filter);
   program.records = std::make_unique<EventFile>(options.records);

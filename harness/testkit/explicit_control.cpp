@@ -23,7 +23,7 @@ std::string attribute_in(const std::string& what) {
 // True if the mismatch of a control may have the same root cause as a failure in `what`.
 bool explains(const Mismatch& mismatch, const std::string& what) {
   const std::string failed = attribute_in(what), wrong = attribute_in(mismatch.what);
-  return failed.empty() || mismatch.of == Mismatch::Of::vertices || wrong == "position" || wrong == failed;
+  return failed.empty() || mismatch.of == Mismatch::Of::kVertices || wrong == "position" || wrong == failed;
 }
 
 // Returns the first capability without effect on vertices that the library accepts: with the initial LogicOp

@@ -29,7 +29,7 @@ std::string list(const std::vector<double>& values) {
 }
 
 gl::Check at_most_written(gl::Ref query, std::size_t count) {
-  return {.answer = {.of = gl::Answer::Of::written, .command = query},
+  return {.answer = {.of = gl::Answer::Of::kWritten, .command = query},
           .accepted = {{0.0, static_cast<double>(count)}}};
 }
 
@@ -39,15 +39,15 @@ std::vector<double> all_values(const gl::Trace& trace, gl::Ref query) {
     return std::vector<double>(values.begin(), values.end());
   };
   switch (trace.type(query)) {
-    case gl::Scalar::f32:
+    case gl::Scalar::kF32:
       return as(GLfloat());
-    case gl::Scalar::f64:
+    case gl::Scalar::kF64:
       return as(GLdouble());
-    case gl::Scalar::i32:
+    case gl::Scalar::kI32:
       return as(GLint());
-    case gl::Scalar::u32:
+    case gl::Scalar::kU32:
       return as(GLuint());
-    case gl::Scalar::u8:
+    case gl::Scalar::kU8:
       return as(GLubyte());
     default:
       throw std::logic_error("no query writes this type");
@@ -88,7 +88,7 @@ void Played::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allow
   const gl::Command& subject = command({std::max(get_error.index - 1, 0)});
   const bool none_allowed = *allowed.begin() == GL_NO_ERROR;
   const char* kind = none_allowed ? "spurious error" : got == GL_NO_ERROR ? "missing error" : "wrong error";
-  gl::Check check{.answer = {.of = gl::Answer::Of::returned, .command = get_error, .is_error = true}};
+  gl::Check check{.answer = {.of = gl::Answer::Of::kReturned, .command = get_error, .is_error = true}};
   for (const GLenum error : allowed) check.accepted.emplace_back(error, error);
   fail(std::move(check),
        fmt::format("{}: after {} glGetError gives {}, expected {}", kind, gl::to_c(subject, 4), captured,
@@ -99,7 +99,7 @@ void Played::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allow
 void Played::expect_result(gl::Ref asked, std::int64_t expected) {
   const std::int64_t got = trace_.result(asked);
   if (got == expected) return;
-  fail({.answer = {.of = gl::Answer::Of::returned, .command = asked},
+  fail({.answer = {.of = gl::Answer::Of::kReturned, .command = asked},
         .accepted = {{static_cast<double>(expected), static_cast<double>(expected)}}},
        fmt::format("{} returns {}, expected {}", gl::to_c(command(asked), 4), got, expected),
        std::to_string(expected), std::to_string(got));
@@ -137,7 +137,7 @@ void Played::check_values(gl::Ref query, const std::vector<double>& expected, do
          list(written_values(query)));
   } else if (i < expected.size()) {
     const double margin = relative * std::abs(expected[i]);
-    fail({.answer = {.of = gl::Answer::Of::element, .command = query, .element = i},
+    fail({.answer = {.of = gl::Answer::Of::kElement, .command = query, .element = i},
           .accepted = {{expected[i] - margin, expected[i] + margin}}},
          fmt::format("{} answers {}, expected {}", call, list(written_values(query)), list(expected)),
          list(expected), list(written_values(query)));
@@ -158,7 +158,7 @@ void Played::expect_same(gl::Ref before, gl::Ref after) {
     return trace_.has_output(query) ? list(written_values(query)) : std::to_string(trace_.result(query));
   };
   const std::string was = answer(before), is = answer(after);
-  fail({.rule = gl::Check::Rule::same, .answer = {.command = after}, .other = before},
+  fail({.rule = gl::Check::Rule::kSame, .answer = {.command = after}, .other = before},
        fmt::format("{} answered {} before and answers {} now", gl::to_c(command(after), 4), was, is), was,
        is);
 }
@@ -167,7 +167,7 @@ void Played::expect(bool holds, gl::Ref command, const std::string& message, con
                     const std::string& captured) {
   if (holds) return;
   require_answer(command);
-  fail({.rule = gl::Check::Rule::unlike, .answer = {.command = command}, .recorded = {command}}, message,
+  fail({.rule = gl::Check::Rule::kUnlike, .answer = {.command = command}, .recorded = {command}}, message,
        expected, captured);
 }
 

@@ -59,13 +59,13 @@ std::vector<RequirementId> in_two_dimensions(const std::vector<RequirementId>& o
 // Returns the requirement that a test decides if it goes through display lists.
 const char* requirement_of(gl::Lists lists) {
   switch (lists) {
-    case gl::Lists::executed:
+    case gl::Lists::kExecuted:
       return "EV-DL-COMPEXEC";
-    case gl::Lists::nested:
+    case gl::Lists::kNested:
       return "EV-DL-NESTED";
-    case gl::Lists::repeated:
+    case gl::Lists::kRepeated:
       return "EV-DL-REPEAT";
-    case gl::Lists::split:
+    case gl::Lists::kSplit:
       return "EV-DL-SPLIT";
     default:
       return "EV-DL-EXECUTE";
@@ -88,7 +88,7 @@ TestInfo delivered(const Registered& test, const gl::Delivery& delivery) {
     if (suite != lifted_suites().end()) info.suite = suite->second;
     info.requirements = in_two_dimensions(info.requirements);
   }
-  if (delivery.lists != gl::Lists::none) info.requirements.emplace_back(requirement_of(delivery.lists));
+  if (delivery.lists != gl::Lists::kNone) info.requirements.emplace_back(requirement_of(delivery.lists));
   info.body = [body = info.body, delivery](Test& t) {
     t.deliver_by(delivery);
     body(t);

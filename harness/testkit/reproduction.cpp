@@ -11,7 +11,7 @@
 namespace evalcts {
 namespace {
 
-// A case as it was played, and what came of it.
+// A case as it was run, and what came of it.
 struct Pass {
   gl::Case script;
   gl::Trace trace;
@@ -24,7 +24,7 @@ const gl::Table& no_commands() {
   return table;
 }
 
-// Gives the recorded answers again, whatever is played.
+// Gives the recorded answers again, whatever is run.
 class Replay final : public Implementation {
  public:
   explicit Replay(std::vector<Pass> passes) : passes_(std::move(passes)) {}
@@ -94,11 +94,11 @@ class Experiment {
 
   bool find_in_pass() {
     switch (mismatch_.of) {
-      case Mismatch::Of::value:
+      case Mismatch::Of::kValue:
         return find_emitted_value() || find_element();
-      case Mismatch::Of::error:
+      case Mismatch::Of::kError:
         return find_error();
-      case Mismatch::Of::vertices:
+      case Mismatch::Of::kVertices:
         return find_count();
     }
     return false;
@@ -112,7 +112,7 @@ class Experiment {
         for (std::size_t v = 0; v < gl::kEmittedValues; ++v, ++index) {
           ObservedVertex vertex = pass().emitted[i].vertices[k];
           if (same_bits(*value_of(vertex, v), got()) &&
-              decides({Of::emitted_value, {}, index},
+              decides({Of::kEmittedValue, {}, index},
                       [&](Pass& changed) { *value_of(changed.emitted[i].vertices[k], v) = other; }))
             return true;
         }
@@ -122,10 +122,10 @@ class Experiment {
   bool find_element() {
     const gl::Trace& trace = pass().trace;
     for (gl::Ref command{0}; command.index < static_cast<int>(trace.size()); ++command.index) {
-      if (!trace.has_output(command) || trace.type(command) != gl::Scalar::f32) continue;
+      if (!trace.has_output(command) || trace.type(command) != gl::Scalar::kF32) continue;
       const std::vector<float> values = trace.values<float>(command);
       for (std::size_t e = 0; e < values.size(); ++e)
-        if (same_bits(values[e], got()) && decides({Of::element, command, e}, [&](Pass& changed) {
+        if (same_bits(values[e], got()) && decides({Of::kElement, command, e}, [&](Pass& changed) {
               changed.trace.replace_element(command, e, other_value());
             }))
           return true;
@@ -138,7 +138,7 @@ class Experiment {
     for (gl::Ref command = last_command(); command.index >= 0; --command.index)
       if (commands[static_cast<std::size_t>(command.index)].entry == gl::EntryPoint::GetError &&
           static_cast<double>(pass().trace.result(command)) == mismatch_.got &&
-          decides({Of::returned, command, 0, true}, [&](Pass& changed) {
+          decides({Of::kReturned, command, 0, true}, [&](Pass& changed) {
             changed.trace.replace_result(command, static_cast<std::int64_t>(mismatch_.lowest));
           }))
         return true;
@@ -150,23 +150,23 @@ class Experiment {
   // answer.
   bool find_count() {
     if (!pass().emitted.empty() && mismatch_.got != mismatch_.lowest) {
-      check_.answer = {Of::emitted_vertices};
+      check_.answer = {Of::kEmittedVertices};
       return true;
     }
     const gl::Trace& trace = pass().trace;
     for (gl::Ref command = last_command(); command.index >= 0; --command.index) {
       const bool array = trace.has_output(command);
-      if (array && (trace.type(command) != gl::Scalar::u32 || trace.capacity(command) != 1)) continue;
+      if (array && (trace.type(command) != gl::Scalar::kU32 || trace.capacity(command) != 1)) continue;
       const std::int64_t answer = array ? trace.values<std::uint32_t>(command)[0] : trace.result(command);
       const std::int64_t other = answer == 0 ? 13 : 0;
-      if (!decides({Of::returned, command}, [&](Pass& changed) {
+      if (!decides({Of::kReturned, command}, [&](Pass& changed) {
             if (array)
               changed.trace.replace_element(command, 0, static_cast<double>(other));
             else
               changed.trace.replace_result(command, other);
           }))
         continue;
-      check_.rule = gl::Check::Rule::unlike;
+      check_.rule = gl::Check::Rule::kUnlike;
       check_.recorded = {command};
       return true;
     }
@@ -311,10 +311,10 @@ void Reproduction::failed(const Failure& failure, const std::optional<gl::Check>
   if (decided) {
     check = *decided;
   } else if (last.missing_command) {
-    check.rule = gl::Check::Rule::has_commands;
+    check.rule = gl::Check::Rule::kHasCommands;
   } else {
     // A comparison of the test's own: whatever the commands wrote or returned.
-    check.rule = gl::Check::Rule::unlike;
+    check.rule = gl::Check::Rule::kUnlike;
     check.pass = recorder_->passes().size() - 1;
     check.what = failure.what;
     check.expected = failure.expected;

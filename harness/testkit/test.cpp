@@ -27,7 +27,7 @@ Mismatch wrong_error(GLenum got, GLenum expected) {
   mismatch.captured = gl::error_name(got);
   mismatch.message =
       fmt::format("the commands leave {} behind, expected {}", mismatch.captured, mismatch.expected);
-  mismatch.of = Mismatch::Of::error;
+  mismatch.of = Mismatch::Of::kError;
   mismatch.got = got;
   mismatch.lowest = mismatch.highest = expected;
   return mismatch;
@@ -42,7 +42,7 @@ int Test::order_limit() const {
 }
 
 Depth Test::depth() const {
-  if (subject_.depth == Depth::full && !delivery_.is_plain()) return Depth::quick;
+  if (subject_.depth == Depth::kFull && !delivery_.is_plain()) return Depth::kQuick;
   return subject_.depth;
 }
 
@@ -119,7 +119,7 @@ Played Test::play(const gl::Case& written) {
     failure.what = "glGetError";
     failure.expected = "GL_NO_ERROR";
     failure.captured = captured;
-    const gl::Check check{.answer = {.of = gl::Answer::Of::left_over, .is_error = true},
+    const gl::Check check{.answer = {.of = gl::Answer::Of::kLeftOver, .is_error = true},
                           .accepted = {{GL_NO_ERROR, GL_NO_ERROR}},
                           .what = "an error left behind"};
     fail(
@@ -236,7 +236,7 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
   const Judgement judgement = judged(observation);
   if (capture->loses_vertices_beyond_float() && prediction.has_positions_beyond_float())
     for (const Mismatch& mismatch : judgement.mismatches)
-      if (mismatch.of == Mismatch::Of::vertices)
+      if (mismatch.of == Mismatch::Of::kVertices)
         throw NotObservable(fmt::format("{} loses vertices whose position is beyond float: {}",
                                         capture->name(), mismatch.message));
   unobserved_ |= required & kAllAttributes & ~capture->shown_of(required);
@@ -254,7 +254,7 @@ void Test::expect_observation(const gl::Case& written, Attributes required, std:
                               PrimitiveKinds kinds, const OwnJudge& judge, Judged judged) {
   const gl::Case script = begin_case(written).script;
   const Capture& capture = choose_capture(required, kinds);
-  if (judged == Judged::in_lists) control_.set_observed(script, capture, required);
+  if (judged == Judged::kInLists) control_.set_observed(script, capture, required);
   const Wanted wanted{required, most_vertices, kinds};
   fail_each(script, capture, wanted, capture.observe(*subject_.implementation, script, wanted), judge);
 }
@@ -276,7 +276,7 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Wante
     }
     failure.capture = capture.name();
     const bool is_seen_in_plot =
-        mismatch.of == Mismatch::Of::vertices || mismatch.what.starts_with("position");
+        mismatch.of == Mismatch::Of::kVertices || mismatch.what.starts_with("position");
     if (prediction && is_seen_in_plot && (seen.attributes & kPosition) &&
         std::ranges::none_of(record_.failures, [](const Failure& other) { return other.plot.has_value(); }))
       failure.plot = plot_of(*prediction, seen);
@@ -346,13 +346,13 @@ void Test::blame_list_or_commands(const std::function<void(Test&)>& body) {
     test.run(body);
     return other;
   };
-  const TestRecord direct = outcome_in(gl::Lists::none);
+  const TestRecord direct = outcome_in(gl::Lists::kNone);
   if (direct.verdict == Verdict::kFail) {
     record_.violated = direct.blamed();
     return;
   }
   if (direct.verdict != Verdict::kPass) return;
-  if (delivery_.lists != gl::Lists::compiled && outcome_in(gl::Lists::compiled).verdict != Verdict::kFail) {
+  if (delivery_.lists != gl::Lists::kCompiled && outcome_in(gl::Lists::kCompiled).verdict != Verdict::kFail) {
     record_.violated = {of_list};
     return;
   }
@@ -385,19 +385,19 @@ void Test::run(const std::function<void(Test&)>& body) {
     record_.verdict = otherwise;
     record_.message = why;
   } else {
-    record_.verdict = record_.level == Level::quality ? Verdict::kQualityWarning : Verdict::kFail;
+    record_.verdict = record_.level == Level::kQuality ? Verdict::kQualityWarning : Verdict::kFail;
     record_.message = record_.failures.front().message;
     if (violates_all_ && !record_.violated.empty())
       record_.violated.insert(record_.violated.end(), record_.requirements.begin(),
                               record_.requirements.end());
-    if (delivery_.lists != gl::Lists::none && !other_lists_ && !subject_.reproduction)
+    if (delivery_.lists != gl::Lists::kNone && !other_lists_ && !subject_.reproduction)
       blame_list_or_commands(body);
   }
   if (record_.verdict == Verdict::kPass && cases_ == 0) {
     record_.verdict = Verdict::kInternalError;
-    record_.message = "the test played no case";
+    record_.message = "the test ran no case";
   }
-  if (record_.verdict == Verdict::kPass && delivery_.lists != gl::Lists::none && !lists_used_) {
+  if (record_.verdict == Verdict::kPass && delivery_.lists != gl::Lists::kNone && !lists_used_) {
     record_.verdict = Verdict::kInternalError;
     record_.message = "no case of the test has a command that goes into a display list";
   }

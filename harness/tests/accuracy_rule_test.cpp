@@ -1,4 +1,4 @@
-// The judge: what it accepts, what it refuses, and that a pass means something.
+// The judge: what it accepts, what it rejects, and that a pass means something.
 #include <gtest/gtest.h>
 #include <reference/rounding.h>
 
@@ -64,11 +64,11 @@ TEST(Judge, ValuesAreTheFormula) {
 }
 
 TEST(Judge, AcceptsUpToTheBoundAndNotBeyond) {
-  for (const Level level : {Level::must, Level::quality}) {
+  for (const Level level : {Level::kMust, Level::kQuality}) {
     Scene scene;
     const reference::Component& component = scene.prediction.primitives[0].vertices[1].position[1];
     const reference::Rational bound =
-        level == Level::must ? reference::acceptance_bound(component) : reference::quality_bound(component);
+        level == Level::kMust ? reference::acceptance_bound(component) : reference::quality_bound(component);
     const reference::Rational exact = reference::exact(component);
     // The largest float within, and the one after it.
     float inside = reference::round_to_float(exact + bound);
@@ -212,7 +212,7 @@ TEST(JudgeNormals, DemandUnitLengthWithoutAShader) {
 TEST(JudgeNormals, AllowAnyMethodUnlessQualityIsAsked) {
   const Plane plane(false, kUnitNormal, {0.0015f, 0, 0.9999989f});
   EXPECT_EQ(plane.mismatches(), 0u);
-  EXPECT_EQ(plane.mismatches({.level = Level::quality}), 1u);
+  EXPECT_EQ(plane.mismatches({.level = Level::kQuality}), 1u);
 }
 
 TEST(JudgeNormals, HaveAnyLengthWithAShaderUnlessAsked) {

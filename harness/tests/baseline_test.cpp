@@ -47,7 +47,7 @@ class Baselines : public testing::Test {
   static RunResult record(const std::vector<TestRecord>& tests) {
     RunResult out;
     out.implementation = implementation("Mesa/X.org", "llvmpipe (LLVM 15)", "4.5 Mesa 22.3.6");
-    out.depth = Depth::quick;
+    out.depth = Depth::kQuick;
     out.seed = 1;
     out.tests = tests;
     return out;
@@ -114,7 +114,7 @@ TEST_F(Baselines, OneMoreFailingValueIsUnexpected) {
   EXPECT_TRUE(contains(more.tests[0].message, "other cases"));
 
   RunResult deeper = more;  // a depth without a signature is not compared
-  deeper.depth = Depth::thorough;
+  deeper.depth = Depth::kThorough;
   baseline.apply(deeper);
   EXPECT_TRUE(deeper.tests[0].expected_by_baseline);
 }

@@ -137,7 +137,7 @@ TEST(ReadableCalls, ShowDecimalAndHexadecimalValues) {
 // --- grouping --------------------------------------------------------------------------------------------
 
 TestRecord failing(const std::string& name, const std::string& requirement, const std::string& what = "x",
-                   Verdict verdict = Verdict::kFail, Level level = Level::must) {
+                   Verdict verdict = Verdict::kFail, Level level = Level::kMust) {
   TestRecord test;
   test.name = name;
   test.requirements = {requirement};

@@ -39,7 +39,7 @@ class CProgram : public ProgramTest {
 // A straight line from (0,0,0) to (1,2,3).
 gl::Case line() {
   gl::Case c("a line");
-  c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, gl::array<float>({0, 0, 0, 1, 2, 3}, gl::AfterCall::unmap));
+  c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, gl::array<float>({0, 0, 0, 1, 2, 3}, gl::AfterCall::kUnmap));
   c.Enable(GL_MAP1_VERTEX_3);
   c.Begin(GL_POINTS);
   c.EvalCoord1f(0);
@@ -56,24 +56,24 @@ TEST_F(CProgram, OfProductionChecksWhatCameThroughTheSink) {
         gl::to_c({.context = "production", .library = {}, .script = &c, .check = &check, .trace = nullptr}));
   };
   using Of = gl::Answer::Of;
-  const gl::Answer y_of_second{Of::emitted_value, {}, gl::kEmittedValues + 1};
+  const gl::Answer y_of_second{Of::kEmittedValue, {}, gl::kEmittedValues + 1};
   EXPECT_EQ(outcome(y_of_second, 1, 1).code, 0);
   const Outcome wrong = outcome(y_of_second, 1.5, 2);
   EXPECT_EQ(wrong.code, 1);
   EXPECT_EQ(wrong.text, "it: expected [1.5, 2], got 1 (0x1p+0)\nthe failure shows\n");
-  EXPECT_EQ(outcome({Of::emitted_vertices}, 2, 2).code, 0);
-  EXPECT_EQ(outcome({Of::emitted_vertices}, 3, 3).code, 1);
-  EXPECT_EQ(outcome({Of::left_over, {}, 0, true}, 0, 0).code, 0);
+  EXPECT_EQ(outcome({Of::kEmittedVertices}, 2, 2).code, 0);
+  EXPECT_EQ(outcome({Of::kEmittedVertices}, 3, 3).code, 1);
+  EXPECT_EQ(outcome({Of::kLeftOver, {}, 0, true}, 0, 0).code, 0);
 }
 
 TEST_F(CProgram, AnswersOfEveryKind) {
   gl::Case c("queries");
   const gl::Ref error = c.GetError();
-  c.Map1d(GL_MAP1_INDEX, 0, 1, 1, 2, gl::array<double>({5, 7}, gl::AfterCall::overwrite));
+  c.Map1d(GL_MAP1_INDEX, 0, 1, 1, 2, gl::array<double>({5, 7}, gl::AfterCall::kOverwrite));
   const gl::Ref order = c.GetMapiv(GL_MAP1_INDEX, GL_ORDER, gl::out<GLint>(1));
   const gl::Ref values = c.GetMapdv(GL_MAP1_INDEX, GL_COEFF, gl::out<GLdouble>(4));
   const gl::Ref again = c.GetMapdv(GL_MAP1_INDEX, GL_COEFF, gl::out<GLdouble>(4));
-  c.Map1d(GL_MAP1_INDEX, 0, 1, 1, 1, gl::array<double>({9}, gl::AfterCall::protect));
+  c.Map1d(GL_MAP1_INDEX, 0, 1, 1, 1, gl::array<double>({9}, gl::AfterCall::kProtect));
   const gl::Ref later = c.GetMapdv(GL_MAP1_INDEX, GL_COEFF, gl::out<GLdouble>(4));
   const gl::Ref enabled = c.IsEnabled(GL_MAP1_INDEX);
   const auto production = open_implementation({.name = "production"});
@@ -84,28 +84,28 @@ TEST_F(CProgram, AnswersOfEveryKind) {
   };
   using Of = gl::Answer::Of;
   using Rule = gl::Check::Rule;
-  const gl::Answer returned_error{Of::returned, error, 0, true};
+  const gl::Answer returned_error{Of::kReturned, error, 0, true};
   EXPECT_EQ(outcome({.answer = returned_error, .accepted = {{0, 0}}, .expected = "GL_NO_ERROR"}).code, 0);
   const Outcome missing_error =
       outcome({.answer = returned_error, .accepted = {{0x500, 0x500}}, .expected = "GL_INVALID_ENUM"});
   EXPECT_EQ(missing_error.code, 1);
   EXPECT_TRUE(contains(missing_error.text, "glGetError(): expected GL_INVALID_ENUM, got GL_NO_ERROR"));
-  EXPECT_EQ(outcome({.answer = {Of::element, order, 0}, .accepted = {{2, 2}}}).code, 0);
-  const Outcome wrong_order = outcome({.answer = {Of::element, order, 0}, .accepted = {{3, 3}}});
+  EXPECT_EQ(outcome({.answer = {Of::kElement, order, 0}, .accepted = {{2, 2}}}).code, 0);
+  const Outcome wrong_order = outcome({.answer = {Of::kElement, order, 0}, .accepted = {{3, 3}}});
   EXPECT_EQ(wrong_order.code, 1);
   EXPECT_TRUE(contains(wrong_order.text,
                        "values[0] of glGetMapiv(GL_MAP1_INDEX, GL_ORDER, values): expected 3, got 2"));
-  EXPECT_EQ(outcome({.answer = {Of::element, values, 1}, .accepted = {{7, 7}}}).code, 0);
-  EXPECT_EQ(outcome({.answer = {Of::written, values}, .accepted = {{0, 2}}}).code, 0);
-  EXPECT_EQ(outcome({.answer = {Of::written, values}, .accepted = {{0, 1}}}).code, 1);
-  EXPECT_EQ(outcome({.answer = {Of::returned, enabled}, .accepted = {{1, 1}}}).code, 1);
-  EXPECT_EQ(outcome({.rule = Rule::same, .answer = {.command = again}, .other = values}).code, 0);
-  EXPECT_EQ(outcome({.rule = Rule::same, .answer = {.command = later}, .other = values}).code, 1);
+  EXPECT_EQ(outcome({.answer = {Of::kElement, values, 1}, .accepted = {{7, 7}}}).code, 0);
+  EXPECT_EQ(outcome({.answer = {Of::kWritten, values}, .accepted = {{0, 2}}}).code, 0);
+  EXPECT_EQ(outcome({.answer = {Of::kWritten, values}, .accepted = {{0, 1}}}).code, 1);
+  EXPECT_EQ(outcome({.answer = {Of::kReturned, enabled}, .accepted = {{1, 1}}}).code, 1);
+  EXPECT_EQ(outcome({.rule = Rule::kSame, .answer = {.command = again}, .other = values}).code, 0);
+  EXPECT_EQ(outcome({.rule = Rule::kSame, .answer = {.command = later}, .other = values}).code, 1);
   // The recorded answers come again: that is the failure.
-  EXPECT_EQ(outcome({.rule = Rule::unlike, .recorded = {values, order}}).code, 1);
+  EXPECT_EQ(outcome({.rule = Rule::kUnlike, .recorded = {values, order}}).code, 1);
   gl::Trace another = trace;
   another.replace_element(values, 0, 6);
-  const gl::Check check{.rule = Rule::unlike, .recorded = {values, order}};
+  const gl::Check check{.rule = Rule::kUnlike, .recorded = {values, order}};
   EXPECT_EQ(
       build_and_start(
           gl::to_c(
@@ -124,7 +124,7 @@ TEST_F(CProgram, OtherContexts) {
   c.OtherContextEVALCTS(0);
   const gl::Ref first = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
   const auto outcome = [&](const char* context, const char* library, gl::Ref query, double segments) {
-    const gl::Check check{.answer = {.of = gl::Answer::Of::element, .command = query},
+    const gl::Check check{.answer = {.of = gl::Answer::Of::kElement, .command = query},
                           .accepted = {{segments, segments}},
                           .what = "segments"};
     return build_and_start(
@@ -152,7 +152,7 @@ TEST_F(CProgram, ContextsFromAProviderAndFromAnotherLibrary) {
   const gl::Ref query = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
   const auto outcome = [&](const char* context, const char* context_library, const char* library,
                            double segments) {
-    const gl::Check check{.answer = {.of = gl::Answer::Of::element, .command = query},
+    const gl::Check check{.answer = {.of = gl::Answer::Of::kElement, .command = query},
                           .accepted = {{segments, segments}},
                           .what = "segments"};
     return build_and_start(gl::to_c({.context = context,
@@ -225,7 +225,7 @@ TEST_F(CProgram, FindsTheAnswerThatAMismatchRestsOn) {
   ASSERT_EQ(record.verdict, Verdict::kFail);
   ASSERT_TRUE(reproduction.check());
   const gl::Check& check = *reproduction.check();
-  EXPECT_EQ(check.answer.of, gl::Answer::Of::emitted_value);
+  EXPECT_EQ(check.answer.of, gl::Answer::Of::kEmittedValue);
   EXPECT_EQ(check.answer.element, gl::kEmittedValues + 2);
   EXPECT_LT(check.accepted.front().first, 1.5);
   EXPECT_GT(check.accepted.front().second, 1.5);

@@ -1,4 +1,4 @@
-// Recording and playing cases, against a table of functions written for the purpose.
+// Recording and running cases, against a table of functions written for the purpose.
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -85,17 +85,17 @@ TEST_P(CaseDeathTest, ReadingAfterTheCallCrashes) {
   reader.EvalCoord1f = late_reader;
   EXPECT_DEATH(play(read_later(GetParam()), reader), "");
 }
-INSTANTIATE_TEST_SUITE_P(Fates, CaseDeathTest, testing::Values(AfterCall::unmap, AfterCall::protect),
+INSTANTIATE_TEST_SUITE_P(Fates, CaseDeathTest, testing::Values(AfterCall::kUnmap, AfterCall::kProtect),
                          [](const auto& fate) {
-                           return fate.param == AfterCall::unmap ? "unmap" : "protect";
+                           return fate.param == AfterCall::kUnmap ? "unmap" : "protect";
                          });
 
 TEST(Case, OverwrittenArraysHoldOtherValuesAfterTheCall) {
   Table reader = table();
   reader.EvalCoord1f = late_reader;
-  play(read_later(AfterCall::overwrite), reader);
+  play(read_later(AfterCall::kOverwrite), reader);
   for (std::size_t i = 0; i < kPoints.size(); ++i) EXPECT_NE(read_points[i], kPoints[i]);
-  play(read_later(AfterCall::keep), reader);
+  play(read_later(AfterCall::kKeep), reader);
   EXPECT_EQ(read_points, kPoints);
 }
 

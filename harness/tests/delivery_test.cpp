@@ -36,7 +36,7 @@ TEST(Delivery, ReplacesMapsAndEvaluations) {
 // Also from what is not written in the f form, and with the fate of the points.
 TEST(Delivery, WorksFromEveryForm) {
   Case c;
-  c.Map1d(GL_MAP1_INDEX, 0.0, 1.0, 1, 1, array({1.0 / 3}, AfterCall::protect));
+  c.Map1d(GL_MAP1_INDEX, 0.0, 1.0, 1, 1, array({1.0 / 3}, AfterCall::kProtect));
   c.EvalCoord1dv(std::vector<double>{0.5});
   c.EvalCoord1fv(std::vector<float>{0.5f});
   const std::vector<std::string> single = delivered(c, 0);

@@ -29,7 +29,7 @@ Case mixed() {
 }
 
 TEST(DisplayLists, Compiled) {
-  EXPECT_EQ(through(mixed(), Lists::compiled),
+  EXPECT_EQ(through(mixed(), Lists::kCompiled),
             (Lines{"glNewList(19456, GL_COMPILE);", "glEnable(GL_MAP1_VERTEX_3);", "glBegin(GL_POINTS);",
                    "glEvalCoord1f(0x1p-1f);", "glEvalCoord1f(1.0f);", "glEnd();", "glEndList();",
                    "glNewList(19457, GL_COMPILE);", "glDisable(GL_MAP1_VERTEX_3);", "glEndList();",
@@ -37,38 +37,38 @@ TEST(DisplayLists, Compiled) {
 }
 
 TEST(DisplayLists, Executed) {
-  EXPECT_EQ(through(mixed(), Lists::executed),
+  EXPECT_EQ(through(mixed(), Lists::kExecuted),
             (Lines{"glNewList(19456, GL_COMPILE_AND_EXECUTE);", "glEnable(GL_MAP1_VERTEX_3);",
                    "glBegin(GL_POINTS);", "glEvalCoord1f(0x1p-1f);", "glEvalCoord1f(1.0f);", "glEnd();",
                    "glGetError();", "glDisable(GL_MAP1_VERTEX_3);", "glEndList();"}));
 }
 
 TEST(DisplayLists, Nested) {
-  EXPECT_EQ(through(mixed(), Lists::nested), (Lines{"glNewList(19456, GL_COMPILE);",
-                                                    "glEnable(GL_MAP1_VERTEX_3);",
-                                                    "glBegin(GL_POINTS);",
-                                                    "glEvalCoord1f(0x1p-1f);",
-                                                    "glEndList();",
-                                                    "glNewList(19457, GL_COMPILE);",
-                                                    "glEvalCoord1f(1.0f);",
-                                                    "glEnd();",
-                                                    "glEndList();",
-                                                    "glNewList(19458, GL_COMPILE);",
-                                                    "glCallList(19456);",
-                                                    "glCallList(19457);",
-                                                    "glEndList();",
-                                                    "glNewList(19459, GL_COMPILE);",
-                                                    "glDisable(GL_MAP1_VERTEX_3);",
-                                                    "glEndList();",
-                                                    "glNewList(19460, GL_COMPILE);",
-                                                    "glEndList();",
-                                                    "glNewList(19461, GL_COMPILE);",
-                                                    "glCallList(19459);",
-                                                    "glCallList(19460);",
-                                                    "glEndList();",
-                                                    "glCallList(19458);",
-                                                    "glGetError();",
-                                                    "glCallList(19461);"}));
+  EXPECT_EQ(through(mixed(), Lists::kNested), (Lines{"glNewList(19456, GL_COMPILE);",
+                                                     "glEnable(GL_MAP1_VERTEX_3);",
+                                                     "glBegin(GL_POINTS);",
+                                                     "glEvalCoord1f(0x1p-1f);",
+                                                     "glEndList();",
+                                                     "glNewList(19457, GL_COMPILE);",
+                                                     "glEvalCoord1f(1.0f);",
+                                                     "glEnd();",
+                                                     "glEndList();",
+                                                     "glNewList(19458, GL_COMPILE);",
+                                                     "glCallList(19456);",
+                                                     "glCallList(19457);",
+                                                     "glEndList();",
+                                                     "glNewList(19459, GL_COMPILE);",
+                                                     "glDisable(GL_MAP1_VERTEX_3);",
+                                                     "glEndList();",
+                                                     "glNewList(19460, GL_COMPILE);",
+                                                     "glEndList();",
+                                                     "glNewList(19461, GL_COMPILE);",
+                                                     "glCallList(19459);",
+                                                     "glCallList(19460);",
+                                                     "glEndList();",
+                                                     "glCallList(19458);",
+                                                     "glGetError();",
+                                                     "glCallList(19461);"}));
 }
 
 // Not twice where that would leave a Begin without its End.
@@ -77,7 +77,7 @@ TEST(DisplayLists, Repeated) {
   c.Begin(GL_POINTS);
   c.GetError();
   c.End();
-  const Lines lines = through(c, Lists::repeated);
+  const Lines lines = through(c, Lists::kRepeated);
   EXPECT_EQ(Lines(lines.end() - 6, lines.end()),
             (Lines{"glCallList(19456);", "glCallList(19456);", "glGetError();", "glCallList(19457);",
                    "glGetError();", "glCallList(19458);"}));
@@ -86,7 +86,7 @@ TEST(DisplayLists, Repeated) {
 TEST(DisplayLists, Split) {
   Case c;
   for (int i = 0; i < 8; ++i) c.Indexf(static_cast<float>(i));
-  EXPECT_EQ(through(c, Lists::split),
+  EXPECT_EQ(through(c, Lists::kSplit),
             (Lines{"glNewList(19456, GL_COMPILE);", "glIndexf(0.0f);", "glIndexf(1.0f);", "glIndexf(2.0f);",
                    "glEndList();", "glNewList(19457, GL_COMPILE);", "glIndexf(3.0f);", "glIndexf(4.0f);",
                    "glIndexf(5.0f);", "glEndList();", "glCallList(19456);", "glCallList(19457);",
@@ -101,17 +101,18 @@ TEST(DisplayLists, ListsOfTheCase) {
   c.Indexf(2.0f);
   c.EndList();
   c.CallList(7);
-  EXPECT_EQ(through(c, Lists::executed),
+  EXPECT_EQ(through(c, Lists::kExecuted),
             (Lines{"glNewList(19456, GL_COMPILE_AND_EXECUTE);", "glIndexf(1.0f);", "glEndList();",
                    "glNewList(7, GL_COMPILE);", "glIndexf(2.0f);", "glEndList();", "glCallList(7);"}));
-  EXPECT_EQ(through(c, Lists::compiled),
+  EXPECT_EQ(through(c, Lists::kCompiled),
             (Lines{"glNewList(19456, GL_COMPILE);", "glIndexf(1.0f);", "glEndList();", "glCallList(19456);",
                    "glNewList(7, GL_COMPILE);", "glIndexf(2.0f);", "glEndList();", "glCallList(7);"}));
 }
 
 TEST(DisplayLists, PositionsLeadToTheCommands) {
   const Case c = mixed();
-  for (const Lists lists : {Lists::compiled, Lists::executed, Lists::nested, Lists::repeated, Lists::split}) {
+  for (const Lists lists :
+       {Lists::kCompiled, Lists::kExecuted, Lists::kNested, Lists::kRepeated, Lists::kSplit}) {
     const DeliveredCase delivered = through_lists(c, lists);
     ASSERT_EQ(delivered.positions.size(), c.commands().size());
     for (std::size_t i = 0; i < c.commands().size(); ++i)
@@ -149,23 +150,24 @@ TEST(DisplayLists, SameEmission) {
   };
   const auto expected = vertices(predict(c, 8));
   ASSERT_EQ(expected.size(), 8u);
-  for (const Lists lists : {Lists::compiled, Lists::executed, Lists::nested, Lists::split})
+  for (const Lists lists : {Lists::kCompiled, Lists::kExecuted, Lists::kNested, Lists::kSplit})
     EXPECT_EQ(vertices(predict(through_lists(c, lists).script, 8)), expected) << static_cast<int>(lists);
-  EXPECT_EQ(vertices(predict(through_lists(c, Lists::repeated).script, 8)).size(), 16u);
+  EXPECT_EQ(vertices(predict(through_lists(c, Lists::kRepeated).script, 8)).size(), 16u);
 }
 
 TEST(DisplayLists, EveryWayIsADelivery) {
   for (const std::vector<Delivery>* deliveries :
        {&curve_deliveries(), &surface_deliveries(), &list_deliveries()})
     for (const Lists lists :
-         {Lists::none, Lists::compiled, Lists::executed, Lists::nested, Lists::repeated, Lists::split})
+         {Lists::kNone, Lists::kCompiled, Lists::kExecuted, Lists::kNested, Lists::kRepeated, Lists::kSplit})
       EXPECT_TRUE(std::ranges::any_of(*deliveries,
                                       [&](const Delivery& delivery) { return delivery.lists == lists; }));
-  for (const Delivery& delivery : without(kLists, curve_deliveries())) EXPECT_EQ(delivery.lists, Lists::none);
+  for (const Delivery& delivery : without(kLists, curve_deliveries()))
+    EXPECT_EQ(delivery.lists, Lists::kNone);
   for (const Delivery& delivery : without(kRepetition | kGrids, curve_deliveries())) {
-    EXPECT_NE(delivery.lists, Lists::repeated);
-    EXPECT_NE(delivery.evaluation, Delivery::Evaluation::mesh);
-    EXPECT_NE(delivery.evaluation, Delivery::Evaluation::point);
+    EXPECT_NE(delivery.lists, Lists::kRepeated);
+    EXPECT_NE(delivery.evaluation, Delivery::Evaluation::kMesh);
+    EXPECT_NE(delivery.evaluation, Delivery::Evaluation::kPoint);
   }
 }
 

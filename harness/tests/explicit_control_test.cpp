@@ -26,7 +26,7 @@ gl::Case evaluated(GLenum mode = GL_POINTS) {
   return c;
 }
 gl::Case in_lists(GLenum mode = GL_POINTS) {
-  return gl::through_lists(evaluated(mode), gl::Lists::compiled).script;
+  return gl::through_lists(evaluated(mode), gl::Lists::kCompiled).script;
 }
 
 void lose_positions(Observation& seen, const gl::Case&) { seen.primitives[0].vertices[1].position[0] = 99; }
@@ -64,7 +64,7 @@ class ExplicitControlTest : public testing::Test {
     WithCapabilities::first_known = GL_INDEX_LOGIC_OP;
   }
 
-  // The number of controls that are played when the case, which was judged by these attributes, has failed
+  // The number of controls that are run when the case, which was judged by these attributes, has failed
   // twice.
   int controls(const gl::Case& script, const SyntheticCapture& capture, Attributes judged = kAllAttributes,
                const std::string& what = "point 1") {
@@ -96,7 +96,7 @@ TEST_F(ExplicitControlTest, ListsThatLoseExplicitVerticesAre) {
                                  "position.x of vertex 1 "))
         << reason.what();
   }
-  // Later failures of the case have the same root cause, and the controls are not played again.
+  // Later failures of the case have the same root cause, and the controls are not run again.
   const int played = capture.observations;
   EXPECT_THROW(control_.require_explicit_vertices("normal.x of vertex 0"), NotObservable);
   EXPECT_EQ(capture.observations, played);

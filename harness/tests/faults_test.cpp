@@ -46,7 +46,7 @@ TEST_F(Faults, OneIsCaughtByATestOfItsRequirement) {
   const TriedFault result = try_one(fault("OrderZeroTaken", {"EV-MAP1-ERR-ORDER-LOW"}));
   EXPECT_EQ(result.outcome, FaultOutcome::kDetected);
   EXPECT_EQ(result.detections.at(0).verdict, Verdict::kFail);
-  EXPECT_EQ(result.detections.at(0).test_level, Level::must);
+  EXPECT_EQ(result.detections.at(0).test_level, Level::kMust);
 }
 
 // Detected by tests of other requirements only: the one that it is said to break does not notice.

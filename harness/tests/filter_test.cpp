@@ -16,13 +16,13 @@ TEST(Filter, HasPatternsOfGoogleTest) {
 }
 
 TEST(Filter, KeepsTheDepthExceptForExactNames) {
-  const ListedTest quick{"A.B/1", {}, Level::must, Depth::quick};
-  const ListedTest thorough{"A.B/2", {}, Level::must, Depth::thorough};
-  EXPECT_TRUE(is_played(quick, Depth::quick, ""));
-  EXPECT_FALSE(is_played(thorough, Depth::full, ""));
-  EXPECT_FALSE(is_played(thorough, Depth::full, "A.B/*"));
-  EXPECT_TRUE(is_played(thorough, Depth::thorough, "A.B/*"));
-  EXPECT_TRUE(is_played(thorough, Depth::quick, "A.C:A.B/2"));
+  const ListedTest quick{"A.B/1", {}, Level::kMust, Depth::kQuick};
+  const ListedTest thorough{"A.B/2", {}, Level::kMust, Depth::kThorough};
+  EXPECT_TRUE(is_played(quick, Depth::kQuick, ""));
+  EXPECT_FALSE(is_played(thorough, Depth::kFull, ""));
+  EXPECT_FALSE(is_played(thorough, Depth::kFull, "A.B/*"));
+  EXPECT_TRUE(is_played(thorough, Depth::kThorough, "A.B/*"));
+  EXPECT_TRUE(is_played(thorough, Depth::kQuick, "A.C:A.B/2"));
 }
 
 }  // namespace

@@ -367,18 +367,18 @@ TEST_F(GlLibrary, MapsOfVertexAttributes) {
   unsetenv("EVALCTS_DRILL");
 }
 
-// However bad a library is: EVALCTS_DRILL of wretched.cpp.
-TEST_F(GlLibrary, WretchedOnesAreJudgedToTheEnd) {
+// However bad a library is: EVALCTS_DRILL of degraded_osmesa.cpp.
+TEST_F(GlLibrary, DegradedLibrariesAreJudgedToTheEnd) {
   if (!available("osmesa")) GTEST_SKIP() << "no OSMesa here";
   for (const char* how : {"half", "low", "high", "silent", "noisy", "crashes"}) {
     SCOPED_TRACE(how);
     setenv("EVALCTS_DRILL", how, 1);
     const Outcome outcome = evalcts(
-        {"run", "--context", WRETCHED_PROVIDER, "--name", "wretched", "--output", folder_.string(), "--depth",
+        {"run", "--context", DEGRADED_PROVIDER, "--name", "degraded", "--output", folder_.string(), "--depth",
          "thorough", "--filter",
          "InitialState.*:Api.EntryPoint2/Map2d:Map1Errors.OrderTooHigh/*_f:Precedence.*/EvalCoord1f"});
     EXPECT_EQ(outcome.code, 1) << outcome.text;
-    const json result = results("wretched");
+    const json result = results("degraded");
     EXPECT_EQ(as_text(result["status"]), "complete") << outcome.text;
     EXPECT_FALSE(result["summary"].contains("internal-error")) << result["summary"];
     EXPECT_GT(result["tests"].size(), 30u);
@@ -397,7 +397,7 @@ TEST_F(GlLibrary, ListsInWhichAllVerticesGoWrong) {
     SCOPED_TRACE(how);
     setenv("EVALCTS_DRILL", how, 1);
     const Outcome outcome =
-        evalcts({"run", "--context", WRETCHED_PROVIDER, "--name", "wretched", "--output", folder_.string(),
+        evalcts({"run", "--context", DEGRADED_PROVIDER, "--name", "degraded", "--output", folder_.string(),
                  "--depth", "quick", "--filter",  // exact names run at any depth
                  std::string("Map1Values.Ends/MAP1_VERTEX_3/EvalCoord1f/Split") +
                      ":DisplayLists.CalledTwiceSameBits/1-D" + ":DisplayLists.CalledTwiceSameBits/2-D" +
@@ -405,7 +405,7 @@ TEST_F(GlLibrary, ListsInWhichAllVerticesGoWrong) {
                      ":Metamorphic.ReversedCurve/Nested" +
                      ":ShaderAttributes.GenericZero/MAP1_VERTEX_3/EvalCoord1f/Executed" +
                      ":ShaderAttributes.GenericZero/MAP1_VERTEX_4/EvalCoord1f/Executed"});
-    const json result = results("wretched");
+    const json result = results("degraded");
     EXPECT_EQ(result["tests"].size(), 7u) << outcome.text;
     for (const json& test : result["tests"])
       EXPECT_EQ(as_text(test["verdict"]), verdict) << test["name"] << ": " << test["message"];

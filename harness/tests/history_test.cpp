@@ -36,7 +36,7 @@ TEST(ShortestHistory, IsWhatIsNeeded) {
         Tests{"t0", "t50", "t99"}, Tests{"t0", "t1", "t2", "t3"}}) {
     Needs needs{needed};
     const History history = shortest_history(numbered(100), {}, std::ref(needs));
-    EXPECT_EQ(history.found, History::Found::shortest);
+    EXPECT_EQ(history.found, History::Found::kShortest);
     EXPECT_EQ(history.tests, needed);
     EXPECT_LT(needs.asked, 70);
   }
@@ -52,11 +52,11 @@ TEST(ShortestHistory, TakesAGoodGuess) {
 }
 
 TEST(ShortestHistory, SaysWhatItDoesNotKnow) {
-  EXPECT_EQ(shortest_history(numbered(9), {}, Needs{{"x"}}).found, History::Found::not_reproduced);
-  EXPECT_EQ(shortest_history({}, {}, Needs{{"x"}}).found, History::Found::not_reproduced);
-  EXPECT_EQ(shortest_history(numbered(9), {}, Needs{{"t0"}, 0, 2}).found, History::Found::out_of_time);
+  EXPECT_EQ(shortest_history(numbered(9), {}, Needs{{"x"}}).found, History::Found::kNotReproduced);
+  EXPECT_EQ(shortest_history({}, {}, Needs{{"x"}}).found, History::Found::kNotReproduced);
+  EXPECT_EQ(shortest_history(numbered(9), {}, Needs{{"t0"}, 0, 2}).found, History::Found::kOutOfTime);
   const History shortened = shortest_history(numbered(64), {}, Needs{{"t1", "t60"}, 0, 9});
-  EXPECT_EQ(shortened.found, History::Found::shortened);
+  EXPECT_EQ(shortened.found, History::Found::kShortened);
   Needs both{{"t1", "t60"}};
   EXPECT_EQ(both(shortened.tests), true);
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tests the launcher `evalcts` against a stand-in for the machine: a PATH that holds nothing but the basic tools
-# and scripts that play apt, dpkg, sudo, CMake and ctest. Needs no network and changes nothing outside a
+# and scripts that run apt, dpkg, sudo, CMake and ctest. Needs no network and changes nothing outside a
 # temporary folder. As root it drops to an ordinary user, so that it sees the same wherever it runs.
 # usage: launcher_test.sh [LAUNCHER]
 set -u

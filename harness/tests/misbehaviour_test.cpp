@@ -31,48 +31,48 @@ constexpr char kMemory[] = "600";
 constexpr char kEndedWell[] = "exit code 0";
 #endif
 
-struct Misdeed {
+struct Misbehaviour {
   const char* what;
   const char* verdict;
   const char* message = "";
   const char* jobs = "2";
-  friend void PrintTo(const Misdeed& misdeed, std::ostream* out) { *out << misdeed.what; }
+  friend void PrintTo(const Misbehaviour& misbehaviour, std::ostream* out) { *out << misbehaviour.what; }
 };
 
-class Misdeeds : public DrillTest, public testing::WithParamInterface<Misdeed> {
+class Misbehaviours : public DrillTest, public testing::WithParamInterface<Misbehaviour> {
  protected:
   // Much time, unless the test waits for its end: the machine may be busy.
-  static std::vector<std::string> options(const Misdeed& misdeed) {
+  static std::vector<std::string> options(const Misbehaviour& misbehaviour) {
     return {"--filter",  std::string("Map1State.Stride/*:InitialState.O*") + kWithoutLists,
-            "--timeout", std::string(misdeed.verdict) == "timeout" ? "2" : "60",
+            "--timeout", std::string(misbehaviour.verdict) == "timeout" ? "2" : "60",
             "--memory",  kMemory,
-            "--jobs",    misdeed.jobs};
+            "--jobs",    misbehaviour.jobs};
   }
 
-  // A misdeed in one call costs that test at most, and leaves nothing behind.
-  void check(const Misdeed& misdeed, int code) const {
-    const bool dies = std::string(misdeed.verdict) != "pass";
-    EXPECT_EQ(code, dies ? 1 : 0) << misdeed.what;
+  // A misbehaviour in one call costs that test at most, and leaves nothing behind.
+  void check(const Misbehaviour& misbehaviour, int code) const {
+    const bool dies = std::string(misbehaviour.verdict) != "pass";
+    EXPECT_EQ(code, dies ? 1 : 0) << misbehaviour.what;
     const json result = results("drill");
     ASSERT_TRUE(result.is_object());
     EXPECT_EQ(as_text(result["status"]), "complete");
     EXPECT_GT(result["tests"].size(), 15u);
     for (const json& test : result["tests"]) {
       if (as_text(test["name"]) != kVictim) {
-        EXPECT_EQ(as_text(test["verdict"]), "pass") << misdeed.what << test;
+        EXPECT_EQ(as_text(test["verdict"]), "pass") << misbehaviour.what << test;
       }
     }
     const json victim = test_named(result, kVictim);
     ASSERT_FALSE(victim.is_null());
-    EXPECT_EQ(as_text(victim["verdict"]), misdeed.verdict) << misdeed.what << victim["message"];
+    EXPECT_EQ(as_text(victim["verdict"]), misbehaviour.verdict) << misbehaviour.what << victim["message"];
     if (dies) {
       const std::string words = victim["message"];
-      EXPECT_TRUE(contains(words, misdeed.message));
+      EXPECT_TRUE(contains(words, misbehaviour.message));
       EXPECT_TRUE(contains(words, "confirmed alone"));
       ASSERT_FALSE(victim["calls"].empty());
       EXPECT_TRUE(contains(victim["calls"].dump(), "glMap1f(GL_MAP1_INDEX"));
     } else {
-      EXPECT_TRUE(contains(text_of("log-drill.txt"), misdeed.message));
+      EXPECT_TRUE(contains(text_of("log-drill.txt"), misbehaviour.message));
     }
     std::ifstream processes(drill_file());
     for (pid_t process = 0; processes >> process;) EXPECT_NE(kill(process, 0), 0) << process;
@@ -82,32 +82,34 @@ class Misdeeds : public DrillTest, public testing::WithParamInterface<Misdeed> {
   }
 };
 
-TEST_P(Misdeeds, CostOneTestAtMost) {
+TEST_P(Misbehaviours, CostOneTestAtMost) {
   const Outcome outcome = drill(GetParam().what, options(GetParam()));
   check(GetParam(), outcome.code);
 }
 INSTANTIATE_TEST_SUITE_P(
-    Ways, Misdeeds,
-    testing::Values(Misdeed{"crash", "crash", "SIGSEGV", "1"}, Misdeed{"crash", "crash", "SIGSEGV", "3"},
-                    Misdeed{"abort", "crash", "SIGABRT"}, Misdeed{"exit", "crash", "exit code 7"},
-                    Misdeed{"exit-well", "crash", kEndedWell}, Misdeed{"kill", "crash", "SIGKILL"},
-                    Misdeed{"thread", "crash", "SIGSEGV"}, Misdeed{"heap", "crash", "the process ended with"},
-                    Misdeed{"memory", "crash", " MiB of memory"},
-                    Misdeed{"flood", "pass", " bytes more are left out here"}, Misdeed{"close", "pass"},
-                    Misdeed{"close-and-open", "pass"}, Misdeed{"threads-stay", "pass"},
-                    Misdeed{"process-stays", "pass"}, Misdeed{"daemon", "pass"},
-                    Misdeed{"fork-goes-on", "pass"}, Misdeed{"arithmetic", "pass"},
-                    Misdeed{"at-exit", "pass"},
-                    Misdeed{"surroundings", "pass",
-                            "has changed the working directory, the locale, a timer; put back"}),
-    [](const auto& misdeed) {
-      std::string name = std::string(misdeed.param.what) + "_" + misdeed.param.jobs;
+    Ways, Misbehaviours,
+    testing::Values(Misbehaviour{"crash", "crash", "SIGSEGV", "1"},
+                    Misbehaviour{"crash", "crash", "SIGSEGV", "3"}, Misbehaviour{"abort", "crash", "SIGABRT"},
+                    Misbehaviour{"exit", "crash", "exit code 7"},
+                    Misbehaviour{"exit-well", "crash", kEndedWell}, Misbehaviour{"kill", "crash", "SIGKILL"},
+                    Misbehaviour{"thread", "crash", "SIGSEGV"},
+                    Misbehaviour{"heap", "crash", "the process ended with"},
+                    Misbehaviour{"memory", "crash", " MiB of memory"},
+                    Misbehaviour{"flood", "pass", " bytes more are left out here"},
+                    Misbehaviour{"close", "pass"}, Misbehaviour{"close-and-open", "pass"},
+                    Misbehaviour{"threads-stay", "pass"}, Misbehaviour{"process-stays", "pass"},
+                    Misbehaviour{"daemon", "pass"}, Misbehaviour{"fork-goes-on", "pass"},
+                    Misbehaviour{"arithmetic", "pass"}, Misbehaviour{"at-exit", "pass"},
+                    Misbehaviour{"surroundings", "pass",
+                                 "has changed the working directory, the locale, a timer; put back"}),
+    [](const auto& misbehaviour) {
+      std::string name = std::string(misbehaviour.param.what) + "_" + misbehaviour.param.jobs;
       std::ranges::replace(name, '-', '_');
       return name;
     });
 
 // A crash is charged to evaluators only if the same case with explicit vertices survives.
-TEST_F(Misdeeds, CrashOfAnyPrimitiveIsNotThatOfEvaluators) {
+TEST_F(Misbehaviours, CrashOfAnyPrimitiveIsNotThatOfEvaluators) {
   const auto outcome_of = [&](const char* what) {
     drill(what, {"--filter", "Evaluation.NoArgumentIsAnError/*", "--allow-unobserved"});
     const json result = results("drill");
@@ -123,7 +125,7 @@ TEST_F(Misdeeds, CrashOfAnyPrimitiveIsNotThatOfEvaluators) {
 
 // Once three tests have crashed in one query, those that query all state leave it out and are judged; those
 // that need it crash, and several are confirmed only.
-TEST_F(Misdeeds, CrashOfAQueryCostsTheTestsThatNeedIt) {
+TEST_F(Misbehaviours, CrashOfAQueryCostsTheTestsThatNeedIt) {
   const Outcome outcome = drill(
       "query", {"--filter",
                 "Map1Errors.StrideBelowKAtEveryOrder/MAP1_COLOR_4_d:Map1Errors.StrideBelowKAtEveryOrder/"
@@ -151,7 +153,7 @@ TEST_F(Misdeeds, CrashOfAQueryCostsTheTestsThatNeedIt) {
       EXPECT_NE(crash["frames"].dump().find("glGetMapiv+0x"), std::string::npos) << crash;
       const std::string message(as_text(test["message"]));
       confirmed += message.find("confirmed alone") != std::string::npos;
-      like_others += message.find("as in 3 tests that were played again alone") != std::string::npos;
+      like_others += message.find("as in 3 tests that were run again alone") != std::string::npos;
     } else {
       EXPECT_EQ(as_text(test["verdict"]), "pass") << test;
       EXPECT_FALSE(test.contains("left_out")) << test;
@@ -164,27 +166,27 @@ TEST_F(Misdeeds, CrashOfAQueryCostsTheTestsThatNeedIt) {
 }
 
 // Side by side, for they take their time.
-TEST_F(Misdeeds, ThatNeverEndAreEnded) {
-  const Misdeed misdeeds[] = {{"hang", "timeout", "no answer within 2 seconds", "1"},
-                              {"hang", "timeout", "no answer within 2 seconds", "3"},
-                              {"stop", "timeout", "no answer within 2 seconds"},
-                              {"deaf", "timeout", "no answer within 2 seconds"},
-                              {"handler", "timeout", "no answer within 2 seconds"},
-                              {"endless-flood", "timeout", "no answer within 2 seconds"}};
+TEST_F(Misbehaviours, ThatNeverEndAreEnded) {
+  const Misbehaviour misbehaviours[] = {{"hang", "timeout", "no answer within 2 seconds", "1"},
+                                        {"hang", "timeout", "no answer within 2 seconds", "3"},
+                                        {"stop", "timeout", "no answer within 2 seconds"},
+                                        {"deaf", "timeout", "no answer within 2 seconds"},
+                                        {"handler", "timeout", "no answer within 2 seconds"},
+                                        {"endless-flood", "timeout", "no answer within 2 seconds"}};
   const fs::path whole = folder_;
   std::vector<std::pair<fs::path, std::unique_ptr<ChildProcess>>> runs;
-  for (const Misdeed& misdeed : misdeeds) {
-    folder_ = whole / (std::string(misdeed.what) + "-" + misdeed.jobs);
+  for (const Misbehaviour& misbehaviour : misbehaviours) {
+    folder_ = whole / (std::string(misbehaviour.what) + "-" + misbehaviour.jobs);
     fs::create_directory(folder_);
-    std::vector<std::string> arguments = drill_arguments(misdeed.what, options(misdeed));
+    std::vector<std::string> arguments = drill_arguments(misbehaviour.what, options(misbehaviour));
     arguments.insert(arguments.begin(), EVALCTS_PROGRAM);
     runs.emplace_back(folder_, std::make_unique<ChildProcess>(arguments, (folder_ / "command.log").string()));
   }
   for (std::size_t i = 0; i < runs.size(); ++i) {
     folder_ = runs[i].first;
     const auto ending = runs[i].second->wait(60);
-    EXPECT_TRUE(ending && !ending->signalled) << misdeeds[i].what;
-    check(misdeeds[i], ending ? ending->value : -1);
+    EXPECT_TRUE(ending && !ending->signalled) << misbehaviours[i].what;
+    check(misbehaviours[i], ending ? ending->value : -1);
   }
   folder_ = whole;
 }
@@ -204,13 +206,13 @@ class Flakes : public DrillTest {
 TEST_F(Flakes, AreToldApart) {
   const Outcome outcome = play("now-and-then", {"--verbose"});
   EXPECT_EQ(outcome.code, 1) << outcome.text;
-  EXPECT_TRUE(contains(outcome.text, "MAP1_INDEX_f (flake: pass when played again)"));
+  EXPECT_TRUE(contains(outcome.text, "MAP1_INDEX_f (flake: pass when run again)"));
   const json flake = test_named(results("drill"), kVictim);
   EXPECT_EQ(as_text(flake["verdict"]), "fail");
   EXPECT_EQ(flake["flake"], true);
   EXPECT_EQ(as_text(flake["again"]["verdict"]), "pass");
   EXPECT_FALSE(flake["mismatches"].empty());
-  EXPECT_TRUE(contains(text_of("junit-drill.xml"), "flake: pass when played again"));
+  EXPECT_TRUE(contains(text_of("junit-drill.xml"), "flake: pass when run again"));
 
   EXPECT_EQ(play("now-and-then", {"--retry", "0"}).code, 1);
   EXPECT_FALSE(test_named(results("drill"), kVictim).contains("flake"));
@@ -222,7 +224,7 @@ TEST_F(Flakes, AreToldApart) {
   EXPECT_EQ(as_text(death["again"]["verdict"]), "pass");
 }
 
-// A test that fails each time is no flake, and one that the baseline knows to be a flake is not played again.
+// A test that fails each time is no flake, and one that the baseline knows to be a flake is not run again.
 TEST_F(Flakes, AreNotSeenElsewhere) {
   EXPECT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f", "--retry", "3"}).code,
             1);
@@ -370,7 +372,7 @@ class Variables : public DrillTest {
   }
 };
 
-// `run --shard`, `run` under GoogleTest's variables, and the suite program under them play the same tests.
+// `run --shard`, `run` under GoogleTest's variables, and the suite program under them run the same tests.
 TEST_F(Variables, ShardTheSameWay) {
   std::set<std::string> together;
   for (int shard = 0; shard < 3; ++shard) {

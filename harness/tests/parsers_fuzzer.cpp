@@ -88,7 +88,7 @@ void read_baseline(const std::string& text) {
 }
 
 // A result file: as pages, on a terminal, as a shard beside another, compared with itself, and as what to
-// play again.
+// run again.
 void read_results(const std::string& text) {
   try {
     const RunResult result = parse_run_result(text);
@@ -167,7 +167,7 @@ void read_checkpoint(const std::string& text) {
   }
 }
 
-// A command line, one argument a line: it is understood, or refused with words.
+// A command line, one argument a line: it is understood, or rejected with words.
 void read_command_line(const std::string& text) {
   static std::ostringstream words;
   static const bool quiet = (std::cout.rdbuf(words.rdbuf()), std::cerr.rdbuf(words.rdbuf()), true);

@@ -1,4 +1,4 @@
-// Tests made of declarations: names, order, requirements, and the depth that plays them.
+// Tests made of declarations: names, order, requirements, and the depth that runs them.
 #include <evalcts/testkit/registration.h>
 
 #include <gtest/gtest.h>
@@ -16,18 +16,18 @@ const std::vector<Size> kSizes = {{"small", 1}, {"large", 9}};
 const std::vector<GLenum> kTargets = {GL_MAP1_INDEX, GL_MAP1_NORMAL, GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4};
 std::string played_so_far;
 
-EVALCTS_TEST(Sample, Plain, quality, "EV-A", "EV-B/1-D")(Test&) { played_so_far += "plain "; };
-EVALCTS_TEST(Sample, Sizes, must, "EV-A",
+EVALCTS_TEST(Sample, Plain, kQuality, "EV-A", "EV-B/1-D")(Test&) { played_so_far += "plain "; };
+EVALCTS_TEST(Sample, Sizes, kMust, "EV-A",
              combine(kTargets).combine(kSizes).filter([](GLenum target, const Size& size) {
                return target == GL_MAP1_NORMAL || size.value == 9;
              }))
 (Test&, GLenum, const Size& size) { played_so_far += size.name + " "; };
-EVALCTS_TEST(Sample, Expanded, must, "EV-A", combine(kSizes).expand([](const Size& size) {
+EVALCTS_TEST(Sample, Expanded, kMust, "EV-A", combine(kSizes).expand([](const Size& size) {
   return std::vector<Size>{{"again", size.value + 1}};
 }))
 (Test&, const Size&, const Size& more) { played_so_far += std::to_string(more.value) + " "; };
 EVALCTS_LIFTED_SUITE(Curves, Surfaces);
-EVALCTS_TEST(Curves, Delivered, must, "EV-MAP1-BEZIER", "EV-A", "EV-B/1-D",
+EVALCTS_TEST(Curves, Delivered, kMust, "EV-MAP1-BEZIER", "EV-A", "EV-B/1-D",
              combine(std::vector<GLenum>{GL_MAP1_INDEX}).by(gl::curve_deliveries()))
 (Test&, GLenum){};
 
@@ -59,8 +59,8 @@ TEST(Registration, OfATestWithoutParameters) {
   const std::vector<TestInfo> plain = named("Plain");
   ASSERT_EQ(plain.size(), 1u);
   EXPECT_EQ(plain[0].requirements, (std::vector<RequirementId>{"EV-A", "EV-B/1-D"}));
-  EXPECT_EQ(plain[0].level, Level::quality);
-  EXPECT_EQ(plain[0].from, Depth::quick);
+  EXPECT_EQ(plain[0].level, Level::kQuality);
+  EXPECT_EQ(plain[0].from, Depth::kQuick);
   EXPECT_EQ(played(plain), "plain ");
 }
 
@@ -71,7 +71,7 @@ TEST(Registration, CombinesAndFilters) {
                                                        "Sizes/MAP1_VERTEX_4/large"}));
   EXPECT_EQ(played(sizes), "large large small large large ");
   // Three of five parameters at most.
-  const auto quick = std::ranges::count(sizes, Depth::quick, &TestInfo::from);
+  const auto quick = std::ranges::count(sizes, Depth::kQuick, &TestInfo::from);
   EXPECT_GE(quick, 2);
   EXPECT_LE(quick, 3);
 }
@@ -91,13 +91,13 @@ TEST(Registration, OneTestForEachDelivery) {
     const auto found = std::ranges::find(tests, name, &TestInfo::full_name);
     ASSERT_NE(found, tests.end()) << name;
     std::vector<RequirementId> requirements = found->requirements;
-    if (delivery.lists != gl::Lists::none) requirements.pop_back();
+    if (delivery.lists != gl::Lists::kNone) requirements.pop_back();
     EXPECT_EQ(texts_of(requirements), delivery.lifted
                                           ? (std::vector<std::string>{"EV-MAP2-BEZIER", "EV-B/2-D"})
                                           : (std::vector<std::string>{"EV-MAP1-BEZIER", "EV-A", "EV-B/1-D"}))
         << name;
     if (delivery.is_plain()) {
-      EXPECT_EQ(found->from, Depth::quick) << name;
+      EXPECT_EQ(found->from, Depth::kQuick) << name;
     }
   }
 }

@@ -1,4 +1,4 @@
-// evalcts report: which files it takes, what it writes, and that what it refuses costs nothing.
+// evalcts report: which files it takes, what it writes, and that what it rejects costs nothing.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

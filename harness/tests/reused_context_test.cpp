@@ -212,7 +212,7 @@ TEST_P(ReusedContexts, HoldNoObjectsOfTheCaseBefore) {
 
 // Programs that captures keep outlive the case that made them, where that is asked for.
 TEST_P(ReusedContexts, KeepProgramsOfCaptures) {
-  const std::unique_ptr<Implementation> reused = reuse_context(*implementation_, info_, Programs::kept);
+  const std::unique_ptr<Implementation> reused = reuse_context(*implementation_, info_, Programs::kKept);
   if (!gl::has(reused->create_context()->table(), gl::EntryPoint::CreateProgram))
     GTEST_SKIP() << "has no programs";
   Case making;

@@ -18,7 +18,7 @@ std::size_t count_of(Depth depth, const std::vector<Depth>& depths) {
   return static_cast<std::size_t>(std::ranges::count(depths, depth));
 }
 
-gl::Delivery delivery(gl::Delivery::Evaluation evaluation, gl::Lists lists = gl::Lists::none) {
+gl::Delivery delivery(gl::Delivery::Evaluation evaluation, gl::Lists lists = gl::Lists::kNone) {
   gl::Delivery delivery;
   delivery.evaluation = evaluation;
   delivery.lists = lists;
@@ -26,8 +26,8 @@ gl::Delivery delivery(gl::Delivery::Evaluation evaluation, gl::Lists lists = gl:
 }
 std::vector<gl::Delivery> some_deliveries() {
   using enum gl::Delivery::Evaluation;
-  return {delivery(coordinates), delivery(array), delivery(mesh), delivery(coordinates, gl::Lists::compiled),
-          delivery(coordinates, gl::Lists::nested)};
+  return {delivery(kCoordinates), delivery(kArray), delivery(kMesh),
+          delivery(kCoordinates, gl::Lists::kCompiled), delivery(kCoordinates, gl::Lists::kNested)};
 }
 
 TEST(Schedule, AFewParametersAreQuickAndEachInSomeTest) {
@@ -38,14 +38,14 @@ TEST(Schedule, AFewParametersAreQuickAndEachInSomeTest) {
     for (int i = 0; i < kTests; ++i) {
       const std::vector<Depth> depths = Schedule(test(i)).of_parameters(10, deliveries);
       ASSERT_EQ(depths.size(), 10u);
-      EXPECT_GE(count_of(Depth::quick, depths), 1u);
-      EXPECT_LE(count_of(Depth::quick, depths), most);
-      EXPECT_EQ(count_of(Depth::thorough, depths), 0u);
+      EXPECT_GE(count_of(Depth::kQuick, depths), 1u);
+      EXPECT_LE(count_of(Depth::kQuick, depths), most);
+      EXPECT_EQ(count_of(Depth::kThorough, depths), 0u);
       for (std::size_t k = 0; k < depths.size(); ++k)
-        if (depths[k] == Depth::quick) quick.insert(k);
+        if (depths[k] == Depth::kQuick) quick.insert(k);
     }
     EXPECT_EQ(quick.size(), 10u) << most;
-    EXPECT_EQ(count_of(Depth::quick, Schedule(test(1)).of_parameters(most, deliveries)), most);
+    EXPECT_EQ(count_of(Depth::kQuick, Schedule(test(1)).of_parameters(most, deliveries)), most);
   }
 }
 
@@ -57,19 +57,20 @@ TEST(Schedule, TheNameAloneChooses) {
 TEST(Schedule, TheDeliveryAsWrittenIsNeverLeftOut) {
   for (int i = 0; i < 100; ++i)
     EXPECT_EQ(
-        Schedule(test(i)).of_deliveries(Depth::quick, {delivery(gl::Delivery::Evaluation::coordinates)}),
-        std::vector{Depth::quick});
+        Schedule(test(i)).of_deliveries(Depth::kQuick, {delivery(gl::Delivery::Evaluation::kCoordinates)}),
+        std::vector{Depth::kQuick});
 }
 
 TEST(Schedule, OneOfTheOtherDeliveriesIsTakenInEachTest) {
   std::array<int, 2> taken = {};
   for (int i = 0; i < kTests; ++i) {
-    const std::vector<Depth> depths = Schedule(test(i)).of_deliveries(Depth::quick, some_deliveries());
-    EXPECT_NE(depths[1] == Depth::quick, depths[2] == Depth::quick);
-    ++taken.at(depths[1] == Depth::quick ? 0 : 1);
-    EXPECT_EQ(std::max(depths[1], depths[2]), Depth::full);
-    EXPECT_EQ(std::ranges::max(Schedule(test(i)).of_deliveries(Depth::quick, gl::sparing(some_deliveries()))),
-              Depth::thorough);
+    const std::vector<Depth> depths = Schedule(test(i)).of_deliveries(Depth::kQuick, some_deliveries());
+    EXPECT_NE(depths[1] == Depth::kQuick, depths[2] == Depth::kQuick);
+    ++taken.at(depths[1] == Depth::kQuick ? 0 : 1);
+    EXPECT_EQ(std::max(depths[1], depths[2]), Depth::kFull);
+    EXPECT_EQ(
+        std::ranges::max(Schedule(test(i)).of_deliveries(Depth::kQuick, gl::sparing(some_deliveries()))),
+        Depth::kThorough);
   }
   EXPECT_NEAR(taken[0], kTests / 2, kTests / 10);
 }
@@ -78,30 +79,30 @@ TEST(Schedule, OneWayThroughListsIsTakenInOneTestOfNineAndAtFullDepthOfThree) {
   std::map<Depth, int> of_least;
   std::array<int, 2> taken = {};
   for (int i = 0; i < kTests; ++i) {
-    const std::vector<Depth> depths = Schedule(test(i)).of_deliveries(Depth::quick, some_deliveries());
-    EXPECT_EQ(std::max(depths[3], depths[4]), Depth::thorough);
+    const std::vector<Depth> depths = Schedule(test(i)).of_deliveries(Depth::kQuick, some_deliveries());
+    EXPECT_EQ(std::max(depths[3], depths[4]), Depth::kThorough);
     ++of_least[std::min(depths[3], depths[4])];
-    if (depths[3] == Depth::quick) ++taken[0];
-    if (depths[4] == Depth::quick) ++taken[1];
+    if (depths[3] == Depth::kQuick) ++taken[0];
+    if (depths[4] == Depth::kQuick) ++taken[1];
   }
-  EXPECT_NEAR(of_least[Depth::quick], kTests / 9, kTests / 30);
-  EXPECT_NEAR(of_least[Depth::full], kTests * 2 / 9, kTests / 30);
+  EXPECT_NEAR(of_least[Depth::kQuick], kTests / 9, kTests / 30);
+  EXPECT_NEAR(of_least[Depth::kFull], kTests * 2 / 9, kTests / 30);
   EXPECT_NEAR(taken[0], taken[1], kTests / 30);
 }
 
 TEST(Schedule, TheDepthOfTheTestIsTheLeast) {
   for (int i = 0; i < 100; ++i)
-    EXPECT_EQ(count_of(Depth::quick, Schedule(test(i)).of_deliveries(Depth::full, some_deliveries())), 0u);
+    EXPECT_EQ(count_of(Depth::kQuick, Schedule(test(i)).of_deliveries(Depth::kFull, some_deliveries())), 0u);
 }
 
 TEST(Schedule, OneTestOf32WithFewPrimitivesIsCrossChecked) {
   int checked = 0;
   for (int i = 0; i < kTests; ++i) {
     const Schedule schedule(test(i));
-    EXPECT_TRUE(schedule.is_cross_checked(Depth::thorough, 1000));
-    EXPECT_FALSE(schedule.is_cross_checked(Depth::full, 65));
-    EXPECT_EQ(schedule.is_cross_checked(Depth::quick, 1), schedule.is_cross_checked(Depth::full, 64));
-    checked += schedule.is_cross_checked(Depth::full, 64);
+    EXPECT_TRUE(schedule.is_cross_checked(Depth::kThorough, 1000));
+    EXPECT_FALSE(schedule.is_cross_checked(Depth::kFull, 65));
+    EXPECT_EQ(schedule.is_cross_checked(Depth::kQuick, 1), schedule.is_cross_checked(Depth::kFull, 64));
+    checked += schedule.is_cross_checked(Depth::kFull, 64);
   }
   EXPECT_NEAR(checked, kTests / 32, kTests / 100);
 }

@@ -488,8 +488,8 @@ TEST_F(SweepCommand, ShardsAreMerged) {
     return refusal.text;
   };
   EXPECT_TRUE(contains(refused({"1"}), "shards are missing: 2/2"));
-  EXPECT_TRUE(contains(refused({"1", "1"}), "is shard 1/2 once more"));
-  EXPECT_TRUE(contains(refused({"1", "whole"}), "is shard 1/1: the others are of 2"));
+  EXPECT_TRUE(contains(refused({"1", "1"}), "is shard 1/2 a second time"));
+  EXPECT_TRUE(contains(refused({"1", "whole"}), "is shard 1/1, but the others are of 2"));
   EXPECT_TRUE(contains(refused({"1", "nowhere"}), "is damaged (no whole JSON)"));
   std::ofstream(folder_ / "half") << std::ifstream(folder_ / "2").rdbuf();
   std::filesystem::resize_file(folder_ / "half", 300);

@@ -119,14 +119,14 @@ TEST(Violated, ListsAreBlamedOnlyIfTheirCommandsAreRightWithoutOne) {
       t.expect_emission(curve(), kPosition);
     });
   };
-  EXPECT_EQ(in_lists(gl::Lists::compiled, evaluation_elsewhere, "EV-DL-EXECUTE").blamed(), Ids{"EV-A"});
-  EXPECT_EQ(in_lists(gl::Lists::split, evaluation_elsewhere, "EV-DL-SPLIT").blamed(), Ids{"EV-A"});
-  EXPECT_EQ(in_lists(gl::Lists::compiled, wrong_in_lists<GL_COMPILE>, "EV-DL-EXECUTE").blamed(),
+  EXPECT_EQ(in_lists(gl::Lists::kCompiled, evaluation_elsewhere, "EV-DL-EXECUTE").blamed(), Ids{"EV-A"});
+  EXPECT_EQ(in_lists(gl::Lists::kSplit, evaluation_elsewhere, "EV-DL-SPLIT").blamed(), Ids{"EV-A"});
+  EXPECT_EQ(in_lists(gl::Lists::kCompiled, wrong_in_lists<GL_COMPILE>, "EV-DL-EXECUTE").blamed(),
             Ids{"EV-DL-EXECUTE"});
   // Mistakes of the simplest kind of list do not speak against the other kinds.
-  EXPECT_EQ(in_lists(gl::Lists::nested, wrong_in_lists<GL_COMPILE>, "EV-DL-NESTED").blamed(),
+  EXPECT_EQ(in_lists(gl::Lists::kNested, wrong_in_lists<GL_COMPILE>, "EV-DL-NESTED").blamed(),
             Ids{"EV-DL-EXECUTE"});
-  EXPECT_EQ(in_lists(gl::Lists::executed, wrong_in_lists<GL_COMPILE_AND_EXECUTE>, "EV-DL-COMPEXEC").blamed(),
+  EXPECT_EQ(in_lists(gl::Lists::kExecuted, wrong_in_lists<GL_COMPILE_AND_EXECUTE>, "EV-DL-COMPEXEC").blamed(),
             Ids{"EV-DL-COMPEXEC"});
 }
 

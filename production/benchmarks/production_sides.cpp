@@ -34,7 +34,7 @@ Context make_context(const char* target, const Curve& curve) {
   const glev_enum map = curve.components == 3 ? GLEV_MAP1_VERTEX_3 : GLEV_MAP1_VERTEX_4;
   glevMap1f(context.get(), map, 0, 1, curve.components, curve.order, curve.points.data());
   glevEnable(context.get(), map);
-  require(glevGetError(context.get()) == GLEV_NO_ERROR, "the map is refused");
+  require(glevGetError(context.get()) == GLEV_NO_ERROR, "the map is rejected");
   return context;
 }
 
@@ -46,7 +46,7 @@ Context make_context(const char* target, const Mesh& mesh) {
   glevMapGrid2f(context.get(), mesh.columns - 1, 0, 1, mesh.rows - 1, 0, 1);
   glevEnable(context.get(), map);
   if (mesh.normals) glevEnable(context.get(), GLEV_AUTO_NORMAL);
-  require(glevGetError(context.get()) == GLEV_NO_ERROR, "the map is refused");
+  require(glevGetError(context.get()) == GLEV_NO_ERROR, "the map is rejected");
   return context;
 }
 
@@ -121,7 +121,7 @@ Context make_context(const char* target, const Model& model) {
   Context context = make_context(target);
   glevMapGrid2f(context.get(), model.segments, 0, 1, model.segments, 0, 1);
   glevEnable(context.get(), GLEV_MAP2_VERTEX_3);
-  require(glevGetError(context.get()) == GLEV_NO_ERROR, "the grid is refused");
+  require(glevGetError(context.get()) == GLEV_NO_ERROR, "the grid is rejected");
   return context;
 }
 
@@ -291,14 +291,14 @@ Measured scattered(const char* target, glev_precision precision) {
 Measured mesh_to_sink(const char* target) {
   const Context context = make_context(target, called_surface());
   const glev_sink sink = storing_sink();
-  require(glevSetSink(context.get(), &sink), "the sink is refused");
+  require(glevSetSink(context.get(), &sink), "the sink is rejected");
   glevMapGrid2f(context.get(), 63, 0, 1, 63, 0, 1);
   return {[context] { glevEvalMesh2(context.get(), GLEV_POINT, 0, 63, 0, 63); }, 64 * 64};
 }
 
 Context between_begin_and_end(const Context& context) {
   const glev_sink sink = storing_sink();
-  require(glevSetSink(context.get(), &sink), "the sink is refused");
+  require(glevSetSink(context.get(), &sink), "the sink is rejected");
   glevBegin(context.get(), GLEV_POINTS);
   return context;
 }

@@ -105,7 +105,7 @@ DROPIN_EXPORT void glMap2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustrid
   define_map2(context, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
 }
 
-// Executed at once, and refused between Begin and End.
+// Executed at once, and rejected between Begin and End.
 #define GET_MAP(letter, type)                                                                       \
   DROPIN_EXPORT void glGetMap##letter##v(GLenum target, GLenum query, type* v) {                    \
     OF_EVALUATORS(GetMap##letter##v, target, query, v);                                             \

@@ -12,7 +12,7 @@
 
 namespace glev_tests {
 
-// Counts what is out, checks what comes back, and refuses from the nth request on.
+// Counts what is out, checks what comes back, and rejects from the nth request on.
 struct Ledger {
   std::map<void*, std::pair<std::size_t, std::size_t>> out;
   int requests = 0;

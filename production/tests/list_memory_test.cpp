@@ -67,7 +67,7 @@ TEST_F(ListMemory, ExecutionDoesNotAllocate) {
   EXPECT_EQ(ledger_.requests, before);
 }
 
-// Refuses the first, second, ... request until everything has enough.
+// Rejects the first, second, ... request until everything has enough.
 TEST_F(ListMemory, AListThatFindsNoMemoryLeavesTheOldOne) {
   int refused = 0;
   for (;; ++refused) {

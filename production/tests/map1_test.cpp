@@ -1,4 +1,4 @@
-// Map1 and GetMap: what is accepted, what is refused, what is kept.
+// Map1 and GetMap: what is accepted, what is rejected, what is kept.
 #include <climits>
 #include <cmath>
 #include <cstring>

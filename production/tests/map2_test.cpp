@@ -1,4 +1,4 @@
-// Map2 and GetMap: what is accepted, what is refused, what is kept.
+// Map2 and GetMap: what is accepted, what is rejected, what is kept.
 #include <climits>
 #include <cmath>
 #include <cstring>

@@ -36,7 +36,7 @@ bool is_negative(const ShortHomogeneous& t, int n, int i) {
   return (t.a < 0 && i % 2 != 0) != (t.b < 0 && (n - i) % 2 != 0);
 }
 
-template <bool magnitude>
+template <bool kMagnitude>
 void sum_row(const SignedTwoLimbs* terms, int count, const ShortHomogeneous& t, bool pairs, ShortSum& sum) {
   const Limb a = std::abs(t.a), b = std::abs(t.b);
   Natural power(1);
@@ -55,7 +55,7 @@ void sum_row(const SignedTwoLimbs* terms, int count, const ShortHomogeneous& t, 
     for (; i + 1 < count; i += 2) {
       if (i > 0) multiply(b * b, a * a);
       const SignedTwoLimbs first = term(i) * b, second = term(i + 1) * a;
-      if (magnitude) {
+      if (kMagnitude) {
         add(first);
         add(second);
       } else {
@@ -121,12 +121,12 @@ std::optional<ShortTerms> short_terms(std::span<const double> points, int rows, 
   return terms;
 }
 
-template <bool magnitude>
+template <bool kMagnitude>
 void short_sum(const ShortTerms& terms, const ShortHomogeneous& t, ShortSum& sum) {
-  sum_row<magnitude>(terms.values.data(), static_cast<int>(terms.values.size()), t, terms.pairs, sum);
+  sum_row<kMagnitude>(terms.values.data(), static_cast<int>(terms.values.size()), t, terms.pairs, sum);
 }
 
-template <bool magnitude>
+template <bool kMagnitude>
 void short_sum(const ShortTerms& terms, const ShortHomogeneous& u, const ShortHomogeneous& v, ShortSum& sum) {
   const Limb a = std::abs(u.a), b = std::abs(u.b);
   const int n = terms.rows - 1;
@@ -139,12 +139,12 @@ void short_sum(const ShortTerms& terms, const ShortHomogeneous& u, const ShortHo
       if (power.is_zero()) continue;
     }
     ShortSum row;
-    sum_row<magnitude>(&terms.values[static_cast<std::size_t>(i) * terms.columns], terms.columns, v,
-                       terms.pairs, row);
+    sum_row<kMagnitude>(&terms.values[static_cast<std::size_t>(i) * terms.columns], terms.columns, v,
+                        terms.pairs, row);
     Natural weight(power);
     weight.multiply(binomial(n, i));
     bool negative = is_negative(u, n, i);
-    if (magnitude) {
+    if (kMagnitude) {
       (negative ? sum.negative : sum.positive).add_product(weight, row.positive);
       (negative ? sum.positive : sum.negative).add_product(weight, row.negative);
     } else {

@@ -39,13 +39,13 @@ struct ShortSum {
   Natural positive, negative;
 };
 
-// Computes SUM C(n,i) * a^i * b^(n-i) * R_i over a single row or column. With `magnitude`, positive +
+// Computes SUM C(n,i) * a^i * b^(n-i) * R_i over a single row or column. With `kMagnitude`, positive +
 // negative is the sum of the magnitudes; without it, only their difference has a meaning.
-template <bool magnitude>
+template <bool kMagnitude>
 void short_sum(const ShortTerms& terms, const ShortHomogeneous& t, ShortSum& sum);
 
 // Computes the sum over the tensor product of both directions.
-template <bool magnitude>
+template <bool kMagnitude>
 void short_sum(const ShortTerms& terms, const ShortHomogeneous& u, const ShortHomogeneous& v, ShortSum& sum);
 
 }  // namespace evalcts::reference

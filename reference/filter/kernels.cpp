@@ -155,7 +155,7 @@ HWY_INLINE Vector if_or_infinite(Mask condition, Vector x) {
   return hn::IfThenElse(condition, x, hn::Set(kTag, std::numeric_limits<double>::infinity()));
 }
 
-void Enclose(const KernelPlan& plan, const double* HWY_RESTRICT u, const double* HWY_RESTRICT v,
+void enclose(const KernelPlan& plan, const double* HWY_RESTRICT u, const double* HWY_RESTRICT v,
              std::size_t count, const EnclosureArrays& results) {
   if (!has_exact_products()) {
     std::fill_n(results.error, round_up_to_lanes(count), std::numeric_limits<double>::infinity());
@@ -215,8 +215,8 @@ HWY_INLINE hn::Vec<decltype(kFloatTag)> to_float(Vector x) {
 #endif
 }
 
-void ToFloat(const EnclosureArrays& enclosures, double scale, std::size_t count, float* HWY_RESTRICT results,
-             double* HWY_RESTRICT decided) {
+void round_to_float(const EnclosureArrays& enclosures, double scale, std::size_t count,
+                    float* HWY_RESTRICT results, double* HWY_RESTRICT decided) {
   const Vector zero = hn::Zero(kTag), factor = hn::Set(kTag, scale);
   for (std::size_t k = 0; k < count; k += hn::Lanes(kTag)) {
     const Vector high = hn::LoadU(kTag, enclosures.high + k), low = hn::LoadU(kTag, enclosures.low + k),
@@ -232,8 +232,8 @@ void ToFloat(const EnclosureArrays& enclosures, double scale, std::size_t count,
   }
 }
 
-void ToDouble(const EnclosureArrays& enclosures, double scale, std::size_t count,
-              double* HWY_RESTRICT results, double* HWY_RESTRICT decided) {
+void round_to_double(const EnclosureArrays& enclosures, double scale, std::size_t count,
+                     double* HWY_RESTRICT results, double* HWY_RESTRICT decided) {
   const Vector factor = hn::Set(kTag, scale), smallest = hn::Set(kTag, 0x1p-1000);
   for (std::size_t k = 0; k < count; k += hn::Lanes(kTag)) {
     const Vector high = hn::LoadU(kTag, enclosures.high + k), low = hn::LoadU(kTag, enclosures.low + k),
@@ -252,23 +252,23 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace evalcts::reference {
 
-HWY_EXPORT(Enclose);
-HWY_EXPORT(ToFloat);
-HWY_EXPORT(ToDouble);
+HWY_EXPORT(enclose);
+HWY_EXPORT(round_to_float);
+HWY_EXPORT(round_to_double);
 
 void enclose_kernel(const KernelPlan& plan, const double* u, const double* v, std::size_t count,
                     const EnclosureArrays& results) {
-  HWY_DYNAMIC_DISPATCH(Enclose)(plan, u, v, count, results);
+  HWY_DYNAMIC_DISPATCH(enclose)(plan, u, v, count, results);
 }
 
 void to_float_kernel(const EnclosureArrays& enclosures, double scale, std::size_t count, float* results,
                      double* decided) {
-  HWY_DYNAMIC_DISPATCH(ToFloat)(enclosures, scale, count, results, decided);
+  HWY_DYNAMIC_DISPATCH(round_to_float)(enclosures, scale, count, results, decided);
 }
 
 void to_double_kernel(const EnclosureArrays& enclosures, double scale, std::size_t count, double* results,
                       double* decided) {
-  HWY_DYNAMIC_DISPATCH(ToDouble)(enclosures, scale, count, results, decided);
+  HWY_DYNAMIC_DISPATCH(round_to_double)(enclosures, scale, count, results, decided);
 }
 
 std::vector<std::string> filter_targets() {

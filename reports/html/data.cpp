@@ -267,7 +267,7 @@ std::string page_data(const std::vector<Column>& columns, std::size_t earlier, c
     verdicts.push_back({verdict.word, verdict.symbol});
   }
   json& levels = out["levels"] = json::array();
-  for (const Level level : {Level::quality, Level::interpretation, Level::must})
+  for (const Level level : {Level::kQuality, Level::kInterpretation, Level::kMust})
     levels.push_back(name_of(level));
   json& kinds = out["changeKinds"] = json::array();
   for (std::size_t i = 0; i < kChangeKinds; ++i) {

@@ -51,7 +51,7 @@ std::string details(const TestRecord& test) {
   if (test.seed) line("seed", fmt::format("{}", *test.seed));
   if (test.history) line("history", join(*test.history, ", "));
   if (test.flake)
-    line("flake", test.again ? fmt::format("{} when played again", text_of(test.again->verdict).word)
+    line("flake", test.again ? fmt::format("{} when run again", text_of(test.again->verdict).word)
                              : "did not fail again");
   line("run just this test", test.rerun);
   line("open it in a debugger", test.debug);

@@ -84,7 +84,7 @@ std::vector<const TestRecord*> one_of_each(const std::vector<const TestRecord*>&
   return tests;
 }
 
-// " (flake: pass when played again)", for one that did not come out the same.
+// " (flake: pass when run again)", for one that did not come out the same.
 std::string flake_note(const TestRecord& test) {
   if (!test.flake) return {};
   if (!test.again) return " (flake)";
@@ -249,7 +249,7 @@ void write_crashes(Screen& screen, const RunResult& record, bool all) {
     calls.insert(test.left_out.begin(), test.left_out.end());
   }
   if (tests > 0)
-    screen.line(fmt::format("  {} played without what crashes: {}", count(tests, "test"),
+    screen.line(fmt::format("  {} run without what crashes: {}", count(tests, "test"),
                             join({calls.begin(), calls.end()}, ", ")),
                 Colour::kYellow);
 }
@@ -372,7 +372,7 @@ std::string terminal_summary(const RunResult& record, const Catalogue& catalogue
   if (!record.bugs_note.empty()) screen.whole_line("note: " + record.bugs_note, Colour::kFaint);
   if (record.confirmed_by_group)
     screen.line("so many failed that " + count(record.confirmed_by_group, "unexpected failure") +
-                " had another of the same kind played again instead");
+                " had another of the same kind run again instead");
   if (!record.stale_baseline_entries.empty())
     screen.line("stale in the baseline, no such test: " + join(record.stale_baseline_entries, ", "),
                 Colour::kYellow);

@@ -57,7 +57,7 @@ TEST(Comparison, Kinds) {
     EXPECT_EQ(change(outcome("A.b", before), outcome("A.b", now)), kind) << before << ", " << now;
 }
 
-// A known failure does not hide a new one, where the same cases were played.
+// A known failure does not hide a new one, where the same cases were run.
 TEST(Comparison, FurtherCasesAreARegression) {
   const json two = outcome("A.b", "fail", {"u=0: x", "u=1: x"}),
              other = outcome("A.b", "fail", {"u=1: x", "u=2: y"}), one = outcome("A.b", "fail", {"u=1: x"});

@@ -31,7 +31,7 @@ TEST(RunResult, ReadsEveryField) {
   EXPECT_EQ(record.status, RunStatus::kInterrupted);
   EXPECT_EQ(record.reason, "interrupted by SIGINT");
   EXPECT_EQ(record.command, "evalcts run --implementation osmesa --depth quick");
-  EXPECT_EQ(record.depth, Depth::quick);
+  EXPECT_EQ(record.depth, Depth::kQuick);
   const ImplementationRecord& implementation = record.implementation;
   EXPECT_EQ(implementation.name, "osmesa");
   EXPECT_EQ(implementation.library, "libOSMesa.so.8");
@@ -49,7 +49,7 @@ TEST(RunResult, ReadsEveryField) {
   const TestRecord& test = record.tests[1];
   EXPECT_EQ(test.name, "Map1Values.Bezier/TEXTURE_COORD_1/d");
   EXPECT_EQ(test.requirements, (std::vector<RequirementId>{"EV-MAP1-BEZIER", "EV-MAP1-DOMAIN"}));
-  EXPECT_EQ(test.level, Level::must);
+  EXPECT_EQ(test.level, Level::kMust);
   EXPECT_EQ(test.verdict, Verdict::kFail);
   EXPECT_EQ(test.cases, 12u);
   EXPECT_EQ(test.failed_cases, 2u);
@@ -91,7 +91,7 @@ TEST(RunResult, ReadsEveryFieldOfBugs) {
   EXPECT_EQ(bug.cause, "crash: CallList, EvalMesh");
   EXPECT_EQ(bug.requirements, std::vector<RequirementId>{"EV-MESH2-FILL"});
   EXPECT_EQ(bug.clause, "GL 1.0 §5.1");
-  EXPECT_EQ(bug.level, Level::must);
+  EXPECT_EQ(bug.level, Level::kMust);
   EXPECT_EQ(bug.verdict, Verdict::kCrash);
   EXPECT_EQ(bug.failure.captured, "signal 11 (SIGSEGV, Segmentation fault)");
   EXPECT_EQ(bug.failure.calls.size(), 4u);
@@ -119,14 +119,14 @@ TEST(RunResult, BugsAreSortedByImportance) {
     made.breaks_real_programs = breaks;
     return made;
   };
-  std::vector<Bug> bugs = {bug("quality", Level::quality, Verdict::kQualityWarning, 9),
-                           bug("interpretation", Level::interpretation, Verdict::kCrash, 9),
-                           bug("b", Level::must, Verdict::kFail, 2),
-                           bug("a", Level::must, Verdict::kFail, 2),
-                           bug("many", Level::must, Verdict::kFail, 3),
-                           bug("hang", Level::must, Verdict::kTimeout, 1),
-                           bug("crash", Level::must, Verdict::kCrash, 1),
-                           bug("real", Level::quality, Verdict::kFail, 1, true)};
+  std::vector<Bug> bugs = {bug("quality", Level::kQuality, Verdict::kQualityWarning, 9),
+                           bug("interpretation", Level::kInterpretation, Verdict::kCrash, 9),
+                           bug("b", Level::kMust, Verdict::kFail, 2),
+                           bug("a", Level::kMust, Verdict::kFail, 2),
+                           bug("many", Level::kMust, Verdict::kFail, 3),
+                           bug("hang", Level::kMust, Verdict::kTimeout, 1),
+                           bug("crash", Level::kMust, Verdict::kCrash, 1),
+                           bug("real", Level::kQuality, Verdict::kFail, 1, true)};
   sort_by_importance(bugs);
   std::string order;
   for (const Bug& each : bugs) order += each.id + " ";

@@ -1,4 +1,4 @@
-// The schema and the records agree: what the samples hold is valid, what read_run_result refuses is not.
+// The schema and the records agree: what the samples hold is valid, what read_run_result rejects is not.
 #include <gtest/gtest.h>
 
 #include <evalcts/results/json_schema.h>

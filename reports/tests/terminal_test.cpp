@@ -210,10 +210,10 @@ TEST(Terminal, TellsFlakesApart) {
   record["tests"][0]["again"] = {{"verdict", "pass"}, {"message", ""}};
   record["confirmed_by_group"] = 100;
   const std::string text = terminal_of(record, nullptr, false, false);
-  EXPECT_TRUE(contains(text, "\nfail     Theme.Rule/0 (flake: pass when played again), u=1\n")) << text;
-  EXPECT_TRUE(contains(text, "100 unexpected failures had another of the same kind played again instead\n"))
+  EXPECT_TRUE(contains(text, "\nfail     Theme.Rule/0 (flake: pass when run again), u=1\n")) << text;
+  EXPECT_TRUE(contains(text, "100 unexpected failures had another of the same kind run again instead\n"))
       << text;
-  EXPECT_TRUE(contains(junit_of(record), "flake: pass when played again"));
+  EXPECT_TRUE(contains(junit_of(record), "flake: pass when run again"));
 }
 
 TEST(Terminal, VerboseTellsAll) {

@@ -48,7 +48,7 @@ bool tells_exact_end(const json& entry, bool last) {
     if (point["index"] != (last ? segments : 0)) continue;
     const double first = number(point["first"]), end = number(point["last"]);
     bool all = true;
-    for (const Type type : {Type::single, type_of(entry)})
+    for (const Type type : {Type::kSingle, type_of(entry)})
       for (const bool fused : {false, true}) {
         const double counted = last ? counted_end(segments, first, end, type, fused)
                                     : counted_end(segments, end, first, type, fused);
@@ -73,7 +73,7 @@ const std::map<std::string, Holds>& claims_of_requirements() {
   return claims;
 }
 
-// A query that is refused answers nothing, be it outside Begin and End, where errors can be asked for, or
+// A query that is rejected answers nothing, be it outside Begin and End, where errors can be asked for, or
 // between them, where they cannot.
 std::string broken_answer(const json& steps) {
   for (std::size_t i = 0; i < steps.size(); ++i) {

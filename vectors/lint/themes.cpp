@@ -161,11 +161,11 @@ bool is_awkward(const ValueCase& c) {
 const std::map<std::string, Claim>& claims() {
   const Claim no_normal = [](const ValueCase& c) { return c.entry["normal"].is_null(); };
   static const std::map<std::string, Claim> all = {
-      {"tie-float", is_tie(Type::single)},
-      {"tie-double", is_tie(Type::real)},
-      {"near-tie-float", is_near_tie(Type::single, 7)},
-      {"near-tie-double", is_near_tie(Type::real, 7)},
-      {"hardest", is_near_tie(Type::single, 18)},
+      {"tie-float", is_tie(Type::kSingle)},
+      {"tie-double", is_tie(Type::kReal)},
+      {"near-tie-float", is_near_tie(Type::kSingle, 7)},
+      {"near-tie-double", is_near_tie(Type::kReal, 7)},
+      {"hardest", is_near_tie(Type::kSingle, 18)},
       {"cancel-zero", some_value([](const auto& x, const auto& size) { return x.is_zero() && size > 0; })},
       {"cancel-nearly", some_value([](const auto& x, const auto& size) { return 2 * abs(x) <= size; })},
       {"overflow", some_value([](const auto& x, const auto&) {

@@ -34,7 +34,7 @@ Argument read_argument(const json& data) {
   return Argument::grid(data["index"], data["segments"], number(data["first"]), number(data["last"]));
 }
 
-Type type_of(const json& entry) { return as_text(entry["map"]["type"]) == "f" ? Type::single : Type::real; }
+Type type_of(const json& entry) { return as_text(entry["map"]["type"]) == "f" ? Type::kSingle : Type::kReal; }
 
 ValueCase::ValueCase(const json& data) : entry(data), type(type_of(data)), map(read_map(data["map"])) {
   const auto add = [&](const Direction& domain, const json& argument) {

@@ -72,7 +72,7 @@ std::string question(const RandomCases& cases) {
                   cases.is_normal() ? "normal"
                   : problem.v       ? "2"
                                     : "1",
-                  cases.id(), problem.type == Type::single ? 'f' : 'd', map.components(), map.u.order);
+                  cases.id(), problem.type == Type::kSingle ? 'f' : 'd', map.components(), map.u.order);
   if (problem.v) line += fmt::format(" {}", map.v.order);
   append(line, map.u.first);
   append(line, map.u.last);

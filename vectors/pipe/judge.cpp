@@ -147,20 +147,20 @@ long double least_gap(long double value) {
   return std::ldexp(fraction < 0.5L + kMargin ? 0.5L : 1.0L, std::max(exponent - 24, -149));
 }
 
-enum class Verdict { accepted, not_judged, unsure };
+enum class Verdict { kAccepted, kNotJudged, kUnsure };
 
 Verdict judge_surely(const Estimate& estimate, double got, int operations, int range, double largest_ulp) {
   const auto& [value, magnitude, error, reach] = estimate;
   const long double limit = std::ldexp(1.0L, range);
-  if (reach > limit * (1 + kMargin)) return Verdict::not_judged;
-  if (reach > limit * (1 - kMargin)) return Verdict::unsure;
+  if (reach > limit * (1 + kMargin)) return Verdict::kNotJudged;
+  if (reach > limit * (1 - kMargin)) return Verdict::kUnsure;
   const long double least = 0x1p-30L * 10738 * operations * magnitude;
-  if (!(std::abs(got - value) + error <= kSurePart * least)) return Verdict::unsure;
+  if (!(std::abs(got - value) + error <= kSurePart * least)) return Verdict::kUnsure;
   // Rounds to the same float wherever the exact value lies.
-  if (static_cast<float>(value - error) != static_cast<float>(value + error)) return Verdict::unsure;
+  if (static_cast<float>(value - error) != static_cast<float>(value + error)) return Verdict::kUnsure;
   // An error that may be the largest is measured exactly.
   const long double distance = std::abs(static_cast<float>(got) - value) + error;
-  return distance > largest_ulp * least_gap(value) * (1 - kMargin) ? Verdict::unsure : Verdict::accepted;
+  return distance > largest_ulp * least_gap(value) * (1 - kMargin) ? Verdict::kUnsure : Verdict::kAccepted;
 }
 
 bool is_at_end(const Argument& argument, const Direction& domain) {
@@ -180,13 +180,13 @@ bool accepts_surely(const Problem& problem, const std::vector<double>& got, cons
   std::vector<Verdict> verdicts;
   for (std::size_t c = 0; c < got.size(); ++c) {
     verdicts.push_back(judge_surely((*estimates)[c], got[c], operations, range, score.largest_ulp));
-    if (verdicts.back() == Verdict::unsure) return false;
+    if (verdicts.back() == Verdict::kUnsure) return false;
   }
-  const bool is_assessed = problem.type == Type::single && !problem.u.is_grid();
+  const bool is_assessed = problem.type == Type::kSingle && !problem.u.is_grid();
   const bool is_corner =
       is_assessed && is_at_end(problem.u, map.u) && (!problem.v || is_at_end(*problem.v, map.v));
   for (std::size_t c = 0; c < got.size(); ++c) {
-    if (verdicts[c] == Verdict::not_judged) continue;
+    if (verdicts[c] == Verdict::kNotJudged) continue;
     const auto& [value, magnitude, error, reach] = (*estimates)[c];
     ++score.values;
     if (static_cast<float>(got[c]) == static_cast<float>(value)) ++score.correctly_rounded;

@@ -10,7 +10,7 @@ namespace evalcts::vectors {
 namespace {
 
 // Rounds without exact arithmetic, which is the same everywhere, too.
-double to_type(double x, Type type) { return type == Type::single ? static_cast<float>(x) : x; }
+double to_type(double x, Type type) { return type == Type::kSingle ? static_cast<float>(x) : x; }
 
 }  // namespace
 
@@ -20,7 +20,7 @@ RandomCases::RandomCases(const std::string& kind, std::uint64_t seed)
       is_grid_(kind == "grid"),
       is_curve_(kind == "map1_eval"),
       dice_(prefix_),
-      problem_{{}, Type::single, Argument::coordinate(0)} {}
+      problem_{{}, Type::kSingle, Argument::coordinate(0)} {}
 
 Direction RandomCases::direction(int low_orders, int high_orders) {
   Direction u;

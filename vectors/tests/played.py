@@ -1,6 +1,6 @@
 """Evaluators and state machines that answer the vectors, to be replaced in one step each by wrong ones.
 
-The right ones are exact up to a last rounding. `wrong_evaluator` and `wrong_state_machine` play a case and
+The right ones are exact up to a last rounding. `wrong_evaluator` and `wrong_state_machine` run a case and
 say what is not accepted about the answers, which is empty for the right ones.
 """
 
@@ -224,7 +224,7 @@ def _wrong_step(machine, step, answer, primitive):
 
 
 def wrong_state_machine(kind, case):
-    """What is wrong about a sequence as the machine of this class (of Context) plays it."""
+    """What is wrong about a sequence as the machine of this class (of Context) runs it."""
     machine = kind()
     for i, step in enumerate(case["steps"]):
         answer = machine.issue(step["call"][0], step["call"][1:])

@@ -33,9 +33,9 @@ void issue(gl::Case& c, Type type, bool two, const Arguments& a) {
 void before(gl::Case& c, GLenum target) {
   const int k = k_of(target);
   if (reference::is_map2_target(target))
-    define(c, Type::single, {target, {3, 2, 5}, {2, -1, 3}, numbered(6 * k)});
+    define(c, Type::kSingle, {target, {3, 2, 5}, {2, -1, 3}, numbered(6 * k)});
   else
-    define(c, Type::single, {target, {3, 2, 5}, {}, numbered(3 * k)});
+    define(c, Type::kSingle, {target, {3, 2, 5}, {}, numbered(3 * k)});
 }
 void after(gl::Case& c, GLenum target) {
   query_all(c, target, (reference::is_map2_target(target) ? 6 : 3) * k_of(target));
@@ -243,7 +243,7 @@ class MapErrors {
                                                         [](Arguments& a) { std::swap(a.v1, a.v2); }};
     for (std::size_t i = 0; i < (two_ ? 9u : 7u); ++i)
       for (const Type type : kTypes) {
-        const GLenum target = targets(two_)[(2 * i + (type == Type::real)) % 9];
+        const GLenum target = targets(two_)[(2 * i + (type == Type::kReal)) % 9];
         gl::Case c;
         Arguments arguments{target};
         kUnusual[i](arguments);
@@ -362,8 +362,8 @@ void grids(Document& document) {
 
 void meshes(Document& document) {
   const auto ready = [](gl::Case& c) {
-    define(c, Type::single, {GL_MAP1_VERTEX_3, {2, 0, 1}, {}, numbered(6)});
-    define(c, Type::single, {GL_MAP2_VERTEX_3, {2, 0, 1}, {2, 0, 1}, numbered(12)});
+    define(c, Type::kSingle, {GL_MAP1_VERTEX_3, {2, 0, 1}, {}, numbered(6)});
+    define(c, Type::kSingle, {GL_MAP2_VERTEX_3, {2, 0, 1}, {2, 0, 1}, numbered(12)});
     c.Enable(GL_MAP1_VERTEX_3);
     c.Enable(GL_MAP2_VERTEX_3);
   };
@@ -582,7 +582,7 @@ void primitives_and_units(Document& document) {
     c.Begin(GL_POINTS);
     c.ActiveTexture(GL_TEXTURE1);
     c.End();
-    define(c, Type::single, {GL_MAP1_INDEX, {2, 0, 1}, {}, {1, 2}});
+    define(c, Type::kSingle, {GL_MAP1_INDEX, {2, 0, 1}, {}, {1, 2}});
     query_all(c, GL_MAP1_INDEX, 2);
   });
 }
@@ -618,15 +618,15 @@ void compiled_errors(Document& document) {
        }},
       {"EV-MAP1-ERR-BEGINEND", [](gl::Case& c) {
          c.Begin(GL_POINTS);
-         define(c, Type::single, {GL_MAP1_VERTEX_3, {1, 0, 1}, {}, numbered(3, 50)});
+         define(c, Type::kSingle, {GL_MAP1_VERTEX_3, {1, 0, 1}, {}, numbered(3, 50)});
          c.EvalCoord1f(0.5f);
          c.End();
        }}};
   for (const GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE})
     for (const auto& [requirement, fail] : kConditions) {
       gl::Case c;
-      define(c, Type::single, {GL_MAP1_VERTEX_3, {2, 0, 1}, {}, numbered(6)});
-      define(c, Type::single, {GL_MAP2_VERTEX_3, {2, 0, 1}, {2, 0, 1}, numbered(12)});
+      define(c, Type::kSingle, {GL_MAP1_VERTEX_3, {2, 0, 1}, {}, numbered(6)});
+      define(c, Type::kSingle, {GL_MAP2_VERTEX_3, {2, 0, 1}, {2, 0, 1}, numbered(12)});
       c.Enable(GL_MAP1_VERTEX_3);
       c.Enable(GL_MAP2_VERTEX_3);
       c.NewList(1, mode);
@@ -662,7 +662,7 @@ void lists_and_stacks(Document& document) {
         c.NewList(1, mode);
         Arguments bad{target};
         bad.u1 = bad.u2;
-        issue(c, Type::single, two, bad);
+        issue(c, Type::kSingle, two, bad);
         c.Enable(target);
         c.EndList();
         c.IsEnabled(target);

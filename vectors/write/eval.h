@@ -53,7 +53,7 @@ GLenum any_target(int i);
 // A small target for what has many control points.
 GLenum small_target(int i);
 // A surface at a random place inside of its domain.
-Json inside_case(Dice& dice, const Map& map, Type type, Detail detail = Detail::none);
+Json inside_case(Dice& dice, const Map& map, Type type, Detail detail = Detail::kNone);
 
 void ordinary(Document& document);
 void every_target(Document& document);

@@ -106,11 +106,11 @@ void double_ties(Document& document) {
     }
     // Two neighbours.
     for (int i = 0; i < 30; ++i) {
-      const double a = dice.significand(53), b = next_after(a, 4, Type::real);
+      const double a = dice.significand(53), b = next_after(a, 4, Type::kReal);
       if (is_near)  // (a + 2*b + crumb)/4 is no tie, 2*(a + b)/4 + crumb/4 is one but for the crumb
-        theme->add(value_case({index_curve(0, 1, {2 * a, b, 0x1p-80}), Type::real, at(0.5)}));
+        theme->add(value_case({index_curve(0, 1, {2 * a, b, 0x1p-80}), Type::kReal, at(0.5)}));
       else
-        theme->add(value_case({index_curve(0, 1, {a, b}), Type::real, at(0.5)}));
+        theme->add(value_case({index_curve(0, 1, {a, b}), Type::kReal, at(0.5)}));
     }
   }
 }
@@ -191,7 +191,7 @@ void special_nets(Document& document) {
       single[static_cast<std::size_t>(one.dice().below(order))] = 1;
       const double u = one.dice().one_in(4) ? 1.5 : std::abs(one.dice().real(6));
       one.add(value_case({index_curve(0, 1, single), type, at(u)},
-                         order < 12 ? Detail::intermediate : Detail::none));
+                         order < 12 ? Detail::kIntermediate : Detail::kNone));
 
       if (order < 3) continue;
       // t^2 has the coefficients i*(i-1)/(n*(n-1)).
@@ -243,7 +243,7 @@ void rational(Document& document) {
       return j % 2 == 0 ? 1.0 : -1.0;                         // zero at 1/2, for even orders
     });
     const double argument = kind == 4 ? 0.5 : inside(dice, u, type, 64);
-    weights.add(value_case({map, type, at(argument)}, i < 10 ? Detail::intermediate : Detail::none));
+    weights.add(value_case({map, type, at(argument)}, i < 10 ? Detail::kIntermediate : Detail::kNone));
   }
 }
 
@@ -256,10 +256,10 @@ void hardest(Document& document) {
   for (const int order : {2, 3, 4, 5, 8, 10}) {
     for (int i = 0; i < 2; ++i) {
       Values values;
-      for (int k = 0; k < order; ++k) values.push_back(full(theme.dice(), Type::single));
+      for (int k = 0; k < order; ++k) values.push_back(full(theme.dice(), Type::kSingle));
       const Map map = index_curve(0, 1, values);
       for (const float argument : hardest_arguments(map.curve(0), 0x1p-2f, 1, 4)) {
-        theme.add(value_case({map, Type::single, at(argument)}));
+        theme.add(value_case({map, Type::kSingle, at(argument)}));
       }
     }
   }
@@ -310,8 +310,8 @@ void ties(Document& document) {
   Theme doubles(document, "tie-double", "exactly halfway between two binary64: rounds to the even one",
                 {"EV-NUM-ACCURACY"});
   for (int i = 0; i < 30; ++i) {
-    const double a = doubles.dice().significand(53), b = next_after(a, 4, Type::real);
-    doubles.add(value_case({index_surface(along(2), along(2), {a, b, b, a}), Type::real, at(0.5), at(0.5)}));
+    const double a = doubles.dice().significand(53), b = next_after(a, 4, Type::kReal);
+    doubles.add(value_case({index_surface(along(2), along(2), {a, b, b, a}), Type::kReal, at(0.5), at(0.5)}));
   }
 }
 
@@ -383,7 +383,7 @@ void special_nets(Document& document) {
       const int j = one.dice().between(0, u.order - 1), k = one.dice().between(0, v.order - 1);
       const Map map =
           surface(GL_MAP2_INDEX, u, v, [&](int p, int q, int) { return p == j && q == k ? 1 : 0; });
-      one.add(inside_case(one.dice(), map, type, i < 8 ? Detail::intermediate : Detail::none));
+      one.add(inside_case(one.dice(), map, type, i < 8 ? Detail::kIntermediate : Detail::kNone));
     }
     {
       const auto [u, v] = directions(separable.dice());

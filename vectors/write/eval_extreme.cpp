@@ -24,35 +24,35 @@ struct Magnitude {
 };
 const std::vector<Magnitude>& magnitude_kinds() {
   static const std::vector<Magnitude> all = {
-      {"huge", "control values up to the largest binary32", Type::single, 90, 127, {"EV-NUM-RANGE-POS"}},
+      {"huge", "control values up to the largest binary32", Type::kSingle, 90, 127, {"EV-NUM-RANGE-POS"}},
       {"promised-range",
        "control values up to 2^32, which every implementation can hold",
-       Type::single,
+       Type::kSingle,
        24,
        31,
        {"EV-NUM-RANGE-POS", "EV-NUM-RANGE-COLOR"}},
       {"tiny",
        "control values down to the least normal binary32",
-       Type::single,
+       Type::kSingle,
        -126,
        -100,
        {"EV-NUM-DENORMAL"}},
       {"subnormal",
        "control values that are subnormal in binary32",
-       Type::single,
+       Type::kSingle,
        -149,
        -127,
        {"EV-NUM-DENORMAL"}},
-      {"wide", "huge and tiny control values side by side", Type::single, -120, 120, {"EV-NUM-ACCURACY"}},
+      {"wide", "huge and tiny control values side by side", Type::kSingle, -120, 120, {"EV-NUM-ACCURACY"}},
       {"huge-double",
        "control values beyond the range of binary32",
-       Type::real,
+       Type::kReal,
        128,
        1023,
        {"EV-NUM-SPECIAL-SAFE"}},
       {"tiny-double",
        "control values below the range of binary32",
-       Type::real,
+       Type::kReal,
        -1074,
        -150,
        {"EV-NUM-DENORMAL"}}};
@@ -99,7 +99,7 @@ void overflow(Document& document) {
   Dice& dice = theme.dice();
   for (int i = 0; i < 48; ++i) {
     const Type type = kTypes[i % 2];
-    const double most = type == Type::single ? kFloatMost : kDoubleMost;
+    const double most = type == Type::kSingle ? kFloatMost : kDoubleMost;
     const int order = dice.between(2, 4);
     const double sign = dice.sign();
     // Inside the domain, constant: exactly the largest. Outside: beyond it by more or less, because the
@@ -113,13 +113,13 @@ void overflow(Document& document) {
   for (const double sign : {1.0, -1.0}) {
     for (const double step : {0.0, 0x1p75}) {
       const double beyond = 0x1p128 - 0x1p103 - step;
-      theme.add(value_case({index_curve(0, 1, {sign * beyond, sign * beyond}), Type::real, at(0.5)}));
+      theme.add(value_case({index_curve(0, 1, {sign * beyond, sign * beyond}), Type::kReal, at(0.5)}));
     }
     const double step = 0x1p104;
     theme.add(value_case(
-        {index_curve(0, 1, {sign * (kFloatMost - step), sign * kFloatMost}), Type::single, at(1.5)}));
+        {index_curve(0, 1, {sign * (kFloatMost - step), sign * kFloatMost}), Type::kSingle, at(1.5)}));
     theme.add(value_case(
-        {index_curve(0, 1, {sign * (kFloatMost - step), sign * kFloatMost}), Type::single, at(1.25)}));
+        {index_curve(0, 1, {sign * (kFloatMost - step), sign * kFloatMost}), Type::kSingle, at(1.25)}));
   }
 }
 
@@ -141,7 +141,7 @@ void underflow(Document& document) {
   }
   // Half the least subnormal number, and a little more: 0, and that number.
   for (const double least : {kFloatLeast, kDoubleLeast}) {
-    const Type type = least == kFloatLeast ? Type::single : Type::real;
+    const Type type = least == kFloatLeast ? Type::kSingle : Type::kReal;
     for (const double u : {0.5, 0.5 + 0x1p-20, 0.5 - 0x1p-20, 0.25, 0.75})
       for (const double sign : {1.0, -1.0})
         theme.add(value_case({index_curve(0, 1, {0, sign * least}), type, at(u)}));

@@ -21,7 +21,7 @@ void ordinary(Document& document) {
         const Map map = some_curve(dice, target, u);
         const bool detailed = order <= 6 && target == GL_MAP1_VERTEX_3;
         theme.add(value_case({map, type, at(inside(dice, u, type, 64))},
-                             detailed ? Detail::intermediate : Detail::none));
+                             detailed ? Detail::kIntermediate : Detail::kNone));
       }
     }
   }
@@ -190,11 +190,11 @@ void double_only(Document& document) {
   for (int i = 0; i < 90; ++i) {
     const double first = dice.real(53);
     const double width = dice.scaled(40, -3, 4);
-    const double last = rounded(Rational(first) + Rational(width), Type::real);
+    const double last = rounded(Rational(first) + Rational(width), Type::kReal);
     const Direction u = along(dice.between(1, 7), {first, last});
-    const Map map = full_curve(dice, gl::kMap1Targets[static_cast<std::size_t>(i) % 9], u, Type::real);
+    const Map map = full_curve(dice, gl::kMap1Targets[static_cast<std::size_t>(i) % 9], u, Type::kReal);
     const Rational part = Rational(dice.real(53)) * (i % 3 == 0 ? 2 : 1);
-    theme.add(value_case({map, Type::real, at(between(first, last, part, Type::real))}));
+    theme.add(value_case({map, Type::kReal, at(between(first, last, part, Type::kReal))}));
   }
 }
 
@@ -214,7 +214,7 @@ void ordinary(Document& document) {
         const GLenum target = uorder * vorder > 24 ? small_target(i) : any_target(theme.count());
         const Map map = some_surface(dice, target, u, v);
         const bool detailed = i == 0 && uorder <= 4 && vorder <= 4;
-        theme.add(inside_case(dice, map, kTypes[i % 2], detailed ? Detail::intermediate : Detail::none));
+        theme.add(inside_case(dice, map, kTypes[i % 2], detailed ? Detail::kIntermediate : Detail::kNone));
       }
     }
   }
@@ -416,15 +416,15 @@ void double_only(Document& document) {
   Dice& dice = theme.dice();
   const auto direction = [&] {
     const double first = dice.real(53), width = dice.significand(40);
-    return along(dice.between(1, 4), {first, rounded(Rational(first) + Rational(width), Type::real)});
+    return along(dice.between(1, 4), {first, rounded(Rational(first) + Rational(width), Type::kReal)});
   };
   for (int i = 0; i < 60; ++i) {
     const Direction u = direction(), v = direction();
     const Map map =
-        full_surface(dice, u.order * v.order > 6 ? small_target(i) : any_target(i), u, v, Type::real);
-    const double x = between(u.first, u.last, Rational(dice.real(53)), Type::real);
-    const double y = between(v.first, v.last, Rational(dice.real(53)), Type::real);
-    theme.add(value_case({map, Type::real, at(x), at(y)}));
+        full_surface(dice, u.order * v.order > 6 ? small_target(i) : any_target(i), u, v, Type::kReal);
+    const double x = between(u.first, u.last, Rational(dice.real(53)), Type::kReal);
+    const double y = between(v.first, v.last, Rational(dice.real(53)), Type::kReal);
+    theme.add(value_case({map, Type::kReal, at(x), at(y)}));
   }
 }
 

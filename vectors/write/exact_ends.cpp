@@ -27,21 +27,21 @@ GridEnds missed_end(Dice& dice, bool last, Type type, int most_segments) {
     const double a = dice.scaled(24, -4, 1);
     const double b = dice.scaled(24, -4, 1);
     const double from = last ? a : b, to = last ? b : a;
-    if (a == b || !misses(segments, from, to, Type::single)) continue;
-    if (type == Type::single || misses(segments, from, to, Type::real)) return {segments, a, b};
+    if (a == b || !misses(segments, from, to, Type::kSingle)) continue;
+    if (type == Type::kSingle || misses(segments, from, to, Type::kReal)) return {segments, a, b};
   }
 }
 
 Probe wide_probe(Dice& dice, int order, double end) {
-  return {{order, end, rounded(Rational(end) + (dice.one_in(2) ? 1 : -1), Type::single)}, true};
+  return {{order, end, rounded(Rational(end) + (dice.one_in(2) ? 1 : -1), Type::kSingle)}, true};
 }
 
 Probe narrow_probe(int order, double end) {
-  return {{order, end, rounded(Rational(end) * (1 + Rational(kNarrow)), Type::single)}, true};
+  return {{order, end, rounded(Rational(end) * (1 + Rational(kNarrow)), Type::kSingle)}, true};
 }
 
 Probe probe_up_to(int order, double end) {
-  return {{order, rounded(Rational(end) * (1 - Rational(kNarrow)), Type::single), end}, false};
+  return {{order, rounded(Rational(end) * (1 - Rational(kNarrow)), Type::kSingle), end}, false};
 }
 
 }  // namespace evalcts::vectors

@@ -16,7 +16,7 @@ struct GridEnds {
 double counted_end(int segments, double from, double to, Type type, bool fused);
 
 // A grid of random single-precision ends whose last (or first) end is missed by counted_end() from the other
-// end in single precision, fused or not, and for Type::real in double precision, too.
+// end in single precision, fused or not, and for Type::kReal in double precision, too.
 GridEnds missed_end(Dice& dice, bool last, Type type, int most_segments = 200);
 
 // A direction of a map on which an argument that misses `end` shows: the control points at the end (0 in the

@@ -100,7 +100,7 @@ void reals(Document& document) {
     const auto value = [&] {
       const int least = dice.one_in(3) ? -149 : -20;
       const int most = dice.one_in(3) ? 127 : 20;
-      const double some = of_magnitude(dice, Type::single, least, most);
+      const double some = of_magnitude(dice, Type::kSingle, least, most);
       return dice.one_in(6) ? -0.0 : some;
     };
     Map map{target, {3, 0x1.2p-100, 0x1.fffffep+30}, {}, {}};
@@ -124,9 +124,9 @@ void reals(Document& document) {
     Map map{target, {2, 0.1, 0.7}, {}, {}};
     if (is_two(target)) map.v = {2, -0.3, 1.0 / 3};
     while (static_cast<int>(map.points.size()) < map.u.order * map.v.order * k_of(target))
-      map.points.push_back(full(doubles.dice(), Type::real));
+      map.points.push_back(full(doubles.dice(), Type::kReal));
     gl::Case c;
-    define(c, Type::real, map);
+    define(c, Type::kReal, map);
     for (const GLenum query : {GL_DOMAIN, GL_COEFF})
       for (const int form : {0, 1}) ask(c, form, map, query);
     doubles.add(sequence(c));
@@ -229,7 +229,7 @@ void histories(Document& document) {
     gl::Case c;
     for (const GLenum target : targets) {
       const int first = static_cast<int>(target % 100);
-      define(c, Type::single, {target, {2, 0, first + 1.0}, {}, numbered(2 * k_of(target), first)});
+      define(c, Type::kSingle, {target, {2, 0, first + 1.0}, {}, numbered(2 * k_of(target), first)});
     }
     for (const GLenum target : all_targets()) {
       query_all(c, target, 2 * k_of(target));
@@ -244,7 +244,7 @@ void histories(Document& document) {
   for (const GLenum target : all_targets()) {
     const Map map{target, {2, 3, 4}, {}, numbered(2 * k_of(target))};
     gl::Case c;
-    define(c, Type::single, map);
+    define(c, Type::kSingle, map);
     c.ActiveTexture(GL_TEXTURE1);
     query_all(c, target, 2 * k_of(target));
     unit.add(sequence(c));

@@ -167,9 +167,9 @@ struct AtEnd {
 AtEnd at_end(Dice& dice, bool last, Type type, int order, int turn) {
   const GridEnds grid = missed_end(dice, last, type);
   const double end = last ? grid.last : grid.first;
-  const Probe probe = turn % 3 == 0                         ? wide_probe(dice, order, end)
-                      : turn % 3 == 1 || type == Type::real ? narrow_probe(order, end)
-                                                            : probe_up_to(order, end);
+  const Probe probe = turn % 3 == 0                          ? wide_probe(dice, order, end)
+                      : turn % 3 == 1 || type == Type::kReal ? narrow_probe(order, end)
+                                                             : probe_up_to(order, end);
   return {probe, Argument::grid(last ? grid.segments : 0, grid.segments, grid.first, grid.last)};
 }
 

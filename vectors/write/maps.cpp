@@ -7,10 +7,10 @@
 
 namespace evalcts::vectors {
 
-int bits_of(Type type) { return type == Type::single ? 24 : 53; }
+int bits_of(Type type) { return type == Type::kSingle ? 24 : 53; }
 
 double rounded(const Rational& x, Type type) {
-  return type == Type::single ? reference::round_to_float(x) : reference::round_to_double(x);
+  return type == Type::kSingle ? reference::round_to_float(x) : reference::round_to_double(x);
 }
 
 double between(double a, double b, const Rational& part, Type type) {
@@ -18,7 +18,7 @@ double between(double a, double b, const Rational& part, Type type) {
 }
 
 double next_after(double x, double towards, Type type) {
-  if (type == Type::real) return std::nextafter(x, towards);
+  if (type == Type::kReal) return std::nextafter(x, towards);
   return std::nextafter(static_cast<float>(x), static_cast<float>(towards));
 }
 
@@ -51,7 +51,7 @@ double full(Dice& dice, Type type) { return dice.scaled(bits_of(type), -3, 3); }
 
 double of_magnitude(Dice& dice, Type type, int least, int most) {
   const int exponent = dice.between(least, most);
-  const int lowest = type == Type::single ? -149 : -1074;
+  const int lowest = type == Type::kSingle ? -149 : -1074;
   const int bits = std::max(2, std::min(bits_of(type), exponent - lowest + 1));
   const double value = std::ldexp(dice.significand(bits), exponent);
   return exponent == lowest ? std::copysign(std::ldexp(1.0, lowest), value) : value;

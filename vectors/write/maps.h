@@ -14,8 +14,8 @@ using reference::Rational;
 using Direction = reference::Map::Direction;
 
 // 'f' or 'd': whether everything about a map is single or double precision.
-enum class Type { single, real };
-inline constexpr Type kTypes[] = {Type::single, Type::real};
+enum class Type { kSingle, kReal };
+inline constexpr Type kTypes[] = {Type::kSingle, Type::kReal};
 
 // The significant bits of the type.
 int bits_of(Type type);

@@ -56,22 +56,22 @@ Json integer(std::int64_t value, char kind) {
 
 const char* name_of(Scalar type) {
   switch (type) {
-    case Scalar::f32:
+    case Scalar::kF32:
       return "f32";
-    case Scalar::f64:
+    case Scalar::kF64:
       return "f64";
-    case Scalar::i32:
+    case Scalar::kI32:
       return "i32";
-    case Scalar::u32:
+    case Scalar::kU32:
       return "u32";
-    case Scalar::u8:
+    case Scalar::kU8:
       return "u8";
     default:
       throw std::logic_error("a type of elements that vectors do not have");
   }
 }
 
-bool is_real(Scalar type) { return type == Scalar::f32 || type == Scalar::f64; }
+bool is_real(Scalar type) { return type == Scalar::kF32 || type == Scalar::kF64; }
 
 template <class T>
 std::vector<T> elements(const std::vector<std::byte>& bytes) {
@@ -82,8 +82,8 @@ std::vector<T> elements(const std::vector<std::byte>& bytes) {
 
 Json array(const gl::Input& input) {
   if (is_real(input.type)) return hexadecimals(gl::elements(input));
-  if (input.type == Scalar::u8) return elements<std::uint8_t>(input.bytes);
-  if (input.type == Scalar::u32) return elements<std::uint32_t>(input.bytes);
+  if (input.type == Scalar::kU8) return elements<std::uint8_t>(input.bytes);
+  if (input.type == Scalar::kU32) return elements<std::uint32_t>(input.bytes);
   return elements<std::int32_t>(input.bytes);
 }
 
@@ -137,7 +137,7 @@ gl::Case with_exact_queries(const gl::Case& script) {
     // The size that GetnMap is given goes, all that is left of the arguments are the names.
     gl::Command query{found->second, {command.arguments[0]}};
     if (query.entry == gl::EntryPoint::GetMapdv) query.arguments.push_back(command.arguments[1]);
-    query.arguments.push_back(gl::Output{Scalar::f64, kRoom});
+    query.arguments.push_back(gl::Output{Scalar::kF64, kRoom});
     exact.add(std::move(query));
   }
   return exact;
@@ -195,14 +195,14 @@ Json answers(const gl::Command& command, const std::vector<double>& exact) {
   const Scalar type = std::get<gl::Output>(command.arguments.back()).type;
   Json values = Json::array();
   for (const double value : exact) {
-    if (type == Scalar::u8)
+    if (type == Scalar::kU8)
       values.push_back(Json::array({value == 0 ? 0 : 1}));
-    else if (type == Scalar::i32)
+    else if (type == Scalar::kI32)
       values.push_back(accepted_integers(value));
-    else if (type == Scalar::f64 && asks_for_integers(command))
+    else if (type == Scalar::kF64 && asks_for_integers(command))
       values.push_back(Json::array({hexadecimal(value)}));
     else
-      values.push_back(accepted_reals(value, type == Scalar::f64));
+      values.push_back(accepted_reals(value, type == Scalar::kF64));
   }
   return values;
 }
@@ -474,7 +474,7 @@ Json sequence(const gl::Case& script, const Shown& shown) {
 
 void map1(gl::Case& c, Type type, GLenum target, double u1, double u2, int stride, int order,
           const Values& points) {
-  if (type == Type::real)
+  if (type == Type::kReal)
     c.Map1d(target, u1, u2, stride, order, points);
   else
     c.Map1f(target, u1, u2, stride, order, std::vector<GLfloat>(points.begin(), points.end()));
@@ -482,7 +482,7 @@ void map1(gl::Case& c, Type type, GLenum target, double u1, double u2, int strid
 
 void map2(gl::Case& c, Type type, GLenum target, double u1, double u2, int ustride, int uorder, double v1,
           double v2, int vstride, int vorder, const Values& points) {
-  if (type == Type::real)
+  if (type == Type::kReal)
     c.Map2d(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
   else
     c.Map2f(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder,
@@ -490,14 +490,14 @@ void map2(gl::Case& c, Type type, GLenum target, double u1, double u2, int ustri
 }
 
 void grid1(gl::Case& c, Type type, int segments, double u1, double u2) {
-  if (type == Type::real)
+  if (type == Type::kReal)
     c.MapGrid1d(segments, u1, u2);
   else
     c.MapGrid1f(segments, u1, u2);
 }
 
 void grid2(gl::Case& c, Type type, int usegments, double u1, double u2, int vsegments, double v1, double v2) {
-  if (type == Type::real)
+  if (type == Type::kReal)
     c.MapGrid2d(usegments, u1, u2, vsegments, v1, v2);
   else
     c.MapGrid2f(usegments, u1, u2, vsegments, v1, v2);

@@ -409,7 +409,7 @@ void currents(Document& document) {
       define_and_enable(c, target_of(two, GL_MAP1_VERTEX_3));
       Map map = some_map(target_of(two, GL_MAP1_COLOR_4));
       for (double& x : map.points) x = 4 * x - 3;
-      define(c, Type::single, map);
+      define(c, Type::kSingle, map);
       c.Enable(map.target);
       draw(c, two);
     });
@@ -504,7 +504,7 @@ void meshes(Document& document) {
           c.EvalMesh2(GL_POINT, 1, 2, 1, 1);
         else
           c.EvalMesh1(GL_POINT, 1, 2);
-        define(c, Type::real, some_map(target_of(surfaces, GL_MAP1_VERTEX_3), 3));
+        define(c, Type::kReal, some_map(target_of(surfaces, GL_MAP1_VERTEX_3), 3));
       }
     });
 }
@@ -530,11 +530,11 @@ void normals(Document& document) {
         for (const int how : {0, 1, 2})
           add(theme, {.normal = true}, [&](gl::Case& c) {
             c.Normal3f(0.5f, -1, 2);
-            define(c, Type::single, plane(target, false));
+            define(c, Type::kSingle, plane(target, false));
             c.Enable(target);
             if (how == 1) {  // both vertex maps, of opposite normals
               const GLenum other = target == GL_MAP2_VERTEX_3 ? GL_MAP2_VERTEX_4 : GL_MAP2_VERTEX_3;
-              define(c, Type::single, plane(other, true));
+              define(c, Type::kSingle, plane(other, true));
               c.Enable(other);
             }
             if (with_map) define_and_enable(c, GL_MAP2_NORMAL);
@@ -576,7 +576,7 @@ void attribute_stack(Document& document) {
       else
         c.Disable(target);
     }
-    map1(c, Type::single, GL_MAP1_INDEX, 0, by, 1, 2, {1.0 * by, 2.0 * by});
+    map1(c, Type::kSingle, GL_MAP1_INDEX, 0, by, 1, 2, {1.0 * by, 2.0 * by});
   };
   const auto query = [](gl::Case& c) {
     query_grids(c);

@@ -16,7 +16,7 @@ bool is_two(GLenum target);
 GLenum target_of(bool two, GLenum map1_target);
 // A map of order 2 or 3 with small numbers that depend on the target, so that no two give the same values.
 Map some_map(GLenum target, int order = 2);
-void define_and_enable(gl::Case& c, GLenum target, Type type = Type::single);
+void define_and_enable(gl::Case& c, GLenum target, Type type = Type::kSingle);
 
 // Sets the current values that a map can replace.
 void current_values(gl::Case& c);

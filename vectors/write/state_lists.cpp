@@ -30,7 +30,7 @@ void single_lists(Theme& theme, GLenum mode, bool two) {
         c.NewList(1, mode);
         draw(c, two);
         c.EndList();
-        define(c, Type::real, some_map(vertex, 3));
+        define(c, Type::kReal, some_map(vertex, 3));
         define_and_enable(c, target_of(two, GL_MAP1_COLOR_4));
         current_values(c);
         c.CallList(1);
@@ -102,9 +102,9 @@ void several_lists(Theme& theme, GLenum mode, bool two) {
   // ActiveTexture matters when the list is executed.
   add(theme, kPositions,
       [&](gl::Case& c) {
-        define(c, Type::single, some_map(vertex));
+        define(c, Type::kSingle, some_map(vertex));
         c.NewList(1, mode);
-        define(c, Type::single, some_map(vertex, 3));
+        define(c, Type::kSingle, some_map(vertex, 3));
         c.EndList();
         c.ActiveTexture(GL_TEXTURE1);
         c.CallList(1);

@@ -61,7 +61,7 @@ void exact_ends(Document& document) {
         if (!along.two && mode == GL_FILL) continue;
         for (int turn = 0; turn < 3; ++turn) {
           Dice& dice = theme.dice();
-          const Type type = turn == 1 ? Type::real : Type::single;
+          const Type type = turn == 1 ? Type::kReal : Type::kSingle;
           GridEnds grid = missed_end(dice, last, type);
           if (turn == 2 && last) grid = {43, 0x1.99999ap-4, 0x1.ccccccp-1};
           const double end = last ? grid.last : grid.first;

@@ -98,7 +98,7 @@ Json intermediate(const Problem& problem) {
 }
 
 void check(double value, Type type) {
-  if (type == Type::single && static_cast<double>(static_cast<float>(value)) != value)
+  if (type == Type::kSingle && static_cast<double>(static_cast<float>(value)) != value)
     throw std::logic_error(fmt::format("{} is no binary32", value));
 }
 
@@ -139,7 +139,7 @@ Json map_as_json(const Map& map, Type type) {
     points.push_back(std::move(row));
   }
   return {{"target", gl::token_name(map.target)},
-          {"type", type == Type::single ? "f" : "d"},
+          {"type", type == Type::kSingle ? "f" : "d"},
           {"domain", hexadecimals(domain)},
           {"points", std::move(points)}};
 }
@@ -188,7 +188,7 @@ Json value_case(const Problem& problem, Detail detail) {
     for (std::size_t c = 0; c < 3; ++c) quotients.push_back(quotient(values[c], values[3]));
     content["quotients"] = std::move(quotients);
   }
-  if (detail == Detail::intermediate) content["intermediate"] = intermediate(problem);
+  if (detail == Detail::kIntermediate) content["intermediate"] = intermediate(problem);
   return content;
 }
 

@@ -38,10 +38,10 @@ Json entry_of(const reference::Sample& sample);
 bool needs_gl_2(const reference::Sample& sample);
 
 // More than the components.
-enum class Detail { none, intermediate };
+enum class Detail { kNone, kIntermediate };
 
 // {"level", "since", "map", "u", "v", "components"}, "quotients" for maps of four vertex coordinates where w
 // is not zero, and "intermediate".
-Json value_case(const Problem& problem, Detail detail = Detail::none);
+Json value_case(const Problem& problem, Detail detail = Detail::kNone);
 
 }  // namespace evalcts::vectors

@@ -7,7 +7,7 @@
 #include "grid_steps.h"
 
 #define GLX_RULES(name, requirements, what, ...) \
-  EVALCTS_RULES_IN("glx-indirect", name, must, requirements, what, __VA_ARGS__)
+  EVALCTS_RULES_IN("glx-indirect", name, kMust, requirements, what, __VA_ARGS__)
 
 namespace evalcts::faults::glx_protocol {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 // Index of the last value of the control points. Queries the order only.
 const Value kLastCoefficient = [](Call& c) {
   GLint order[2] = {1, 1};
-  sound.GetMapiv(c.target(), GL_ORDER, order);
+  unmodified.GetMapiv(c.target(), GL_ORDER, order);
   return order[0] * order[1] * gl::components_of(c.target()) - 1;
 };
 
@@ -32,13 +32,13 @@ GLX_RULES(NegativePointsNotSent, "EV-GLX-OPCODES", "EvalPoint2 with a negative i
 GLX_RULES(GetMapivThroughFloats, "EV-GLX-SINGLES", "GetMapiv asks for floats and converts them",
           instead(GetMapiv, [](Call& c) {
             std::array<GLfloat, 256> values{};
-            sound.GetMapfv(c.target(), static_cast<GLenum>(c.argument('q')), values.data());
+            unmodified.GetMapfv(c.target(), static_cast<GLenum>(c.argument('q')), values.data());
             c.write(0, std::trunc(values[0]));
           }));
 GLX_RULES(GetMapdvAsksOrderFirst, "EV-GLX-SINGLES", "GetMapdv asks for the order before the points",
           before(GetMapdv, kQuery == GL_COEFF, [](Call& c) {
             GLint order[2];
-            sound.GetMapiv(c.target(), GL_ORDER, order);
+            unmodified.GetMapiv(c.target(), GL_ORDER, order);
           }));
 GLX_RULES(ScalarDoubleSentAsFloat, "EV-GLX-SCALAR", "EvalCoord1d travels as EvalCoord1fv",
           instead(EvalCoord1d, call(EvalCoord1f, {kU})));

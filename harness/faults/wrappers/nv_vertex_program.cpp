@@ -3,7 +3,7 @@
 #include "rules.h"
 
 #define NV_RULES(name, requirements, what, ...) \
-  EVALCTS_RULES_IN(kNvVertexProgram, name, must, requirements, what, __VA_ARGS__)
+  EVALCTS_RULES_IN(kNvVertexProgram, name, kMust, requirements, what, __VA_ARGS__)
 
 namespace evalcts::faults::nv_vertex_program {
 namespace {
@@ -19,13 +19,13 @@ Value stand_in(GLenum target, GLenum attribute_map) {
   return [=](Call&) {
     GLint order[2] = {1, 1};
     GLfloat points[64];
-    sound.GetMapiv(attribute_map, GL_ORDER, order);
-    sound.GetMapfv(attribute_map, GL_COEFF, points);
+    unmodified.GetMapiv(attribute_map, GL_ORDER, order);
+    unmodified.GetMapfv(attribute_map, GL_COEFF, points);
     if (attribute_map >= kSurfaceMap)
-      sound.Map2f(target, 0, 1, 4 * order[1], order[0], 0, 1, 4, order[1], points);
+      unmodified.Map2f(target, 0, 1, 4 * order[1], order[0], 0, 1, 4, order[1], points);
     else
-      sound.Map1f(target, 0, 1, 4, order[0], points);
-    sound.Enable(target);
+      unmodified.Map1f(target, 0, 1, 4, order[0], points);
+    unmodified.Enable(target);
   };
 }
 
@@ -51,7 +51,7 @@ NV_RULES(NormalAttributeHasThreeComponents, "EV-EXT-NVVP-K",
            std::vector<double> points;
            for (std::size_t i = 0; i < static_cast<std::size_t>(c.argument('o')); ++i)
              points.insert(points.end(), {c.read(3 * i), c.read(3 * i + 1), c.read(3 * i + 2), 1});
-           sound.Map1d(c.target(), c.argument('a'), c.argument('b'), 4, c.integer('o'), points.data());
+           unmodified.Map1d(c.target(), c.argument('a'), c.argument('b'), 4, c.integer('o'), points.data());
          }));
 NV_RULES(SmallVStrideOfAttributeMap, "EV-EXT-NVVP-K", "vstride is not checked for maps of attributes",
          before(Map2f, is_attribute_map(kTarget), set(kVStride, max(kVStride, 4))));
@@ -62,7 +62,7 @@ NV_RULES(AttributeMapsInitiallyZero, "EV-EXT-NVVP-INIT",
          after(GetMapfv, kQuery == GL_COEFF && kTarget >= kSurfaceMap && is_attribute_map(kTarget),
                [](Call& c) {
                  GLint order[2] = {2, 2};
-                 sound.GetMapiv(c.target(), GL_ORDER, order);
+                 unmodified.GetMapiv(c.target(), GL_ORDER, order);
                  if (order[0] * order[1] == 1) c.write(3, 0);
                }));
 
@@ -119,9 +119,9 @@ NV_RULES(EvaluatedAlphaStays, "EV-EXT-NVVP-CURRENT",
          "the current alpha is that of the map of attribute 3 of surfaces",
          after(End, enabled(kSurfaceMap + kColor), [](Call&) {
            GLfloat points[64], color[4];
-           sound.GetMapfv(kSurfaceMap + kColor, GL_COEFF, points);
-           sound.GetFloatv(GL_CURRENT_COLOR, color);
-           sound.Color4f(color[0], color[1], color[2], points[3]);
+           unmodified.GetMapfv(kSurfaceMap + kColor, GL_COEFF, points);
+           unmodified.GetFloatv(GL_CURRENT_COLOR, color);
+           unmodified.Color4f(color[0], color[1], color[2], points[3]);
          }));
 NV_RULES(AttributeMapsNotInEnableBit, "EV-EXT-NVVP-STACK", "ENABLE_BIT does not restore maps of attributes",
          not_restored(enables_of_attribute_maps, kLevelMask == GL_ENABLE_BIT));

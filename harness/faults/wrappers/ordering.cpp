@@ -13,54 +13,54 @@ Rules end_early(const Entries& command) {
 // Executes a delayed LoadMatrixf.
 void load_late_matrix(Call&) {
   const std::vector<double> matrix = std::exchange(remembered_list(), {});
-  if (!matrix.empty()) sound.LoadMatrixf(std::vector<GLfloat>(matrix.begin(), matrix.end()).data());
+  if (!matrix.empty()) unmodified.LoadMatrixf(std::vector<GLfloat>(matrix.begin(), matrix.end()).data());
 }
 
-EVALCTS_RULES(EvalCoord1dvRefusedOnceInPrimitive, production, must, "EV-BE-ALLOWED",
+EVALCTS_RULES(EvalCoord1dvRefusedOnceInPrimitive, production, kMust, "EV-BE-ALLOWED",
               "the fourth EvalCoord1dv of a TRIANGLE_FAN raises INVALID_OPERATION",
               before(Begin, set(kCount, 0)),
               after(EvalCoord1dv, kOpenMode == GL_TRIANGLE_FAN,
                     {set(kCount, kCount + 1), when(kCount == 4, error(GL_INVALID_OPERATION))}));
-EVALCTS_RULES(MeshIgnoredInPrimitives, production, must, "EV-BE-ALLOWED",
+EVALCTS_RULES(MeshIgnoredInPrimitives, production, kMust, "EV-BE-ALLOWED",
               "EvalMesh1 in a primitive does nothing and raises nothing", skip(EvalMesh1, kInside));
-EVALCTS_RULES(Map2SplitsPrimitive, production, must, "EV-BE-IGNORED/2-D",
+EVALCTS_RULES(Map2SplitsPrimitive, production, kMust, "EV-BE-IGNORED/2-D",
               "Map2f in a primitive raises its error and begins a new primitive of the mode",
               after(Map2f, kInside, {call(End), call(Begin, {kOpenMode})}));
-EVALCTS_RULES(MeshDrawnIntoPrimitive, production, must, "EV-BE-IGNORED/1-D",
+EVALCTS_RULES(MeshDrawnIntoPrimitive, production, kMust, "EV-BE-IGNORED/1-D",
               "EvalMesh1 of points in a primitive raises its error and adds its vertices",
               after(EvalMesh1, kMode == GL_POINT && kInside,
                     loop(kColumn, kI1, kI2, call(EvalPoint1, {kColumn}))));
-EVALCTS_RULES(RefusedMapSwallowsNextVertex, production, must, "EV-BE-IGNORED/1-D",
+EVALCTS_RULES(RefusedMapSwallowsNextVertex, production, kMust, "EV-BE-IGNORED/1-D",
               "the EvalCoord1f that follows a Map1d in a primitive is lost",
               before(Map1d, set(kFlag, kInside)), instead(EvalCoord1f, kFlag, set(kFlag, 0)));
-EVALCTS_RULES(RefusedQueryEndsPrimitive, production, must, "EV-BE-IGNORED",
+EVALCTS_RULES(RefusedQueryEndsPrimitive, production, kMust, "EV-BE-IGNORED",
               "GetMapdv in a primitive raises its error and ends the primitive", end_early(GetMapdv));
 EVALCTS_RULES(
-    RefusedEnableRestartsStrip, production, must, "EV-BE-IGNORED",
+    RefusedEnableRestartsStrip, production, kMust, "EV-BE-IGNORED",
     "Disable of a map of two dimensions in a primitive raises its error and forgets the last vertex",
     after(Disable, is_map2(kName) && kInside, set(kFlag, 1)), change_output(kFlag, [](Primitives& all) {
       if (!all.empty() && all.front().vertices.size() > 1)
         all.front().vertices.erase(all.front().vertices.begin());
     }));
-EVALCTS_RULES(BadMeshModeLeavesPrimitiveOpen, production, must, "EV-BE-MESHNOTINSIDE",
+EVALCTS_RULES(BadMeshModeLeavesPrimitiveOpen, production, kMust, "EV-BE-MESHNOTINSIDE",
               "EvalMesh2 with a bad mode raises its error inside a primitive that it never ends",
               after(EvalMesh2, !kIsMode2, call(Begin, {GL_POINTS})));
-EVALCTS_RULES(EmptyLineMeshLeavesStripOpen, production, must, "EV-BE-MESHNOTINSIDE",
+EVALCTS_RULES(EmptyLineMeshLeavesStripOpen, production, kMust, "EV-BE-MESHNOTINSIDE",
               "EvalMesh1 LINE with an empty range begins a strip and returns",
               after(EvalMesh1, kMode == GL_LINE && kI1 > kI2, call(Begin, {GL_LINE_STRIP})));
-EVALCTS_RULES(MeshWithoutMapsLeavesPrimitiveOpen, production, must, "EV-BE-MESHNOTINSIDE",
+EVALCTS_RULES(MeshWithoutMapsLeavesPrimitiveOpen, production, kMust, "EV-BE-MESHNOTINSIDE",
               "EvalMesh2 FILL without a vertex map begins a strip and returns",
               after(EvalMesh2, kMode == GL_FILL && !enabled(GL_MAP2_VERTEX_3) && !enabled(GL_MAP2_VERTEX_4),
                     call(Begin, {GL_QUAD_STRIP})));
-EVALCTS_RULES(MeshInPrimitiveEndsIt, production, must, "EV-BE-IGNORED/2-D",
+EVALCTS_RULES(MeshInPrimitiveEndsIt, production, kMust, "EV-BE-IGNORED/2-D",
               "EvalMesh2 in a primitive raises its error and leaves the GL outside it", end_early(EvalMesh2));
-EVALCTS_RULES(GridWaitsForMesh, production, must, "EV-BE-ORDER",
+EVALCTS_RULES(GridWaitsForMesh, production, kMust, "EV-BE-ORDER",
               "MapGrid1f after a mesh takes effect after the next mesh",
               instead(MapGrid1f, kFlag, {drop(), hold()}), after(EvalMesh1, {set(kFlag, 1), release()}));
-EVALCTS_RULES(ColorWaitsForEnd, production, must, "EV-BE-ORDER",
+EVALCTS_RULES(ColorWaitsForEnd, production, kMust, "EV-BE-ORDER",
               "Color4f outside of primitives takes effect after the next primitive",
               instead(Color4f, !kInside, {drop(), hold()}), after(End, release()));
-EVALCTS_RULES(DisableWaitsForBegin, production, must, "EV-BE-ORDER",
+EVALCTS_RULES(DisableWaitsForBegin, production, kMust, "EV-BE-ORDER",
               "Disable of MAP1_NORMAL is seen by the primitive after the next",
               instead(Disable, kName == GL_MAP1_NORMAL, set(kFlag, 1)),
               before(Enable, kName == GL_MAP1_NORMAL, set(kFlag, 0)),
@@ -68,7 +68,7 @@ EVALCTS_RULES(DisableWaitsForBegin, production, must, "EV-BE-ORDER",
 
 // --- Faults that need matrices and materials
 
-EVALCTS_RULES(MatrixWaitsForMesh, osmesa, must, "EV-BE-ORDER/2-D",
+EVALCTS_RULES(MatrixWaitsForMesh, osmesa, kMust, "EV-BE-ORDER/2-D",
               "LoadMatrixf is carried out after the mesh of two dimensions that follows it",
               instead(LoadMatrixf,
                       [](Call& c) {
@@ -77,12 +77,12 @@ EVALCTS_RULES(MatrixWaitsForMesh, osmesa, must, "EV-BE-ORDER/2-D",
               before(Begin | EvalMesh1, load_late_matrix), after(EvalMesh2, load_late_matrix));
 
 EVALCTS_RULES(
-    MeshTakesLaterColor, osmesa, must, "EV-BE-ORDER/1-D",
+    MeshTakesLaterColor, osmesa, kMust, "EV-BE-ORDER/1-D",
     "EvalMesh1 is carried out with the next command that draws, and takes the current colour from there",
     instead(EvalMesh1, {release(), hold()}),
     before(kMap1 | kMapGrid1 | kSwitches | LoadMatrixf | Materialfv | Begin | RenderMode | GetError,
            release()));
-EVALCTS_RULES(MeshOfOnePointLeavesStripOpen, production, must, "EV-BE-MESHNOTINSIDE",
+EVALCTS_RULES(MeshOfOnePointLeavesStripOpen, production, kMust, "EV-BE-MESHNOTINSIDE",
               "EvalMesh2 LINE of a single row and column begins a strip and returns",
               after(EvalMesh2, kMode == GL_LINE && kI1 == kI2 && kJ1 == kJ2, call(Begin, {GL_LINE_STRIP})));
 

@@ -5,7 +5,7 @@
 #include "grid_steps.h"
 
 #define REPAIRED_RULES(name, requirements, what, ...) \
-  EVALCTS_RULES_IN(kRepairedOSMesa, name, must, requirements, what, __VA_ARGS__)
+  EVALCTS_RULES_IN(kRepairedOSMesa, name, kMust, requirements, what, __VA_ARGS__)
 
 namespace evalcts::faults::on_repaired_osmesa {
 namespace {
@@ -16,10 +16,10 @@ REPAIRED_RULES(FilledMeshOfSeparateQuads, "EV-MESH2-EDGEFLAG",
 
 // --- Profiles ----------------------------------------------------------------------------------------------
 
-EVALCTS_RULES_IN(kOSMesa30, DeprecatedMapIsGone, must, "EV-PROF-DEPRECATED",
+EVALCTS_RULES_IN(kOSMesa30, DeprecatedMapIsGone, kMust, "EV-PROF-DEPRECATED",
                  "Enable does not know MAP2_NORMAL, since that is deprecated",
                  instead(Enable, kName == GL_MAP2_NORMAL, error(GL_INVALID_ENUM)));
-EVALCTS_RULES_IN(kOSMesa30, DeprecatedMeshDoesNothing, must, "EV-PROF-DEPRECATED",
+EVALCTS_RULES_IN(kOSMesa30, DeprecatedMeshDoesNothing, kMust, "EV-PROF-DEPRECATED",
                  "EvalMesh2 does nothing, since it is deprecated", skip(EvalMesh2, true));
 
 // --- Copies of contexts ------------------------------------------------------------------------------------
@@ -37,12 +37,12 @@ REPAIRED_RULES(CopyTakesMapsAlong, "EV-CTX-COPY-NOMAPS", "CopyContext copies the
                instead(CopyContextEVALCTS, [](Call& c) {
                  const auto from = static_cast<GLuint>(c.argument('0')),
                             to = static_cast<GLuint>(c.argument('1'));
-                 sound.OtherContextEVALCTS(from);
+                 unmodified.OtherContextEVALCTS(from);
                  const Map map = current_map(GL_MAP1_VERTEX_3);
                  c.go();
-                 sound.OtherContextEVALCTS(to);
+                 unmodified.OtherContextEVALCTS(to);
                  map.define();
-                 sound.OtherContextEVALCTS(from);
+                 unmodified.OtherContextEVALCTS(from);
                }));
 
 }  // namespace

@@ -6,7 +6,7 @@
 // may need it.
 //
 // EVALCTS_DRILL names what happens when Map1f is called for INDEX with order 5 (most tests never do that):
-//   one of misdeeds.h; "second": crash only if a map of order 7 was defined before in this
+//   one of misbehaviours.h; "second": crash only if a map of order 7 was defined before in this
 //   process; "both": crash, and hang where Map1d is called so; "start": crash when a context is made;
 //   "lenient": strides below k are taken for k; "fragile": the same, and a crash where nothing was enabled
 //   before; "now-and-then": orders of INDEX are one too many, in the first process of all (EVALCTS_DRILL_FILE
@@ -31,7 +31,7 @@
 #include <map>
 
 #include <evalcts/gl/table.h>
-#include "misdeeds.h"
+#include "misbehaviours.h"
 
 #define EXPORT extern "C" __attribute__((visibility("default")))
 
@@ -55,7 +55,7 @@ bool drill(const char* name) {
   return wanted && std::strcmp(wanted, name) == 0;
 }
 
-using misdeeds::crash;
+using misbehaviours::crash;
 
 [[maybe_unused]] void read_from_nowhere() {
   volatile std::uintptr_t nowhere = 64;
@@ -67,7 +67,7 @@ using misdeeds::crash;
   if (drill("both") || (drill("second") && seven_was_seen)) crash();
   if (drill("now-and-then") && is_first_time()) odd_answers = true;
   if (drill("crash-now-and-then") && is_first_time()) crash();
-  if (const char* const wanted = std::getenv("EVALCTS_DRILL")) misdeeds::do_misdeed(wanted);
+  if (const char* const wanted = std::getenv("EVALCTS_DRILL")) misbehaviours::misbehave(wanted);
 }
 
 }  // namespace
@@ -153,7 +153,7 @@ EXPORT void glColor4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
 EXPORT void glColor3f(GLfloat red, GLfloat green, GLfloat blue) { glevColor3f(current, red, green, blue); }
 EXPORT void glVertex3f(GLfloat x, GLfloat y, GLfloat z) {
   if (drill("control")) crash();
-  if (drill("control-error")) glevEnable(current, 0);  // refused between Begin and End
+  if (drill("control-error")) glevEnable(current, 0);  // rejected between Begin and End
   glevVertex3f(current, x, y, z);
 }
 EXPORT void glNormal3f(GLfloat x, GLfloat y, GLfloat z) { glevNormal3f(current, x, y, z); }

@@ -59,7 +59,7 @@ sed 's/glevaluator 0.1/glevaluator 99.0/' "$here/CMakeLists.txt" >"$work/CMakeLi
 if cmake -G Ninja -S "$work" -B "$work/refused" -DCMAKE_PREFIX_PATH="$prefix" -DEXAMPLES="$examples" >"$work/refused.log" 2>&1; then
   fail "version 99 was found"
 fi
-grep -q 'requested version "99.0"' "$work/refused.log" || fail "version 99 is refused for another reason"
+grep -q 'requested version "99.0"' "$work/refused.log" || fail "version 99 is rejected for another reason"
 
 command -v pkg-config >/dev/null || { echo "there is no pkg-config: without its part"; exit; }
 export PKG_CONFIG_PATH=$libraries/pkgconfig

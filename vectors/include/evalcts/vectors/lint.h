@@ -25,7 +25,7 @@ struct Report {
 };
 
 // Ids that stand twice, requirements that do not exist, flags without a note, notes without a flag, a wrong
-// number of tests, cases that are not what their theme or a requirement of theirs claims, refused queries
+// number of tests, cases that are not what their theme or a requirement of theirs claims, rejected queries
 // that answer. Throws Malformed as check_structure does, and for text
 // that is no JSON.
 Report lint(const std::string& text, const std::set<std::string>& requirements);

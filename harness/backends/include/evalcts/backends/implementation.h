@@ -27,7 +27,7 @@ class Context {
  public:
   virtual ~Context() = default;
   virtual const gl::Table& table() const = 0;
-  // Plays the case on this context. Every case of a test or capture is played by this function.
+  // Runs the case on this context. Every case of a test or capture is run by this function.
   virtual gl::Trace play(const gl::Case& script) { return gl::play(script, table()); }
   // Returns the shader programs that captures keep, by their source, in a context that many cases share; null
   // in other contexts.
@@ -43,7 +43,7 @@ class Context {
 };
 
 // Features, besides commands, that an evaluator that is not a GL declares. Cases that use other features are
-// not played.
+// not run.
 struct Declaration {
   std::set<GLenum> targets;  // map targets and GL_AUTO_NORMAL; empty: all
   GLint max_order = 0;       // 0: the answer to GL_MAX_EVAL_ORDER

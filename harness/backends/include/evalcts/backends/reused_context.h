@@ -11,13 +11,13 @@ namespace evalcts {
 
 // Returns an implementation whose create_context() returns handles to a single context of `inner`, which the
 // first call creates. Each further call restores the state first: it closes what earlier cases left open,
-// deletes the objects that they made, and plays restoring_commands(). No other context of `inner` may be
+// deletes the objects that they made, and runs restoring_commands(). No other context of `inner` may be
 // created while the implementation exists, because it would become current. `inner` must outlive it. Captures
 // make their shader programs for each case, or keep them: keeping them is much faster, and less like a fresh
 // context.
-enum class Programs { made_anew, kept };
+enum class Programs { kMadeAnew, kKept };
 std::unique_ptr<Implementation> reuse_context(Implementation& inner, const ImplementationInfo& info,
-                                              Programs programs = Programs::made_anew);
+                                              Programs programs = Programs::kMadeAnew);
 
 // Returns the commands that give all state that a case or capture can set its initial value. Commands for
 // features that the implementation lacks may raise errors, which the player must drain.

@@ -1,5 +1,5 @@
 // Captures: ways to observe the vertices that an evaluator emits. A capture wraps a case in commands of its
-// own, plays it in a fresh context, once for each pass that it needs, and decodes the output.
+// own, runs it in a fresh context, once for each pass that it needs, and decodes the output.
 #pragma once
 
 #include <memory>
@@ -57,7 +57,7 @@ class Capture {
   // True if the capture can observe cases that draw these kinds of primitives.
   virtual bool takes(PrimitiveKinds) const { return true; }
 
-  // Plays the case and returns its output with at least the wanted attributes. Throws NotObservable, and all
+  // Runs the case and returns its output with at least the wanted attributes. Throws NotObservable, and all
   // exceptions of gl::play.
   virtual Observation observe(Implementation& implementation, const gl::Case& script,
                               const Wanted& wanted) const = 0;
@@ -67,7 +67,7 @@ class Capture {
 std::vector<std::unique_ptr<Capture>> all_captures();
 
 // Chooses among the captures of an implementation. Each capture is proved when it is first considered,
-// because a proof plays many cases and most tests need only one capture.
+// because a proof runs many cases and most tests need only one capture.
 class Captures {
  public:
   // `names`: names of the captures that may be used; null: all. Both references must outlive the object.

@@ -30,7 +30,7 @@ struct RecordedVaryings {
 bool can_record(PrimitiveKinds kinds);
 std::size_t vertices_of_recorded(PrimitiveKinds kind);  // 1, 2 or 3
 
-// Plays the case with the shader in use, in a fresh context. Throws NotObservable if the shader does not link
+// Runs the case with the shader in use, in a fresh context. Throws NotObservable if the shader does not link
 // or transform feedback cannot be set up, and all exceptions of gl::play.
 RecordedVaryings record_varyings(Implementation& implementation, const VaryingShader& shader,
                                  const gl::Case& script, PrimitiveKind kind, std::size_t most_vertices);

@@ -18,7 +18,7 @@ struct ListedFault {
   std::string name;
   std::string implementation;             // that it is injected into
   std::vector<std::string> arguments;     // make the suite program open that implementation; may be empty
-  Level level = Level::must;              // at which a test has to detect it
+  Level level = Level::kMust;             // at which a test has to detect it
   std::vector<std::string> requirements;  // that it breaks: IDs, or halves ("ID/2-D")
   std::string what;                       // the mistake, in words
   std::string kind;                       // "wrapper", "switch"
@@ -29,8 +29,8 @@ struct Detection {
   std::string requirement;
   bool detected = false;
   std::string test;  // the first that detected it
-  Level test_level = Level::must;
-  Depth depth = Depth::quick;
+  Level test_level = Level::kMust;
+  Depth depth = Depth::kQuick;
   Verdict verdict = Verdict::kFail;
   std::string message;
 };
@@ -64,7 +64,7 @@ struct TableRequest {
 };
 
 // Tries each fault and returns the outcomes in the same order. For each requirement that the fault breaks,
-// the tests that name it are played at quick depth, then, if none detects it, at full depth. A test detects a
+// the tests that name it are run at quick depth, then, if none detects it, at full depth. A test detects a
 // fault if it passes on the implementation without the fault and fails (or, for a fault of quality level,
 // warns) with it, at the fault's level or above. A fault whose implementation cannot be started here is not
 // tried. Stops early, with what is known, when `interrupted` is set.

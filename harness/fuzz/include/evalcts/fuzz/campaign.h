@@ -21,13 +21,13 @@ struct Campaign {
   int length = 120;                       // commands of a program, about
   int most_attempts = 400;                // to make a failing program smaller
   std::vector<std::string> known = {};    // causes: what they explain is not made smaller
-  // A program that is made smaller is written to this file before it is played, so that it is known where the
+  // A program that is made smaller is written to this file before it is run, so that it is known where the
   // library dies in it; the file is empty meanwhile. Empty: nowhere.
   std::string in_flight = {};
-  std::vector<std::string> deadly = {};  // such programs that the library has died in: not played again
+  std::vector<std::string> deadly = {};  // such programs that the library has died in: not run again
   // A context for each program. Otherwise most share one, where the implementation makes contexts that live
   // beside it: making one, and shaders in it, takes most of the time of a program. What differs there has to
-  // differ in a fresh one as well, at least behind programs that were played before.
+  // differ in a fresh one as well, at least behind programs that were run before.
   bool fresh_contexts = false;
 };
 
@@ -54,7 +54,7 @@ struct Judged {
   bool in_full = true;  // all of it could
 };
 Judged judge_program(const Subject& subject, const gl::Case& program, const Specified& specified,
-                     Look look = Look::all);
+                     Look look = Look::kAll);
 
 // See Finding::cause; "position.x of vertex 3" differs, or "crash".
 std::string cause_of(const gl::Case& program, const std::string& what);

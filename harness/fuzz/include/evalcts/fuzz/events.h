@@ -36,7 +36,7 @@ struct CampaignProgress {
 using CampaignEvent =
     std::variant<CampaignStarted, TestStarted, FindingShrank, FindingMade, CampaignProgress>;
 
-// Plays the campaign, of each program the commands that the implementation has, and reports events: first
+// Runs the campaign, of each program the commands that the implementation has, and reports events: first
 // CampaignStarted, TestStarted before each program, and CampaignProgress now and then.
 void play(const Subject& subject, const Campaign& campaign,
           const std::function<void(const CampaignEvent& event)>& report);

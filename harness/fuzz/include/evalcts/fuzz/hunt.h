@@ -47,10 +47,10 @@ struct Hunt {
   std::uint64_t slow = 0;                 // that took too long, but not once more
   double seconds = 0;
   std::vector<Cause> causes;  // in the order of their first programs
-  std::string cannot_start;   // why nothing was played; else empty
+  std::string cannot_start;   // why nothing was run; else empty
 };
 
-// Plays until programs or time are over or `interrupted` is set, and writes each cause as it is found: a
+// Runs until programs or time are over or `interrupted` is set, and writes each cause as it is found: a
 // replayable program (JSON), the commands as text with what was expected and what came, and, where the
 // implementation has one, a stand-alone C program. Throws std::runtime_error where the output cannot be
 // written.

@@ -25,7 +25,7 @@ struct CProgram {
   std::string library;               // the file that was judged; empty for "production"
   const Case* script = nullptr;
   const Check* check = nullptr;      // null: the commands alone show it, by a crash or a hang
-  const Trace* trace = nullptr;      // what was answered, for Check::Rule::unlike
+  const Trace* trace = nullptr;      // what was answered, for Check::Rule::kUnlike
   std::size_t emitted_vertices = 0;  // when the failure was recorded, for "production"
 };
 

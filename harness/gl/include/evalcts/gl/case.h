@@ -18,41 +18,41 @@
 namespace evalcts::gl {
 
 // Element type of a client array.
-enum class Scalar { u8, i8, i32, u32, i64, f32, f64 };
+enum class Scalar { kU8, kI8, kI32, kU32, kI64, kF32, kF64 };
 
 template <class T>
 constexpr Scalar scalar_of() {
   using U = std::remove_const_t<T>;
-  if constexpr (std::is_same_v<U, float>) return Scalar::f32;
-  if constexpr (std::is_same_v<U, double>) return Scalar::f64;
-  if constexpr (std::is_same_v<U, std::int32_t>) return Scalar::i32;
-  if constexpr (std::is_same_v<U, std::uint32_t>) return Scalar::u32;
-  if constexpr (std::is_same_v<U, std::int64_t>) return Scalar::i64;
-  if constexpr (std::is_same_v<U, char> || std::is_same_v<U, std::int8_t>) return Scalar::i8;
-  return Scalar::u8;
+  if constexpr (std::is_same_v<U, float>) return Scalar::kF32;
+  if constexpr (std::is_same_v<U, double>) return Scalar::kF64;
+  if constexpr (std::is_same_v<U, std::int32_t>) return Scalar::kI32;
+  if constexpr (std::is_same_v<U, std::uint32_t>) return Scalar::kU32;
+  if constexpr (std::is_same_v<U, std::int64_t>) return Scalar::kI64;
+  if constexpr (std::is_same_v<U, char> || std::is_same_v<U, std::int8_t>) return Scalar::kI8;
+  return Scalar::kU8;
 }
 std::size_t size_of(Scalar type);
 
 // Treatment of a client array after the command has returned.
 enum class AfterCall {
-  keep,       // unchanged until the case ends
-  overwrite,  // filled with other values
-  unmap,      // its pages are unmapped, so that access crashes
-  protect,    // its pages become neither readable nor writable
+  kKeep,       // unchanged until the case ends
+  kOverwrite,  // filled with other values
+  kUnmap,      // its pages are unmapped, so that access crashes
+  kProtect,    // its pages become neither readable nor writable
 };
 
 // A client array that a command reads. Its last byte is followed by an unmapped page.
 struct Input {
-  Scalar type = Scalar::u8;
+  Scalar type = Scalar::kU8;
   std::vector<std::byte> bytes;
-  AfterCall after = AfterCall::keep;
+  AfterCall after = AfterCall::kKeep;
   // Arrays of a case with the same slot (>= 0) and size share their memory, which is filled before each call.
   int slot = -1;
 };
 
 // An array that a command writes: `count` elements, followed by guard elements.
 struct Output {
-  Scalar type = Scalar::u8;
+  Scalar type = Scalar::kU8;
   std::size_t count = 0;
 };
 
@@ -95,19 +95,19 @@ OutputArray<T> out(std::size_t count) {
   return {count};
 }
 
-// `array(values, AfterCall::protect)`: a client array and its treatment after the call.
+// `array(values, AfterCall::kProtect)`: a client array and its treatment after the call.
 template <class T>
-Input array(std::span<const T> values, AfterCall after = AfterCall::keep) {
+Input array(std::span<const T> values, AfterCall after = AfterCall::kKeep) {
   Input input{scalar_of<T>(), std::vector<std::byte>(values.size_bytes()), after};
   if (!values.empty()) std::memcpy(input.bytes.data(), values.data(), values.size_bytes());
   return input;
 }
 template <class T>
-Input array(const std::vector<T>& values, AfterCall after = AfterCall::keep) {
+Input array(const std::vector<T>& values, AfterCall after = AfterCall::kKeep) {
   return array(std::span<const T>(values), after);
 }
 template <class T>
-Input array(std::initializer_list<T> values, AfterCall after = AfterCall::keep) {
+Input array(std::initializer_list<T> values, AfterCall after = AfterCall::kKeep) {
   return array(std::span<const T>(values.begin(), values.size()), after);
 }
 

@@ -11,15 +11,15 @@
 namespace evalcts::gl {
 
 struct Delivery {
-  enum class Evaluation { as_written, coordinates, array, point, mesh };
+  enum class Evaluation { kAsWritten, kCoordinates, kArray, kPoint, kMesh };
 
   std::string name;  // part of test names: the evaluation command and the form of display lists; may be empty
-  Evaluation evaluation = Evaluation::as_written;
-  bool doubles = false;       // Map1d and EvalCoord1d instead of Map1f and EvalCoord1f
-  bool lifted = false;        // a one-dimensional case becomes a two-dimensional one, see lift.h
-  bool along_v = false;       // ... in which the curve runs along v
-  Lists lists = Lists::none;  // the form of display lists, through which the resulting case goes
-  bool sparing = false;       // for expensive tests: below thorough depth, one of these runs in turn
+  Evaluation evaluation = Evaluation::kAsWritten;
+  bool doubles = false;        // Map1d and EvalCoord1d instead of Map1f and EvalCoord1f
+  bool lifted = false;         // a one-dimensional case becomes a two-dimensional one, see lift.h
+  bool along_v = false;        // ... in which the curve runs along v
+  Lists lists = Lists::kNone;  // the form of display lists, through which the resulting case goes
+  bool sparing = false;        // for expensive tests: below thorough depth, one of these runs in turn
 
   // Returns the delivered case.
   //

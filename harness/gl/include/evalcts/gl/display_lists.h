@@ -6,12 +6,12 @@
 namespace evalcts::gl {
 
 enum class Lists {
-  none,
-  compiled,  // COMPILE before everything else; CallList where the commands were
-  executed,  // COMPILE_AND_EXECUTE around the commands where they are
-  nested,    // compiled in two halves, called by a third list
-  repeated,  // compiled, and called twice wherever that leaves no Begin or End without the other
-  split      // compiled three commands at a time; every third piece stays as it is
+  kNone,
+  kCompiled,  // COMPILE before everything else; CallList where the commands were
+  kExecuted,  // COMPILE_AND_EXECUTE around the commands where they are
+  kNested,    // compiled in two halves, called by a third list
+  kRepeated,  // compiled, and called twice wherever that leaves no Begin or End without the other
+  kSplit      // compiled three commands at a time; every third piece stays as it is
 };
 
 // A rewritten case. Command i of the original case is command positions[i]; other commands prepare it.

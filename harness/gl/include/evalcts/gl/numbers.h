@@ -24,7 +24,7 @@ inline std::vector<double> elements(const Input& input) {
   std::vector<double> values(input.bytes.size() / size_of(input.type));
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::byte* const bytes = input.bytes.data() + i * size_of(input.type);
-    if (input.type == Scalar::f32) {
+    if (input.type == Scalar::kF32) {
       float single = 0;
       std::memcpy(&single, bytes, sizeof single);
       values[i] = single;

@@ -1,4 +1,4 @@
-// Plays a case on a table of entry points and records the answers of its commands.
+// Runs a case on a table of entry points and records the answers of its commands.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct MissingEntryPoint : std::runtime_error {
   EntryPoint entry;
 };
 
-// The answers of the commands of a played case.
+// The answers of the commands of a run case.
 class Trace {
  public:
   // The value that a command returned (enumerant, boolean, name); 0 for commands that return nothing.
@@ -82,7 +82,7 @@ class Trace {
   std::vector<GLenum> left_over_errors_;
 };
 
-// Plays all commands of the case in order on the current context. No other commands are issued, except
+// Runs all commands of the case in order on the current context. No other commands are issued, except
 // GetError after the last one; inside Begin/End, GetError would itself raise an error. Throws
 // MissingEntryPoint before the first command if the table lacks one of them. `after_each` is called after
 // each command with its position. The default floating-point environment is restored afterwards, because the

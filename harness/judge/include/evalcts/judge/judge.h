@@ -27,7 +27,7 @@ struct Mismatch {
   double condition_aware = 0;
 
   // The same as numbers: `got` lies outside [lowest, highest].
-  enum class Of { value, vertices, error } of = Of::value;
+  enum class Of { kValue, kVertices, kError } of = Of::kValue;
   double got = 0, lowest = 0, highest = 0;
 };
 
@@ -37,7 +37,7 @@ struct Judgement {
 };
 
 struct JudgeOptions {
-  Level level = Level::must;
+  Level level = Level::kMust;
   Attributes attributes = kAllAttributes;  // attributes to judge, if they were observed
   Attributes measured = kAllAttributes;    // attributes that count for Accuracy
   bool lengths_of_shader_normals = false;  // judge lengths of normals with a vertex shader (U-AUTON-MAGN)

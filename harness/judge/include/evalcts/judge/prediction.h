@@ -1,4 +1,4 @@
-// Prediction of the vertices, answers and errors of a case: the case is played on the executable
+// Prediction of the vertices, answers and errors of a case: the case is run on the executable
 // specification, symbolically.
 #pragma once
 
@@ -41,7 +41,7 @@ struct Specified {
   std::vector<bool> inside;                 // true if a primitive is open after the command
 };
 
-// Plays the case on the specification. Throws std::logic_error if the specification lacks one of the
+// Runs the case on the specification. Throws std::logic_error if the specification lacks one of the
 // commands.
 Specified specify(const gl::Case& script, int max_eval_order);
 

@@ -18,7 +18,7 @@ struct Bug {
 
   std::vector<RequirementId> requirements;  // that the minimal program violates, the decisive one first
   std::string clause;                       // where the specification says so: "GL 2.1 5.1; P-glEvalCoord"
-  Level level = Level::must;
+  Level level = Level::kMust;
   Verdict verdict = Verdict::kFail;  // crash, timeout, fail or quality warning
 
   // The failure of the minimal program; `calls` are its commands as C, with values in decimal and

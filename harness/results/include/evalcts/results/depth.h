@@ -1,4 +1,4 @@
-// Depth of a run: how many values and variants of each test are played.
+// Depth of a run: how many values and variants of each test are run.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace evalcts {
 
-enum class Depth { quick, full, thorough };
+enum class Depth { kQuick, kFull, kThorough };
 
 inline constexpr std::array kDepthNames{"quick", "full", "thorough"};
 

@@ -1,4 +1,4 @@
-// Filters: which of several names a user chooses, and which tests a run plays.
+// Filters: which of several names a user chooses, and which tests a run runs.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ std::vector<Named> matching(std::vector<Named> items, const std::string& filter)
   return items;
 }
 
-// True if a run of the given depth plays the test, provided that the filter matches its name: the test
+// True if a run of the given depth runs the test, provided that the filter matches its name: the test
 // belongs to the depth, or one of the patterns is its exact name.
 bool is_played(const ListedTest& test, Depth depth, const std::string& filter);
 

@@ -47,7 +47,7 @@ enum class RunStatus {
 const char* name_of(RunStatus status);
 std::optional<RunStatus> status_named(const std::string& name);
 
-// The first pass plays each case in a fresh context; the second plays all of them in one shared context.
+// The first pass runs each case in a fresh context; the second runs all of them in one shared context.
 enum class Pass { kFreshContexts, kReuseContext };
 // "", "reuse-context": in records, baselines and file names.
 const char* name_of(Pass pass);
@@ -85,8 +85,7 @@ struct RunResult {
   std::string origin;    // the folder or file that the record was read from; tells records of one name apart
   std::string baseline;  // "mesa with mesa.softpipe"; empty: none
   std::vector<std::string> stale_baseline_entries;
-  std::uint64_t confirmed_by_group =
-      0;  // unexpected failures that another of their group was played again for
+  std::uint64_t confirmed_by_group = 0;  // unexpected failures that another of their group was run again for
   std::map<std::string, std::vector<std::string>> readings;  // of ambiguous texts, by their names
   ImplementationRecord implementation;
   Counts counts{};  // by verdict

@@ -20,8 +20,8 @@ namespace evalcts {
 struct ListedTest {
   std::string name;  // "Map1Errors.StrideBelowK/MAP1_VERTEX_3"
   std::vector<RequirementId> requirements;
-  Level level = Level::must;
-  Depth from = Depth::quick;  // the least depth that plays it unless its exact name is asked for
+  Level level = Level::kMust;
+  Depth from = Depth::kQuick;  // the least depth that runs it unless its exact name is asked for
 };
 
 // Vertices of a primitive, for a plot.
@@ -78,7 +78,7 @@ struct Repetition {
 struct TestRecord {
   std::string name;
   std::vector<RequirementId> requirements;
-  Level level = Level::must;
+  Level level = Level::kMust;
   Verdict verdict = Verdict::kInternalError;
   std::string message;  // the verdict in one line
   // The requirements in whose subject a fail found something wrong. They need not be requirements of the

@@ -43,7 +43,7 @@ constexpr bool is_bad(Verdict verdict) { return verdict <= Verdict::kFail; }
 // must: the acceptance interval; a failure outside of it. quality: the accuracy of good single precision, or
 // equal bits from commands that the specification calls equivalent; otherwise a warning. interpretation:
 // judged like must, by tests that select a reading. Ordered by weight.
-enum class Level { quality, interpretation, must };
+enum class Level { kQuality, kInterpretation, kMust };
 const char* name_of(Level level);
 std::optional<Level> level_named(std::string_view word);
 

@@ -30,12 +30,12 @@ void adopt_what_children_leave();
 class ChildProcess {
  public:
   // Keeps all that the process prints, or no more than kMostPrinted.
-  enum class Prints { unlimited, limited };
+  enum class Prints { kUnlimited, kLimited };
 
   // Standard input is empty; standard output and error are appended to `log` (empty: thrown away). Throws
   // std::runtime_error.
   ChildProcess(const std::vector<std::string>& command, const std::string& log,
-               Prints prints = Prints::unlimited);
+               Prints prints = Prints::kUnlimited);
   // Kills it if it still runs.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;

@@ -23,11 +23,11 @@ struct RunRequest {
   std::string name;               // of the output: the implementation's, or the user's label
   std::optional<Shard> shard;     // if `tests` are a part of all
   std::vector<ListedTest> tests;  // those to run
-  Depth depth = Depth::full;
+  Depth depth = Depth::kFull;
   std::vector<std::string> readings;  // NAME=READING, asked for
   std::uint32_t seed = 1;
   Limits limits;
-  int retries = 1;  // how often an unexpected fail is played again
+  int retries = 1;  // how often an unexpected fail is run again
   int jobs = 1;     // processes that share the tests (a pass over one shared context: always one)
   std::filesystem::path output;     // an existing folder
   std::string command;              // as the user typed it, for the record
@@ -42,13 +42,13 @@ struct RunRequest {
 };
 
 struct Progress {
-  std::string phase;  // "starting", "test", "confirming", "playing again", "searching a history"
+  std::string phase;  // "starting", "test", "confirming", "running again", "searching a history"
   std::size_t done = 0;
   std::size_t total = 0;
   std::string test;
 };
 
-// The most unexpected fails that are all played again. If there are more, one of each group of fails that
+// The most unexpected fails that are all run again. If there are more, one of each group of fails that
 // look alike is.
 inline constexpr std::size_t kMostPlayedAgain = 100;
 
@@ -59,7 +59,7 @@ inline constexpr std::size_t kMostPlayedAgain = 100;
 // full) the run ends, "interrupted" with the reason; CannotWrite where not even what was obtained can be
 // written: it is in records-NAME.jsonl.
 //
-// A fail that no baseline knows is played again, alone in a new process, up to `retries` times (see
+// A fail that no baseline knows is run again, alone in a new process, up to `retries` times (see
 // kMostPlayedAgain); a crash or timeout always once. What does not come out the same either shows
 // again behind tests that came before it, which the message and "history" then name, or it is a flake:
 // "flake" is true and "again" what came. It keeps its verdict, for that is what the library did.

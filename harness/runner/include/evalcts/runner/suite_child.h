@@ -1,4 +1,4 @@
-// The suite program as a child that plays a list of tests: what it reports while it runs, and how it ends.
+// The suite program as a child that runs a list of tests: what it reports while it runs, and how it ends.
 #pragma once
 
 #include <chrono>

@@ -31,7 +31,7 @@ class ExplicitControl {
 
   // The observed case, if there is one, has failed in `what` ("color.R of vertex 3"). Throws NotObservable if
   // explicit commands go wrong in the same attribute, in positions, or in the number of vertices. If `what`
-  // names no attribute, any mismatch of the controls counts. Plays the controls of a case once only.
+  // names no attribute, any mismatch of the controls counts. Runs the controls of a case once only.
   void require_explicit_vertices(const std::string& what);
 
  private:
@@ -54,7 +54,7 @@ class ExplicitControl {
 
   const Subject& subject_;
   std::optional<Observed> observed_;
-  std::vector<Mismatch> wrong_;  // of the controls, once they were played
+  std::vector<Mismatch> wrong_;  // of the controls, once they were run
 };
 
 }  // namespace evalcts

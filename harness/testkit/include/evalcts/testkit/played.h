@@ -1,4 +1,4 @@
-// A case that was played without a capture, and the checks on what it answered.
+// A case that was run without a capture, and the checks on what it answered.
 #pragma once
 
 #include <cstdint>

@@ -1,9 +1,9 @@
 // Registers tests: one for each combination of parameters, each through one or several deliveries.
 //
-//   EVALCTS_TEST(Map1State, Copy, must, "EV-MAP1-COPY")(Test& t) { t.play(...); };
+//   EVALCTS_TEST(Map1State, Copy, kMust, "EV-MAP1-COPY")(Test& t) { t.play(...); };
 //
 //   // "Map1Errors.StrideBelowK/MAP1_VERTEX_3", and so on; each as it is and through display lists
-//   EVALCTS_TEST(Map1Errors, StrideBelowK, must, "EV-MAP1-ERR-STRIDE",
+//   EVALCTS_TEST(Map1Errors, StrideBelowK, kMust, "EV-MAP1-ERR-STRIDE",
 //                combine(gl::kMap1Targets).by(gl::list_deliveries()))
 //   (Test& t, GLenum target) { ... };
 #pragma once
@@ -29,7 +29,7 @@ struct TestInfo {
   std::vector<RequirementId> requirements;
   Level level;
   std::function<void(Test&)> body;
-  Depth from = Depth::quick;  // the least depth that plays it unless its exact name is asked for
+  Depth from = Depth::kQuick;  // the least depth that runs it unless its exact name is asked for
 
   std::string full_name() const { return suite + "." + name; }
 };

@@ -1,4 +1,4 @@
-// Sees everything that a test plays, and writes the case that fails as a stand-alone C program: before each
+// Sees everything that a test runs, and writes the case that fails as a stand-alone C program: before each
 // case, so that a crash leaves the program of the case in flight, and with its check at the first failure.
 #pragma once
 
@@ -24,7 +24,7 @@ class Reproduction {
   // The implementation to run the test against.
   Implementation& implementation();
 
-  // A new case of the test: what was played before has nothing to do with it.
+  // A new case of the test: what was run before has nothing to do with it.
   void begin_case();
 
   // The check behind one of `all` mismatches that a capture showed. Which answer it rests on is found by

@@ -22,7 +22,7 @@ struct Subject {
   Implementation* implementation = nullptr;
   ImplementationInfo info;
   Captures* captures = nullptr;
-  Depth depth = Depth::full;
+  Depth depth = Depth::kFull;
   std::uint32_t seed = 1;
   std::set<std::string> crashing_calls;              // as gl::call_text writes them, see append_optional
   std::map<std::string, std::string> readings;       // of ambiguous text that are asked for, by its name

@@ -1,4 +1,4 @@
-// Tests: they name the requirements that they decide, play cases and report failures.
+// Tests: they name the requirements that they decide, run cases and report failures.
 #pragma once
 
 #include <cstdint>
@@ -60,7 +60,7 @@ class Test {
   }
 
   // True if the cases of this test go through display lists.
-  bool is_delivered_in_lists() const { return delivery_.lists != gl::Lists::none; }
+  bool is_delivered_in_lists() const { return delivery_.lists != gl::Lists::kNone; }
 
   // From now on a failure violates these requirements only, some of those of the test or of others; without
   // any, all of the test.
@@ -82,7 +82,7 @@ class Test {
   // command uses what another one gives.
   std::vector<gl::Ref> append_optional(gl::Case& c, const gl::Case& optional);
 
-  // Plays the case in a fresh context. Errors that the case leaves behind unasked are failures.
+  // Runs the case in a fresh context. Errors that the case leaves behind unasked are failures.
   Played play(const gl::Case& script);
 
   // Observes what the case emits through the first capture that can see it (in one test of 32, at
@@ -104,9 +104,9 @@ class Test {
   using OwnJudge = std::function<std::vector<Mismatch>(const Observation&)>;
   // The same, and fails for each mismatch that the test's own judge finds. What it looks at may come after
   // all lists of the case.
-  enum class Judged { in_lists, after_lists };
+  enum class Judged { kInLists, kAfterLists };
   void expect_observation(const gl::Case& script, Attributes required, std::size_t most_vertices,
-                          PrimitiveKinds kinds, const OwnJudge& judge, Judged judged = Judged::in_lists);
+                          PrimitiveKinds kinds, const OwnJudge& judge, Judged judged = Judged::kInLists);
 
   // Returns the outputs of a vertex shader of the test's own. Throws NotObservable.
   RecordedVaryings record_varyings(const gl::Case& script, const VaryingShader& shader,
@@ -122,7 +122,7 @@ class Test {
   void fail(Failure failure, const std::function<std::vector<std::string>()>& calls = {},
             const std::optional<gl::Check>& check = {}, const std::string& rule = {});
 
-  // Plays the test; called by the runner.
+  // Runs the test; called by the runner.
   void run(const std::function<void(Test&)>& body);
 
  private:

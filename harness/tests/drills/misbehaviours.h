@@ -1,5 +1,5 @@
-// Misdeeds of a library against the process that it is in, by name. EVALCTS_DRILL_FILE, if it matters, takes
-// the ids of processes that are started.
+// Misbehaviours of a library against the process that it is in, by name. EVALCTS_DRILL_FILE, if it matters,
+// takes the ids of processes that are started.
 #pragma once
 
 #include <fcntl.h>
@@ -20,7 +20,7 @@
 #include <string_view>
 #include <thread>
 
-namespace misdeeds {
+namespace misbehaviours {
 
 inline void crash() {
 #ifdef __SANITIZE_ADDRESS__
@@ -122,7 +122,7 @@ inline void change_arithmetic() {
 #endif
 }
 
-inline bool do_misdeed(std::string_view name) {
+inline bool misbehave(std::string_view name) {
   static const std::map<std::string_view, void (*)()> all = {
       {"crash", crash},
       {"abort", std::abort},
@@ -153,4 +153,4 @@ inline bool do_misdeed(std::string_view name) {
   return true;
 }
 
-}  // namespace misdeeds
+}  // namespace misbehaviours
