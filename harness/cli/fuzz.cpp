@@ -10,7 +10,7 @@
 
 #include <evalcts/fuzz/campaign.h>
 #include <evalcts/fuzz/events.h>
-#include <evalcts/fuzz/hunt.h>
+#include <evalcts/fuzz/search.h>
 #include <evalcts/results/text.h>
 #include <evalcts/runner/interruption.h>
 #include "command.h"
@@ -49,18 +49,18 @@ int fuzz(const FuzzOptions& options) {
   const FolderLock lock = claim(output, "evalcts fuzz");
   stop_when_asked();
   ProgressLine line;
-  fuzz::HuntRequest request = {.suite_program = places().suite_program,
-                               .implementation = {options.implementation, options.library, options.context},
-                               .name = options.implementation.empty() ? "library" : options.implementation,
-                               .seed = options.seed,
-                               .programs = options.programs,
-                               .seconds = options.seconds > 0 || options.programs ? options.seconds : 60,
-                               .length = options.length,
-                               .jobs = options.jobs.value_or(usual_jobs()),
-                               .fresh_contexts = options.fresh_contexts,
-                               .known = known_causes(),
-                               .output = output};
-  const fuzz::Hunt hunt = fuzz::hunt(request, [&](const fuzz::Hunt& now) {
+  fuzz::SearchRequest request = {.suite_program = places().suite_program,
+                                 .implementation = {options.implementation, options.library, options.context},
+                                 .name = options.implementation.empty() ? "library" : options.implementation,
+                                 .seed = options.seed,
+                                 .programs = options.programs,
+                                 .seconds = options.seconds > 0 || options.programs ? options.seconds : 60,
+                                 .length = options.length,
+                                 .jobs = options.jobs.value_or(usual_jobs()),
+                                 .fresh_contexts = options.fresh_contexts,
+                                 .known = known_causes(),
+                                 .output = output};
+  const fuzz::SearchResult found = fuzz::search(request, [&](const fuzz::SearchResult& now) {
     line.show("fuzz",
               fmt::format("{} programs, {} commands ({:.0f} a second), {} causes", now.programs, now.commands,
                           now.seconds > 0 ? static_cast<double>(now.commands) / now.seconds : 0.0,
@@ -68,30 +68,30 @@ int fuzz(const FuzzOptions& options) {
   });
   std::string text;
   std::size_t unexpected = 0;
-  for (const fuzz::Cause& cause : hunt.causes) {
+  for (const fuzz::Cause& cause : found.causes) {
     const bool known = !cause.known_as.empty();
     unexpected += !known;
     text += fmt::format("{} ({} of {} programs, {} first): {}\n  {}\n  {}\n",
-                        known ? "known as " + cause.known_as : "new", cause.times, hunt.programs,
+                        known ? "known as " + cause.known_as : "new", cause.times, found.programs,
                         cause.program, cause.cause, cause.finding.failure.message, cause.file);
   }
   text += fmt::format(
       "{}: seed {}: {} programs ({} judged, {} of them in full), {} commands in {:.1f} s; {} causes, {} of "
       "them new\n",
-      request.name, request.seed, hunt.programs, hunt.judged, hunt.in_full, hunt.commands, hunt.seconds,
-      hunt.causes.size(), unexpected);
-  if (hunt.not_repeated)
+      request.name, request.seed, found.programs, found.judged, found.in_full, found.commands, found.seconds,
+      found.causes.size(), unexpected);
+  if (found.not_repeated)
     text +=
         fmt::format("{} programs differed in a shared context only, not behind the programs before them\n",
-                    hunt.not_repeated);
-  if (hunt.slow) text += fmt::format("{} took too long, but not once more by themselves\n", hunt.slow);
+                    found.not_repeated);
+  if (found.slow) text += fmt::format("{} programs exceeded the time limit, but not when run again alone\n", found.slow);
   line.print(clean(text));
-  if (!hunt.cannot_start.empty())
-    return wrong_use(fmt::format("{}: {}", request.name, clean(hunt.cannot_start)));
+  if (!found.cannot_start.empty())
+    return wrong_use(fmt::format("{}: {}", request.name, clean(found.cannot_start)));
   if (interrupted) std::cerr << "evalcts: interrupted; what was found is in the output folder\n";
   if (unexpected > 0) return kUnexpected;
   if (!options.allow_unobserved &&
-      warn_if_mostly_unobserved(request.name, hunt.judged, hunt.programs, "programs"))
+      warn_if_mostly_unobserved(request.name, found.judged, found.programs, "programs"))
     return kWrongUse;
   return interrupted ? kWrongUse : kNothingUnexpected;
 }

@@ -27,9 +27,10 @@ struct Fault {
   std::string_view name;
   std::string_view implementation;  // that it is put into: see implementation_kinds(), or one of those below
   Level level;                      // at which a test has to detect it
-  std::string_view requirements;    // IDs (or halves, "ID/2-D") separated by blanks; a test of each detects the fault
-  std::string_view what;            // the mistake, in words
-  void (*inject)(Injection&);       // null: a mutation of production
+  std::string_view
+      requirements;       // IDs (or halves, "ID/2-D") separated by blanks; a test of each detects the fault
+  std::string_view what;  // the mistake, in words
+  void (*inject)(Injection&);  // null: a mutation of production
 };
 
 // The entry points without the fault.

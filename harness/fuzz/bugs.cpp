@@ -61,10 +61,10 @@ bool draws_very_much(const FailingCase& failing) {
 }
 
 // Reduces failing cases in child processes, and crashes by running candidates in processes of their own.
-class BugHunt {
+class BugSearch {
  public:
-  BugHunt(const RunResult& run, const BugRequest& request,
-          const std::function<void(std::size_t, std::size_t)>& progress)
+  BugSearch(const RunResult& run, const BugRequest& request,
+            const std::function<void(std::size_t, std::size_t)>& progress)
       : run_(run), request_(request), progress_(progress) {}
 
   std::map<std::string, Reduction> reduce_all() {
@@ -434,7 +434,7 @@ void find_bugs(RunResult& run, const BugRequest& request,
       static_cast<int>(std::clamp<std::int64_t>(run.implementation.max_eval_order.value_or(8), 8, 64));
   std::map<std::string, Reduction> reductions;
   if (run.pass == Pass::kFreshContexts) {
-    reductions = BugHunt(run, request, progress).reduce_all();
+    reductions = BugSearch(run, request, progress).reduce_all();
   } else {
     for (const TestRecord& test : run.tests)
       reductions[test.name] = {test.name, {}, "it depends on what was run before in the same context"};

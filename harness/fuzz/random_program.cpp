@@ -28,7 +28,7 @@ struct Parts {
   bool given_vertices = true, current_values = true, automatic_normals = true, disabling = true;
   bool meshes = true, lists = true, stack = true, errors = true, queries = true, other_unit = true;
   bool errors_in_lists = false;  // GetError follows each CallList then
-  bool daring = true;  // what crashes libraries: lists that call lists, queries of maps that are rejected
+  bool risky = true;  // what crashes libraries: lists that call lists, queries of maps that are rejected
 };
 
 bool makes_vertices(GLenum map) {
@@ -61,7 +61,7 @@ class ProgramWriter {
     kind_ = past || kind > 1 ? Kind::kPoints : kind == 0 ? Kind::kLines : Kind::kPolygons;
     hostile_ = dice_.one_in(4);
     choose_parts();
-    if (past) has_.daring = has_.errors_in_lists = false;
+    if (past) has_.risky = has_.errors_in_lists = false;
   }
 
   void write(int length) {
@@ -462,10 +462,10 @@ class ProgramWriter {
         c_.Enable(GL_COEFF);
         break;
       case 15:
-        if (has_.daring) c_.GetMapfv(GL_COEFF, GL_COEFF, gl::out<GLfloat>(8));
+        if (has_.risky) c_.GetMapfv(GL_COEFF, GL_COEFF, gl::out<GLfloat>(8));
         break;
       case 16:
-        if (has_.daring) c_.GetMapdv(target1, target2, gl::out<GLdouble>(8));
+        if (has_.risky) c_.GetMapdv(target1, target2, gl::out<GLdouble>(8));
         break;
       case 17:
         c_.Begin(GL_POLYGON + 20);
@@ -578,7 +578,7 @@ class ProgramWriter {
           if (has_.meshes) mesh();
           break;
         case 6:  // never itself
-          if (has_.daring && name > kFirstList)
+          if (has_.risky && name > kFirstList)
             call(kFirstList + static_cast<GLuint>(dice_.below(static_cast<int>(name - kFirstList))));
           break;
         case 7:

@@ -192,7 +192,7 @@ class Writer {
   void issue(std::size_t index) {
     const Command& command = commands_[index];
     std::map<std::size_t, std::string> places;  // position -> the array's name
-    std::string fates;
+    std::string after_calls;
     for (std::size_t i = 0; i < command.arguments.size(); ++i) {
       if (std::holds_alternative<Output>(command.arguments[i])) {
         line("  memset(array_{0}, 0xA5, sizeof array_{0});", index);
@@ -207,24 +207,24 @@ class Writer {
         case AfterCall::kKeep:
           break;
         case AfterCall::kOverwrite:
-          fates +=
+          after_calls +=
               fmt::format("  memset({0}.start, 0x4B, {0}.size); /* overwritten after the call */\n", name);
           break;
         case AfterCall::kUnmap:
-          fates += fmt::format(
+          after_calls += fmt::format(
               "  munmap({0}.base, {0}.usable + (size_t)sysconf(_SC_PAGESIZE)); /* unmapped after the "
               "call */\n",
               name);
           break;
         case AfterCall::kProtect:
-          fates += fmt::format(
+          after_calls += fmt::format(
               "  mprotect({0}.base, {0}.usable, PROT_NONE); /* protected after the call */\n", name);
           break;
       }
     }
     line("  {}{}", keeps(index) ? fmt::format("result_{} = ", index) : "",
          to_c(command, [&](std::size_t i) { return places.count(i) ? places[i] : std::string(); }));
-    text_ += fates;
+    text_ += after_calls;
   }
 
   // Returns an expression for a client array. Arrays with the same slot and size share their memory.

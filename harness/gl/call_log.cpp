@@ -47,7 +47,7 @@ std::string element(Scalar type, const std::byte* bytes) {
   return "";
 }
 
-const char* fate(AfterCall after) {
+const char* after_call(AfterCall after) {
   switch (after) {
     case AfterCall::kKeep:
       return "";
@@ -121,7 +121,7 @@ std::string argument(const Value& value, char kind, std::size_t most_elements) {
   }
   const Input& input = std::get<Input>(value);
   return fmt::format("({}[]){{{}}}{}", c_type(input.type), elements_of(input, most_elements),
-                     fate(input.after));
+                     after_call(input.after));
 }
 
 }  // namespace

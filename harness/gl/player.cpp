@@ -94,8 +94,8 @@ class ClientArray {
   }
   std::byte* data() { return pages_.end() - size_; }
 
-  void meet(AfterCall fate) {
-    switch (fate) {
+  void meet(AfterCall after_call) {
+    switch (after_call) {
       case AfterCall::kKeep:
         return;
       case AfterCall::kOverwrite:

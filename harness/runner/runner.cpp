@@ -430,7 +430,7 @@ class Run {
   // A crash in a command that defines or queries a map: the control with explicit vertices has no such
   // command, so that the crash is that of evaluators.
   static bool is_in_map_command(const ChildRun& run) {
-    if (!run.crash || run.hung || run.swelled) return false;
+    if (!run.crash || run.hung || run.over_memory) return false;
     return std::ranges::any_of(std::array{"glMap", "glGetMap", "glGetnMap"},
                                [&](const char* name) { return run.crash->call.starts_with(name); });
   }

@@ -18,7 +18,7 @@ constexpr double kMostToEnd = 2;  // seconds, once all tests are over: what it d
 
 std::string describe(const ChildRun& run, const Limits& limits) {
   if (run.hung) return fmt::format("no answer within {} seconds", limits.seconds_per_test);
-  if (run.swelled) return fmt::format("it used more than {} MiB of memory", limits.memory >> 20);
+  if (run.over_memory) return fmt::format("it used more than {} MiB of memory", limits.memory >> 20);
   std::string text = "the process ended with " + describe(run.ending);
   if (!run.crash) return text;
   if (!run.crash->call.empty())
@@ -61,7 +61,7 @@ bool SuiteChild::look(double seconds, const Deadline& deadline,
     run_.cut_short = true;
     process_.kill();
   } else if (process_.memory() > limits_.memory) {
-    run_.swelled = true;
+    run_.over_memory = true;
     process_.kill();
   } else if (std::chrono::duration<double>(Clock::now() - latest_event_).count() > patience) {
     run_.hung = !run_.complete;

@@ -85,9 +85,9 @@ TEST_P(CaseDeathTest, ReadingAfterTheCallCrashes) {
   reader.EvalCoord1f = late_reader;
   EXPECT_DEATH(play(read_later(GetParam()), reader), "");
 }
-INSTANTIATE_TEST_SUITE_P(Fates, CaseDeathTest, testing::Values(AfterCall::kUnmap, AfterCall::kProtect),
-                         [](const auto& fate) {
-                           return fate.param == AfterCall::kUnmap ? "unmap" : "protect";
+INSTANTIATE_TEST_SUITE_P(AfterCalls, CaseDeathTest, testing::Values(AfterCall::kUnmap, AfterCall::kProtect),
+                         [](const auto& after_call) {
+                           return after_call.param == AfterCall::kUnmap ? "unmap" : "protect";
                          });
 
 TEST(Case, OverwrittenArraysHoldOtherValuesAfterTheCall) {

@@ -33,7 +33,7 @@ TEST(Delivery, ReplacesMapsAndEvaluations) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(delivered(c, i), expected[i]) << curve_deliveries()[i].name;
 }
 
-// Also from what is not written in the f form, and with the fate of the points.
+// Also from what is not written in the f form, and with the after_call of the points.
 TEST(Delivery, WorksFromEveryForm) {
   Case c;
   c.Map1d(GL_MAP1_INDEX, 0.0, 1.0, 1, 1, array({1.0 / 3}, AfterCall::kProtect));

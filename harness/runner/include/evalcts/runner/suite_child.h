@@ -24,8 +24,8 @@ struct ChildRun {
   std::optional<Crash> crash;                             // of that test, as the child could report it
   std::map<std::string, std::vector<std::string>> cases;  // the identities of each test's, where traced
   bool hung = false;
-  bool swelled = false;    // it took more memory than it may
-  bool cut_short = false;  // by the end of the time for a search
+  bool over_memory = false;  // it took more memory than it may
+  bool cut_short = false;    // by the end of the time for a search
   bool complete = false;
   std::string cannot_write;  // why it could not report what it had found; empty if it could
   Ending ending;

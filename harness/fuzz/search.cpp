@@ -1,4 +1,4 @@
-#include <evalcts/fuzz/hunt.h>
+#include <evalcts/fuzz/search.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -43,20 +43,20 @@ std::uint32_t number_of(const std::string& program) {
   return static_cast<std::uint32_t>(std::stoul(program.substr(program.find(' ') + 1)));
 }
 
-class Hunter {
+class Searcher {
  public:
-  Hunter(const HuntRequest& request, const std::function<void(const Hunt&)>& progress)
+  Searcher(const SearchRequest& request, const std::function<void(const SearchResult&)>& progress)
       : request_(request), progress_(progress), scratch_(request.output / ("scratch-fuzz-" + request.name)) {}
 
-  Hunt run() {
+  SearchResult run() {
     remove_stale_files();
     fs::create_directory(scratch_);
     for (int k = 0; k < request_.jobs; ++k) start(k, static_cast<std::uint32_t>(k), programs_of(k));
     while (std::ranges::any_of(lanes_, [](const Lane& lane) { return lane.child != nullptr; })) look();
-    hunt_.seconds = seconds_since(begin_);
-    std::ranges::sort(hunt_.causes, {}, [](const Cause& cause) { return number_of(cause.program); });
+    found_.seconds = seconds_since(begin_);
+    std::ranges::sort(found_.causes, {}, [](const Cause& cause) { return number_of(cause.program); });
     fs::remove_all(scratch_);
-    return std::move(hunt_);
+    return std::move(found_);
   }
 
  private:
@@ -149,8 +149,8 @@ class Hunter {
       });
       if (ended) finish(static_cast<int>(k));
     }
-    hunt_.seconds = seconds_since(begin_);
-    progress_(hunt_);
+    found_.seconds = seconds_since(begin_);
+    progress_(found_);
   }
 
   void take(Lane& lane, const CampaignEvent& event) {
@@ -161,11 +161,11 @@ class Hunter {
     } else if (const auto* made = std::get_if<FindingMade>(&event)) {
       found(fmt::format("program {}", made->number), made->finding);
     } else if (const auto* now = std::get_if<CampaignProgress>(&event)) {
-      hunt_.programs += now->programs - lane.played.programs;
-      hunt_.commands += now->commands - lane.played.commands;
-      hunt_.judged += now->judged - lane.played.judged;
-      hunt_.in_full += now->in_full - lane.played.in_full;
-      hunt_.not_repeated += now->not_repeated - lane.played.not_repeated;
+      found_.programs += now->programs - lane.played.programs;
+      found_.commands += now->commands - lane.played.commands;
+      found_.judged += now->judged - lane.played.judged;
+      found_.in_full += now->in_full - lane.played.in_full;
+      found_.not_repeated += now->not_repeated - lane.played.not_repeated;
       lane.played = *now;
     }
   }
@@ -182,7 +182,8 @@ class Hunter {
       throw std::runtime_error(fmt::format("{}: {}", run.in_flight, last_line(scratch(k, "log"))));
     if (run.in_flight.empty()) {
       if (++empty_starts_ < kMostEmptyStarts) return start(k, last.first, last.programs);
-      hunt_.cannot_start = "it does not start: " + describe(run.ending) + "; " + last_line(scratch(k, "log"));
+      found_.cannot_start =
+          "it does not start: " + describe(run.ending) + "; " + last_line(scratch(k, "log"));
       return;
     }
     const std::uint32_t number = number_of(run.in_flight);
@@ -196,11 +197,11 @@ class Hunter {
       // It died on the way to the cause of another difference, which is looked for once more.
       std::vector<std::string> deadly = number == last.first ? last.deadly : std::vector<std::string>();
       deadly.push_back(in_flight);
-      hunt_.programs += done - 1 - last.played.programs;
+      found_.programs += done - 1 - last.played.programs;
       return start(k, number, left_behind(done - 1), std::move(deadly));
     }
     if (last.smaller) found(fmt::format("program {}", number), *last.smaller);
-    hunt_.programs += done - last.played.programs;
+    found_.programs += done - last.played.programs;
     start(k, number + static_cast<std::uint32_t>(request_.jobs), left_behind(done));
   }
 
@@ -222,7 +223,7 @@ class Hunter {
     int at = 0;
     // On a busy machine anything takes long now and then.
     if (run.hung && ends_alone(program, ++at, request_.seconds_per_program)) {
-      ++hunt_.slow;
+      ++found_.slow;
       return;
     }
     const double patience =
@@ -269,7 +270,7 @@ class Hunter {
   // The causes of deaths of this kind; all causes if `how` is empty.
   std::vector<std::string> causes_seen(const std::string& how) const {
     std::vector<std::string> seen;
-    for (const Cause& cause : hunt_.causes) seen.push_back(cause.cause);
+    for (const Cause& cause : found_.causes) seen.push_back(cause.cause);
     for (const auto& [cause, as] : request_.known) seen.push_back(cause);
     if (!how.empty())
       std::erase_if(seen, [&](const std::string& cause) { return !cause.ends_with(": " + how); });
@@ -290,8 +291,8 @@ class Hunter {
 
   void found(const std::string& program, const Finding& finding) {
     const std::string& cause = finding.cause;
-    auto known = std::ranges::find(hunt_.causes, cause, &Cause::cause);
-    if (known == hunt_.causes.end()) {
+    auto known = std::ranges::find(found_.causes, cause, &Cause::cause);
+    if (known == found_.causes.end()) {
       Cause fresh;
       fresh.cause = cause;
       fresh.program = program;
@@ -299,10 +300,10 @@ class Hunter {
       const auto as = request_.known.find(cause);
       if (as != request_.known.end()) fresh.known_as = as->second;
       if (finding.outside_evaluators) fresh.known_as = "a defect outside evaluators";
-      fresh.file =
-          (request_.output / fmt::format("fuzz-{}-{}.json", request_.name, hunt_.causes.size() + 1)).string();
-      hunt_.causes.push_back(std::move(fresh));
-      known = hunt_.causes.end() - 1;
+      fresh.file = (request_.output / fmt::format("fuzz-{}-{}.json", request_.name, found_.causes.size() + 1))
+                       .string();
+      found_.causes.push_back(std::move(fresh));
+      known = found_.causes.end() - 1;
       write(*known);
     }
     ++known->times;
@@ -328,20 +329,21 @@ class Hunter {
     fs::remove(events);
   }
 
-  const HuntRequest& request_;
-  const std::function<void(const Hunt&)>& progress_;
+  const SearchRequest& request_;
+  const std::function<void(const SearchResult&)>& progress_;
   const fs::path scratch_;
   const Clock::time_point begin_ = Clock::now();
   std::vector<Lane> lanes_;
-  Hunt hunt_;
+  SearchResult found_;
   int empty_starts_ = 0;
   int max_eval_order_ = 8;  // as the children know it
 };
 
 }  // namespace
 
-Hunt hunt(const HuntRequest& request, const std::function<void(const Hunt& now)>& progress) {
-  return Hunter(request, progress).run();
+SearchResult search(const SearchRequest& request,
+                    const std::function<void(const SearchResult& now)>& progress) {
+  return Searcher(request, progress).run();
 }
 
 }  // namespace evalcts::fuzz

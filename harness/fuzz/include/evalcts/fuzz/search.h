@@ -15,7 +15,7 @@
 
 namespace evalcts::fuzz {
 
-struct HuntRequest {
+struct SearchRequest {
   std::filesystem::path suite_program;
   ImplementationOptions implementation;
   std::string name;  // of the output
@@ -40,11 +40,11 @@ struct Cause {
   Finding finding;
 };
 
-struct Hunt {
+struct SearchResult {
   std::uint64_t programs = 0, commands = 0;
   std::uint64_t judged = 0, in_full = 0;  // programs of which something, or everything, could be observed
   std::uint64_t not_repeated = 0;         // that differed in a shared context only
-  std::uint64_t slow = 0;                 // that took too long, but not once more
+  std::uint64_t slow = 0;                 // that exceeded the time limit, but not when run again
   double seconds = 0;
   std::vector<Cause> causes;  // in the order of their first programs
   std::string cannot_start;   // why nothing was run; else empty
@@ -54,6 +54,7 @@ struct Hunt {
 // replayable program (JSON), the commands as text with what was expected and what came, and, where the
 // implementation has one, a stand-alone C program. Throws std::runtime_error where the output cannot be
 // written.
-Hunt hunt(const HuntRequest& request, const std::function<void(const Hunt& now)>& progress);
+SearchResult search(const SearchRequest& request,
+                    const std::function<void(const SearchResult& now)>& progress);
 
 }  // namespace evalcts::fuzz
