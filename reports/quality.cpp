@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <map>
-#include <vector>
+#include <string_view>
+#include <utility>
 
 #include "text.h"
 
@@ -25,6 +26,17 @@ std::string target_of(const TestRecord& test) {
   return test.name.substr(slash + 1, test.name.find('/', slash + 1) - slash - 1);
 }
 
+// Requirements whose tests of level quality demand equal bits, and the results that they compare.
+constexpr std::pair<std::string_view, std::string_view> kEqualBits[] = {
+    {"EV-API-V", "EvalCoord and its vector form"},
+    {"EV-AUTON-SAMEVERTEX", "AUTO_NORMAL on and off"},
+    {"EV-MESH1-SUBRANGE", "EvalMesh1 and its parts"},
+    {"EV-MESH2-MODESAGREE", "EvalMesh2, its parts and its modes"},
+    {"EV-NUM-DOMAINSHIFT", "a domain and the same domain moved"},
+    {"EV-NUM-START", "the first control point and the value there"},
+    {"EV-NUM-UNRELATEDMAPS", "maps with and without others"},
+    {"EV-POINT-LIKEMESH", "EvalPoint and EvalMesh"}};
+
 }  // namespace
 
 std::string single_precision_in_words(const RunResult& record) {
@@ -43,6 +55,24 @@ std::string single_precision_in_words(const RunResult& record) {
                                  count(is_good.size(), "target"));
   if (!worse.empty()) text += "; not for " + join(worse, ", ");
   return text;
+}
+
+std::string equal_bits_in_words(const RunResult& record) {
+  std::vector<std::string> compared;
+  for (const auto& [requirement, results] : kEqualBits) {
+    const auto warnings = std::ranges::count_if(record.tests, [&, id = requirement](const TestRecord& test) {
+      return test.level == Level::kQuality && test.verdict == Verdict::kQualityWarning && decides(test, id);
+    });
+    if (warnings > 0)
+      compared.push_back(fmt::format("{} ({})", results, count(static_cast<std::size_t>(warnings), "test")));
+  }
+  return compared.empty() ? "" : "bits differ between " + join(compared, ", ");
+}
+
+std::vector<std::string> quality_in_words(const RunResult& record) {
+  std::vector<std::string> lines = {single_precision_in_words(record), equal_bits_in_words(record)};
+  std::erase(lines, "");
+  return lines;
 }
 
 }  // namespace evalcts::reports

@@ -5,6 +5,7 @@
 #include <evalcts/testkit/registration.h>
 #include "checked_case.h"
 #include "dimensions.h"
+#include "refusal.h"
 
 namespace evalcts::suite_enables {
 namespace {
@@ -91,20 +92,24 @@ EVALCTS_TEST(Enables, BetweenBeginAndEnd, kMust, "EV-EN-BEGINEND",
 (Test& t, GLenum cap) {
   struct Attempt {
     const char* name;
-    bool on_before;
+    bool on_before, is_query;
     gl::Ref (*call)(gl::Case&, GLenum);
   };
   for (const Attempt& attempt :
-       {Attempt{"Enable", false, [](gl::Case&c, GLenum which) { return c.Enable(which); }},
-        Attempt{"Disable", true, [](gl::Case&c, GLenum which) { return c.Disable(which); }},
-        Attempt{"IsEnabled", true, [](gl::Case&c, GLenum which) { return c.IsEnabled(which); }}}) {
+       {Attempt{"Enable", false, false, [](gl::Case&c, GLenum which) { return c.Enable(which); }},
+        Attempt{"Disable", true, false, [](gl::Case&c, GLenum which) { return c.Disable(which); }},
+        Attempt{"IsEnabled", true, true, [](gl::Case&c, GLenum which) { return c.IsEnabled(which); }}}) {
     CheckedCase c(t, attempt.name);
     if (attempt.on_before) c.Enable(cap);
     c.Begin(GL_TRIANGLES);
     const gl::Ref inside = attempt.call(c, cap);
     c.End();
+    const gl::Ref error = c.GetError();
+    c.expect([&](Played& played) {
+      if (!attempt.is_query) return played.expect_error(error, {GL_INVALID_OPERATION});
+      expect_error_of_query(t, played, error, [](gl::Case& other) { other.IsEnabled(GL_LIGHTING); });
+    });
     c.expect_result(inside, 0);
-    c.expect_error(GL_INVALID_OPERATION);
     c.expect_enabled(cap, attempt.on_before);
     c.check();
   }

@@ -29,6 +29,14 @@ std::vector<NamedCalls> forbidden() {
   return all;
 }
 
+// The query of state that is not the evaluators' that is the control of this one; empty for other commands.
+Calls control_of(const std::string& command) {
+  if (command == "IsEnabled") return [](gl::Case& c) { c.IsEnabled(GL_LIGHTING); };
+  if (command.starts_with("GetMap"))
+    return [](gl::Case& c) { c.GetIntegerv(GL_MATRIX_MODE, gl::out<GLint>(1)); };
+  return {};
+}
+
 // Vertex maps of both dimensions, and grids.
 void enable_vertices(Test& t, gl::Case& c) {
   define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
@@ -66,7 +74,11 @@ EVALCTS_TEST(Ordering, ForbiddenInPrimitives, kMust, "EV-BE-ALLOWED", "EV-BE-IGN
   command.issue(c);
   c.EvalCoord1f(0.75f);
   c.End();
-  c.expect_error(GL_INVALID_OPERATION);
+  const gl::Ref error = c.GetError();
+  c.expect([&, other = control_of(command.name)](Played& played) {
+    if (!other) return played.expect_error(error, {GL_INVALID_OPERATION});
+    expect_error_of_query(t, played, error, other);
+  });
   c.expect_no_error();
   c.expect_unchanged(before);
   c.check();

@@ -33,6 +33,20 @@ void prepare(gl::Case& c, Prepared prepared, bool odd_enabled) {
   c.GetError();  // an error of these legal calls is for other tests to find
 }
 
+void expect_error_of_query(Test& t, Played& played, gl::Ref error, const Calls& other) {
+  if (played.trace().error(error) == GL_NO_ERROR) {
+    gl::Case c(gl::control("another query between Begin and End"));
+    c.Begin(GL_POINTS);
+    c.Vertex3f(0, 0, 0);
+    other(c);
+    c.End();
+    const gl::Ref of_other = c.GetError();
+    if (t.play(c).trace().error(of_other) == GL_NO_ERROR)
+      throw NotObservable("queries of other state raise no error between Begin and End, either");
+  }
+  played.expect_error(error, {GL_INVALID_OPERATION});
+}
+
 std::vector<NamedCalls> allowed_in_primitives() {
   return {
       {"EvalCoord1f", [](gl::Case& c) { c.EvalCoord1f(0.5f); }},

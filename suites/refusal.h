@@ -35,6 +35,11 @@ void prepare(gl::Case& c, Prepared prepared, bool odd_enabled);
 void expect_refused(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,
                     std::initializer_list<GLenum> allowed, Prepared prepared = Prepared::kEverything);
 
+// Checks the error of a query between Begin and End. Where it raises none, `other`, a query of state that is
+// not the evaluators', is run in its place: if that raises none either, the queries of the library are at
+// fault, and NotObservable is thrown.
+void expect_error_of_query(Test& t, Played& played, gl::Ref error, const Calls& other);
+
 // --- Bad maps --------------------------------------------------------------------------------------------
 
 // A legal map, to be spoiled by the test. Memory for much more than it needs stands behind it (for order 65

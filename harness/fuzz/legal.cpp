@@ -115,4 +115,16 @@ std::optional<Specified> specify_if_defined(const gl::Case& program, int max_eva
   return specified;
 }
 
+gl::Case with_errors_asked_for(const gl::Case& program, int max_eval_order) {
+  const Specified specified = specify(program, max_eval_order);
+  const std::vector<gl::Command>& commands = program.commands();
+  gl::Case asking(program.identity());
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    asking.add(commands[i]);
+    const bool is_asked = i + 1 < commands.size() && commands[i + 1].entry == EntryPoint::GetError;
+    if (!specified.errors[i].empty() && !is_asked) asking.GetError();
+  }
+  return asking;
+}
+
 }  // namespace evalcts::fuzz

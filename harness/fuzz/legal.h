@@ -13,4 +13,9 @@ namespace evalcts::fuzz {
 // and is asked for before the next one is raised (an implementation may keep several).
 std::optional<Specified> specify_if_defined(const gl::Case& program, int max_eval_order);
 
+// Returns the program with a GetError behind each command that raises an error and is followed by none:
+// errors of lists that are called twice come before they are asked for. Commands that raise errors inside
+// Begin and End leave the program undefined still.
+gl::Case with_errors_asked_for(const gl::Case& program, int max_eval_order);
+
 }  // namespace evalcts::fuzz

@@ -21,7 +21,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kMostAttempts = 150;  // to make one program smaller
+constexpr int kMostAttempts = 150;          // to make one program smaller
+constexpr double kShareOfLargeCase = 0.05;  // of the time, for one case that draws very much
 constexpr auto kReportReductionEvery = std::chrono::milliseconds(500);
 
 // The causes of programs that random search found: most failures are of one of them.
@@ -47,6 +48,7 @@ class CaseReducer {
                   .takes_off = [this](const gl::Case& candidate) { return keeps_its_grid(candidate); }}) {}
 
   Reduction reduce(const FailingCase& failing) {
+    is_large_ = false;
     if (is_over()) return not_reduced(failing, kOutOfTime);
     if (failing.commands.empty())
       return not_reduced(failing, "the test compares several cases, or its case has no plain form as data");
@@ -62,7 +64,9 @@ class CaseReducer {
     const bool is_answer = kind_of(failing.what).starts_with("gl");
     const Look look = is_answer ? Look::kAnswers : Look::kVertices;
     std::optional<Finding> found;
-    if (vertices_of(program) > kMostVertices)
+    is_large_ = vertices_of(program) > kMostVertices;
+    case_begin_ = Clock::now();
+    if (is_large_)
       program = excerpt_of(program, [&](const gl::Case& part) {
         report_now_and_then();
         if (is_over() || !keeps_its_grid(part)) return false;
@@ -72,6 +76,7 @@ class CaseReducer {
         return true;
       });
     if (!found) {
+      if (!specify_if_defined(program, max_order_)) program = with_errors_asked_for(program, max_order_);
       const std::optional<Specified> specified = specify_if_defined(program, max_order_);
       if (!specified)
         return not_reduced(failing, "the specification does not define everything that its case does");
@@ -119,7 +124,11 @@ class CaseReducer {
   }
 
   bool is_over() const {
-    return seconds_ > 0 && std::chrono::duration<double>(Clock::now() - begin_).count() >= seconds_;
+    const auto seconds_since = [](Clock::time_point begin) {
+      return std::chrono::duration<double>(Clock::now() - begin).count();
+    };
+    return seconds_ > 0 && (seconds_since(begin_) >= seconds_ ||
+                            (is_large_ && seconds_since(case_begin_) >= kShareOfLargeCase * seconds_));
   }
 
   // The case alone does not differ from the executable specification.
@@ -148,6 +157,8 @@ class CaseReducer {
   const std::function<void(const ReductionEvent&)>& report_;
   const Clock::time_point begin_ = Clock::now();
   Clock::time_point reported_ = begin_;
+  Clock::time_point case_begin_ = begin_;
+  bool is_large_ = false;  // the case that is reduced draws very much
   const gl::Table table_;
   const int max_order_;
   std::unique_ptr<SharedContext> shared_;  // may be null

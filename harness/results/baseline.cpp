@@ -7,6 +7,7 @@
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include <evalcts/results/files.h>
 
@@ -133,18 +134,19 @@ const BaselineFiles* find(const std::vector<BaselineFiles>& all, const std::stri
   return found == all.end() ? nullptr : &*found;
 }
 
-// Appends "# text", wrapped at 100 columns; reading joins the lines again.
+// Appends "# text", wrapped at 100 columns, with "bug: ID." on a line of its own; reading joins the lines
+// again.
 void append_comment(const std::string& text, std::string& out) {
   std::string line = "#";
   std::istringstream words(text);
+  const auto end_line = [&] { out += std::exchange(line, "#") + "\n"; };
   for (std::string word; words >> word;) {
-    if (line.size() + word.size() > 99) {
-      out += line + "\n";
-      line = "#";
-    }
+    const bool is_bug = line == "# bug:";
+    if (line.size() + word.size() > 99) end_line();
     line += " " + word;
+    if (is_bug) end_line();
   }
-  out += line + "\n";
+  if (line != "#") end_line();
 }
 
 }  // namespace

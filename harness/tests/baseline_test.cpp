@@ -247,9 +247,10 @@ TEST_F(Baselines, OfTheSecondPassHoldOnlyWhatIsNews) {
 }
 
 TEST_F(Baselines, RenewedOnesKeepReasonsAndReadBack) {
-  write("m-fails.txt", std::string(kHeader) +
-                           "# a reason that is long enough to be wrapped when it is written, because "
-                           "it has many words in it\nA.B,Fail\n\n# fixed by now\nA.C,Fail\n");
+  write("m-fails.txt",
+        std::string(kHeader) +
+            "# bug: some-bug.\n# a reason that is long enough to be wrapped when it is "
+            "written, because it has many words in it\nA.B,Fail\n\n# fixed by now\nA.C,Fail\n");
   const RunResult result = record(
       {test("A.B", Verdict::kFail, {"x"}), test("A.C", Verdict::kPass), test("A.D", Verdict::kTimeout)});
   const Baseline before = read("m");
@@ -259,6 +260,7 @@ TEST_F(Baselines, RenewedOnesKeepReasonsAndReadBack) {
   EXPECT_EQ(after.entries().at("A.B").reason, before.entries().at("A.B").reason);
   EXPECT_EQ(after.entries().at("A.B").signatures.at("quick"), result.tests[0].signature());
   EXPECT_EQ(after.entries().at("A.D").status, "Timeout");
+  EXPECT_TRUE(contains(read_file(folder_ / "m-fails.txt"), "\n# bug: some-bug.\n# a reason that"));
   EXPECT_EQ(find(result.implementation).name(), "m");
 }
 

@@ -15,6 +15,7 @@
 #include <evalcts/results/baseline.h>
 #include <evalcts/results/known_bugs.h>
 #include <evalcts/results/requirements.h>
+#include "fuzz/legal.h"
 
 namespace evalcts::fuzz {
 namespace {
@@ -272,6 +273,16 @@ TEST(Reductions, GoThroughTheirText) {
   ASSERT_EQ(cases.size(), 1u);
   EXPECT_EQ(cases[0].commands, "[]");
   EXPECT_THROW(parse_failing_cases("{]"), std::invalid_argument);
+}
+
+TEST(Legal, ErrorsOfAListThatIsCalledTwiceCanBeAskedFor) {
+  const gl::Case program = gl::parse_case(
+      R"([["NewList", 1, "GL_COMPILE"], ["Map1f", "GL_MAP1_VERTEX_3", 0, 1, 2, 1, {"f32": [0, 0, 0]}], ["EndList"],
+          ["CallList", 1], ["CallList", 1], ["GetError"]])");
+  EXPECT_FALSE(specify_if_defined(program, kMaxOrder));
+  const gl::Case asking = with_errors_asked_for(program, kMaxOrder);
+  EXPECT_TRUE(specify_if_defined(asking, kMaxOrder));
+  EXPECT_EQ(asking.commands().size(), program.commands().size() + 1);
 }
 
 // --- known bugs --------------------------------------------------------------------------------------------

@@ -51,8 +51,7 @@ std::string about(const Column& column) {
   if (record.status && !record.is_complete())
     parts.push_back(fmt::format("**{}**", name_of(*record.status)) +
                     (record.reason.empty() ? "" : ": " + markdown_code(record.reason)));
-  if (const std::string quality = single_precision_in_words(record); !quality.empty())
-    parts.push_back(markdown_code(quality));
+  for (const std::string& quality : quality_in_words(record)) parts.push_back(markdown_code(quality));
   return parts.empty() ? "" : fmt::format("* {}: {}\n", markdown_code(column.label), join(parts, ", "));
 }
 

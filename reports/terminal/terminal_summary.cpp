@@ -376,7 +376,7 @@ std::string terminal_summary(const RunResult& record, const Catalogue& catalogue
   if (!record.stale_baseline_entries.empty())
     screen.line("stale in the baseline, no such test: " + join(record.stale_baseline_entries, ", "),
                 Colour::kYellow);
-  if (const std::string quality = single_precision_in_words(record); !quality.empty())
+  for (const std::string& quality : quality_in_words(record))
     screen.whole_line("quality: " + quality, Colour::kFaint);
   write_baseline(screen, record);
   write_last_line(screen, record);
