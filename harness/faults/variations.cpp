@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <thread>
 
 #include <evalcts/runner/interruption.h>
@@ -60,18 +61,22 @@ class VariationTrial {
 
  private:
   DetectionBehind detect(const ListedFault& variation, const ListedFault& fault, const Verdicts& varied) {
-    // Tests that show the fault by itself, and pass in full with the variation alone.
+    // Tests that show the fault by itself, and pass with the variation alone. Those that pass in part may
+    // show it in what is seen; only the others must.
     std::vector<std::string> tests;
+    std::set<std::string> in_full;
     DetectionBehind detection{fault.name, DetectionBehind::Outcome::kNotVisible, "",
                               fmt::format("no test detects it on {} itself", variation.implementation)};
     for (const auto& [name, record] : with_fault(variation, fault)) {
       const auto found = varied.find(name);
       if (!record.is_bad() || unmodified(variation).at(name).is_bad() || found == varied.end()) continue;
-      if (found->second.verdict == Verdict::kPass && found->second.unobserved.empty())
-        tests.push_back(name);
-      else if (tests.empty())
-        detection.reason =
-            fmt::format("{} is not observed in full: {}", name, unobserved_part(found->second));
+      const TestRecord& alone = found->second;
+      const bool passes = alone.verdict == Verdict::kPass;
+      if (passes) tests.push_back(name);
+      if (passes && alone.unobserved.empty())
+        in_full.insert(name);
+      else if (in_full.empty())
+        detection.reason = fmt::format("{} is not observed in full: {}", name, unobserved_part(alone));
     }
     if (tests.empty()) return detection;
     const Verdicts both = play_all(variation, variation.name + "-" + fault.name,
@@ -81,15 +86,16 @@ class VariationTrial {
         detection.outcome = DetectionBehind::Outcome::kDetected;
         detection.test = name;
       }
+    if (!detection.test.empty() || in_full.empty()) return detection;
     // A fault of explicit vertices, too, takes the proof of what is left to see with: every test says so.
-    const auto is_undecided = [](const auto& entry) {
-      return entry.second.verdict == Verdict::kNotObservable;
+    const auto is_undecided = [&](const auto& entry) {
+      return entry.second.verdict == Verdict::kNotObservable || !in_full.contains(entry.first);
     };
-    if (detection.test.empty() && (both.empty() || !std::ranges::all_of(both, is_undecided)))
+    const auto shown = both.find(*in_full.begin());
+    if (shown == both.end() || !std::ranges::all_of(both, is_undecided))
       detection.outcome = DetectionBehind::Outcome::kSurvives;
-    else if (detection.test.empty())
-      detection.reason =
-          fmt::format("with the fault, {}: {}", both.begin()->first, unobserved_part(both.begin()->second));
+    else
+      detection.reason = fmt::format("with the fault, {}: {}", shown->first, unobserved_part(shown->second));
     return detection;
   }
 

@@ -93,6 +93,15 @@ TEST_F(Faults, VariationWithoutColoursPassesInPart) {
       << tried.detections.at(0).reason;
 }
 
+// Positions alone show it, in tests that pass in part.
+TEST_F(Faults, FaultIsDetectedInThePartThatIsSeen) {
+  const TriedVariation tried = try_variation(scratch_, "PositionOnly", {}, {"Map1Values.Domain"},
+                                             fault("SymmetricDomainTakenForUnit", {"EV-MAP1-DOMAIN"}));
+  EXPECT_TRUE(tried.is_good()) << as_markdown({tried});
+  EXPECT_EQ(tried.passed, tried.passed_in_part);
+  EXPECT_EQ(tried.detections.at(0).outcome, DetectionBehind::Outcome::kDetected) << as_markdown({tried});
+}
+
 TEST_F(Faults, TestThatFailsOnAVariationIsAFalseAlarm) {
   const ListedFault none = fault("OrderZeroTaken", {});
   const std::vector<std::string> points = {"Mesh2.Points"};

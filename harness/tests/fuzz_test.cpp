@@ -387,6 +387,18 @@ TEST_F(FuzzCommand, SaysWhatItNeeds) {
   EXPECT_EQ(fuzz({"--library", "/no/such/library.so", "--programs", "1"}).code, 2);
 }
 
+// The drill library lacks most commands.
+TEST_F(FuzzCommand, LittleThatIsObservedIsNoPass) {
+  setenv("EVALCTS_DRILL", "nothing", 1);
+  std::vector<std::string> arguments = {"--implementation", "osmesa",     "--library",
+                                        DRILL_LIBRARY,      "--programs", "40"};
+  const Outcome outcome = fuzz(arguments);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_TRUE(contains(outcome.text, "of 40 programs could be observed: this is no pass")) << outcome.text;
+  arguments.emplace_back("--allow-unobserved");
+  EXPECT_EQ(fuzz(arguments).code, 0);
+}
+
 TEST_F(FuzzCommand, ProductionHoldsOut) {
   // Findings of an earlier call go; files with similar names stay.
   for (const char* file : {"fuzz-production-1.json", "fuzz-production-1.c", "fuzz-production-old-1.json"})

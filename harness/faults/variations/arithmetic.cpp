@@ -31,6 +31,8 @@ struct Changed {
 };
 std::map<GLenum, Changed> changed_maps;
 
+constexpr GLint kMaxOrder = 64;  // MAX_EVAL_ORDER of production
+
 bool is_two_dimensional(GLenum target) { return target >= GL_MAP2_COLOR_4 && target <= GL_MAP2_VERTEX_4; }
 bool is_target(GLenum target, bool two) {
   return (target >= GL_MAP1_COLOR_4 && target <= GL_MAP1_VERTEX_4 && !two) ||
@@ -46,13 +48,17 @@ void issue(GLenum target, const Changed& map, const std::vector<GLfloat>& points
     unvaried.Map1f(target, map.u1, map.u2, k, map.uorder, points.data());
 }
 
-// Points are changed outside of primitives and lists, with unit 0 active: elsewhere a definition is an error,
-// or comes later.
-bool may_change() {
-  if (remembered.inside || remembered.compiling) return false;
+// True if the definition of a map takes effect at once: other ones are rejected or compiled.
+bool is_defined(GLenum target, bool two, bool valid) {
+  if (!is_target(target, two) || !valid || remembered.inside || remembered.compiling) return false;
   GLint unit = GL_TEXTURE0;
   if (unvaried.ActiveTexture) unvaried.GetIntegerv(GL_ACTIVE_TEXTURE, &unit);
   return unit == GL_TEXTURE0;
+}
+
+// The arguments of one direction.
+bool are_valid(double u1, double u2, GLint stride, GLint order, GLenum target) {
+  return u1 != u2 && stride >= gl::components_of(target) && order >= 1 && order <= kMaxOrder;
 }
 
 void define(GLenum target, const Changed& map) {
@@ -64,9 +70,15 @@ void define(GLenum target, const Changed& map) {
 
 // Lists and other contexts find maps as they were given.
 void take_back() {
-  if (remembered.inside) return;
+  if (remembered.inside || remembered.compiling || changed_maps.empty()) return;
+  GLint unit = GL_TEXTURE0;  // with any other, the definitions would be errors
+  if (unvaried.ActiveTexture) {
+    unvaried.GetIntegerv(GL_ACTIVE_TEXTURE, &unit);
+    unvaried.ActiveTexture(GL_TEXTURE0);
+  }
   for (const auto& [target, map] : changed_maps) issue(target, map, map.points);
   changed_maps.clear();
+  if (unvaried.ActiveTexture) unvaried.ActiveTexture(static_cast<GLenum>(unit));
 }
 
 template <class T>
@@ -85,8 +97,7 @@ EVALCTS_VARIATION(OtherArithmetic, "production",
                   "results are those of control points that are off by up to 2 parts in 10^6", "") {
   changed_maps.clear();
   v.gl.Map1f = [](GLenum t, GLfloat u1, GLfloat u2, GLint s, GLint o, const GLfloat* p) {
-    if (!is_target(t, false) || u1 == u2 || s < gl::components_of(t) || o < 1 || o > 30 || !may_change())
-      return unvaried.Map1f(t, u1, u2, s, o, p);
+    if (!is_defined(t, false, are_valid(u1, u2, s, o, t))) return unvaried.Map1f(t, u1, u2, s, o, p);
     Changed map{u1, u2, 0, 1, o, 1, {}};
     for (GLint i = 0; i < o; ++i)
       map.points.insert(map.points.end(), p + std::ptrdiff_t{i} * s,
@@ -95,25 +106,24 @@ EVALCTS_VARIATION(OtherArithmetic, "production",
   };
   v.gl.Map2f = [](GLenum t, GLfloat u1, GLfloat u2, GLint us, GLint uo, GLfloat v1, GLfloat v2, GLint vs,
                   GLint vo, const GLfloat* p) {
-    const int k = is_target(t, true) ? gl::components_of(t) : 0;
-    if (k == 0 || u1 == u2 || v1 == v2 || us < k || vs < k || uo < 1 || vo < 1 || uo > 30 || vo > 30 ||
-        !may_change())
+    if (!is_defined(t, true, are_valid(u1, u2, us, uo, t) && are_valid(v1, v2, vs, vo, t)))
       return unvaried.Map2f(t, u1, u2, us, uo, v1, v2, vs, vo, p);
     Changed map{u1, u2, v1, v2, uo, vo, {}};
     for (GLint i = 0; i < uo; ++i)
       for (GLint j = 0; j < vo; ++j) {
         const GLfloat* const point = p + std::ptrdiff_t{i} * us + std::ptrdiff_t{j} * vs;
-        map.points.insert(map.points.end(), point, point + k);
+        map.points.insert(map.points.end(), point, point + gl::components_of(t));
       }
     define(t, map);
   };
   v.gl.Map1d = [](GLenum t, GLdouble u1, GLdouble u2, GLint s, GLint o, const GLdouble* p) {
-    if (!remembered.inside && !remembered.compiling) take_back();
+    if (is_defined(t, false, are_valid(u1, u2, s, o, t))) changed_maps.erase(t);
     unvaried.Map1d(t, u1, u2, s, o, p);
   };
   v.gl.Map2d = [](GLenum t, GLdouble u1, GLdouble u2, GLint us, GLint uo, GLdouble v1, GLdouble v2, GLint vs,
                   GLint vo, const GLdouble* p) {
-    if (!remembered.inside && !remembered.compiling) take_back();
+    if (is_defined(t, true, are_valid(u1, u2, us, uo, t) && are_valid(v1, v2, vs, vo, t)))
+      changed_maps.erase(t);
     unvaried.Map2d(t, u1, u2, us, uo, v1, v2, vs, vo, p);
   };
   v.gl.NewList = [](GLuint list, GLenum mode) {

@@ -99,8 +99,8 @@ struct TriedVariation {
 
 // Runs all tests against each variation, at quick depth, and the tests of each fault with that fault behind
 // the variation. A test that does not pass on the implementation without variation says nothing. A fault is
-// visible behind a variation if some test of its requirements, that fails with the fault alone, passes with
-// the variation alone, and is not not-observable with both.
+// visible behind a variation if some test of its requirements, that fails with the fault alone, passes in
+// full with the variation alone, and is not not-observable with both.
 std::vector<TriedVariation> try_variations(
     const TableRequest& request, const std::vector<ListedFault>& variations,
     const std::function<void(std::size_t done, const std::string& variation)>& progress);
