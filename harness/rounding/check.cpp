@@ -219,6 +219,34 @@ class Production {
     if (glevEvaluateMesh(plan_, &mesh) != GLEV_SUCCESS) throw std::logic_error("a mesh is rejected");
   }
 
+  // `count` patches like the map, of which `points` are the control points, at all points of grids over the
+  // domain.
+  void patches(const Map& map, const std::vector<double>& points, std::size_t count,
+               const std::array<int, 2>& segments, std::vector<float>& results) {
+    const std::vector<float> floats(map.is_float ? points.begin() : points.end(), points.end());
+    glev_patches patches{};
+    patches.size = sizeof patches;
+    patches.count = count;
+    patches.components = static_cast<std::size_t>(map.components);
+    patches.uorder = map.uorder;
+    patches.vorder = map.vorder;
+    patches.type = map.is_float ? GLEV_FLOAT : GLEV_DOUBLE;
+    patches.points = map.is_float ? static_cast<const void*>(floats.data()) : points.data();
+    patches.points_size = map.is_float ? floats.size() * sizeof(float) : points.size() * sizeof(double);
+    patches.u1 = map.domain[0], patches.u2 = map.domain[1], patches.v1 = map.domain[2],
+    patches.v2 = map.domain[3];
+    glev_patch_grid grid{};
+    grid.size = sizeof grid;
+    grid.u_segments = segments[0];
+    grid.v_segments = segments[1];
+    grid.target = target_.c_str();
+    const glev_output output = output_of(results, map.components);
+    const glev_attribute_output outputs = {GLEV_ATTRIBUTE_VERTEX, &output};
+    scratch_.resize(glevGetPatchScratchSize(&patches, &grid));
+    if (glevEvaluatePatches(&patches, &grid, &outputs, 1, scratch_.data(), scratch_.size()) != GLEV_SUCCESS)
+      throw std::logic_error("patches are rejected");
+  }
+
   std::array<float, 4> coord(bool two_dimensional, double u, double v) {
     glevBegin(context_, GLEV_POINTS);
     two_dimensional ? glevEvalCoord2d(context_, u, v) : glevEvalCoord1d(context_, u);
@@ -331,7 +359,9 @@ class Item {
         map_(random_map(request.what, random_)) {}
 
   Outcome run(std::size_t count) {
-    if (random_.once_in(3)) {
+    if (random_.once_in(6)) {
+      on_patches(count);
+    } else if (random_.once_in(3)) {
       on_grid(count);
     } else {
       at_arguments(count);
@@ -438,6 +468,44 @@ class Item {
         for (int k = 0; k < map_.components; ++k)
           compare(*side, "EvalPoint", u[i], row, k, values[k], expected[k][i]);
       }
+    }
+  }
+
+  // The map among other patches, which are evaluated side by side.
+  void on_patches(std::size_t count) {
+    const auto most =
+        two_dimensional_ ? static_cast<std::uint64_t>(std::sqrt(static_cast<double>(count))) : count;
+    const auto segments = [&] {
+      const std::uint64_t few =
+          random_.once_in(2) ? std::uint64_t{1} << random_.below(7) : 1 + random_.below(most);
+      return static_cast<std::int64_t>(std::min(few, most - 1));
+    };
+    const std::int64_t in_u = segments(), in_v = two_dimensional_ ? segments() : 1;
+    grid_ = {Grid{in_u, map_.domain[0], map_.domain[1]}, Grid{in_v, map_.domain[2], map_.domain[3]}};
+    std::vector<double> u, v;
+    for (std::int64_t j = 0; j <= (two_dimensional_ ? in_v : 0); ++j) {
+      for (std::int64_t i = 0; i <= in_u; ++i) {
+        u.push_back(static_cast<double>(i));
+        if (two_dimensional_) v.push_back(static_cast<double>(j));
+      }
+    }
+    const std::vector<std::vector<float>> expected = right(u, v);
+    const std::size_t patches = 1 + random_.below(20), own = random_.below(patches);
+    std::vector<double> points;
+    for (std::size_t p = 0; p < patches; ++p) {
+      Map other = map_;
+      if (p != own)
+        is_tie_rich(request_.what) ? draw_tie_rich_points(other, request_.what, random_)
+                                   : draw_points(other, request_.what, random_);
+      points.insert(points.end(), other.points.begin(), other.points.end());
+    }
+    const std::size_t values = u.size() * static_cast<std::size_t>(map_.components);
+    std::vector<float> all(patches * values);
+    for (const auto& side : sides_) {
+      side->patches(map_, points, patches,
+                    {static_cast<int>(in_u), two_dimensional_ ? static_cast<int>(in_v) : 0}, all);
+      const auto first = all.begin() + static_cast<std::ptrdiff_t>(own * values);
+      compare_all(*side, "patches", u, v, {first, first + static_cast<std::ptrdiff_t>(values)}, expected);
     }
   }
 

@@ -175,7 +175,39 @@ PatchSide patch_side(const Model& model, bool with_map) {
   };
 }
 
+// Blocks of many patches, whose control points have v fastest.
+void evaluate_block(const float* points, float* results) {
+  constexpr std::size_t kPoints = ManyPatches::kSegments + 1;
+  static const auto kPlaces = [] {
+    std::array<std::array<float, 4>, kPoints> places;
+    for (std::size_t i = 0; i < kPoints; ++i)
+      places[i] = basis<4>(static_cast<float>(i) / static_cast<float>(kPoints - 1));
+    return places;
+  }();
+  static const auto kU = [] {
+    std::array<float, kPoints> u;
+    for (std::size_t i = 0; i < kPoints; ++i) u[i] = static_cast<float>(i) / static_cast<float>(kPoints - 1);
+    return u;
+  }();
+  for (std::size_t p = 0; p < ManyPatches::kBlock; ++p, points += ManyPatches::kValues) {
+    for (const std::array<float, 4>& weights : kPlaces) {
+      float curve[12];
+      for (int i = 0; i < 4; ++i) {
+        for (int k = 0; k < 3; ++k) {
+          float sum = 0;
+          for (int j = 0; j < 4; ++j)
+            sum += weights[static_cast<std::size_t>(j)] * points[(4 * i + j) * 3 + k];
+          curve[3 * i + k] = sum;
+        }
+      }
+      evaluate<4, 3>(curve, kU.data(), kPoints, results);
+      results += kPoints * 3;
+    }
+  }
+}
+
 [[maybe_unused]] const bool kRegistered = [] {
+  add_many_patches(kSide, [] { return evaluate_block; });
   for (const Model& model : models()) {
     for (const bool with_map : {false, true}) {
       add(model, with_map ? "constant_order_with_map" : kSide, [&model, with_map] {

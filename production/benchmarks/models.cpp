@@ -54,6 +54,19 @@ std::vector<Model> all_models() {
 }
 
 [[maybe_unused]] const bool kRegistered = [] {
+  add_many_patches("float_Horner", [] {
+    return [](const float* points, float* results) {
+      constexpr float kScale = 1.0F / ManyPatches::kSegments;
+      for (std::size_t p = 0; p < ManyPatches::kBlock; ++p, points += ManyPatches::kValues) {
+        // That has the orders the other way round.
+        for (int j = 0; j <= ManyPatches::kSegments; ++j) {
+          for (int i = 0; i <= ManyPatches::kSegments; ++i, results += 3)
+            horner_surface(points, 4, 4, 3, static_cast<float>(j) * kScale, static_cast<float>(i) * kScale,
+                           results);
+        }
+      }
+    };
+  });
   for (const Model& model : models()) {
     add(model, "float_Horner", [&model]() -> PatchSide {
       return [&model](std::size_t patch, float* results) {
@@ -74,6 +87,42 @@ std::vector<Model> all_models() {
 const std::vector<Model>& models() {
   static const std::vector<Model> kAll = all_models();
   return kAll;
+}
+
+const ManyPatches& many_patches() {
+  static const ManyPatches kAll = [] {
+    ManyPatches all;
+    std::mt19937 generator(4);
+    all.points.resize(ManyPatches::kCount * ManyPatches::kValues);
+    for (float& value : all.points) value = static_cast<float>(generator()) / 2147483648.0F - 1;
+    return all;
+  }();
+  return kAll;
+}
+
+void add_many_patches(const std::string& side,
+                      std::function<std::function<void(const float* points, float* results)>()> prepare) {
+  add("Patches/million/segments:7/" + side, [prepare = std::move(prepare)]() -> Measured {
+    const std::vector<float>& points = many_patches().points;
+    const auto evaluate = prepare();
+    evaluate(points.data(), results());
+    std::vector<float> expected(ManyPatches::kBlock * ManyPatches::kPoints * 3);
+    float* next = expected.data();
+    constexpr float kScale = 1.0F / ManyPatches::kSegments;
+    for (std::size_t p = 0; p < ManyPatches::kBlock; ++p) {
+      for (int j = 0; j <= ManyPatches::kSegments; ++j) {
+        for (int i = 0; i <= ManyPatches::kSegments; ++i, next += 3)
+          horner_surface(points.data() + p * ManyPatches::kValues, 4, 4, 3, static_cast<float>(j) * kScale,
+                         static_cast<float>(i) * kScale, next);
+      }
+    }
+    check_agreement({results(), expected.size()}, expected, tolerance_for(4, points));
+    const auto block = [&points, evaluate, first = std::size_t{0}]() mutable {
+      evaluate(points.data() + first * ManyPatches::kValues, results());
+      first = (first + ManyPatches::kBlock) % ManyPatches::kCount;
+    };
+    return {block, static_cast<std::int64_t>(ManyPatches::kBlock * ManyPatches::kPoints)};
+  });
 }
 
 void add(const Model& model, const std::string& side, std::function<PatchSide()> prepare) {

@@ -20,6 +20,20 @@ struct Model {
 
 const std::vector<Model>& models();
 
+// A million bicubic patches of three random components in one array, v fastest, each at 8 x 8 points: more
+// than any cache holds. They are evaluated in blocks, to the same memory.
+struct ManyPatches {
+  static constexpr std::size_t kCount = 1000000, kBlock = 1000, kValues = 48;
+  static constexpr int kSegments = 7;
+  static constexpr std::size_t kPoints = (kSegments + 1) * (kSegments + 1);
+  std::vector<float> points;
+};
+const ManyPatches& many_patches();
+// Registers a benchmark whose items are points. evaluate(points, results): kBlock patches, v fastest in the
+// control points and u fastest in the results.
+void add_many_patches(const std::string& side,
+                      std::function<std::function<void(const float* points, float* results)>()> prepare);
+
 // All points of one patch.
 using PatchSide = std::function<void(std::size_t patch, float* results)>;
 // Registers a benchmark whose items are points, of all patches.

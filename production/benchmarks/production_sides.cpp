@@ -65,6 +65,7 @@ glev_output output(float* data, std::size_t points, std::size_t values, std::siz
           values * sizeof(float),
           components,
           GLEV_FLOAT,
+          0,
           0};
 }
 
@@ -162,6 +163,72 @@ PatchSide side_with_map(const Model& model, const char* target) {
   };
 }
 
+// ---- Arrays of patches, without contexts
+
+glev_patch_grid uniform_grid(const char* target, int segments) {
+  glev_patch_grid grid = {};
+  grid.size = sizeof grid;
+  grid.u_segments = grid.v_segments = segments;
+  grid.target = target;
+  return grid;
+}
+
+glev_patches bicubic(const float* points, std::size_t count) {
+  glev_patches patches = {};
+  patches.size = sizeof patches;
+  patches.count = count;
+  patches.components = 3;
+  patches.uorder = patches.vorder = 4;
+  patches.type = GLEV_FLOAT;
+  patches.points = points;
+  patches.points_size = count * 48 * sizeof(float);
+  return patches;
+}
+
+void evaluate(const glev_patches& patches, const glev_patch_grid& grid, std::vector<unsigned char>& scratch,
+              float* to) {
+  const auto side = static_cast<std::size_t>(grid.u_segments) + 1;
+  const glev_output vertex = output(to, patches.count * side * side, 3, 0, 3);
+  const glev_attribute_output outputs = {GLEV_ATTRIBUTE_VERTEX, &vertex};
+  if (scratch.empty()) scratch.resize(glevGetPatchScratchSize(&patches, &grid));
+  require(glevEvaluatePatches(&patches, &grid, &outputs, 1, scratch.data(), scratch.size()),
+          "glevEvaluatePatches fails");
+}
+
+std::function<void(const float*, float*)> many_patches_side(const char* target) {
+  return [target, scratch = std::vector<unsigned char>()](const float* points, float* to) mutable {
+    evaluate(bicubic(points, ManyPatches::kBlock), uniform_grid(target, ManyPatches::kSegments), scratch, to);
+  };
+}
+
+// All patches of a bicubic model in one call, after a check that the bits are those of plans.
+Measured model_by_patches(const Model& model, const char* target) {
+  require(model.order == 4, "not bicubic");
+  // At most so many that their points fit into the memory for results.
+  const std::size_t count = std::min(model.patches.size(), std::size_t{32}),
+                    own = 3 * model.points_of_patch();
+  std::vector<float> points, expected(count * own);
+  const PatchSide plans = side(model, target, GLEV_CORRECTLY_ROUNDED);
+  for (std::size_t p = 0; p < count; ++p) {
+    // Models have u fastest.
+    points.insert(points.end(), model.patches[p].begin(), model.patches[p].end());
+    plans(p, expected.data() + p * own);
+  }
+  glev_patches patches = bicubic(nullptr, count);
+  patches.u_stride = 3 * sizeof(float);
+  patches.v_stride = 12 * sizeof(float);
+  patches.patch_stride = 48 * sizeof(float);
+  const auto run = [patches, points, grid = uniform_grid(target, model.segments),
+                    scratch = std::vector<unsigned char>()]() mutable {
+    patches.points = points.data();
+    evaluate(patches, grid, scratch, results());
+  };
+  std::function<void()> made = run;
+  made();
+  require(std::equal(expected.begin(), expected.end(), results()), "other bits than those of plans");
+  return {made, static_cast<std::int64_t>(count * model.points_of_patch())};
+}
+
 // ---- Maps and plans, without evaluation. Items are plans.
 
 Measured plans(const char* target, int order, bool grid_alone) {
@@ -214,6 +281,7 @@ Measured mesh_of(const char* target, Wanted wanted, glev_precision precision) {
               3 * size,
               3,
               static_cast<glev_enum>(is_double ? GLEV_DOUBLE : GLEV_FLOAT),
+              0,
               0};
     };
     const glev_output first = output_at(0), second = output_at(3 * points);
@@ -250,6 +318,7 @@ Measured batches_of(const char* target, std::size_t count, bool is_double) {
                                         3 * size,
                                         3,
                                         static_cast<glev_enum>(is_double ? GLEV_DOUBLE : GLEV_FLOAT),
+                                        0,
                                         0};
             glev_batch batch = {};
             batch.size = sizeof batch;
@@ -324,7 +393,11 @@ void add_target(const char* target) {
         [&model, target] { return side(model, target, GLEV_FAST); });
     add(model, std::string("production_with_map/") + target,
         [&model, target] { return side_with_map(model, target); });
+    if (model.order == 4)
+      add(model.name + "/production_patches/" + target,
+          [&model, target] { return model_by_patches(model, target); });
   }
+  add_many_patches(name, [target] { return many_patches_side(target); });
   const auto add_work = [&](const std::string& work, const auto& prepare) {
     add(work + "/" + name, prepare);
   };

@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FILTERS = {"models": "^(Model|Plan|Double|Tangents|Batch|Scattered|Sink|Mesh/order:4/dim:3/ring/production)/",
+FILTERS = {"models": "^(Model|Patches|Plan|Double|Tangents|Batch|Scattered|Sink|Mesh/order:4/dim:3/ring/production)/",
            "peers": "^(Curve|Mesh|Call|Hard|Floor)/"}
 HORNER, EXACT, FAST, PRODUCT = "float_Horner", "production", "production_fast", "Eigen"
 LOOP = "constant_order"
@@ -113,11 +113,15 @@ class Model:
 
 
 WITH_MAP = "production_with_map"
+PATCHES = "production_patches"
 MODELS = [Model(f"teapot, {n} segments, plan at hand", f"Model/teapot/segments:{n}", must)
           for n, must in ((4, None), (8, 3), (10, None), (16, 3), (32, None), (64, 2))]
 MODELS += [Model(f"teapot, {n} segments, with map and plan", f"Model/teapot/segments:{n}", must, WITH_MAP,
                  f"{LOOP}_with_map") for n, must in ((8, 8), (64, None))]
 MODELS += [
+    Model("10^6 random patches, 7 segments, glevEvaluatePatches", "Patches/million/segments:7"),
+    Model("teapot, 8 segments, glevEvaluatePatches", "Model/teapot/segments:8", 8, PATCHES, f"{LOOP}_with_map"),
+    Model("teapot, 64 segments, glevEvaluatePatches", "Model/teapot/segments:64", None, PATCHES, f"{LOOP}_with_map"),
     Model("random floats, 8 segments, plan at hand", "Model/random/segments:8"),
     Model("random floats, 64 segments, plan at hand", "Model/random/segments:64"),
     Model("random floats, 7 segments, with map and plan", "Model/random/segments:7", None, WITH_MAP,
@@ -132,6 +136,8 @@ OTHERS = [
     ("Map2, plan and release, bicubic, a plan", "Plan/bicubic", 400),
     ("Map2, plan and release, 64 x 64, a plan", "Plan/order:64", 15000),
     ("MapGrid2, plan and release, a plan", "Plan/grid_alone", 50),
+    ("10^6 random patches, 7 segments, glevEvaluatePatches: 2.5 million patches a second", "Patches/million/segments:7",
+     6.25),
     ("bicubic mesh, doubles", "Double/mesh", 30),
     ("curve of order 4, scattered arguments, doubles", "Double/curve", 15),
     ("both tangents of a bicubic mesh, floats", "Tangents/float", 8),

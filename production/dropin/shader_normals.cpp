@@ -37,8 +37,8 @@ double Context::length_of_normal(const glev_batch* batch, const glev_mesh* mesh)
   if (glevCreatePlan(evaluators, &info, &plan) != GLEV_SUCCESS) return 1;
   double p[4] = {0, 0, 0, 1}, p_u[4] = {}, p_v[4] = {};
   const auto output = [](double* values) {
-    return glev_output{sizeof(glev_output), values, 4 * sizeof(double), 4 * sizeof(double), 4,
-                       GLEV_DOUBLE,         0};
+    return glev_output{
+        sizeof(glev_output), values, 4 * sizeof(double), 4 * sizeof(double), 4, GLEV_DOUBLE, 0, 0};
   };
   const glev_output vertex = output(p), tangent_u = output(p_u), tangent_v = output(p_v);
   const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_VERTEX, &vertex},

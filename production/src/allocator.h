@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
@@ -11,6 +12,17 @@
 namespace glev {
 
 inline constexpr std::size_t kCacheLine = 64;
+
+// Returns the next address that is aligned to a cache line.
+inline std::byte* align(std::byte* memory) {
+  const std::size_t unaligned = reinterpret_cast<std::uintptr_t>(memory) % kCacheLine;
+  return memory + (unaligned == 0 ? 0 : kCacheLine - unaligned);
+}
+
+// Returns the bytes of whole cache lines.
+constexpr std::size_t round_up(std::size_t bytes) {
+  return (bytes + kCacheLine - 1) / kCacheLine * kCacheLine;
+}
 
 class Allocator {
  public:

@@ -75,14 +75,6 @@ void issue_tex_coord(glev_context* context, glev_enum texture, const Real* v) {
   context->issue(glev::MultiTexCoordCommand{texture, load<kCount>(std::array<float, 4>{0, 0, 0, 1}, v)});
 }
 
-// The best ones for a null name, null for an unknown one.
-const glev::Kernels* find_kernels(const char* name) {
-  for (std::size_t i = 0;; ++i) {
-    const glev::Kernels* kernels = glev::kernels_of(i);
-    if (kernels == nullptr || name == nullptr || std::strcmp(name, kernels->name) == 0) return kernels;
-  }
-}
-
 }  // namespace
 
 // ---- Contexts, sink, errors
@@ -98,15 +90,8 @@ glev_result glevCreateContext(const glev_context_info* given, glev_context** con
   glev_context_info info{};
   if (given != nullptr && !glev::read_struct(given, &info)) return GLEV_ERROR_INVALID_ARGUMENT;
   glev::Allocator allocator;
-  if (info.allocator != nullptr) {
-    glev_allocator functions;
-    if (!glev::read_struct(info.allocator, &functions) || functions.allocate == nullptr ||
-        functions.release == nullptr) {
-      return GLEV_ERROR_INVALID_ARGUMENT;
-    }
-    allocator = glev::Allocator(functions);
-  }
-  const glev::Kernels* kernels = find_kernels(info.target);
+  if (!glev::read_allocator(info.allocator, &allocator)) return GLEV_ERROR_INVALID_ARGUMENT;
+  const glev::Kernels* kernels = glev::find_kernels(info.target);
   if (kernels == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
   void* memory = allocator.allocate(sizeof(glev_context), alignof(glev_context));
   if (memory == nullptr) return GLEV_ERROR_OUT_OF_MEMORY;

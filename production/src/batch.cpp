@@ -5,154 +5,17 @@
 #include <cstdint>
 #include <cstring>
 
+#include "batch.h"
 #include "environment.h"
 #include "kernels.h"
 #include "normal.h"
 #include "plan.h"
 #include "resolve.h"
-#include "structures.h"
 
 namespace {
 
-using glev::Attribute, glev::GridArgument, glev::kAttributes, glev::kCacheLine;
-
-// rows * columns > 0 elements of `element` bytes, `stride` bytes from one to the next, `row_stride` from row
-// to row.
-struct Stream {
-  const std::byte* begin = nullptr;
-  std::size_t columns = 0, rows = 1, stride = 0, row_stride = 0, element = 0;
-
-  // In so many bytes, and in the address space, whatever the caller claims.
-  bool fits_into(std::size_t bytes) const {
-    const std::size_t room = std::min<std::size_t>(bytes, UINTPTR_MAX - first_byte());
-    if (element > room) return false;
-    const std::size_t left = room - element;
-    if (stride != 0 && columns - 1 > left / stride) return false;
-    return row_stride == 0 || rows - 1 <= (left - (columns - 1) * stride) / row_stride;
-  }
-  // Only after fits_into: nothing overflows then.
-  std::uintptr_t first_byte() const { return reinterpret_cast<std::uintptr_t>(begin); }
-  std::uintptr_t past_last_byte() const {
-    return first_byte() + (rows - 1) * row_stride + (columns - 1) * stride + element;
-  }
-};
-
-// Rows of the strides and columns of `first`, `offset` bytes apart.
-bool rows_share_bytes(const Stream& first, const Stream& second, std::size_t offset) {
-  if (offset >= (first.columns - 1) * first.stride + first.element) return false;
-  if (first.columns == 1) return true;
-  const std::size_t column = offset / first.stride, rest = offset % first.stride;
-  return rest < first.element || (rest + second.element > first.stride && column + 1 < first.columns);
-}
-
-// b is an output, so its stride is positive. With different strides any overlap of the extents counts.
-bool share_bytes(const Stream& a, const Stream& b) {
-  if (a.past_last_byte() <= b.first_byte() || b.past_last_byte() <= a.first_byte()) return false;
-  if (a.stride != b.stride || a.columns != b.columns || a.rows != b.rows || a.row_stride != b.row_stride)
-    return true;
-  const Stream& low = a.first_byte() <= b.first_byte() ? a : b;
-  const Stream& high = &low == &a ? b : a;
-  const std::size_t offset = high.first_byte() - low.first_byte();
-  if (a.rows == 1) return rows_share_bytes(low, high, offset);
-  // A row of `high` begins in a row of `low`, or in the padding after it, and may reach into the next one.
-  const std::size_t row = offset / a.row_stride, rest = offset % a.row_stride;
-  return rows_share_bytes(low, high, rest) ||
-         (row + 1 < a.rows && rows_share_bytes(high, low, a.row_stride - rest));
-}
-
-// ---- Outputs
-
-constexpr int kTangentU = kAttributes, kOutputs = kAttributes + 2;
-static_assert(kTangentU == GLEV_ATTRIBUTE_TANGENT_U && kOutputs == GLEV_ATTRIBUTE_TANGENT_V + 1);
-
-struct Output {
-  bool is_wanted = false, is_double = false;
-  int components = 0;
-  std::byte* data = nullptr;
-  std::size_t bytes = 0;
-  Stream stream;
-
-  std::byte* address_of(std::size_t column, std::size_t row) const {
-    return data + column * stream.stride + row * stream.row_stride;
-  }
-};
-
-using Outputs = std::array<Output, kOutputs>;
-
-glev_result read_output(const glev_output* given, std::size_t columns, std::size_t rows, bool has_rows,
-                        std::size_t map_components, std::size_t most_components, Output* output) {
-  glev_output copy;
-  if (!glev::read_struct(given, &copy)) return GLEV_ERROR_INVALID_ARGUMENT;
-  if (map_components == 0) return GLEV_ERROR_NO_MAP;
-  if (copy.components < map_components || copy.components > most_components)
-    return GLEV_ERROR_INVALID_ARGUMENT;
-  if (copy.type != 0 && copy.type != GLEV_FLOAT && copy.type != GLEV_DOUBLE)
-    return GLEV_ERROR_INVALID_ARGUMENT;
-  const bool is_double = copy.type == GLEV_DOUBLE;
-  const std::size_t element = copy.components * (is_double ? sizeof(double) : sizeof(float));
-  const bool is_empty = columns == 0 || rows == 0;
-  if (copy.stride < element || (copy.data == nullptr && !is_empty)) return GLEV_ERROR_INVALID_ARGUMENT;
-  if (!has_rows && copy.row_stride != 0) return GLEV_ERROR_INVALID_ARGUMENT;
-  std::size_t row_stride = 0;
-  if (has_rows && !is_empty) {
-    // No row is larger than the address space.
-    if (columns > SIZE_MAX / copy.stride) return GLEV_ERROR_BUFFER_TOO_SMALL;
-    row_stride = copy.row_stride != 0 ? copy.row_stride : columns * copy.stride;
-    if (row_stride < (columns - 1) * copy.stride + element) return GLEV_ERROR_INVALID_ARGUMENT;
-  }
-  auto* const data = static_cast<std::byte*>(copy.data);
-  *output = {true, is_double,      static_cast<int>(copy.components),
-             data, copy.data_size, {data, columns, rows, copy.stride, row_stride, element}};
-  return GLEV_SUCCESS;
-}
-
-// C programs may have put any number there, which C++ must not read as an enumerator.
-template <class Enum>
-unsigned number_of(const Enum& enumerator) {
-  unsigned number;
-  static_assert(sizeof number == sizeof enumerator);
-  std::memcpy(&number, &enumerator, sizeof number);
-  return number;
-}
-
-bool is_precision(const glev_precision& precision) {
-  return number_of(precision) == GLEV_CORRECTLY_ROUNDED || number_of(precision) == GLEV_FAST;
-}
-
-glev_result read_outputs(const glev_plan& plan, const glev_attribute_output* given, std::size_t count,
-                         std::size_t columns, std::size_t rows, bool has_rows, Outputs* outputs) {
-  if (given == nullptr && count != 0) return GLEV_ERROR_INVALID_ARGUMENT;
-  for (std::size_t i = 0; i < count; ++i) {
-    const unsigned o = number_of(given[i].attribute);
-    // An attribute is there once at most, so `count` is at most kOutputs.
-    if (o >= kOutputs || (*outputs)[o].is_wanted) return GLEV_ERROR_INVALID_ARGUMENT;
-    const bool is_normal = o == static_cast<unsigned>(Attribute::kNormal);
-    const glev_result result = read_output(given[i].output, columns, rows, has_rows,
-                                           glevGetPlanComponents(&plan, static_cast<glev_attribute>(o)),
-                                           is_normal ? 3 : 4, &(*outputs)[o]);
-    if (result != GLEV_SUCCESS) return result;
-  }
-  return GLEV_SUCCESS;
-}
-
-// Sizes and overlaps, with what else is read or written.
-template <std::size_t kOthers>
-glev_result check_memory(const Outputs& outputs, const std::array<Stream, kOthers>& others) {
-  for (const Output& output : outputs) {
-    if (output.is_wanted && !output.stream.fits_into(output.bytes)) return GLEV_ERROR_BUFFER_TOO_SMALL;
-  }
-  for (int a = 0; a < kOutputs; ++a) {
-    if (!outputs[a].is_wanted) continue;
-    for (const Stream& other : others) {
-      if (other.columns != 0 && share_bytes(other, outputs[a].stream)) return GLEV_ERROR_OVERLAP;
-    }
-    for (int b = 0; b < a; ++b) {
-      if (outputs[b].is_wanted && share_bytes(outputs[b].stream, outputs[a].stream))
-        return GLEV_ERROR_OVERLAP;
-    }
-  }
-  return GLEV_SUCCESS;
-}
+using glev::Attribute, glev::GridArgument, glev::kAttributes, glev::kCacheLine, glev::kOutputs,
+    glev::kFirstTangent, glev::Output, glev::Outputs, glev::Stream;
 
 // ---- What has no kernel
 
@@ -204,7 +67,7 @@ void evaluate_tangents(const glev_plan& plan, int direction, const Output& outpu
     if (tangent.components == 0) return values;
     const glev::Curve curve = curve_at(tangent, locate(tangent.domain[1], at_v), room.data());
     evaluate(curve, locate(tangent.domain[0], at_u), values.data());
-    for (double& value : values) value *= factor;
+    for (int k = 0; k < tangent.components; ++k) values[k] *= factor;
     for (int k = 0; k < tangent.components && output.is_double; ++k)
       glev::resolve_derivative_in_double(plan.map(Attribute::kVertex), direction, k, at_u, at_v, &values[k]);
     return values;
@@ -236,8 +99,8 @@ void evaluate_all(const glev_plan& plan, const Outputs& outputs, const U& u, con
     if (!output.is_wanted) continue;
     const glev::Destination to = {output.data, output.stream.stride, output.stream.row_stride,
                                   output.components};
-    if (o >= kTangentU) {
-      evaluate_tangents(plan, o - kTangentU, output, u, v);
+    if (o >= kFirstTangent) {
+      evaluate_tangents(plan, o - kFirstTangent, output, u, v);
     } else if (o == static_cast<int>(Attribute::kNormal) && plan.automatic_normals()) {
       if (output.is_double || !normals(to)) evaluate_normals(plan, output, u, v);
     } else if (output.is_double) {
@@ -258,7 +121,8 @@ std::size_t count_of(glev_int i1, glev_int i2) {
 
 // Well formed, but for its outputs and scratch.
 bool read_mesh(const glev_plan* plan, const glev_mesh* given, glev_mesh* mesh) {
-  if (plan == nullptr || !glev::read_struct(given, mesh) || !is_precision(mesh->precision)) return false;
+  if (plan == nullptr || !glev::read_struct(given, mesh) || !glev::is_precision(mesh->precision))
+    return false;
   return plan->dimension() == 2 || (mesh->j1 == 0 && mesh->j2 == 0);
 }
 
@@ -270,6 +134,17 @@ bool are_records(const glev_plan& plan, const Output& vertex, const Output& norm
   return are_triples(vertex) && are_triples(normal) && plan.components(Attribute::kVertex) == 3 &&
          normal.data == vertex.data + 3 * sizeof(float) && normal.stream.stride == vertex.stream.stride &&
          normal.stream.row_stride == vertex.stream.row_stride;
+}
+
+}  // namespace
+
+namespace glev {
+
+std::array<std::size_t, kOutputs> components_of(const glev_plan& plan) {
+  std::array<std::size_t, kOutputs> components;
+  for (std::size_t o = 0; o < components.size(); ++o)
+    components[o] = glevGetPlanComponents(&plan, static_cast<glev_attribute>(o));
+  return components;
 }
 
 std::size_t scratch_of(const glev_plan& plan, std::size_t columns) {
@@ -285,21 +160,68 @@ std::size_t scratch_of(const glev_plan& plan, std::size_t columns) {
   return bytes + kCacheLine;
 }
 
-}  // namespace
+void evaluate_arguments(const glev_plan& plan, const Input& u, const Input* v, std::size_t count,
+                        const Outputs& outputs) {
+  evaluate_all(
+      plan, outputs, [&](std::size_t i) { return argument_at(u[i]); },
+      [&](std::size_t i, std::size_t) { return v != nullptr ? argument_at((*v)[i]) : GridArgument{}; },
+      [&](const PreparedMap& map, const Destination& to) {
+        constexpr std::size_t kFew = 2;  // for which vectors are not worth their preparation
+        if (count <= kFew) {
+          evaluate_points(plan, map, u, v, count, to);
+        } else if (v != nullptr) {
+          plan.kernels().surface(map, u, *v, count, to);
+        } else {
+          plan.kernels().curve(map, u, count, to);
+        }
+      },
+      [](const Destination&) { return false; },
+      [&](const PreparedMap& map, const Destination& to) {
+        return v == nullptr && plan.kernels().double_curve(map, u, count, to);
+      });
+}
+
+void evaluate_range(const glev_plan& plan, const MeshRange& range, bool fast, Outputs outputs,
+                    std::byte* scratch) {
+  std::byte* const aligned = align(scratch);
+  const auto normals = plan.kernels().normals;
+  Output &vertex = outputs[static_cast<int>(Attribute::kVertex)],
+         &normal = outputs[static_cast<int>(Attribute::kNormal)];
+  if (plan.automatic_normals() && are_records(plan, vertex, normal)) {
+    const DefaultEnvironment environment;
+    normals(plan, range, {normal.data, normal.stream.stride, normal.stream.row_stride, 3}, true, aligned);
+    vertex.is_wanted = normal.is_wanted = false;
+  }
+  evaluate_all(
+      plan, outputs, [&](std::size_t i) { return range.u_of(i); },
+      [&](std::size_t, std::size_t j) { return range.v_of(j); },
+      [&](const PreparedMap& map, const Destination& to) {
+        plan.kernels().mesh(map, range, fast, to, aligned);
+      },
+      [&](const Destination& to) {
+        normals(plan, range, to, false, aligned);
+        return true;
+      },
+      [&](const PreparedMap& map, const Destination& to) {
+        return plan.kernels().double_mesh(map, range, to, aligned);
+      });
+}
+
+}  // namespace glev
 
 glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
   glev_batch batch;
   if (plan == nullptr || !glev::read_struct(given, &batch)) return GLEV_ERROR_INVALID_ARGUMENT;
   if (batch.type != GLEV_FLOAT && batch.type != GLEV_DOUBLE) return GLEV_ERROR_INVALID_ARGUMENT;
-  if (!is_precision(batch.precision)) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (!glev::is_precision(batch.precision)) return GLEV_ERROR_INVALID_ARGUMENT;
   const bool has_v = plan->dimension() == 2, is_double = batch.type == GLEV_DOUBLE;
   if (batch.count != 0 && (batch.u.data == nullptr || (has_v && batch.v.data == nullptr)))
     return GLEV_ERROR_INVALID_ARGUMENT;
   if (!has_v && (batch.v.data != nullptr || batch.v.data_size != 0 || batch.v.stride != 0))
     return GLEV_ERROR_INVALID_ARGUMENT;
   Outputs outputs;
-  const glev_result result =
-      read_outputs(*plan, batch.outputs, batch.output_count, batch.count, 1, false, &outputs);
+  const glev_result result = glev::read_outputs(glev::components_of(*plan), batch.outputs, batch.output_count,
+                                                {batch.count}, &outputs);
   if (result != GLEV_SUCCESS || batch.count == 0) return result;
 
   const auto stream_of = [&](const glev_input& input) {
@@ -312,34 +234,18 @@ glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
     inputs[1] = stream_of(batch.v);
     if (!inputs[1].fits_into(batch.v.data_size)) return GLEV_ERROR_BUFFER_TOO_SMALL;
   }
-  const glev_result memory = check_memory(outputs, inputs);
+  const glev_result memory = glev::check_memory(outputs, inputs);
   if (memory != GLEV_SUCCESS) return memory;
 
   const glev::Input u = {inputs[0].begin, inputs[0].stride, is_double},
                     v = {inputs[1].begin, inputs[1].stride, is_double};
-  evaluate_all(
-      *plan, outputs, [&](std::size_t i) { return glev::argument_at(u[i]); },
-      [&](std::size_t i, std::size_t) { return has_v ? glev::argument_at(v[i]) : GridArgument{}; },
-      [&](const glev::PreparedMap& map, const glev::Destination& to) {
-        constexpr std::size_t kFew = 2;  // for which vectors are not worth their preparation
-        if (batch.count <= kFew) {
-          evaluate_points(*plan, map, u, has_v ? &v : nullptr, batch.count, to);
-        } else if (has_v) {
-          plan->kernels().surface(map, u, v, batch.count, to);
-        } else {
-          plan->kernels().curve(map, u, batch.count, to);
-        }
-      },
-      [](const glev::Destination&) { return false; },
-      [&](const glev::PreparedMap& map, const glev::Destination& to) {
-        return !has_v && plan->kernels().double_curve(map, u, batch.count, to);
-      });
+  glev::evaluate_arguments(*plan, u, has_v ? &v : nullptr, batch.count, outputs);
   return GLEV_SUCCESS;
 }
 
 size_t glevGetMeshScratchSize(const glev_plan* plan, const glev_mesh* given) {
   glev_mesh mesh;
-  return read_mesh(plan, given, &mesh) ? scratch_of(*plan, count_of(mesh.i1, mesh.i2)) : 0;
+  return read_mesh(plan, given, &mesh) ? glev::scratch_of(*plan, count_of(mesh.i1, mesh.i2)) : 0;
 }
 
 glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
@@ -349,46 +255,18 @@ glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
   const std::size_t columns = count_of(mesh.i1, mesh.i2), rows = count_of(mesh.j1, mesh.j2);
   if (mesh.scratch == nullptr && mesh.scratch_size != 0) return GLEV_ERROR_INVALID_ARGUMENT;
   Outputs outputs;
-  const glev_result result =
-      read_outputs(*plan, mesh.outputs, mesh.output_count, columns, rows, has_rows, &outputs);
+  const glev_result result = glev::read_outputs(glev::components_of(*plan), mesh.outputs, mesh.output_count,
+                                                {columns, rows, 1, has_rows}, &outputs);
   if (result != GLEV_SUCCESS || columns == 0 || rows == 0) return result;
 
-  if (mesh.scratch_size < scratch_of(*plan, columns)) return GLEV_ERROR_BUFFER_TOO_SMALL;
+  if (mesh.scratch_size < glev::scratch_of(*plan, columns)) return GLEV_ERROR_BUFFER_TOO_SMALL;
   auto* const scratch = static_cast<std::byte*>(mesh.scratch);
-  Stream claimed = {scratch, 1, 1, 1, 0, mesh.scratch_size};
-  if (!claimed.fits_into(SIZE_MAX)) claimed.element = UINTPTR_MAX - claimed.first_byte();
+  const Stream claimed = glev::claim(mesh.scratch, mesh.scratch_size);
   const std::array<Stream, 1> others = {claimed};
-  const glev_result memory = check_memory(outputs, others);
+  const glev_result memory = glev::check_memory(outputs, others);
   if (memory != GLEV_SUCCESS) return memory;
 
-  const std::size_t unaligned = reinterpret_cast<std::uintptr_t>(scratch) % kCacheLine;
-  std::byte* const aligned = scratch + (unaligned == 0 ? 0 : kCacheLine - unaligned);
   const glev::MeshRange range = {plan->grid(0), plan->grid(1), mesh.i1, mesh.j1, columns, rows};
-  const auto normals = plan->kernels().normals;
-  Output &vertex = outputs[static_cast<int>(Attribute::kVertex)],
-         &normal = outputs[static_cast<int>(Attribute::kNormal)];
-  if (plan->automatic_normals() && are_records(*plan, vertex, normal)) {
-    const glev::DefaultEnvironment environment;
-    normals(*plan, range, {normal.data, normal.stream.stride, normal.stream.row_stride, 3}, true, aligned);
-    vertex.is_wanted = normal.is_wanted = false;
-  }
-  evaluate_all(
-      *plan, outputs,
-      [&](std::size_t i) {
-        return GridArgument{range.u, range.i1 + static_cast<std::int64_t>(i)};
-      },
-      [&](std::size_t, std::size_t j) {
-        return GridArgument{range.v, range.j1 + static_cast<std::int64_t>(j)};
-      },
-      [&](const glev::PreparedMap& map, const glev::Destination& to) {
-        plan->kernels().mesh(map, range, mesh.precision == GLEV_FAST, to, aligned);
-      },
-      [&](const glev::Destination& to) {
-        normals(*plan, range, to, false, aligned);
-        return true;
-      },
-      [&](const glev::PreparedMap& map, const glev::Destination& to) {
-        return plan->kernels().double_mesh(map, range, to, aligned);
-      });
+  glev::evaluate_range(*plan, range, mesh.precision == GLEV_FAST, outputs, scratch);
   return GLEV_SUCCESS;
 }

@@ -214,7 +214,7 @@ glev_plan* glev_context::current_plan(int dimension) {
     const glev::DefaultEnvironment environment;
     plan = glev_plan::create(
         allocator_, {dimension, maps_[dimension - 1], eval_.enabled[dimension - 1], eval_.grid[dimension - 1],
-                     dimension == 2 && eval_.auto_normal, kernels_});
+                     dimension == 2 && eval_.auto_normal, dimension == 2, kernels_});
   }
   return plan;
 }

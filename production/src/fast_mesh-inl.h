@@ -173,10 +173,7 @@ bool evaluate_fast_inside(const PreparedMap& map, const MeshRange& range, const 
     const bool has_bound = std::isfinite(map.component[k].unit);
     if (!has_bound || !(largest >= 0x1p-80 && largest <= 0x1p80)) return false;
   }
-  // Meshes of few points take longer. By the grid, not by the range, so that ranges agree where they meet.
-  constexpr std::int64_t kFewestSegments = 1 << 14;
-  const std::int64_t segments = static_cast<std::int64_t>(range.u.segments) * (m == 0 ? 1 : range.v.segments);
-  if (map.centred != nullptr && segments < kFewestSegments) return false;
+  if (map.centred != nullptr && has_few_segments(range, m)) return false;
   const Domain &domain_u = map.surface.domain[0], &domain_v = map.surface.domain[1];
   const std::int64_t i2 = range.last_column(), j2 = range.last_row();
   // All columns or rows at one argument, which may be on the boundary.

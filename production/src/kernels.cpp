@@ -6,6 +6,7 @@
 #include <cpuid.h>
 #endif
 
+#include <atomic>
 #include <cstddef>
 #include <cstring>
 
@@ -68,6 +69,8 @@ bool evaluate_double_mesh(const PreparedMap& map, const MeshRange& range, const 
   return doubles::evaluate_mesh(map, range, to, reinterpret_cast<double*>(scratch));
 }
 
+unsigned evaluate_patches(const PatchBlock& block);  // patch_kernels.cpp
+
 constexpr Kernels make_kernels(const char* name) {
   return {.name = name,
           .point = evaluate_point,
@@ -80,7 +83,8 @@ constexpr Kernels make_kernels(const char* name) {
           .normals = normals::evaluate_mesh,
           .encloses = enclosure::enclose_all,
           .double_curve = doubles::evaluate_curve,
-          .double_mesh = evaluate_double_mesh};
+          .double_mesh = evaluate_double_mesh,
+          .patches = evaluate_patches};
 }
 
 }  // namespace glev::HWY_NAMESPACE
@@ -110,10 +114,18 @@ namespace {
 
 // Highway's own detection is in a library that needs the C++ run time.
 #if HWY_ARCH_X86
-// Not every compiler knows its name.
+// Not every compiler knows its name. The answer is kept, because CPUID takes microseconds in a virtual
+// machine; every thread finds the same one.
 bool has_f16c() {
-  unsigned a = 0, b = 0, c = 0, d = 0;
-  return __get_cpuid(1, &a, &b, &c, &d) != 0 && (c & bit_F16C) != 0;
+  enum { kUnknown, kNo, kYes };
+  static std::atomic<int> known{kUnknown};
+  int answer = known.load(std::memory_order_relaxed);
+  if (answer == kUnknown) {
+    unsigned a = 0, b = 0, c = 0, d = 0;
+    answer = __get_cpuid(1, &a, &b, &c, &d) != 0 && (c & bit_F16C) != 0 ? kYes : kNo;
+    known.store(answer, std::memory_order_relaxed);
+  }
+  return answer == kYes;
 }
 bool has_sse4() {
   return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") &&
@@ -156,6 +168,13 @@ const Kernels* kernels_of(std::size_t index) {
     if (is_supported() && index-- == 0) return &kernels;
   }
   return nullptr;
+}
+
+const Kernels* find_kernels(const char* name) {
+  for (std::size_t i = 0;; ++i) {
+    const Kernels* kernels = kernels_of(i);
+    if (kernels == nullptr || name == nullptr || std::strcmp(kernels->name, name) == 0) return kernels;
+  }
 }
 
 }  // namespace glev

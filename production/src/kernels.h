@@ -1,6 +1,7 @@
 // Evaluation of many points at a time, for each instruction set.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include <glevaluator.h>
@@ -39,6 +40,33 @@ struct MeshRange {
   std::int64_t last_row() const { return j1 + static_cast<std::int64_t>(rows) - 1; }
 };
 
+// Tells if a mesh of a grid with so few segments, of a map with centred coefficients and degree m in v, takes
+// longer if it is fast, and so is correctly rounded. By the grid, not by the range, so that ranges agree
+// where they meet.
+inline bool has_few_segments(const MeshRange& range, int m) {
+  constexpr std::int64_t kFewestSegments = 1 << 14;
+  return static_cast<std::int64_t>(range.u.segments) * (m == 0 ? 1 : range.v.segments) < kFewestSegments;
+}
+
+// Patches of degrees 1 to kMaxCentredDegree in u and 0 to kMaxCentredDegree in v, at most kPatchLanes of
+// them, side by side at the same places.
+inline constexpr std::size_t kPatchLanes = 8;
+struct PatchBlock {
+  std::array<int, 2> degree;
+  int components;
+  std::size_t patches;
+  // Value number i of the control points of patch p, v fastest, is net[i * kPatchLanes + p]; those of missing
+  // patches are any numbers.
+  const double* net;
+  // t - s of the columns and rows, from -1 to 1, as centred_units supposes.
+  const double *x, *y;
+  std::size_t columns, rows;
+  // Bits behind the points of x^degree and y^degree together, at most; kManyBits if they are not dyadic.
+  int bits_of_places;
+  Destination to;  // that of patch p begins p * patch_stride bytes later
+  std::size_t patch_stride;
+};
+
 // The position at real arguments that are no subnormal numbers, in whatever environment without traps, of
 // plans that can be evaluated directly. False, and nothing claimed, where that is not sure.
 using EvaluatesDirectly = bool (*)(const glev_plan& plan, double u, double v, float* position);
@@ -68,6 +96,8 @@ struct Kernels {
   bool (*double_curve)(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to);
   bool (*double_mesh)(const PreparedMap& map, const MeshRange& range, const Destination& to,
                       std::byte* scratch);
+  // Returns the patches that are not decided, as bits; anything is written for these.
+  unsigned (*patches)(const PatchBlock& block);
 };
 
 // Bytes for so many columns of a map of so high a degree in u.
@@ -79,5 +109,7 @@ inline std::size_t normal_mesh_scratch(int degree, std::size_t columns) {
 
 // The kernels that this machine can run, best first; null for an index beyond the last.
 const Kernels* kernels_of(std::size_t index);
+// Returns the kernels of that name, the best ones for null; null if there are none.
+const Kernels* find_kernels(const char* name);
 
 }  // namespace glev

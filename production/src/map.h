@@ -1,6 +1,7 @@
 // The specification of one map: what Map1 and Map2 set and GetMap answers.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "allocator.h"
@@ -47,11 +48,26 @@ class Map {
     return true;
   }
 
+  // Replaces everything by control points without padding that somebody else keeps.
+  void refer_to(const double* points, int components, std::array<int, 2> order,
+                const std::array<Domain, 2>& domain) {
+    defined_ = true;
+    kept_elsewhere_ = points;
+    components_ = components;
+    for (int d : {0, 1}) {
+      order_[d] = order[d];
+      domain_[d] = domain[d];
+    }
+  }
+
+  // Components of the slot, unless somebody else keeps the points.
+  int components(int slot) const { return components_ != 0 ? components_ : kSlotTable[slot].components; }
   // direction 0 is u, 1 is v
   int order(int direction) const { return order_[direction]; }
   const Domain& domain(int direction) const { return domain_[direction]; }
   // order(0) * order(1) points without padding, v fastest. slot: where this map lives, for its initial point.
   const double* points(int slot) const {
+    if (kept_elsewhere_ != nullptr) return kept_elsewhere_;
     return defined_ ? storage_.data() : kSlotTable[slot].initial.data();
   }
 
@@ -60,6 +76,8 @@ class Map {
   int order_[2] = {1, 1};
   Domain domain_[2];
   DoubleBuffer storage_;
+  const double* kept_elsewhere_ = nullptr;
+  int components_ = 0;
 };
 
 }  // namespace glev

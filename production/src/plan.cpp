@@ -6,7 +6,7 @@
 
 namespace {
 
-using glev::Allocator, glev::Attribute, glev::kAttributes, glev::kCacheLine, glev::kSlots, glev::kSlotTable,
+using glev::Allocator, glev::Attribute, glev::kAttributes, glev::kCacheLine, glev::kSlots, glev::round_up,
     glev::Map;
 
 // The highest enabled slot of the attribute, -1 if none is.
@@ -16,10 +16,6 @@ int winning_slot(Attribute attribute, std::span<const bool, kSlots> enabled) {
     if (enabled[slot]) return slot;
   }
   return -1;
-}
-
-constexpr std::size_t round_up(std::size_t bytes) {
-  return (bytes + kCacheLine - 1) / kCacheLine * kCacheLine;
 }
 
 std::size_t values_of(std::array<int, 2> order, int components) {
@@ -64,32 +60,51 @@ std::array<double, 4> largest_of(const double* points, std::ptrdiff_t count, int
   return largest;
 }
 
+// The slots that a plan evaluates, -1 for attributes without a map.
+struct Winners {
+  explicit Winners(const glev_plan::Source& source) {
+    for (int a = 0; a < kAttributes; ++a)
+      winners[a] = winning_slot(static_cast<Attribute>(a), source.enabled);
+    vertex_slot = winners[static_cast<std::size_t>(Attribute::kVertex)];
+    automatic_normals = source.automatic_normals && vertex_slot >= 0;
+    if (automatic_normals) winners[static_cast<std::size_t>(Attribute::kNormal)] = -1;
+    has_tangents = vertex_slot >= 0 && (source.tangents || automatic_normals);
+  }
+
+  std::array<int, kAttributes> winners;
+  int vertex_slot;
+  bool automatic_normals, has_tangents;
+};
+
 }  // namespace
 
-glev_plan* glev_plan::create(const Allocator& allocator, const Source& source) {
-  std::array<int, kAttributes> winners;
-  for (int a = 0; a < kAttributes; ++a) winners[a] = winning_slot(static_cast<Attribute>(a), source.enabled);
-  const int vertex_slot = winners[static_cast<std::size_t>(Attribute::kVertex)];
-  const bool automatic_normals = source.automatic_normals && vertex_slot >= 0;
-  if (automatic_normals) winners[static_cast<std::size_t>(Attribute::kNormal)] = -1;
-
+std::size_t glev_plan::bytes_for(const Source& source) {
+  const Winners all(source);
   std::size_t bytes = round_up(sizeof(glev_plan));
-  for (const int slot : winners) {
+  for (const int slot : all.winners) {
     if (slot < 0) continue;
     const Map& map = source.maps[slot];
-    bytes += 2 * bytes_of(values_of({map.order(0), map.order(1)}, kSlotTable[slot].components));
+    bytes += 2 * bytes_of(values_of({map.order(0), map.order(1)}, map.components(slot)));
     bytes += bytes_of(centred_values_of(map));
   }
-  const bool has_tangents = vertex_slot >= 0 && (source.dimension == 2 || automatic_normals);
-  if (has_tangents) {
+  if (all.has_tangents) {
     for (const int direction : {0, 1}) {
-      const std::array<int, 2> order = tangent_order(source.maps[vertex_slot], direction);
-      bytes += bytes_of(values_of(order, kSlotTable[vertex_slot].components));
+      const std::array<int, 2> order = tangent_order(source.maps[all.vertex_slot], direction);
+      bytes += bytes_of(values_of(order, source.maps[all.vertex_slot].components(all.vertex_slot)));
     }
   }
+  return bytes;
+}
 
+glev_plan* glev_plan::create(const Allocator& allocator, const Source& source) {
+  const std::size_t bytes = bytes_for(source);
   void* memory = allocator.allocate(bytes, kCacheLine);
-  if (memory == nullptr) return nullptr;
+  return memory == nullptr ? nullptr : create_at(memory, bytes, allocator, source);
+}
+
+glev_plan* glev_plan::create_at(void* memory, std::size_t bytes, const Allocator& allocator,
+                                const Source& source) {
+  const auto [winners, vertex_slot, automatic_normals, has_tangents] = Winners(source);
   auto* plan = new (memory) glev_plan(allocator, bytes, source);
 
   auto* block = static_cast<std::byte*>(memory) + round_up(sizeof(glev_plan));
@@ -102,7 +117,7 @@ glev_plan* glev_plan::create(const Allocator& allocator, const Source& source) {
     const int slot = winners[a];
     if (slot < 0) continue;
     const Map& map = source.maps[slot];
-    const int components = kSlotTable[slot].components;
+    const int components = map.components(slot);
     const std::array<int, 2> order = {map.order(0), map.order(1)};
     const double* points = map.points(slot);
     const std::array<glev::Domain, 2> domain = {map.domain(0), map.domain(1)};
@@ -131,7 +146,7 @@ glev_plan* glev_plan::create(const Allocator& allocator, const Source& source) {
     const Map& map = source.maps[vertex_slot];
     const std::array<int, 2> order = tangent_order(map, direction);
     if (order[direction] == 0) continue;
-    const int components = kSlotTable[vertex_slot].components;
+    const int components = map.components(vertex_slot);
     double* net = take(values_of(order, components));
     differences_of(map.points(vertex_slot), {map.order(0), map.order(1)}, components, direction, net);
     const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];

@@ -25,11 +25,17 @@ struct glev_plan {
     std::span<const bool, glev::kSlots> enabled;
     std::array<glev::Grid, 2> grid;  // u, v
     bool automatic_normals;          // where there is a vertex map
+    bool tangents;                   // likewise; automatic normals have them anyway
     const glev::Kernels* kernels;
   };
 
   // Makes a plan of the enabled maps that are not outranked, with one reference. Null without memory.
   static glev_plan* create(const glev::Allocator& allocator, const Source& source);
+  // Makes one in memory of the caller, of bytes_for bytes and aligned to a cache line, which nobody releases.
+  static std::size_t bytes_for(const Source& source);
+  static glev_plan* create_at(void* memory, const Source& source) {
+    return create_at(memory, bytes_for(source), {}, source);
+  }
 
   void retain() const { references_.fetch_add(1, std::memory_order_relaxed); }
   void release() const;
@@ -69,6 +75,8 @@ struct glev_plan {
   const glev::Kernels& kernels() const { return *kernels_; }
 
  private:
+  static glev_plan* create_at(void* memory, std::size_t bytes, const glev::Allocator& allocator,
+                              const Source& source);
   glev_plan(const glev::Allocator& allocator, std::size_t bytes, const Source& source)
       : allocator_(allocator),
         bytes_(bytes),

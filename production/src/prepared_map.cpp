@@ -16,18 +16,10 @@
 namespace glev {
 namespace {
 
-// Range in which evaluation in double neither overflows nor loses significant bits to underflow.
-constexpr double kLargest = 0x1p900, kSmallest = 0x1p-900;
-
-bool is_ordinary(const Domain& domain) {
-  const double width = std::fabs(domain.u2 - domain.u1);
-  return std::fabs(domain.u1) <= kLargest && std::fabs(domain.u2) <= kLargest && width >= kSmallest;
-}
-
 bool is_finite(const Domain& domain) { return std::isfinite(domain.u1) && std::isfinite(domain.u2); }
 
 double unit_of(std::array<int, 2> order, const std::array<Domain, 2>& domain, double largest) {
-  if (!(largest <= kLargest && largest >= kSmallest)) return HUGE_VAL;
+  if (!(largest <= kLargestOrdinary && largest >= kSmallestOrdinary)) return HUGE_VAL;
   for (int d : {0, 1}) {
     if (order[d] > 1 && !is_ordinary(domain[d])) return HUGE_VAL;
   }
@@ -56,36 +48,28 @@ bool is_direct(const PreparedMap& map) {
   return true;
 }
 
-// Four values, those of a point, at a time.
-using Point = std::array<double, 4>;
-template <class Function>
-Point each(const Function& function) {
-  return {function(0), function(1), function(2), function(3)};
-}
+#include "centring-inl.h"
 
-// Centres in one direction: from control points, `step` apart, to the coefficients of powers of x:
-// R_i C(n,i) (1-x)^(n-i) (1+x)^i / 2^n, with at most n + 1 roundings.
-void centre_along(int n, int step, Point* points) {
-  Point &first = points[0], &last = points[n * step];
-  const auto ends = each([&](std::size_t k) { return first[k] + last[k]; }),
-             slope = each([&](std::size_t k) { return last[k] - first[k]; });
-  if (n == 1) {
-    for (std::size_t k = 0; k < 4; ++k) first[k] = ends[k] / 2, last[k] = slope[k] / 2;
-  } else if (n == 2) {
-    Point& middle = points[step];
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double twice = 2 * middle[k];
-      first[k] = (ends[k] + twice) / 4, middle[k] = slope[k] / 2, last[k] = (ends[k] - twice) / 4;
-    }
-  } else if (n == 3) {
-    Point &second = points[step], &third = points[2 * step];
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double middle = 3 * (second[k] + third[k]), tilt = third[k] - second[k];
-      first[k] = (ends[k] + middle) / 8, second[k] = 3 * (slope[k] + tilt) / 8;
-      third[k] = (3 * ends[k] - middle) / 8, last[k] = (slope[k] - 3 * tilt) / 8;
-    }
+// Four values, those of a point, at a time.
+struct Point {
+  std::array<double, 4> value;
+
+  friend Point operator+(const Point& a, const Point& b) {
+    return each([&](std::size_t k) { return a.value[k] + b.value[k]; });
   }
-}
+  friend Point operator-(const Point& a, const Point& b) {
+    return each([&](std::size_t k) { return a.value[k] - b.value[k]; });
+  }
+  friend Point operator*(const Point& a, double factor) {
+    return each([&](std::size_t k) { return a.value[k] * factor; });
+  }
+
+ private:
+  template <class Function>
+  static Point each(const Function& function) {
+    return {{function(0), function(1), function(2), function(3)}};
+  }
+};
 
 // To the coefficients of x^i y^j, as PreparedMap::centred has them.
 void centre(const double* points, std::array<int, 2> order, int components, double* values) {
@@ -94,9 +78,9 @@ void centre(const double* points, std::array<int, 2> order, int components, doub
   for (int i = 0; i < columns; ++i) {
     for (int j = 0; j < rows; ++j, points += components) {
       Point& point = net[static_cast<std::size_t>(j * columns + i)];
-      point = {0, 0, 0, 1};
+      point.value = {0, 0, 0, 1};
       // -0 is 0, so that no sum is -0.
-      for (int k = 0; k < components; ++k) point[static_cast<std::size_t>(k)] = points[k] + 0.0;
+      for (int k = 0; k < components; ++k) point.value[static_cast<std::size_t>(k)] = points[k] + 0.0;
     }
   }
   for (int i = 0; i < columns; ++i) centre_along(rows - 1, columns, &net[static_cast<std::size_t>(i)]);

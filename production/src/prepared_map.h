@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "bernstein.h"
 #include "enclosure.h"
@@ -54,6 +55,13 @@ constexpr double centred_units(int n, int m, double sum, bool is_exact) {
 inline constexpr int kMaxCentredDegree = 3;
 // Values of centred coefficients, which vectors may read and write beyond.
 constexpr int centred_values(int n, int m) { return 4 * (n + 1) * (m + 1) + 8; }
+// The range in which evaluation in double neither overflows nor loses significant bits to underflow.
+inline constexpr double kLargestOrdinary = 0x1p900, kSmallestOrdinary = 0x1p-900;
+inline bool is_ordinary(const Domain& domain) {
+  const double width = std::fabs(domain.u2 - domain.u1);
+  return std::fabs(domain.u1) <= kLargestOrdinary && std::fabs(domain.u2) <= kLargestOrdinary &&
+         width >= kSmallestOrdinary;
+}
 // Bits of the significand of a double; and a number larger than any other.
 inline constexpr int kExactBits = 53, kManyBits = 1 << 20;
 

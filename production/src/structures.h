@@ -7,6 +7,8 @@
 
 #include <glevaluator.h>
 
+#include "allocator.h"
+
 namespace glev {
 
 // Size of a structure in the first version of the library. Members that are added later leave it alone.
@@ -24,6 +26,9 @@ GLEV_FIRST_SIZE(glev_output, row_stride);
 GLEV_FIRST_SIZE(glev_batch, output_count);
 GLEV_FIRST_SIZE(glev_mesh, scratch_size);
 GLEV_FIRST_SIZE(glev_indices, data_size);
+GLEV_FIRST_SIZE(glev_patches, v2);
+GLEV_FIRST_SIZE(glev_patch_grid, target);
+GLEV_FIRST_SIZE(glev_map_info, instruction_set);
 #undef GLEV_FIRST_SIZE
 
 // Copies a structure that begins with its size; members that the caller's version does not have are zero.
@@ -39,6 +44,16 @@ bool read_struct(const Struct* given, Struct* copy) {
   }
   *copy = {};
   std::memcpy(copy, given, std::min(given->size, sizeof(Struct)));
+  return true;
+}
+
+// The heap for null. Returns false for what is no allocator.
+inline bool read_allocator(const glev_allocator* given, Allocator* allocator) {
+  glev_allocator functions;
+  if (given == nullptr) return true;
+  if (!read_struct(given, &functions) || functions.allocate == nullptr || functions.release == nullptr)
+    return false;
+  *allocator = Allocator(functions);
   return true;
 }
 

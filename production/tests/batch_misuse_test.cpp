@@ -130,7 +130,8 @@ TEST_F(Misuse, OfOutputs) {
     expect_mesh(expected, 2, what, [&](Call& call) { spoil(call.tangent); });
   };
   change(kInvalid, "size 0", [](glev_output& output) { output.size = 0; });
-  change(kInvalid, "size - 1", [](glev_output& output) { --output.size; });
+  change(kInvalid, "size below that of the first version",
+         [](glev_output& output) { output.size = offsetof(glev_output, patch_stride) - 1; });
   change(kInvalid, "no data", [](glev_output& output) { output.data = nullptr; });
   change(kInvalid, "no components", [](glev_output& output) { output.components = 0; });
   change(kInvalid, "5 components", [](glev_output& output) { output.components = 5, output.stride = 100; });
@@ -300,6 +301,10 @@ TEST_F(Misuse, OfRowStrides) {
     ask(200)(call);
     call.vertex.data_size = 2 * 200 + 4 * 24 + 11;
   });
+}
+
+TEST_F(Misuse, OfPatchStrides) {
+  expect_both(kInvalid, "a patch stride", [](Call& call) { call.vertex.patch_stride = 1000; });
 }
 
 TEST_F(Misuse, LaterVersionsMayBeLargerIfTheRestIsZero) {

@@ -48,7 +48,8 @@ class Batch : public ContextTest {
     return batch;
   }
   glev_output make_output(std::size_t offset, std::size_t stride, std::size_t components) {
-    return {sizeof(glev_output), buffer_.data() + offset, buffer_.size() - offset, stride, components, 0, 0};
+    return {
+        sizeof(glev_output), buffer_.data() + offset, buffer_.size() - offset, stride, components, 0, 0, 0};
   }
   Floats element_at(std::size_t offset, std::size_t components) const {
     Floats values(components);
@@ -200,7 +201,7 @@ TEST_F(Batch, SizesThatOverflowAreTooLarge) {
 }
 
 TEST_F(Batch, CountZeroReadsAndWritesNothing) {
-  glev_output vertex = {sizeof(glev_output), nullptr, 0, 12, 3, 0, 0};
+  glev_output vertex = {sizeof(glev_output), nullptr, 0, 12, 3, 0, 0, 0};
   glev_batch batch = valid_batch();
   batch.count = 0;
   batch.u.data = nullptr;
@@ -230,7 +231,7 @@ TEST_F(Batch, MisuseIsRefusedAndNothingWritten) {
   with([](glev_batch& b, glev_output&) { b.size = sizeof b - 1; });
   with([](glev_batch& b, glev_output&) { b.u.data = nullptr; });
   with([](glev_batch& b, glev_output&) { b.type = 0x1404; });
-  with([](glev_batch&, glev_output& v) { v.size = sizeof v - 1; });
+  with([](glev_batch&, glev_output& v) { v.size = offsetof(glev_output, patch_stride) - 1; });
   with([](glev_batch&, glev_output& v) { v.data = nullptr; });
   with([](glev_batch&, glev_output& v) { v.components = 0; });
   with([](glev_batch&, glev_output& v) { v.components = 2; });

@@ -63,7 +63,7 @@ class Memory {
   // Everything from there on.
   glev_output make_output(std::size_t offset, std::size_t stride, std::size_t components, glev_enum type = 0,
                           std::size_t row_stride = 0) {
-    return {sizeof(glev_output), data() + offset, size() - offset, stride, components, type, row_stride};
+    return {sizeof(glev_output), data() + offset, size() - offset, stride, components, type, row_stride, 0};
   }
   template <class Value>
   void put(std::size_t offset, const Value* values, std::size_t count) {
@@ -106,8 +106,14 @@ std::vector<Result> evaluate_scattered(const glev_plan* plan, glev_attribute att
                                        glev_precision precision = GLEV_CORRECTLY_ROUNDED) {
   const std::size_t components = glevGetPlanComponents(plan, attribute), stride = components * sizeof(Result);
   std::vector<Result> results(u.size() * components);
-  const glev_output output = {
-      sizeof output, results.data(), results.size() * sizeof(Result), stride, components, kTypeOf<Result>, 0};
+  const glev_output output = {sizeof output,
+                              results.data(),
+                              results.size() * sizeof(Result),
+                              stride,
+                              components,
+                              kTypeOf<Result>,
+                              0,
+                              0};
   glev_batch batch = {sizeof batch, u.size(), kTypeOf<Real>, precision, input_of(u), input_of(v), nullptr, 0};
   const Outputs outputs(batch, {{attribute, &output}});
   EXPECT_EQ(glevEvaluate(plan, &batch), GLEV_SUCCESS);
@@ -128,8 +134,14 @@ std::vector<Result> evaluate_grid(const glev_plan* plan, glev_attribute attribut
   const std::size_t components = glevGetPlanComponents(plan, attribute);
   const std::size_t values = std::max(apart, components), stride = values * sizeof(Result);
   std::vector<Result> results(range.columns() * range.rows() * values, between);
-  const glev_output output = {
-      sizeof output, results.data(), results.size() * sizeof(Result), stride, components, kTypeOf<Result>, 0};
+  const glev_output output = {sizeof output,
+                              results.data(),
+                              results.size() * sizeof(Result),
+                              stride,
+                              components,
+                              kTypeOf<Result>,
+                              0,
+                              0};
   glev_mesh mesh = {sizeof mesh, range.i1, range.i2, range.j1, range.j2, precision, nullptr, 0, nullptr, 0};
   const Outputs outputs(mesh, {{attribute, &output}});
   std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "batches.h"
+#include "guarded.h"
 
 namespace glev_tests {
 namespace {
@@ -15,7 +16,14 @@ std::size_t bytes_of_index(glev_enum type) {
 
 glev_indices make_indices(glev_enum mode, std::size_t columns, std::size_t rows,
                           glev_enum type = GLEV_UNSIGNED_INT, std::size_t first = 0) {
-  return {sizeof(glev_indices), mode, columns, rows, first, type, nullptr, 0};
+  glev_indices indices{};
+  indices.size = sizeof indices;
+  indices.mode = mode;
+  indices.columns = columns;
+  indices.rows = rows;
+  indices.first = first;
+  indices.type = type;
+  return indices;
 }
 
 // Into exactly as many bytes as they need.
@@ -216,7 +224,8 @@ TEST(IndexBuffers, MisuseIsRefusedAndNothingWritten) {
   EXPECT_EQ(glevGetIndices(nullptr), kWrong);
   EXPECT_EQ(glevGetIndexCount(nullptr), 0u);
   EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.size = 0; }), 0u);
-  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { --indices.size; }), 0u);
+  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.size = offsetof(glev_indices, patches) - 1; }),
+            0u);
   for (glev_enum mode : {GLEV_POINTS, GLEV_LINES, 0x1AFF, 0x1B03})
     EXPECT_EQ(with(kWrong, [&](glev_indices& indices) { indices.mode = mode; }), 0u);
   EXPECT_EQ(with(kWrong, [&](glev_indices& indices) { indices.mode = 0, indices.rows = 0; }), 0u);
@@ -231,6 +240,127 @@ TEST(IndexBuffers, MisuseIsRefusedAndNothingWritten) {
   for (std::size_t size : {0, 1, 67})
     EXPECT_EQ(with(GLEV_ERROR_BUFFER_TOO_SMALL, [&](glev_indices& indices) { indices.data_size = size; }),
               34u);
+}
+
+// Each mesh has the indices that it would have alone.
+TEST(IndexBuffers, OfPatchesFollowOneAnother) {
+  for (glev_enum mode : {GLEV_POINT, GLEV_LINE, GLEV_FILL}) {
+    for (auto [columns, rows] : {std::pair<std::size_t, std::size_t>{1, 1}, {4, 3}, {2, 5}, {1, 3}}) {
+      glev_indices patches = make_indices(mode, columns, rows, GLEV_UNSIGNED_SHORT, 9);
+      patches.patches = 5;
+      std::vector<std::uint32_t> expected;
+      for (std::size_t p = 0; p < 5; ++p) {
+        const auto own =
+            get_indices(make_indices(mode, columns, rows, GLEV_UNSIGNED_SHORT, 9 + p * columns * rows));
+        expected.insert(expected.end(), own.begin(), own.end());
+      }
+      EXPECT_EQ(get_indices(patches), expected);
+    }
+  }
+}
+
+TEST(IndexBuffers, WindingSwapsTheLastTwoOfEachTriangle) {
+  for (glev_enum mode : {GLEV_POINT, GLEV_LINE, GLEV_FILL}) {
+    glev_indices indices = make_indices(mode, 4, 3);
+    const std::vector<std::uint32_t> clockwise = get_indices(indices);
+    indices.winding = GLEV_CW;
+    EXPECT_EQ(get_indices(indices), clockwise);
+    indices.winding = GLEV_CCW;
+    std::vector<std::uint32_t> other = get_indices(indices);
+    for (std::size_t k = 0; mode == GLEV_FILL && k < other.size(); k += 3)
+      std::swap(other[k + 1], other[k + 2]);
+    EXPECT_EQ(other, clockwise);
+  }
+}
+
+// Vertices of a few bytes with few values, between bytes that do not count.
+class SharedVertices : public ::testing::Test {
+ protected:
+  static constexpr std::size_t kColumns = 7, kRows = 5, kPatches = 6, kVertices = kColumns * kRows * kPatches;
+
+  // Returns the indices; the scratch memory and the vertices end where they must not be left.
+  std::vector<std::uint32_t> share(std::size_t bytes, std::size_t stride, Guarded::Side side,
+                                   std::size_t shift = 0) {
+    Guarded vertices((kVertices - 1) * stride + bytes, side);
+    for (std::size_t i = 0; i < kVertices; ++i) {
+      for (std::size_t b = 0; b < bytes; ++b) vertices.data()[i * stride + b] = 0;
+      // The last byte decides as well as the first.
+      vertices.data()[i * stride] = static_cast<unsigned char>(chance_.whole(0, 9));
+      vertices.data()[i * stride + bytes - 1] ^= static_cast<unsigned char>(chance_.whole(0, 3));
+      for (std::size_t b = bytes; b < stride && i + 1 < kVertices; ++b)
+        vertices.data()[i * stride + b] = static_cast<unsigned char>(chance_.whole(0, 255));
+    }
+    glev_indices indices = make_indices(GLEV_FILL, kColumns, kRows, GLEV_UNSIGNED_SHORT, 100);
+    indices.patches = kPatches;
+    const std::vector<std::uint32_t> all = get_indices(indices);
+    indices.vertices = vertices.data();
+    indices.vertices_size = vertices.size();
+    indices.vertex_stride = stride;
+    indices.vertex_bytes = bytes;
+    vertices.make_read_only();
+    Guarded scratch(glevGetIndexScratchSize(&indices) + shift, side);
+    indices.scratch = scratch.data() + shift;
+    indices.scratch_size = scratch.size() - shift;
+    const std::vector<std::uint32_t> shared = get_indices(indices);
+    EXPECT_EQ(shared.size(), all.size());
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const auto vertex = [&](std::size_t number) { return vertices.data() + number * stride; };
+      std::size_t first = 0;
+      while (std::memcmp(vertex(first), vertex(all[k] - 100), bytes) != 0) ++first;
+      EXPECT_EQ(shared[k], first + 100) << "index " << k;
+    }
+    EXPECT_NE(shared, all);
+    return shared;
+  }
+
+  Chance chance_;
+};
+
+TEST_F(SharedVertices, AreTheFirstOnesOfEqualBits) {
+  for (auto side : {Guarded::Side::kBegin, Guarded::Side::kEnd}) {
+    for (std::size_t bytes : {1, 3, 4, 8, 12, 13, 24}) share(bytes, bytes, side);
+    share(12, 24, side);
+    share(12, 29, side);
+    for (std::size_t shift : {1, 2, 3}) share(12, 12, side, shift);
+  }
+}
+
+TEST_F(SharedVertices, MisuseIsRejectedAndNothingWritten) {
+  const float vertices[12][3] = {};
+  Memory memory(1000), scratch(1000);
+  const auto with = [&](glev_result expected, auto change) {
+    glev_indices indices = make_indices(GLEV_FILL, 3, 2);
+    indices.patches = 2;
+    indices.data = memory.data();
+    indices.data_size = memory.size();
+    indices.vertices = vertices;
+    indices.vertices_size = sizeof vertices;
+    indices.vertex_stride = indices.vertex_bytes = 12;
+    indices.scratch = scratch.data();
+    indices.scratch_size = glevGetIndexScratchSize(&indices);
+    change(indices);
+    EXPECT_EQ(glevGetIndices(&indices), expected);
+    EXPECT_EQ(memory.is_untouched(), expected != GLEV_SUCCESS);
+    memory.poison(0, memory.size());
+    return glevGetIndexScratchSize(&indices);
+  };
+  constexpr glev_result kWrong = GLEV_ERROR_INVALID_ARGUMENT, kSmall = GLEV_ERROR_BUFFER_TOO_SMALL;
+  const std::size_t size = with(GLEV_SUCCESS, [](glev_indices&) {});
+  EXPECT_NE(size, 0u);
+  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.winding = 1; }), 0u);
+  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.patches = SIZE_MAX; }), 0u);
+  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.patches = std::size_t{1} << 62; }), 0u);
+  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.vertex_bytes = 0; }), 0u);
+  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.vertex_bytes = 13; }), 0u);
+  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.patches = 1 << 30, indices.columns = 2; }), 0u);
+  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.scratch = nullptr; }), size);
+  EXPECT_EQ(with(kSmall, [](glev_indices& indices) { --indices.scratch_size; }), size);
+  EXPECT_EQ(with(kSmall, [](glev_indices& indices) { --indices.vertices_size; }), size);
+  EXPECT_EQ(with(kSmall, [](glev_indices& indices) { indices.vertices_size = 11; }), size);
+  EXPECT_EQ(with(kSmall, [](glev_indices& indices) { indices.vertex_stride = SIZE_MAX; }), size);
+  EXPECT_EQ(with(kSmall, [](glev_indices& indices) { indices.data_size = 95; }), size);
+  EXPECT_EQ(with(GLEV_SUCCESS, [](glev_indices& indices) { indices.vertices = nullptr; }), 0u);
+  EXPECT_EQ(glevGetIndexScratchSize(nullptr), 0u);
 }
 
 }  // namespace

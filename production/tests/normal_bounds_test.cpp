@@ -208,6 +208,7 @@ class NormalBounds : public ::testing::Test {
                       values * sizeof(Real),
                       components,
                       sizeof(Real) == 8 ? GLEV_DOUBLE : GLEV_FLOAT,
+                      0,
                       0};
     glev_mesh mesh = {};
     mesh.size = sizeof mesh;
@@ -228,13 +229,15 @@ class NormalBounds : public ::testing::Test {
     ASSERT_EQ(glevCreatePlan(gl, &info, &plan), GLEV_SUCCESS);
     std::vector<float> got(range.count() * stride, 77);
     const std::size_t bytes = got.size() * sizeof(float);
-    const glev_output vertex = {sizeof vertex, got.data(), bytes, stride * sizeof(float), 3, GLEV_FLOAT, 0},
+    const glev_output vertex = {sizeof vertex, got.data(), bytes, stride * sizeof(float), 3,
+                                GLEV_FLOAT,    0,          0},
                       normal = {sizeof normal,
                                 got.data() + 3,
                                 bytes - 3 * sizeof(float),
                                 stride * sizeof(float),
                                 3,
                                 GLEV_FLOAT,
+                                0,
                                 0};
     glev_mesh mesh = {};
     mesh.size = sizeof mesh;

@@ -18,7 +18,7 @@ constexpr glev_plan_info kOneDimension = {sizeof(glev_plan_info), 1};
 
 std::vector<float> vertices_of(const glev_plan* plan, const std::vector<float>& u) {
   std::vector<float> positions(4 * u.size());
-  const glev_output output = {sizeof(glev_output), positions.data(), positions.size() * 4, 16, 4, 0, 0};
+  const glev_output output = {sizeof(glev_output), positions.data(), positions.size() * 4, 16, 4, 0, 0, 0};
   glev_batch batch{};
   batch.size = sizeof batch;
   batch.count = u.size();

@@ -40,6 +40,7 @@ AT(glev_output, stride, 24);
 AT(glev_output, components, 32);
 AT(glev_output, type, 40);
 AT(glev_output, row_stride, 48);
+AT(glev_output, patch_stride, 56);
 AT(glev_batch, count, 8);
 AT(glev_batch, type, 16);
 AT(glev_batch, precision, 20);
@@ -61,6 +62,44 @@ AT(glev_indices, first, 32);
 AT(glev_indices, type, 40);
 AT(glev_indices, data, 48);
 AT(glev_indices, data_size, 56);
+AT(glev_indices, patches, 64);
+AT(glev_indices, winding, 72);
+AT(glev_indices, vertices, 80);
+AT(glev_indices, vertices_size, 88);
+AT(glev_indices, vertex_stride, 96);
+AT(glev_indices, vertex_bytes, 104);
+AT(glev_indices, scratch, 112);
+AT(glev_indices, scratch_size, 120);
+AT(glev_patches, count, 8);
+AT(glev_patches, components, 16);
+AT(glev_patches, uorder, 24);
+AT(glev_patches, vorder, 28);
+AT(glev_patches, type, 32);
+AT(glev_patches, points, 40);
+AT(glev_patches, points_size, 48);
+AT(glev_patches, u_stride, 56);
+AT(glev_patches, v_stride, 64);
+AT(glev_patches, patch_stride, 72);
+AT(glev_patches, u1, 80);
+AT(glev_patches, v2, 104);
+AT(glev_patch_grid, kind, 8);
+AT(glev_patch_grid, precision, 12);
+AT(glev_patch_grid, u_segments, 16);
+AT(glev_patch_grid, v_segments, 20);
+AT(glev_patch_grid, u_count, 24);
+AT(glev_patch_grid, v_count, 32);
+AT(glev_patch_grid, type, 40);
+AT(glev_patch_grid, u, 48);
+AT(glev_patch_grid, v, 72);
+AT(glev_patch_grid, patch, 96);
+AT(glev_patch_grid, target, 120);
+AT(glev_map_info, target, 8);
+AT(glev_map_info, map, 16);
+AT(glev_map_info, u_segments, 24);
+AT(glev_map_info, v_segments, 28);
+AT(glev_map_info, auto_normal, 32);
+AT(glev_map_info, allocator, 40);
+AT(glev_map_info, instruction_set, 48);
 _Static_assert(sizeof(glev_input) == 3 * sizeof(size_t), "glev_input has changed");
 _Static_assert(sizeof(glev_attribute_output) == 2 * sizeof(void*), "glev_attribute_output has changed");
 
@@ -153,7 +192,6 @@ int main(void) {
   mesh.it.scratch_size = glevGetMeshScratchSize(plan, &mesh.it);
   mesh.it.scratch = malloc(mesh.it.scratch_size);
   CHECK(glevEvaluateMesh(plan, &mesh.it) == GLEV_SUCCESS);
-  free(mesh.it.scratch);
   CHECK(memcmp(results, again, sizeof results) == 0);
 
   unsigned short numbers[6];
@@ -166,6 +204,42 @@ int main(void) {
   CHECK(glevGetIndexCount(&indices.it) == 6);
   CHECK(glevGetIndices(&indices.it) == GLEV_SUCCESS);
   CHECK(numbers[5] == 3);
+
+  /* A program from before there were patches. */
+  output.it.size = offsetof(glev_output, patch_stride);
+  indices.it.size = offsetof(glev_indices, patches);
+  CHECK(glevEvaluateMesh(plan, &mesh.it) == GLEV_SUCCESS);
+  CHECK(glevGetIndices(&indices.it) == GLEV_SUCCESS);
+  output.it.size = sizeof output.it;
+  free(mesh.it.scratch);
+
+  static const float second[4][3] = {{0, 0, 0}, {1, 2, 0}, {3, 2, 0}, {4, 0, 0}};
+  MAKE(glev_patches, patches);
+  patches.it.count = 1;
+  patches.it.components = 3;
+  patches.it.uorder = 4;
+  patches.it.vorder = 1;
+  patches.it.type = GLEV_FLOAT;
+  patches.it.points = second;
+  patches.it.points_size = sizeof second;
+  MAKE(glev_patch_grid, grid);
+  grid.it.u_segments = 2;
+  memset(again, 0, sizeof again);
+  mesh.it.scratch_size = glevGetPatchScratchSize(&patches.it, &grid.it);
+  mesh.it.scratch = malloc(mesh.it.scratch_size);
+  CHECK(glevEvaluatePatches(&patches.it, &grid.it, outputs, 1, mesh.it.scratch, mesh.it.scratch_size) ==
+        GLEV_SUCCESS);
+  free(mesh.it.scratch);
+  CHECK(memcmp(results, again, sizeof results) == 0);
+  MAKE(glev_map_info, map);
+  map.it.target = GLEV_MAP1_VERTEX_3;
+  map.it.map = &patches.it;
+  glev_plan* of_map;
+  CHECK(glevCreatePlanFromMap(&map.it, &of_map) == GLEV_SUCCESS);
+  memset(again, 0, sizeof again);
+  CHECK(glevEvaluate(of_map, &batch.it) == GLEV_SUCCESS);
+  CHECK(memcmp(results, again, sizeof results) == 0);
+  glevReleasePlan(of_map);
 
   /* A structure that is smaller than in any version is none. */
   --batch.it.size;

@@ -16,7 +16,7 @@ cmake --install "$build" --component glevaluator --prefix "$work/installed" >/de
 [[ $fortran == OFF ]] || cmake --install "$build" --component glevaluator_fortran --prefix "$work/installed" >/dev/null
 # The commands of the README install that and nothing else.
 mkdir "$work/documented"
-grep '^cmake --install' "$examples/../README.md" |
+grep '^cmake --install build/release' "$examples/../README.md" |
   sed -e "s|build/release|$build|" -e "s|PREFIX|$work/documented|" >"$work/documented.sh"
 [[ -s $work/documented.sh ]] || fail "the README says no commands to install"
 [[ $fortran == ON ]] || sed -i '/glevaluator_fortran/d' "$work/documented.sh"

@@ -1,0 +1,304 @@
+// glevaluator.h for C++20: owners of contexts and plans, and spans in place of pointers with sizes. Header
+// only; throws nothing and needs neither exceptions nor run-time type information. Functions return a
+// glev_result as those of glevaluator.h, which documents arguments, values and errors; memory that cannot be
+// had is OUT_OF_MEMORY.
+#ifndef GLEVALUATOR_HPP_
+#define GLEVALUATOR_HPP_
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+#include <glevaluator.h>
+
+namespace glevaluator {
+
+// float or double, and GLEV_FLOAT or GLEV_DOUBLE.
+template <class T>
+concept Real = std::is_same_v<T, float> || std::is_same_v<T, double>;
+template <Real T>
+inline constexpr glev_enum kTypeOf = std::is_same_v<T, float> ? GLEV_FLOAT : GLEV_DOUBLE;
+
+// A context, destroyed with its owner. get() is null if there is none: result() says why.
+class Context {
+ public:
+  explicit Context(const glev_context_info* info = nullptr) noexcept {
+    glev_context* context = nullptr;
+    result_ = glevCreateContext(info, &context);
+    context_.reset(context);
+  }
+  glev_result result() const noexcept { return result_; }
+  explicit operator bool() const noexcept { return context_ != nullptr; }
+  glev_context* get() const noexcept { return context_.get(); }
+
+ private:
+  struct Destroy {
+    void operator()(glev_context* context) const noexcept { glevDestroyContext(context); }
+  };
+  std::unique_ptr<glev_context, Destroy> context_;
+  glev_result result_;
+};
+
+// A reference to a plan: copies share it. get() is null if there is none: result() says why.
+class Plan {
+ public:
+  Plan() noexcept = default;
+  // A snapshot of the maps of one dimension, 1 or 2.
+  Plan(const Context& context, std::size_t dimension) noexcept {
+    if (!context) return;
+    glev_plan_info info{};
+    info.size = sizeof info;
+    info.dimension = dimension;
+    result_ = glevCreatePlan(context.get(), &info, &plan_);
+  }
+  // One map, without a context.
+  explicit Plan(const glev_map_info& info) noexcept : result_(glevCreatePlanFromMap(&info, &plan_)) {}
+
+  Plan(const Plan& other) noexcept : plan_(other.plan_), result_(other.result_) {
+    if (plan_ != nullptr) glevRetainPlan(plan_);
+  }
+  Plan(Plan&& other) noexcept
+      : plan_(std::exchange(other.plan_, nullptr)), result_(std::exchange(other.result_, kNone)) {}
+  Plan& operator=(Plan other) noexcept {
+    std::swap(plan_, other.plan_);
+    std::swap(result_, other.result_);
+    return *this;
+  }
+  ~Plan() { glevReleasePlan(plan_); }
+
+  glev_result result() const noexcept { return result_; }
+  explicit operator bool() const noexcept { return plan_ != nullptr; }
+  glev_plan* get() const noexcept { return plan_; }
+  std::size_t components(glev_attribute attribute) const noexcept {
+    return plan_ == nullptr ? 0 : glevGetPlanComponents(plan_, attribute);
+  }
+
+ private:
+  static constexpr glev_result kNone = GLEV_ERROR_INVALID_ARGUMENT;
+
+  glev_plan* plan_ = nullptr;
+  glev_result result_ = kNone;
+};
+
+// Scratch memory that grows when it must, for one call after another.
+class Scratch {
+ public:
+  // Returns false without memory.
+  bool reserve(std::size_t size) noexcept {
+    if (size <= size_) return true;
+    memory_.reset(new (std::nothrow) std::byte[size]);
+    size_ = memory_ != nullptr ? size : 0;
+    return memory_ != nullptr;
+  }
+  void* data() const noexcept { return memory_.get(); }
+  std::size_t size() const noexcept { return size_; }
+
+ private:
+  std::unique_ptr<std::byte[]> memory_;
+  std::size_t size_ = 0;
+};
+
+// The destinations of a call, each attribute at most once. Refers to memory of the caller.
+class Outputs {
+ public:
+  Outputs() noexcept = default;
+  Outputs(const Outputs&) = delete;
+  Outputs& operator=(const Outputs&) = delete;
+
+  // Elements of `components` values one behind the other.
+  template <Real T>
+  Outputs& add(glev_attribute attribute, std::span<T> values, std::size_t components) noexcept {
+    return add(attribute,
+               make(values.data(), values.size_bytes(), components * sizeof(T), components, kTypeOf<T>));
+  }
+  // A member of an array of structures, such as add(GLEV_ATTRIBUTE_NORMAL, vertices, &Vertex::normal).
+  template <class Vertex, Real T, std::size_t kComponents>
+  Outputs& add(glev_attribute attribute, std::span<Vertex> vertices,
+               T (Vertex::*member)[kComponents]) noexcept {
+    if (vertices.empty()) return add(attribute, make(nullptr, 0, sizeof(Vertex), kComponents, kTypeOf<T>));
+    auto* const first = reinterpret_cast<std::byte*>(&(vertices.front().*member));
+    const auto before = static_cast<std::size_t>(first - reinterpret_cast<std::byte*>(vertices.data()));
+    return add(attribute,
+               make(first, vertices.size_bytes() - before, sizeof(Vertex), kComponents, kTypeOf<T>));
+  }
+  // Any layout. Outputs beyond the number of attributes make the call fail.
+  Outputs& add(glev_attribute attribute, const glev_output& output) noexcept {
+    const std::size_t place = count_ < kMost ? count_ : kMost - 1;
+    outputs_[place] = output;
+    list_[place] = {attribute, &outputs_[place]};
+    if (count_ < kMost) ++count_;
+    return *this;
+  }
+
+  const glev_attribute_output* data() const noexcept { return list_.data(); }
+  std::size_t size() const noexcept { return count_; }
+
+ private:
+  // One more than there are attributes: then one of them is there twice, which is an error.
+  static constexpr std::size_t kMost = 7;
+
+  static glev_output make(void* data, std::size_t size, std::size_t stride, std::size_t components,
+                          glev_enum type) noexcept {
+    glev_output output{};
+    output.size = sizeof output;
+    output.data = data;
+    output.data_size = size;
+    output.stride = stride;
+    output.components = components;
+    output.type = type;
+    return output;
+  }
+
+  std::array<glev_output, kMost> outputs_{};
+  std::array<glev_attribute_output, kMost> list_{};
+  std::size_t count_ = 0;
+};
+
+template <class T>
+glev_input make_input(std::span<const T> values) noexcept {
+  return values.empty() ? glev_input{} : glev_input{values.data(), values.size_bytes(), sizeof(T)};
+}
+
+// ---- Plans
+
+// glevEvaluate at arguments u, and v for plans of dimension 2, of which there must be as many.
+template <Real T>
+[[nodiscard]] glev_result evaluate(const Plan& plan, std::span<const T> u, std::span<const T> v,
+                                   const Outputs& outputs,
+                                   glev_precision precision = GLEV_CORRECTLY_ROUNDED) noexcept {
+  if (!v.empty() && v.size() != u.size()) return GLEV_ERROR_INVALID_ARGUMENT;
+  glev_batch batch{};
+  batch.size = sizeof batch;
+  batch.count = u.size();
+  batch.type = kTypeOf<T>;
+  batch.precision = precision;
+  batch.u = make_input(u);
+  batch.v = make_input(v);
+  batch.outputs = outputs.data();
+  batch.output_count = outputs.size();
+  return glevEvaluate(plan.get(), &batch);
+}
+
+// glevEvaluateMesh of points i1 to i2, and j1 to j2, of the grid. The scratch members of the mesh are set
+// here.
+[[nodiscard]] inline glev_result evaluate_mesh(const Plan& plan, glev_mesh mesh, const Outputs& outputs,
+                                               Scratch& scratch) noexcept {
+  mesh.size = sizeof mesh;
+  mesh.outputs = outputs.data();
+  mesh.output_count = outputs.size();
+  if (!scratch.reserve(glevGetMeshScratchSize(plan.get(), &mesh))) return GLEV_ERROR_OUT_OF_MEMORY;
+  mesh.scratch = scratch.data();
+  mesh.scratch_size = scratch.size();
+  return glevEvaluateMesh(plan.get(), &mesh);
+}
+
+// ---- Patches
+
+// As many patches of uorder * vorder control points without padding, v fastest, as the values are enough for.
+// Other strides and domains are members to set.
+template <Real T>
+glev_patches make_patches(std::span<const T> values, std::size_t components, int uorder,
+                          int vorder) noexcept {
+  glev_patches patches{};
+  patches.size = sizeof patches;
+  patches.components = components;
+  patches.uorder = uorder;
+  patches.vorder = vorder;
+  patches.type = kTypeOf<T>;
+  patches.points = values.data();
+  patches.points_size = values.size_bytes();
+  if (components >= 1 && components <= 4 && uorder >= 1 && uorder <= 64 && vorder >= 1 && vorder <= 64)
+    patches.count = values.size() / (components * static_cast<std::size_t>(uorder * vorder));
+  return patches;
+}
+
+inline glev_patch_grid make_uniform_grid(int u_segments, int v_segments) noexcept {
+  glev_patch_grid grid{};
+  grid.size = sizeof grid;
+  grid.kind = GLEV_GRID_UNIFORM;
+  grid.u_segments = u_segments;
+  grid.v_segments = v_segments;
+  return grid;
+}
+
+template <Real T>
+glev_patch_grid make_list_grid(std::span<const T> u, std::span<const T> v) noexcept {
+  glev_patch_grid grid{};
+  grid.size = sizeof grid;
+  grid.kind = GLEV_GRID_LISTS;
+  grid.type = kTypeOf<T>;
+  grid.u_count = u.size();
+  grid.v_count = v.size();
+  grid.u = make_input(u);
+  grid.v = make_input(v);
+  return grid;
+}
+
+// As many points as there are numbers of patches; `u` and `v` that are shorter make the call fail.
+template <Real T>
+glev_patch_grid make_scattered_grid(std::span<const glev_uint> patch, std::span<const T> u,
+                                    std::span<const T> v) noexcept {
+  glev_patch_grid grid{};
+  grid.size = sizeof grid;
+  grid.kind = GLEV_GRID_SCATTERED;
+  grid.type = kTypeOf<T>;
+  grid.u_count = patch.size();
+  grid.u = make_input(u);
+  grid.v = make_input(v);
+  grid.patch = make_input(patch);
+  return grid;
+}
+
+[[nodiscard]] inline glev_result evaluate(const glev_patches& patches, const glev_patch_grid& grid,
+                                          const Outputs& outputs, Scratch& scratch) noexcept {
+  if (!scratch.reserve(glevGetPatchScratchSize(&patches, &grid))) return GLEV_ERROR_OUT_OF_MEMORY;
+  return glevEvaluatePatches(&patches, &grid, outputs.data(), outputs.size(), scratch.data(), scratch.size());
+}
+
+// ---- Indices
+
+// Triangles of patches of columns * rows points. Other modes, windings and shared vertices are members to
+// set.
+inline glev_indices make_indices(std::size_t columns, std::size_t rows, std::size_t patches = 1) noexcept {
+  glev_indices indices{};
+  indices.size = sizeof indices;
+  indices.mode = GLEV_FILL;
+  indices.columns = columns;
+  indices.rows = rows;
+  indices.patches = patches;
+  indices.type = GLEV_UNSIGNED_INT;
+  return indices;
+}
+
+template <class Vertex>
+void share_vertices(glev_indices& indices, std::span<const Vertex> vertices) noexcept {
+  indices.vertices = vertices.data();
+  indices.vertices_size = vertices.size_bytes();
+  indices.vertex_stride = indices.vertex_bytes = sizeof(Vertex);
+}
+
+// Writes to `numbers`, which has room for glevGetIndexCount of them.
+template <class Index>
+requires std::is_same_v<Index, std::uint8_t> || std::is_same_v<Index, std::uint16_t> ||
+    std::is_same_v<Index, std::uint32_t>
+[[nodiscard]] glev_result get_indices(glev_indices indices, std::span<Index> numbers,
+                                      Scratch& scratch) noexcept {
+  indices.type = sizeof(Index) == 1   ? GLEV_UNSIGNED_BYTE
+                 : sizeof(Index) == 2 ? GLEV_UNSIGNED_SHORT
+                                      : GLEV_UNSIGNED_INT;
+  indices.data = numbers.data();
+  indices.data_size = numbers.size_bytes();
+  if (!scratch.reserve(glevGetIndexScratchSize(&indices))) return GLEV_ERROR_OUT_OF_MEMORY;
+  indices.scratch = scratch.data();
+  indices.scratch_size = scratch.size();
+  return glevGetIndices(&indices);
+}
+
+}  // namespace glevaluator
+
+#endif  // GLEVALUATOR_HPP_

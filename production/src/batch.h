@@ -1,0 +1,27 @@
+// Batches through a plan, after their arguments have been checked.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "kernels.h"
+#include "outputs.h"
+#include "plan.h"
+
+namespace glev {
+
+// The components of each attribute of a plan.
+std::array<std::size_t, kOutputs> components_of(const glev_plan& plan);
+
+// Bytes of scratch memory, anywhere, that a mesh of so many columns needs.
+std::size_t scratch_of(const glev_plan& plan, std::size_t columns);
+
+// v: null for curves.
+void evaluate_arguments(const glev_plan& plan, const Input& u, const Input* v, std::size_t count,
+                        const Outputs& outputs);
+
+void evaluate_range(const glev_plan& plan, const MeshRange& range, bool fast, Outputs outputs,
+                    std::byte* scratch);
+
+}  // namespace glev

@@ -1,0 +1,215 @@
+// Memory of the caller that batches write to: what is asked for, and whether it may be written.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "structures.h"
+#include "target.h"
+
+namespace glev {
+
+// patches * rows * columns > 0 elements of `element` bytes, `stride` bytes from one to the next, `row_stride`
+// from row to row, `patch_stride` from patch to patch.
+struct Stream {
+  const std::byte* begin = nullptr;
+  std::size_t columns = 0, rows = 1, stride = 0, row_stride = 0, element = 0;
+  std::size_t patches = 1, patch_stride = 0;
+
+  // In so many bytes, and in the address space, whatever the caller claims.
+  bool fits_into(std::size_t bytes) const {
+    const std::size_t room = std::min<std::size_t>(bytes, UINTPTR_MAX - first_byte());
+    if (element > room) return false;
+    std::size_t left = room - element;
+    for (const auto [count, step] :
+         {Level{columns, stride}, Level{rows, row_stride}, Level{patches, patch_stride}}) {
+      if (step == 0) continue;
+      if (count - 1 > left / step) return false;
+      left -= (count - 1) * step;
+    }
+    return true;
+  }
+  // Only after fits_into: nothing overflows then.
+  std::uintptr_t first_byte() const { return reinterpret_cast<std::uintptr_t>(begin); }
+  std::size_t bytes_of_patch() const { return (rows - 1) * row_stride + (columns - 1) * stride + element; }
+  std::uintptr_t past_last_byte() const {
+    return first_byte() + (patches - 1) * patch_stride + bytes_of_patch();
+  }
+
+ private:
+  struct Level {
+    std::size_t count, step;
+  };
+};
+
+// Rows of the strides and columns of `first`, `offset` bytes apart.
+inline bool rows_share_bytes(const Stream& first, const Stream& second, std::size_t offset) {
+  if (offset >= (first.columns - 1) * first.stride + first.element) return false;
+  if (first.columns == 1) return true;
+  const std::size_t column = offset / first.stride, rest = offset % first.stride;
+  return rest < first.element || (rest + second.element > first.stride && column + 1 < first.columns);
+}
+
+// Patches of the same shape, `offset` bytes apart.
+inline bool patches_share_bytes(const Stream& low, const Stream& high, std::size_t offset) {
+  if (low.rows == 1) return rows_share_bytes(low, high, offset);
+  // A row of `high` begins in a row of `low`, or in the padding after it, and may reach into the next one.
+  const std::size_t row = offset / low.row_stride, rest = offset % low.row_stride;
+  if (row >= low.rows) return false;
+  return rows_share_bytes(low, high, rest) ||
+         (row + 1 < low.rows && rows_share_bytes(high, low, low.row_stride - rest));
+}
+
+// b is an output, so its stride is positive. With different strides any overlap of the extents counts.
+inline bool share_bytes(const Stream& a, const Stream& b) {
+  if (a.past_last_byte() <= b.first_byte() || b.past_last_byte() <= a.first_byte()) return false;
+  if (a.stride != b.stride || a.columns != b.columns || a.rows != b.rows || a.row_stride != b.row_stride ||
+      a.patches != b.patches || a.patch_stride != b.patch_stride)
+    return true;
+  const Stream& low = a.first_byte() <= b.first_byte() ? a : b;
+  const Stream& high = &low == &a ? b : a;
+  const std::size_t offset = high.first_byte() - low.first_byte();
+  if (a.patches == 1) return patches_share_bytes(low, high, offset);
+  const std::size_t patch = offset / a.patch_stride, rest = offset % a.patch_stride;
+  return patches_share_bytes(low, high, rest) ||
+         (patch + 1 < a.patches && patches_share_bytes(high, low, a.patch_stride - rest));
+}
+
+// Scratch memory, as much as fits into the address space.
+inline Stream claim(void* memory, std::size_t bytes) {
+  Stream claimed = {static_cast<std::byte*>(memory), 1, 1, 1, 0, bytes};
+  if (!claimed.fits_into(SIZE_MAX)) claimed.element = UINTPTR_MAX - claimed.first_byte();
+  return claimed;
+}
+
+// ---- Outputs
+
+constexpr int kFirstTangent = kAttributes, kOutputs = kAttributes + 2;
+static_assert(kFirstTangent == GLEV_ATTRIBUTE_TANGENT_U && kOutputs == GLEV_ATTRIBUTE_TANGENT_V + 1);
+
+struct Output {
+  bool is_wanted = false, is_double = false;
+  int components = 0;
+  std::byte* data = nullptr;
+  std::size_t bytes = 0;
+  Stream stream;
+
+  std::byte* address_of(std::size_t column, std::size_t row) const {
+    return data + column * stream.stride + row * stream.row_stride;
+  }
+  // The elements of one patch, or of one row of it.
+  Output patch(std::size_t number) const {
+    Output part = *this;
+    if (is_wanted) part.data += number * stream.patch_stride;
+    part.stream.patches = 1;
+    return part;
+  }
+  Output row(std::size_t number) const {
+    Output part = *this;
+    if (is_wanted) part.data += number * stream.row_stride;
+    part.stream.rows = 1;
+    return part;
+  }
+  // `count` elements of a single row.
+  Output columns(std::size_t first, std::size_t count) const {
+    Output part = *this;
+    if (is_wanted) part.data += first * stream.stride;
+    part.stream.columns = count;
+    return part;
+  }
+};
+
+using Outputs = std::array<Output, kOutputs>;
+
+// The elements that outputs have.
+struct Shape {
+  std::size_t columns, rows = 1, patches = 1;
+  bool has_rows = false, has_patches = false;
+
+  bool is_empty() const { return columns == 0 || rows == 0 || patches == 0; }
+};
+
+inline glev_result read_output(const glev_output* given, const Shape& shape, std::size_t map_components,
+                               std::size_t most_components, Output* output) {
+  glev_output copy;
+  if (!read_struct(given, &copy)) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (map_components == 0) return GLEV_ERROR_NO_MAP;
+  if (copy.components < map_components || copy.components > most_components)
+    return GLEV_ERROR_INVALID_ARGUMENT;
+  if (copy.type != 0 && copy.type != GLEV_FLOAT && copy.type != GLEV_DOUBLE)
+    return GLEV_ERROR_INVALID_ARGUMENT;
+  const bool is_double = copy.type == GLEV_DOUBLE, is_empty = shape.is_empty();
+  const std::size_t element = copy.components * (is_double ? sizeof(double) : sizeof(float));
+  if (copy.stride < element || (copy.data == nullptr && !is_empty)) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (!shape.has_rows && copy.row_stride != 0) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (!shape.has_patches && copy.patch_stride != 0) return GLEV_ERROR_INVALID_ARGUMENT;
+  auto* const data = static_cast<std::byte*>(copy.data);
+  Stream stream = {data, shape.columns, shape.rows, copy.stride, 0, element, shape.patches, 0};
+  if (shape.has_rows && !is_empty) {
+    // No row or patch is larger than the address space.
+    if (shape.columns > SIZE_MAX / copy.stride) return GLEV_ERROR_BUFFER_TOO_SMALL;
+    stream.row_stride = copy.row_stride != 0 ? copy.row_stride : shape.columns * copy.stride;
+    if (stream.row_stride < (shape.columns - 1) * copy.stride + element) return GLEV_ERROR_INVALID_ARGUMENT;
+  }
+  if (shape.has_patches && !is_empty) {
+    if (shape.rows > SIZE_MAX / stream.row_stride) return GLEV_ERROR_BUFFER_TOO_SMALL;
+    stream.patch_stride = copy.patch_stride != 0 ? copy.patch_stride : shape.rows * stream.row_stride;
+    if (stream.patch_stride < stream.bytes_of_patch()) return GLEV_ERROR_INVALID_ARGUMENT;
+  }
+  *output = {true, is_double, static_cast<int>(copy.components), data, copy.data_size, stream};
+  return GLEV_SUCCESS;
+}
+
+// C programs may have put any number there, which C++ must not read as an enumerator.
+template <class Enum>
+unsigned number_of(const Enum& enumerator) {
+  unsigned number;
+  static_assert(sizeof number == sizeof enumerator);
+  std::memcpy(&number, &enumerator, sizeof number);
+  return number;
+}
+
+inline bool is_precision(const glev_precision& precision) {
+  return number_of(precision) == GLEV_CORRECTLY_ROUNDED || number_of(precision) == GLEV_FAST;
+}
+
+// map_components: of each attribute, 0 where there is no map.
+inline glev_result read_outputs(const std::array<std::size_t, kOutputs>& map_components,
+                                const glev_attribute_output* given, std::size_t count, const Shape& shape,
+                                Outputs* outputs) {
+  if (given == nullptr && count != 0) return GLEV_ERROR_INVALID_ARGUMENT;
+  for (std::size_t i = 0; i < count; ++i) {
+    const unsigned o = number_of(given[i].attribute);
+    // An attribute is there once at most, so `count` is at most kOutputs.
+    if (o >= kOutputs || (*outputs)[o].is_wanted) return GLEV_ERROR_INVALID_ARGUMENT;
+    const bool is_normal = o == static_cast<unsigned>(Attribute::kNormal);
+    const glev_result result =
+        read_output(given[i].output, shape, map_components[o], is_normal ? 3 : 4, &(*outputs)[o]);
+    if (result != GLEV_SUCCESS) return result;
+  }
+  return GLEV_SUCCESS;
+}
+
+// Sizes and overlaps, with what else is read or written.
+template <std::size_t kOthers>
+glev_result check_memory(const Outputs& outputs, const std::array<Stream, kOthers>& others) {
+  for (const Output& output : outputs) {
+    if (output.is_wanted && !output.stream.fits_into(output.bytes)) return GLEV_ERROR_BUFFER_TOO_SMALL;
+  }
+  for (int a = 0; a < kOutputs; ++a) {
+    if (!outputs[a].is_wanted) continue;
+    for (const Stream& other : others) {
+      if (other.columns != 0 && share_bytes(other, outputs[a].stream)) return GLEV_ERROR_OVERLAP;
+    }
+    for (int b = 0; b < a; ++b) {
+      if (outputs[b].is_wanted && share_bytes(outputs[b].stream, outputs[a].stream))
+        return GLEV_ERROR_OVERLAP;
+    }
+  }
+  return GLEV_SUCCESS;
+}
+
+}  // namespace glev

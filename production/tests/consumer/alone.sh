@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Configures production/ alone: by the commands of its README, and as a part of projects that have it by add_subdirectory and
+# by FetchContent. Highway is compiled for one instruction set, which takes a fraction of the time.
+# alone.sh ROOT WORK
+set -euo pipefail
+root=$1 work=$2
+fail() { echo "$*" >&2; exit 1; }
+quietly() { "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2; fail "fails: $*"; }; }
+export CXXFLAGS=-DHWY_COMPILE_ONLY_STATIC CMAKE_GENERATOR=Ninja
+
+rm -rf "$work"
+mkdir -p "$work"
+version() { sed -n "s/^ *project($2 VERSION \([0-9.]*\) .*/\1/p" "$root/$1"; }
+[[ -n $(version CMakeLists.txt evalcts) && $(version CMakeLists.txt evalcts) == $(version production/CMakeLists.txt glevaluator) ]] ||
+  fail "production/CMakeLists.txt has another version than CMakeLists.txt"
+
+# The first commands of "Installing", as written but for the places.
+awk '/^## Installing/ { here = 1 } here && /^```/ { if (on) exit; on = 1; next } on' "$root/production/README.md" |
+  sed -e "s|build/glevaluator|$work/build|g" -e "s|PREFIX|$work/installed|g" >"$work/commands.sh"
+[[ $(grep -c '^cmake' "$work/commands.sh") == 3 ]] || fail "the README has other commands than three of cmake"
+(cd "$root" && quietly bash -e "$work/commands.sh")
+for file in include/glevaluator.h include/glevaluator.hpp lib/pkgconfig/glevaluator.pc share/doc/glevaluator/LICENSE; do
+  [[ -f $(find "$work/installed" -path "*${file#lib/}") ]] || fail "$file is not installed"
+done
+[[ $(find "$work/installed" -name 'libglevaluator.*' | wc -l) -ge 4 ]] || fail "the libraries are not installed"
+
+cat >"$work/program.c" <<'END'
+#include <glevaluator.h>
+int main(void) { return glevGetTargetName(0) == 0; }
+END
+embed() { # name, commands of CMake that make the library known
+  mkdir -p "$work/$1"
+  cat >"$work/$1/CMakeLists.txt" <<END
+cmake_minimum_required(VERSION 3.21)
+project(consumer C CXX)
+$2
+foreach(library glevaluator glevaluator_shared)
+  add_executable(with_\${library} ../program.c)
+  target_link_libraries(with_\${library} PRIVATE glevaluator::\${library})
+endforeach()
+install(TARGETS with_glevaluator)
+END
+  quietly cmake -S "$work/$1" -B "$work/$1/build"
+  quietly cmake --build "$work/$1/build"
+  for library in glevaluator glevaluator_shared; do "$work/$1/build/with_$library" || fail "$1: $library does not work"; done
+  quietly cmake --install "$work/$1/build" --prefix "$work/$1/installed"
+  [[ $(find "$work/$1/installed" -type f -printf '%f ') == "with_glevaluator " ]] || fail "$1: installs more than its own"
+  [[ ! -f $work/$1/build/CTestTestfile.cmake ]] || fail "$1: has tests"
+}
+embed subdirectory "add_subdirectory($root/production glevaluator)"
+embed fetched "include(FetchContent)
+FetchContent_Declare(glevaluator SOURCE_DIR $root SOURCE_SUBDIR production)
+FetchContent_MakeAvailable(glevaluator)"

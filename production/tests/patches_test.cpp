@@ -1,0 +1,604 @@
+// glevEvaluatePatches: the bits of the GL-named calls and of batches, in memory between guard pages.
+#include <cfenv>
+#include <cmath>
+
+#include "batches.h"
+#include "guarded.h"
+#include "nearest.h"
+
+namespace glev_tests {
+namespace {
+
+using Side = Guarded::Side;
+
+// An array of patches with a random layout, in memory of which nothing else may be read.
+struct Net {
+  std::array<int, 2> order = {4, 4};
+  int components = 3;
+  bool is_double = false;
+  std::size_t count = 3;
+  std::array<double, 4> domain = {0, 1, 0, 1};
+  std::vector<double> values;           // without padding, v fastest
+  std::array<std::size_t, 3> stride{};  // of v, u and patches, in bytes; 0 as in glev_patches
+
+  std::size_t values_of_patch() const {
+    return static_cast<std::size_t>(order[0]) * static_cast<std::size_t>(order[1] * components);
+  }
+  std::size_t element() const {
+    return static_cast<std::size_t>(components) * (is_double ? sizeof(double) : sizeof(float));
+  }
+  std::array<std::size_t, 3> strides() const {
+    const std::size_t v = stride[0] != 0 ? stride[0] : element(),
+                      u = stride[1] != 0 ? stride[1] : v * static_cast<std::size_t>(order[1]);
+    return {v, u, stride[2] != 0 ? stride[2] : u * static_cast<std::size_t>(order[0])};
+  }
+  std::size_t bytes() const {
+    const auto [v, u, patch] = strides();
+    return count == 0 ? 0
+                      : (count - 1) * patch + static_cast<std::size_t>(order[0] - 1) * u +
+                            static_cast<std::size_t>(order[1] - 1) * v + element();
+  }
+  void write(unsigned char* to) const {
+    const auto [v, u, patch] = strides();
+    const double* from = values.data();
+    for (std::size_t p = 0; p < count; ++p) {
+      for (int i = 0; i < order[0]; ++i) {
+        for (int j = 0; j < order[1]; ++j) {
+          unsigned char* at =
+              to + p * patch + static_cast<std::size_t>(i) * u + static_cast<std::size_t>(j) * v;
+          for (int k = 0; k < components; ++k, ++from) {
+            const auto single = static_cast<float>(*from);
+            if (is_double) std::memcpy(at, from, sizeof *from), at += sizeof *from;
+            if (!is_double) std::memcpy(at, &single, sizeof single), at += sizeof single;
+          }
+        }
+      }
+    }
+  }
+  glev_patches describe(const void* points) const {
+    glev_patches patches{};
+    patches.size = sizeof patches;
+    patches.count = count;
+    patches.components = static_cast<std::size_t>(components);
+    patches.uorder = order[0];
+    patches.vorder = order[1];
+    patches.type = is_double ? GLEV_DOUBLE : GLEV_FLOAT;
+    patches.points = points;
+    patches.points_size = bytes();
+    patches.v_stride = stride[0];
+    patches.u_stride = stride[1];
+    patches.patch_stride = stride[2];
+    patches.u1 = domain[0], patches.u2 = domain[1], patches.v1 = domain[2], patches.v2 = domain[3];
+    return patches;
+  }
+};
+
+enum class Data { kRandom, kSymmetric, kDecimal, kDegenerate, kExtreme };
+
+Net choose_net(Chance& chance, int most_order, Data data) {
+  Net net;
+  net.order = {chance.whole(1, most_order), chance.whole(1, most_order)};
+  net.components = chance.whole(1, 4);
+  net.is_double = chance.whole(0, 2) == 0;
+  net.count = static_cast<std::size_t>(chance.whole(1, 20));
+  if (chance.whole(0, 3) == 0) net.domain = {chance.between(-2, 2), chance.between(3, 4), 1, 0};
+  if (chance.whole(0, 5) == 0) net.domain = {0, 0, 0, 0};
+  const std::size_t values = net.values_of_patch();
+  for (std::size_t p = 0; p < net.count; ++p) {
+    for (std::size_t k = 0; k < values; ++k) {
+      double value = net.is_double ? 4 * chance.next_double() - 2 : chance.between(-2, 2);
+      if (data == Data::kSymmetric) value = chance.whole(-3, 3) * 0.25;
+      if (data == Data::kDecimal) value = static_cast<float>(chance.whole(-300, 300) * 0.01);
+      if (data == Data::kDegenerate) value = k % 5 == 0 ? 0 : static_cast<double>(p);
+      if (data == Data::kExtreme)
+        value = chance.one_of({0.0, -0.0, kInfinity, kNaN, 0x1p-149, 0x1p127, -1.5, 3e38, 0x1p-130});
+      net.values.push_back(value);
+    }
+  }
+  const auto gap = [&] { return static_cast<std::size_t>(chance.one_of({0, 0, 1, 4, 12})); };
+  switch (chance.whole(0, 3)) {
+    case 0:  // with padding
+      net.stride[0] = net.element() + gap();
+      net.stride[1] = net.stride[0] * static_cast<std::size_t>(net.order[1]) + gap();
+      net.stride[2] = net.stride[1] * static_cast<std::size_t>(net.order[0]) + gap();
+      break;
+    case 1:  // u fastest
+      net.stride[1] = net.element() + gap();
+      net.stride[0] = net.stride[1] * static_cast<std::size_t>(net.order[0]) + gap();
+      net.stride[2] = net.stride[0] * static_cast<std::size_t>(net.order[1]) + gap();
+      break;
+    case 2:  // patches fastest
+      net.stride[2] = net.element() + gap();
+      net.stride[0] = net.stride[2] * net.count + gap();
+      net.stride[1] = net.stride[0] * static_cast<std::size_t>(net.order[1]) + gap();
+      break;
+  }
+  return net;
+}
+
+// The map of one patch in a context; of curves a MAP1 map if as_curve is set.
+class OneMap {
+ public:
+  OneMap(const Net& net, std::size_t p, bool normals, const char* target, bool as_curve = false) {
+    const glev_context_info info = {sizeof info, nullptr, target};
+    EXPECT_EQ(glevCreateContext(&info, &gl_), GLEV_SUCCESS);
+    // Points of one or two components get zeros behind them, which change nothing.
+    const int components = std::max(net.components, 3);
+    std::vector<double> points;
+    const double* from = net.values.data() + p * net.values_of_patch();
+    for (std::size_t k = 0; k < net.values_of_patch(); ++k) {
+      points.push_back(net.is_double ? from[k] : static_cast<float>(from[k]));
+      while ((k + 1) % static_cast<std::size_t>(net.components) == 0 &&
+             points.size() % static_cast<std::size_t>(components) != 0)
+        points.push_back(0);
+    }
+    auto [u1, u2, v1, v2] = net.domain;
+    if (u1 == 0 && u2 == 0) u2 = 1;
+    if (v1 == 0 && v2 == 0) v2 = 1;
+    domain_ = {u1, u2, v1, v2};
+    const auto [n, m] = net.order;
+    const glev_enum first = as_curve ? GLEV_MAP1_VERTEX_3 : GLEV_MAP2_VERTEX_3,
+                    map = first + (net.components == 4 ? 1 : 0);
+    if (as_curve) {
+      glevMap1d(gl_, map, u1, u2, components, n, points.data());
+    } else {
+      glevMap2d(gl_, map, u1, u2, components * m, n, v1, v2, components, m, points.data());
+    }
+    glevEnable(gl_, map);
+    if (normals) glevEnable(gl_, GLEV_AUTO_NORMAL);
+    EXPECT_EQ(glevGetError(gl_), glev_enum{GLEV_NO_ERROR});
+  }
+  OneMap(const OneMap&) = delete;
+  OneMap& operator=(const OneMap&) = delete;
+  ~OneMap() { glevDestroyContext(gl_); }
+
+  glev_context* gl() const { return gl_; }
+  void set_grid(int u_segments, int v_segments) const {
+    const auto [u1, u2, v1, v2] = domain_;
+    glevMapGrid2d(gl_, std::max(u_segments, 1), u1, u2, std::max(v_segments, 1), v1, v2);
+  }
+  double u_at(double t) const { return domain_[0] + t * (domain_[1] - domain_[0]); }
+  double v_at(double t) const { return domain_[2] + t * (domain_[3] - domain_[2]); }
+
+ private:
+  glev_context* gl_ = nullptr;
+  std::array<double, 4> domain_;
+};
+
+// The points of a call, by patches, rows and columns.
+struct Points {
+  glev_grid_kind kind = GLEV_GRID_UNIFORM;
+  glev_precision precision = GLEV_CORRECTLY_ROUNDED;
+  int u_segments = 7, v_segments = 7;
+  std::vector<double> u, v;  // of LISTS, and of SCATTERED
+  std::vector<glev_uint> patch;
+  bool is_double = true;
+  const char* target = nullptr;
+
+  bool is_uniform() const { return kind == GLEV_GRID_UNIFORM; }
+  bool is_scattered() const { return kind == GLEV_GRID_SCATTERED; }
+  std::size_t columns() const { return is_uniform() ? static_cast<std::size_t>(u_segments) + 1 : u.size(); }
+  std::size_t rows() const {
+    return is_uniform()                  ? static_cast<std::size_t>(v_segments) + 1
+           : is_scattered() || v.empty() ? 1
+                                         : v.size();
+  }
+};
+
+// An output with a random layout.
+struct Wanted {
+  glev_attribute attribute = GLEV_ATTRIBUTE_VERTEX;
+  bool is_double = false;
+  std::size_t components = 3, offset = 0, stride = 0, row_stride = 0, patch_stride = 0;
+};
+
+class Patches : public ::testing::Test {
+ protected:
+  // Returns the expected results of one patch, elements of four values.
+  template <class Real>
+  static std::vector<Real> expect(const Net& net, std::size_t p, const Points& points, const Wanted& wanted,
+                                  bool as_curve, const std::vector<double>& u, const std::vector<double>& v) {
+    const bool is_normal = wanted.attribute == GLEV_ATTRIBUTE_NORMAL;
+    const OneMap map(net, p, is_normal, points.target, as_curve);
+    const std::size_t of_map = is_normal ? 3 : static_cast<std::size_t>(std::max(net.components, 3)),
+                      of_net = is_normal ? 3 : static_cast<std::size_t>(net.components);
+    std::vector<Real> values;
+    if (points.is_uniform()) {
+      map.set_grid(points.u_segments, points.v_segments);
+      const Plan plan(map.gl(), 2);
+      values = evaluate_grid<Real>(plan, wanted.attribute, {0, points.u_segments, 0, points.v_segments},
+                                   points.precision);
+    } else {
+      const Plan plan(map.gl(), as_curve ? 1 : 2);
+      std::vector<double> all_u = u, all_v = v;
+      if (as_curve) all_v.clear();
+      if (!points.is_double) {
+        const std::vector<float> float_u(all_u.begin(), all_u.end()), float_v(all_v.begin(), all_v.end());
+        values = evaluate_scattered<Real>(plan, wanted.attribute, float_u, float_v, points.precision);
+      } else {
+        values = evaluate_scattered<Real>(plan, wanted.attribute, all_u, all_v, points.precision);
+      }
+    }
+    const bool is_vertex = wanted.attribute == GLEV_ATTRIBUTE_VERTEX;
+    std::vector<Real> elements;
+    for (std::size_t e = 0; e < values.size() / of_map; ++e) {
+      for (std::size_t k = 0; k < 4; ++k)
+        elements.push_back(k < of_net ? values[e * of_map + k] : Real(k == 3 && is_vertex));
+    }
+    return elements;
+  }
+
+  // The bytes that the outputs must have.
+  template <class Real>
+  static void expect_bytes(const Net& net, const Points& points, const Wanted& wanted,
+                           std::vector<unsigned char>& bytes) {
+    const std::size_t columns = points.columns(), rows = points.rows();
+    const auto put = [&](std::size_t at, const Real* element) {
+      std::memcpy(bytes.data() + wanted.offset + at, element, wanted.components * sizeof(Real));
+    };
+    const std::size_t row_stride = wanted.row_stride != 0 ? wanted.row_stride : columns * wanted.stride,
+                      patch_stride = wanted.patch_stride != 0 ? wanted.patch_stride : rows * row_stride;
+    // The derivatives of curves are those of a MAP2 map.
+    const bool as_curve =
+        !points.is_uniform() && net.order[1] == 1 && wanted.attribute == GLEV_ATTRIBUTE_VERTEX;
+    if (points.is_scattered()) {
+      for (std::size_t i = 0; i < columns; ++i) {
+        const double v = points.v.empty() ? 0.5 : points.v[i];
+        put(i * wanted.stride,
+            expect<Real>(net, points.patch[i], points, wanted, as_curve, {points.u[i]}, {v}).data());
+      }
+      return;
+    }
+    for (std::size_t p = 0; p < net.count; ++p) {
+      std::vector<double> u, v;
+      for (std::size_t j = 0; j < rows && !points.is_uniform(); ++j) {
+        for (std::size_t i = 0; i < columns; ++i) {
+          u.push_back(points.u[i]);
+          v.push_back(points.v.empty() ? 0.5 : points.v[j]);
+        }
+      }
+      const std::vector<Real> elements = expect<Real>(net, p, points, wanted, as_curve, u, v);
+      for (std::size_t j = 0; j < rows; ++j) {
+        for (std::size_t i = 0; i < columns; ++i)
+          put(p * patch_stride + j * row_stride + i * wanted.stride, &elements[4 * (j * columns + i)]);
+      }
+    }
+  }
+
+  // Evaluates between guard pages and compares all bytes.
+  static void check(const Net& net, const Points& points, const std::vector<Wanted>& wanted,
+                    std::size_t bytes, Side side) {
+    Guarded control(net.bytes(), side), memory(bytes, side);
+    net.write(control.data());
+    control.make_read_only();
+    const glev_patches patches = net.describe(control.data());
+    const std::size_t size = points.is_double ? sizeof(double) : sizeof(float);
+    const auto write = [&](const std::vector<double>& values, Guarded& to) {
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto single = static_cast<float>(values[i]);
+        std::memcpy(to.data() + i * size, points.is_double ? static_cast<const void*>(&values[i]) : &single,
+                    size);
+      }
+      to.make_read_only();
+    };
+    Guarded u(points.u.size() * size, side), v(points.v.size() * size, side),
+        numbers(points.patch.size() * sizeof(glev_uint), side);
+    write(points.u, u);
+    write(points.v, v);
+    if (!points.patch.empty()) std::memcpy(numbers.data(), points.patch.data(), numbers.size());
+    numbers.make_read_only();
+    glev_patch_grid grid{};
+    grid.size = sizeof grid;
+    grid.kind = points.kind;
+    grid.precision = points.precision;
+    grid.target = points.target;
+    if (points.is_uniform()) {
+      grid.u_segments = points.u_segments;
+      grid.v_segments = points.v_segments;
+    } else {
+      grid.type = points.is_double ? GLEV_DOUBLE : GLEV_FLOAT;
+      grid.u_count = points.u.size();
+      grid.u = {u.data(), u.size(), size};
+      if (!points.v.empty()) grid.v = {v.data(), v.size(), size};
+      if (!points.is_scattered()) grid.v_count = points.v.size();
+      if (points.is_scattered()) grid.patch = {numbers.data(), numbers.size(), sizeof(glev_uint)};
+    }
+    std::vector<glev_output> outputs;
+    std::vector<glev_attribute_output> list;
+    for (const Wanted& own : wanted) {
+      outputs.push_back({sizeof(glev_output), memory.data() + own.offset, bytes - own.offset, own.stride,
+                         own.components, static_cast<glev_enum>(own.is_double ? GLEV_DOUBLE : GLEV_FLOAT),
+                         own.row_stride, own.patch_stride});
+    }
+    for (std::size_t o = 0; o < wanted.size(); ++o) list.push_back({wanted[o].attribute, &outputs[o]});
+    Guarded scratch(glevGetPatchScratchSize(&patches, &grid), side);
+    ASSERT_NE(scratch.size(), 0u);
+    ASSERT_EQ(glevEvaluatePatches(&patches, &grid, list.data(), list.size(), scratch.data(), scratch.size()),
+              GLEV_SUCCESS);
+    std::vector<unsigned char> expected(bytes, Guarded::kPoisonByte);
+    for (const Wanted& own : wanted) {
+      own.is_double ? expect_bytes<double>(net, points, own, expected)
+                    : expect_bytes<float>(net, points, own, expected);
+    }
+    const std::vector<unsigned char> got = memory.bytes();
+    const auto differs = std::mismatch(got.begin(), got.end(), expected.begin()).first - got.begin();
+    EXPECT_EQ(got, expected) << "byte " << differs << ", order " << net.order[0] << " x " << net.order[1]
+                             << ", " << net.components << " components, " << net.count << " patches, "
+                             << (points.target == nullptr ? "best" : points.target);
+  }
+
+  // Outputs side by side or interleaved, with gaps, and the bytes that they need.
+  std::size_t lay_out(const Net& net, const Points& points, std::vector<Wanted>& wanted) {
+    const auto gap = [&] { return static_cast<std::size_t>(chance_.one_of({0, 0, 1, 4, 7})); };
+    const bool has_rows = !points.is_scattered(), interleaved = chance_.whole(0, 1) == 1,
+               pads = chance_.whole(0, 1) == 1;
+    std::size_t at = 0, end = 0, common = 0;
+    const auto size_of = [&](const Wanted& own) {
+      return own.components * (own.is_double ? sizeof(double) : sizeof(float));
+    };
+    for (const Wanted& own : wanted) common += size_of(own);
+    common += gap();
+    const std::size_t row_gap = gap(), patch_gap = gap();
+    for (Wanted& own : wanted) {
+      own.offset = at;
+      own.stride = interleaved ? common : size_of(own) + gap();
+      std::size_t row = own.stride * points.columns();
+      if (has_rows && pads) own.row_stride = row += row_gap;
+      std::size_t patch = row * points.rows();
+      if (has_rows && pads) own.patch_stride = patch += patch_gap;
+      const std::size_t patches = has_rows ? net.count : 1;
+      end = std::max(end, at + (patches - 1) * patch + (points.rows() - 1) * row +
+                              (points.columns() - 1) * own.stride + size_of(own));
+      at += interleaved ? size_of(own) : patches * patch;
+    }
+    return end;
+  }
+
+  std::vector<Wanted> choose_outputs(const Net& net) {
+    std::vector<Wanted> wanted;
+    for (glev_attribute attribute :
+         {GLEV_ATTRIBUTE_VERTEX, GLEV_ATTRIBUTE_NORMAL, GLEV_ATTRIBUTE_TANGENT_U, GLEV_ATTRIBUTE_TANGENT_V}) {
+      const bool is_normal = attribute == GLEV_ATTRIBUTE_NORMAL;
+      if ((is_normal && net.components < 3) || (!wanted.empty() && chance_.whole(0, 1) == 0)) continue;
+      Wanted own;
+      own.attribute = attribute;
+      own.is_double = chance_.whole(0, 2) == 0;
+      own.components = static_cast<std::size_t>(is_normal ? 3 : chance_.whole(net.components, 4));
+      wanted.push_back(own);
+    }
+    if (chance_.whole(0, 1) == 1) std::reverse(wanted.begin(), wanted.end());
+    return wanted;
+  }
+
+  void check_random(const Net& net, Points points) {
+    std::vector<Wanted> wanted = choose_outputs(net);
+    const std::size_t bytes = lay_out(net, points, wanted);
+    check(net, points, wanted, bytes, chance_.one_of({Side::kBegin, Side::kEnd}));
+  }
+
+  const char* choose_target() {
+    std::vector<const char*> names = {nullptr};
+    while (glevGetTargetName(names.size() - 1) != nullptr)
+      names.push_back(glevGetTargetName(names.size() - 1));
+    return chance_.one_of(names);
+  }
+
+  std::vector<double> choose_arguments(std::size_t count, bool are_double) {
+    std::vector<double> arguments;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double random = chance_.next_double(), near = chance_.between(-0.5F, 1.5F);
+      const double argument = chance_.one_of({0.0, 1.0, 0.5, 0.25, random, random, near});
+      arguments.push_back(are_double ? argument : static_cast<float>(argument));
+    }
+    return arguments;
+  }
+
+  Chance chance_;
+};
+
+constexpr Data kAllData[] = {Data::kRandom, Data::kRandom, Data::kSymmetric, Data::kDecimal,
+                             Data::kDegenerate};
+
+TEST_F(Patches, UniformGridsHaveTheBitsOfMeshes) {
+  for (int k = 0; k < 400; ++k) {
+    const Net net = choose_net(chance_, k % 8 == 0 ? 9 : 4, chance_.one_of(kAllData));
+    Points points;
+    points.target = choose_target();
+    points.precision = chance_.one_of({GLEV_CORRECTLY_ROUNDED, GLEV_CORRECTLY_ROUNDED, GLEV_FAST});
+    points.u_segments = chance_.one_of({0, 1, 2, 3, 4, 7, 8, 16, 20});
+    points.v_segments = chance_.one_of({0, 1, 2, 3, 4, 7, 8, 9});
+    check_random(net, points);
+    if (HasFailure()) return;
+  }
+}
+
+TEST_F(Patches, ListsHaveTheBitsOfBatches) {
+  for (int k = 0; k < 300; ++k) {
+    const Net net = choose_net(chance_, k % 8 == 0 ? 9 : 4, chance_.one_of(kAllData));
+    Points points;
+    points.kind = GLEV_GRID_LISTS;
+    points.target = choose_target();
+    points.is_double = chance_.whole(0, 1) == 1;
+    points.u = choose_arguments(static_cast<std::size_t>(chance_.whole(1, 20)), points.is_double);
+    points.v = choose_arguments(static_cast<std::size_t>(chance_.whole(net.order[1] == 1 ? 0 : 1, 9)),
+                                points.is_double);
+    check_random(net, points);
+    if (HasFailure()) return;
+  }
+}
+
+TEST_F(Patches, ScatteredPointsHaveTheBitsOfBatches) {
+  for (int k = 0; k < 150; ++k) {
+    const Net net = choose_net(chance_, k % 8 == 0 ? 9 : 4, chance_.one_of(kAllData));
+    Points points;
+    points.kind = GLEV_GRID_SCATTERED;
+    points.target = choose_target();
+    points.is_double = chance_.whole(0, 1) == 1;
+    points.u = choose_arguments(static_cast<std::size_t>(chance_.whole(1, 40)), points.is_double);
+    if (net.order[1] > 1 || chance_.whole(0, 1) == 1)
+      points.v = choose_arguments(points.u.size(), points.is_double);
+    glev_uint patch = 0;
+    for (std::size_t i = 0; i < points.u.size(); ++i) {
+      if (chance_.whole(0, 2) != 0)
+        patch = static_cast<glev_uint>(chance_.whole(0, static_cast<int>(net.count) - 1));
+      points.patch.push_back(patch);
+    }
+    check_random(net, points);
+    if (HasFailure()) return;
+  }
+}
+
+// Positions of EvalPoint2 and normals of the current vertex.
+TEST_F(Patches, HaveTheBitsOfEvalPoint2) {
+  for (int k = 0; k < 60; ++k) {
+    Net net = choose_net(chance_, 4, chance_.one_of(kAllData));
+    net.components = 3;
+    net.values.resize(net.count * net.values_of_patch(), 0.125);
+    net.stride = {};
+    const int segments = chance_.one_of({3, 7, 8});
+    std::vector<unsigned char> points(net.bytes());
+    net.write(points.data());
+    const glev_patches patches = net.describe(points.data());
+    glev_patch_grid grid{};
+    grid.size = sizeof grid;
+    grid.u_segments = grid.v_segments = segments;
+    const std::size_t own = static_cast<std::size_t>((segments + 1) * (segments + 1));
+    std::vector<float> results(net.count * own * 6);
+    const glev_output vertex = {sizeof vertex, results.data(), results.size() * 4, 24, 3, 0, 0, 0},
+                      normal = {sizeof normal, results.data() + 3, results.size() * 4 - 12, 24, 3, 0, 0, 0};
+    const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_VERTEX, &vertex},
+                                             {GLEV_ATTRIBUTE_NORMAL, &normal}};
+    std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
+    ASSERT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 2, scratch.data(), scratch.size()), GLEV_SUCCESS);
+    for (std::size_t p = 0; p < net.count; ++p) {
+      const OneMap map(net, p, true, nullptr);
+      map.set_grid(segments, segments);
+      Recording recording;
+      const glev_sink sink = recording.make_sink();
+      glevSetSink(map.gl(), &sink);
+      glevBegin(map.gl(), GLEV_POINTS);
+      for (int j = 0; j <= segments; ++j) {
+        for (int i = 0; i <= segments; ++i) glevEvalPoint2(map.gl(), i, j);
+      }
+      glevEnd(map.gl());
+      ASSERT_EQ(recording.vertices.size(), own);
+      for (std::size_t e = 0; e < own; ++e) {
+        const float* got = results.data() + 6 * (p * own + e);
+        ASSERT_EQ(bits_of(Floats{got, got + 3}),
+                  bits_of(Floats{recording.vertices[e].position, recording.vertices[e].position + 3}));
+        ASSERT_EQ(bits_of(Floats{got + 3, got + 6}), bits_of(values_of(recording.vertices[e].normal)));
+      }
+    }
+  }
+}
+
+// Against the oracle in integers.
+TEST_F(Patches, VerticesAreCorrectlyRounded) {
+  for (int k = 0; k < 60; ++k) {
+    Net net = choose_net(chance_, 4, chance_.one_of(kAllData));
+    net.domain = {0, 1, 0, 1};
+    const int segments = chance_.one_of({3, 7, 8});
+    std::vector<unsigned char> points(net.bytes());
+    net.write(points.data());
+    const glev_patches patches = net.describe(points.data());
+    glev_patch_grid grid{};
+    grid.size = sizeof grid;
+    grid.u_segments = grid.v_segments = segments;
+    const auto components = static_cast<std::size_t>(net.components),
+               side = static_cast<std::size_t>(segments) + 1;
+    std::vector<float> results(net.count * side * side * components);
+    const glev_output vertex = {
+        sizeof vertex, results.data(), results.size() * 4, components * 4, components, 0, 0, 0};
+    const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_VERTEX, &vertex}};
+    std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
+    ASSERT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size()), GLEV_SUCCESS);
+    for (std::size_t p = 0; p < net.count; ++p) {
+      for (std::size_t c = 0; c < components; ++c) {
+        std::vector<double> own;
+        for (std::size_t e = c; e < net.values_of_patch(); e += components) {
+          const double value = net.values[p * net.values_of_patch() + e];
+          own.push_back(net.is_double ? value : static_cast<float>(value));
+        }
+        for (int j = 0; j <= segments; ++j) {
+          for (int i = 0; i <= segments; ++i) {
+            const float got =
+                results[((p * side + static_cast<std::size_t>(j)) * side + static_cast<std::size_t>(i)) *
+                            components +
+                        c];
+            const float nearest =
+                nearest_float(exact_value(own, net.order, Rational(i, segments), Rational(j, segments)));
+            ASSERT_EQ(std::bit_cast<std::uint32_t>(got), std::bit_cast<std::uint32_t>(nearest))
+                << "patch " << p << " of " << net.count << ", (" << i << ", " << j << ") / " << segments;
+          }
+        }
+      }
+    }
+  }
+}
+
+// Components of NaN, infinities, subnormal and huge numbers do not disturb their neighbours.
+TEST_F(Patches, ExtremeComponentsHaveNoInfluenceOnOthers) {
+  for (int k = 0; k < 100; ++k) {
+    Net net = choose_net(chance_, 4, Data::kRandom);
+    net.components = 3;
+    net.stride = {};
+    net.values.clear();
+    for (std::size_t e = 0; e < net.count * net.values_of_patch() / 3; ++e) {
+      net.values.push_back(chance_.between(-1, 1));
+      net.values.push_back(chance_.one_of({kNaN, kInfinity, 3e38, 0x1p-149, 0.0}));
+      net.values.push_back(chance_.between(-1, 1) * 0x1p-140);
+    }
+    std::vector<float> results[2];
+    for (int without : {0, 1}) {
+      Net own = net;
+      for (std::size_t e = 1; without == 1 && e < own.values.size(); e += 3) own.values[e] = 1;
+      std::vector<unsigned char> points(own.bytes());
+      own.write(points.data());
+      const glev_patches patches = own.describe(points.data());
+      glev_patch_grid grid{};
+      grid.size = sizeof grid;
+      grid.u_segments = grid.v_segments = 7;
+      results[without].resize(net.count * 64 * 3);
+      const glev_output vertex = {
+          sizeof vertex, results[without].data(), results[without].size() * 4, 12, 3, 0, 0, 0};
+      const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_VERTEX, &vertex}};
+      std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
+      ASSERT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size()),
+                GLEV_SUCCESS);
+      for (std::size_t e = 1; e < results[without].size(); e += 3) results[without][e] = 0;
+    }
+    ASSERT_EQ(bits_of(results[0]), bits_of(results[1]));
+  }
+}
+
+TEST_F(Patches, DoNotDependOnTheCallersRoundingMode) {
+  Net net = choose_net(chance_, 4, Data::kRandom);
+  net.order = {4, 4}, net.components = 3, net.is_double = false, net.count = 11, net.stride = {};
+  net.values.clear();
+  for (std::size_t e = 0; e < net.count * net.values_of_patch(); ++e)
+    net.values.push_back(chance_.between(-1, 1));
+  std::vector<unsigned char> points(net.bytes());
+  net.write(points.data());
+  const glev_patches patches = net.describe(points.data());
+  glev_patch_grid grid{};
+  grid.size = sizeof grid;
+  grid.u_segments = grid.v_segments = 7;
+  std::vector<float> nearest;
+  for (int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::vector<float> results(net.count * 64 * 3);
+    const glev_output vertex = {sizeof vertex, results.data(), results.size() * 4, 12, 3, 0, 0, 0};
+    const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_VERTEX, &vertex}};
+    std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
+    std::fesetround(mode);
+    const glev_result result =
+        glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size());
+    EXPECT_EQ(std::fegetround(), mode);
+    std::fesetround(FE_TONEAREST);
+    ASSERT_EQ(result, GLEV_SUCCESS);
+    if (mode == FE_TONEAREST) nearest = results;
+    EXPECT_EQ(bits_of(results), bits_of(nearest));
+  }
+}
+
+}  // namespace
+}  // namespace glev_tests
