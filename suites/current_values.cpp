@@ -93,35 +93,40 @@ bool expect_kept(Test& t, const std::function<Written(bool evaluated)>& write) {
   return true;
 }
 
-// Sets the value, evaluates with the map on (short, and long enough to make an implementation flush in the
-// middle; at quick depth one of them in turn), and compares the query before and after.
-void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter set, bool flush) {
+// What is evaluated: the maps and enables, and one evaluation or, in its place, an explicit vertex.
+struct Evaluated {
+  std::string name;
+  std::function<void(gl::Case&)> prepare;
+  void (*emit)(gl::Case&, bool evaluated, float u) = emit;
+};
+
+// Sets the value, evaluates (once, and often enough to make an implementation flush in the middle; at quick
+// depth one of them in turn), and compares the query before and after. `evaluated_of` is asked for each case.
+void expect_current_untouched(Test& t, const std::function<Evaluated()>& evaluated_of, const Query& query,
+                              Setter set, bool flush) {
   bool observed = false;
   for (int variant = 0; variant < kVariants; ++variant)
     for (const bool short_one : {true, false}) {
       if (t.depth() == Depth::kQuick && short_one == (variant % 2 == 1)) continue;
       const int vertices = short_one ? 1 : t.by_depth(300, 1000, 30000);
-      const Map map = random_map(t, target, 4), carrier = random_map(t, GL_MAP1_VERTEX_3, 4);
+      const Evaluated what = evaluated_of();
       observed |= expect_kept(t, [&](bool evaluated) {
         const std::string identity =
-            fmt::format("{}: setting {} then {} vertices", label(target), variant, vertices);
+            fmt::format("{}: setting {} then {} vertices", what.name, variant, vertices);
         gl::Case c(evaluated ? identity : gl::control(identity));
-        define(c, map);
-        define(c, carrier);
-        c.Enable(GL_MAP1_VERTEX_3);
-        c.Enable(target);
+        what.prepare(c);
         set_before(c, variant, set);
         const gl::Ref before = query.ask(c);
         c.Begin(GL_POINTS);
         for (int i = 0; i < vertices; ++i)
-          emit(c, evaluated, static_cast<float>(i + 1) / static_cast<float>(vertices));
+          what.emit(c, evaluated, static_cast<float>(i + 1) / static_cast<float>(vertices));
         c.End();
         if (flush) c.Flush();
         const gl::Ref after = query.ask(c);
         // Set inside the primitive, evaluated once more: the value of the command stays, not the map's.
         c.Begin(GL_POINTS);
         set(c, variant + 1);
-        emit(c, evaluated, 0.5f);
+        what.emit(c, evaluated, 0.5f);
         c.End();
         const gl::Ref inside = query.ask(c);
         set(c, variant + 1);
@@ -130,6 +135,20 @@ void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter
       });
     }
   if (!observed) throw NotObservable("explicit vertices lose the current value as well");
+}
+
+// With the map of the target, and one of vertices.
+void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter set, bool flush) {
+  const auto evaluated = [&] {
+    const Map map = random_map(t, target, 4), carrier = random_map(t, GL_MAP1_VERTEX_3, 4);
+    return Evaluated{label(target), [=](gl::Case& c) {
+                       define(c, map);
+                       define(c, carrier);
+                       c.Enable(GL_MAP1_VERTEX_3);
+                       c.Enable(target);
+                     }};
+  };
+  expect_current_untouched(t, evaluated, query, set, flush);
 }
 
 // Queried at once, and after a flush: a flush hides some defects and shows others.
@@ -143,6 +162,65 @@ EVALCTS_TEST(CurrentValues, Color, kMust, "EV-CUR-COLOR/1-D", combine(kMoments).
 EVALCTS_TEST(CurrentValues, Normal, kMust, "EV-CUR-NORMAL/1-D", combine(kMoments).by(gl::curve_deliveries()))
 (Test& t, const Named<bool>& moment) {
   expect_current_untouched(t, GL_MAP1_NORMAL, kQueries[1], set_normal, moment.value);
+};
+
+void emit_of_surface(gl::Case& c, bool evaluated, float u) {
+  evaluated ? c.EvalCoord2f(u, 0.25f) : c.Vertex3f(u, 0, 0);
+}
+
+// Generated normals, of surfaces of order 1 to 3.
+EVALCTS_TEST(CurrentValues, AutomaticNormal, kMust, "EV-AUTON-CURRENT",
+             combine(kMoments).by(gl::surface_deliveries()))
+(Test& t, const Named<bool>& moment) {
+  Orders orders = {3, 1};
+  const auto evaluated = [&] {
+    const GLenum target = orders.v == 2 ? GL_MAP2_VERTEX_4 : GL_MAP2_VERTEX_3;
+    orders = {orders.u % 3 + 1, orders.v % 3 + 1};
+    return Evaluated{label(target) + " with AUTO_NORMAL",
+                     [map = random_map(t, target, orders)](gl::Case& c) {
+                       define_and_enable(c, map);
+                       c.Enable(GL_AUTO_NORMAL);
+                     },
+                     emit_of_surface};
+  };
+  expect_current_untouched(t, evaluated, kQueries[1], set_normal, moment.value);
+};
+
+// Without a map of vertices an evaluation does nothing: there is no control in its place.
+EVALCTS_TEST(CurrentValues, AutomaticNormalWithoutVertices, kMust, "EV-AUTON-NOVERTEX",
+             combine(kMoments).by(gl::surface_deliveries()))
+(Test& t, const Named<bool>& moment) {
+  const auto evaluated = [] {
+    return Evaluated{"AUTO_NORMAL alone", [](gl::Case& c) { c.Enable(GL_AUTO_NORMAL); },
+                     [](gl::Case& c, bool is_evaluated, float u) {
+                       if (is_evaluated) c.EvalCoord2f(u, 0.25f);
+                     }};
+  };
+  expect_current_untouched(t, evaluated, kQueries[1], set_normal, moment.value);
+};
+
+struct Attribute {
+  const char* name;
+  GLenum target;
+  std::size_t query;
+  Setter set;
+};
+constexpr Attribute kAttributes[] = {{"COLOR_4", GL_MAP1_COLOR_4, 0, set_color},
+                                     {"NORMAL", GL_MAP1_NORMAL, 1, set_normal},
+                                     {"TEXTURE_COORD_1", GL_MAP1_TEXTURE_COORD_1, 2, set_texture},
+                                     {"TEXTURE_COORD_4", GL_MAP1_TEXTURE_COORD_4, 2, set_texture}};
+
+EVALCTS_TEST(CurrentValues, EvaluationWithoutVertices, kMust, "EV-COORD-NOVERTEX/1-D",
+             combine(kAttributes).combine(kMoments).by(gl::curve_deliveries()))
+(Test& t, const Attribute& attribute, const Named<bool>& moment) {
+  const auto evaluated = [&] {
+    return Evaluated{label(attribute.target) + " alone",
+                     [map = random_map(t, attribute.target, 3)](gl::Case& c) { define_and_enable(c, map); },
+                     [](gl::Case& c, bool is_evaluated, float u) {
+                       if (is_evaluated) c.EvalCoord1f(u);
+                     }};
+  };
+  expect_current_untouched(t, evaluated, kQueries[attribute.query], attribute.set, moment.value);
 };
 
 EVALCTS_TEST(CurrentValues, Index, kMust, "EV-CUR-INDEX/1-D", combine(kMoments).by(gl::curve_deliveries()))
@@ -159,6 +237,70 @@ EVALCTS_TEST(CurrentValues, TextureCoordinates, kMust, "EV-CUR-TEX/1-D",
   if (t.depth() == Depth::kQuick) targets = {targets[t.random()() % targets.size()]};
   for (const GLenum target : targets)
     expect_current_untouched(t, target, kQueries[2], set_texture, moment.value);
+};
+
+// All current values, queried before a primitive of tens of thousands of vertices and after it. They are set
+// once more in its middle.
+constexpr Named<GLenum> kStrips[] = {{"LINE_STRIP", GL_LINE_STRIP}, {"TRIANGLE_STRIP", GL_TRIANGLE_STRIP}};
+
+EVALCTS_TEST(CurrentValues, LongPrimitives, kMust, "EV-CUR-COLOR/1-D", "EV-CUR-NORMAL/1-D", "EV-CUR-TEX/1-D",
+             combine(kStrips).by(sparing(gl::without(gl::kMeshes | gl::kArrays, gl::curve_deliveries()))))
+(Test& t, const Named<GLenum>& mode) {
+  const int vertices = t.by_depth(2500, 40000, 66000);
+  std::vector<Map> maps;
+  for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_4})
+    maps.push_back(random_map(t, target, 2));
+  bool observed = false;
+  for (const bool set_inside : {false, true})
+    observed |= expect_kept(t, [&](bool evaluated) {
+      const std::string identity =
+          fmt::format("{} vertices, {}", vertices, set_inside ? "set in the middle" : "set before");
+      gl::Case c(evaluated ? identity : gl::control(identity));
+      for (const Map& map : maps) define_and_enable(c, map);
+      const auto set = [&] {
+        set_color(c, 1);
+        set_normal(c, 1);
+        set_texture(c, 0);
+      };
+      std::array<gl::Ref, std::size(kQueries)> before, after;
+      set();
+      std::ranges::transform(kQueries, before.begin(), [&](const Query& query) { return query.ask(c); });
+      if (set_inside) {
+        set_color(c, 0);
+        set_normal(c, 2);
+        set_texture(c, 1);
+      }
+      c.Begin(mode.value);
+      for (int i = 0; i < vertices; ++i) {
+        if (set_inside && i == vertices / 2) set();
+        emit(c, evaluated, static_cast<float>(i % 40000) * 0x1p-16f);
+      }
+      c.End();
+      std::ranges::transform(kQueries, after.begin(), [&](const Query& query) { return query.ask(c); });
+      Written written{c, {}};
+      for (std::size_t i = 0; i < before.size(); ++i) written.alike.emplace_back(before[i], after[i]);
+      return written;
+    });
+  if (!observed) throw NotObservable("explicit vertices lose the current value as well");
+};
+
+EVALCTS_TEST_PAIR(CurrentValues.LongMeshes, CurrentValues.LongMeshes2, kMust, "EV-CUR-COLOR", "EV-CUR-NORMAL",
+                  "EV-CUR-TEX", by(sparing(gl::list_deliveries())))
+(Test& t, bool two) {
+  const int steps = t.by_depth(2000, 40000, 66000);
+  CheckedCase c(t, fmt::format("{} steps", steps));
+  for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_4})
+    define_and_enable(c, random_map(t, target_in(two, target), {2, 2}));
+  set_current_values(c);
+  two ? c.MapGrid2f(steps, 0, 1, 1, 0, 1) : c.MapGrid1f(steps, 0, 1);
+  std::vector<gl::Ref> before;
+  for (const Query& query : kQueries) before.push_back(query.ask(c));
+  for (const GLenum mode : {GL_POINT, GL_LINE, GL_FILL}) {
+    if (!two && mode == GL_FILL) continue;
+    eval_mesh(c, two, mode, 0, steps, 0, 1);
+    for (std::size_t i = 0; i < before.size(); ++i) c.expect_same(before[i], kQueries[i].ask(c));
+  }
+  c.check();
 };
 
 // One order of Color, Normal and TexCoord, with these numbers of components.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 #include <evalcts/gl/hexadecimal.h>
 #include <evalcts/gl/lift.h>
@@ -152,6 +153,61 @@ EVALCTS_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, kMust, "EV-COORD-
   t.expect_emission(c, kUnit0);
 };
 
+// What the other dimension evaluates without a map of vertices changes nothing in front of an evaluation,
+// behind it and in the primitives that follow; nor if no current value was ever set.
+EVALCTS_TEST_PAIR(Evaluation.NothingFromTheOtherDimension, Evaluation.NothingFromTheOtherDimension2, kMust,
+                  decide("EV-COORD-NOVERTEX-OTHERDIM/1-D", "EV-COORD-NOVERTEX-OTHERDIM/2-D"), [](bool two) {
+                    std::vector<GLenum> caps = {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_1,
+                                                GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_4};
+                    for (GLenum& cap : caps) cap = target_in(!two, cap);
+                    if (!two) caps.push_back(GL_AUTO_NORMAL);
+                    return combine(caps).by(gl::list_deliveries());
+                  })
+(Test& t, bool two, GLenum cap) {
+  for (const bool is_set : {false, true}) {
+    gl::Case c(is_set ? "with current values" : "with the initial current values");
+    if (is_set) set_current_values(c);
+    define_and_enable(c, random_map(t, target_in(two, GL_MAP1_VERTEX_3), two ? Orders{3, 2} : Orders{3}));
+    if (cap != GL_AUTO_NORMAL) define(c, random_map(t, cap, two ? Orders{3} : Orders{2, 3}));
+    c.Enable(cap);
+    const auto emits = [&](double u) { eval_coord(c, two, u, 0.5); };
+    const auto does_nothing = [&] { eval_coord(c, !two, 0.25, 0.75); };
+    const auto primitive = [&](const std::function<void()>& commands) {
+      c.Begin(GL_POINTS);
+      commands();
+      c.End();
+    };
+    primitive([&] { emits(0.125), does_nothing(); });
+    primitive([&] { emits(0.25), emits(0.375); });
+    primitive([&] { does_nothing(), emits(0.5), does_nothing(), c.Vertex3f(1, 2, 3); });
+    primitive([&] { does_nothing(); });
+    primitive([&] { c.Vertex3f(4, 5, 6), emits(0.625); });
+    primitive([&] { emits(0.75), does_nothing(); });
+    eval_mesh(c, two, GL_POINT, 0, 1, 0, 1);
+    primitive([&] { c.Vertex3f(7, 8, 9); });
+    t.expect_emission(c, kUnit0);
+  }
+};
+
+// A map that is switched off, or popped, leaves the initial current values in force.
+EVALCTS_TEST(Evaluation, InitialValuesAfterMap, kMust, "EV-COORD-CURRENT/1-D",
+             combine(std::array<GLenum, 4>{GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_1,
+                                           GL_MAP1_TEXTURE_COORD_4})
+                 .by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
+  for (const bool is_popped : {false, true}) {
+    gl::Case c(is_popped ? "popped" : "switched off");
+    define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 3));
+    define(c, random_map(t, target, 3));
+    if (is_popped) c.PushAttrib(GL_EVAL_BIT);
+    c.Enable(target);
+    evaluate_some(c);
+    is_popped ? c.PopAttrib() : c.Disable(target);
+    evaluate_some(c);
+    t.expect_emission(c, kUnit0);
+  }
+};
+
 EVALCTS_TEST_PAIR(
     Evaluation.LegalInEveryPrimitive, Evaluation.LegalInEveryPrimitive2, kMust,
     decide("EV-COORD-INBEGIN/1-D", "EV-COORD-INBEGIN/2-D"), [](bool two) {
@@ -213,6 +269,24 @@ EVALCTS_TEST(Evaluation, MixedPrimitives, kMust, "EV-COORD-PRIMS/1-D", "EV-COORD
 (Test& t, const Named<GLenum>& mode) {
   gl::Case c = with_current_values("0 to 9 vertices, every third explicit");
   define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 4));
+  float u = 0;
+  for (int vertices = 0; vertices < 10; ++vertices) {
+    c.Begin(mode.value);
+    for (int i = 0; i < vertices; ++i, u += 0.015625f)
+      i % 3 == 1 ? c.Vertex3f(u, 1 - u, 0.5f) : c.EvalCoord1f(u);
+    c.End();
+  }
+  t.expect_emission(c, kPosition | kTextureCoordinate0);
+};
+
+// A Vertex of three components between evaluated vertices of four.
+EVALCTS_TEST(Evaluation, MixedPrimitivesOfVertex4, kMust, "EV-COORD-PRIMS/1-D", "EV-COORD-MIX/1-D",
+             combine(kModes).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
+(Test& t, const Named<GLenum>& mode) {
+  gl::Case c = with_current_values("0 to 9 vertices, every third explicit");
+  Map map = random_map(t, GL_MAP1_VERTEX_4, 4);
+  for (std::size_t i = 3; i < map.points.size(); i += 4) map.points[i] = 1 + std::abs(map.points[i]);
+  define_and_enable(c, map);
   float u = 0;
   for (int vertices = 0; vertices < 10; ++vertices) {
     c.Begin(mode.value);

@@ -161,6 +161,24 @@ EVALCTS_TEST_PAIR(InitialState.EvaluableWith, InitialState.Evaluable2, kMust, "E
   t.expect_emission(c, attribute_of(target));
 };
 
+// EvalPoint and EvalMesh over the grids of one step from 0 to 1 that a context begins with.
+EVALCTS_TEST_PAIR(InitialState.MeshesOverGrid1, InitialState.MeshesOverGrid2, kMust,
+                  decide("EV-INIT-GRID1", "EV-INIT-GRID2"))
+(Test& t, bool two) {
+  t.require_initial_state();
+  for (const GLenum attribute : {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_4}) {
+    gl::Case c(label(target_in(two, attribute)));
+    for (const GLenum target : {static_cast<GLenum>(GL_MAP1_VERTEX_3), attribute})
+      define_and_enable(c, random_map(t, target_in(two, target), {3, 2}));
+    eval_mesh(c, two, GL_POINT, 0, 1, 0, 1);
+    eval_mesh(c, two, GL_POINT, -1, two ? 0 : 2, 0, 1);
+    c.Begin(GL_POINTS);
+    for (const GLint i : {0, 1, 2}) eval_point(c, two, i, 1 - i);
+    c.End();
+    t.expect_emission(c, kUnit0);
+  }
+};
+
 EVALCTS_TEST(InitialState, MaxEvalOrder, kMust, "EV-INIT-MAXORDER/1-D")
 (Test& t) {
   t.require_initial_state();

@@ -122,6 +122,23 @@ EVALCTS_TEST_PAIR(Mesh1.ReversedGrid, Mesh2.ReversedGrid, kMust, "EV-GRID-REVERS
       : expect_meshes1(t, mode, "du is negative", {{3, 0.7f, 0.1f}, {8, 2.5f, -0.9f}}, {{0, 3}, {2, 8}});
 };
 
+EVALCTS_TEST_PAIR(Mesh1.AfterEmptyPrimitives, Mesh2.AfterEmptyPrimitives, kMust,
+                  decide("EV-MESH1-COORDS", "EV-MESH2-COORDS"), kEachMode)
+(Test& t, bool two, const MeshMode& mode) {
+  gl::Case c("meshes after Begin and End without vertices, and after empty meshes");
+  enable_maps(t, c, two);
+  map_grid(c, two, {4, 0, 1}, kV);
+  for (GLenum primitive = GL_POINTS; primitive <= GL_POLYGON; ++primitive) {
+    eval_mesh(c, two, mode.mode, 2, 1, 0, 1);
+    for (const GLenum empty : {primitive, GL_POLYGON - primitive}) {
+      c.Begin(empty);
+      c.End();
+    }
+    eval_mesh(c, two, mode.mode, 0, 2, 0, 1);
+  }
+  t.expect_emission(c, kUnit0);
+};
+
 EVALCTS_TEST_PAIR(Mesh1.NothingWithoutVertexMap, Mesh2.NothingWithoutVertexMap, kMust,
                   decide("EV-MESH1-NOVERTEX", "EV-MESH2-NOVERTEX"), kEachMode)
 (Test& t, bool two, const MeshMode& mode) {

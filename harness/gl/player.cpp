@@ -68,7 +68,8 @@ class FencedPages {
     void* memory = mmap(nullptr, (count_ + 2) * page_size(), PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) throw std::bad_alloc();
     base_ = static_cast<std::byte*>(memory) + page_size();
-    mprotect(base_, count_ * page_size(), PROT_READ | PROT_WRITE);
+    // Fails if the process has too many mappings.
+    if (mprotect(base_, count_ * page_size(), PROT_READ | PROT_WRITE) != 0) throw std::bad_alloc();
   }
   static std::vector<std::byte*>& kept_of(std::size_t count) {
     static thread_local std::array<std::vector<std::byte*>, kFew + 1> kept;

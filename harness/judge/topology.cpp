@@ -377,9 +377,11 @@ std::optional<Topology> match_meshes(const Prediction& prediction, const Topolog
 std::optional<Topology> match_quads(const Prediction& prediction, const Observation& observation) {
   const std::optional<std::vector<Quad>> quads = quads_of(prediction);
   if (!quads || quads->empty()) return {};
+  const std::vector<ObservedPrimitive>& seen = observation.primitives;
+  // A strip that comes out as it was given is no quad, even if it has four vertices.
+  if (std::ranges::count(seen, GL_QUAD_STRIP, &ObservedPrimitive::mode) > 0) return {};
   const Distance distance(prediction, observation);
   Topology topology{shape_of(observation), {}};
-  const std::vector<ObservedPrimitive>& seen = observation.primitives;
   std::size_t next = 0;
   const auto triangle = [&](std::size_t i) { return i < seen.size() && seen[i].vertices.size() == 3; };
   for (const Quad& quad : *quads) {

@@ -45,6 +45,7 @@ struct ObservedVertex {
   std::array<float, 4> color{};
   std::array<float, 3> normal{};
   std::array<std::array<float, 4>, kTextureUnits> texture_coordinate{};
+  friend bool operator==(const ObservedVertex&, const ObservedVertex&) = default;
 };
 
 // Kinds of primitives, as a set.
