@@ -2,15 +2,23 @@
 // specification says what each case has to emit; the cases choose what could go wrong.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <functional>
 
+#include <evalcts/gl/contexts.h>
 #include <evalcts/gl/hexadecimal.h>
 #include <evalcts/gl/lift.h>
+#include <evalcts/judge/prediction.h>
 #include <evalcts/testkit/registration.h>
+#include <reference/acceptance.h>
+#include <reference/component.h>
+#include <reference/map.h>
 #include "checked_case.h"
 #include "dimensions.h"
+#include "grid_cases.h"
 
 namespace evalcts::suite_evaluation {
 namespace {
@@ -506,6 +514,120 @@ EVALCTS_TEST(Attributes, IndexDoesNothingInRGBA, kMust, "EV-ATTR-INDEX-RGBA/1-D"
   CheckedCase queried(t, c);
   queried.expect_values(queried.GetFloatv(GL_CURRENT_INDEX, gl::out<GLfloat>(1)), {9});
   queried.check();
+};
+
+// Commands that draw points by maps over (0.5, 2), and in v over (-1, 0.25), with a grid of 4 by 2.
+constexpr Named<void (*)(gl::Case&, bool two)> kIndexedPoints[] = {
+    {"EvalCoord",
+     [](gl::Case& c, bool two) {
+       c.Begin(GL_POINTS);
+       for (const double u : {0.5, 0.8125, 1.0, 2.0}) eval_coord(c, two, u, -0.125);
+       c.End();
+     }},
+    {"EvalPoint",
+     [](gl::Case& c, bool two) {
+       c.Begin(GL_POINTS);
+       for (int i = 0; i <= 4; ++i) eval_point(c, two, i, 1);
+       c.End();
+     }},
+    {"EvalMesh", [](gl::Case& c, bool two) { eval_mesh(c, two, GL_POINT, 0, 4, 0, 2); }}};
+
+// Returns the colour indices of the points that the commands draw in a colour-index context, in feedback
+// mode; none if other points come back. Throws NotObservable.
+std::vector<float> drawn_indices(const Played& played, const std::array<gl::Ref, 3>& answers,
+                                 std::size_t count) {
+  constexpr std::size_t kOfAPoint = 5;  // the token, x, y, z, and the index
+  const auto& [is_rgba, buffer, size] = answers;
+  if (played.trace().values<GLboolean>(is_rgba)[0])
+    throw NotObservable("the context that was asked for is no colour-index context");
+  const std::vector<GLfloat> values = played.trace().values<GLfloat>(buffer);
+  std::vector<float> indices;
+  if (played.trace().result(size) != static_cast<std::int64_t>(kOfAPoint * count)) return {};
+  for (std::size_t i = 0; i < count; ++i) {
+    if (values[kOfAPoint * i] != GL_POINT_TOKEN) return {};
+    indices.push_back(values[kOfAPoint * i + 4]);
+  }
+  return indices;
+}
+
+// INDEX maps in a colour-index context: the index of each evaluated vertex is the value of the map, or the
+// current index if none is enabled, and explicit vertices behind it have the current index.
+EVALCTS_TEST_PAIR(Attributes.IndexInColorIndexMode1, Attributes.IndexInColorIndexMode2, kMust,
+                  decide("EV-ATTR-INDEX/1-D", "EV-ATTR-INDEX/2-D"), combine(kIndexedPoints))
+(Test& t, bool two, const Named<void (*)(gl::Case&, bool)>& points) {
+  const auto in_context = [&](gl::Case& c, const gl::Case& drawn) {
+    c.ContextOfKindEVALCTS(1, EVALCTS_COLOR_INDEX);
+    constexpr std::size_t kRoom = 1024;
+    const gl::Ref is_rgba = c.GetBooleanv(GL_RGBA_MODE, gl::out<GLboolean>(1));
+    const gl::Ref buffer = c.FeedbackBuffer(kRoom, GL_3D_COLOR, gl::out<GLfloat>(kRoom));
+    c.RenderMode(GL_FEEDBACK);
+    c.append(drawn);
+    return std::array{is_rgba, buffer, c.RenderMode(GL_RENDER)};
+  };
+  const auto with_domain = [&](Map map) {
+    return two ? over(std::move(map), {0.5, 2}, {-1, 0.25}) : over(std::move(map), {0.5, 2});
+  };
+  const GLenum target = target_in(two, GL_MAP1_INDEX), vertices = target_in(two, GL_MAP1_VERTEX_3);
+  for (const int order : {1, 2, 3, 5}) {
+    gl::Case drawn;
+    const std::vector<double> positions = {0.25, 0.5, -0.5, 0.5, -0.25, 0};
+    define_and_enable(
+        drawn, with_domain(two ? make_map2(vertices, 2, 1, positions) : make_map1(vertices, positions)));
+    map_grid(drawn, two, {4, 0.5, 2}, {2, -1, 0.25});
+    std::vector<double> indices =
+        random_values(t.random(), static_cast<std::size_t>(two ? 2 * order : order));
+    for (double& index : indices) index = 100 + 100 * index;
+    define(drawn, with_domain(two ? make_map2(target, order, 2, indices) : make_map1(target, indices)));
+    drawn.Indexf(9);
+    points.value(drawn, two);  // not enabled yet
+    drawn.Enable(target);
+    points.value(drawn, two);
+    drawn.Begin(GL_POINTS);
+    eval_coord(drawn, two, 1, -0.5);
+    drawn.Vertex3f(0.25f, 0.5f, 0);
+    drawn.End();
+
+    const Prediction prediction = predict(drawn, t.max_order());
+    std::vector<reference::Vertex> expected;
+    for (const reference::Primitive& primitive : prediction.primitives)
+      expected.insert(expected.end(), primitive.vertices.begin(), primitive.vertices.end());
+
+    gl::Case control("explicit vertices and indices");
+    gl::Case explicit_points;
+    explicit_points.Begin(GL_POINTS);
+    for (const reference::Vertex& vertex : expected) {
+      explicit_points.Indexf(reference::rounded(vertex.index));
+      explicit_points.Vertex3f(reference::rounded(vertex.position[0]), reference::rounded(vertex.position[1]),
+                               0);
+    }
+    explicit_points.End();
+    const auto explicit_answers = in_context(control, explicit_points);
+    const std::vector<float> given = drawn_indices(t.play(control), explicit_answers, expected.size());
+    if (given.empty()) throw NotObservable("pipeline: explicit vertices do not come back in feedback mode");
+    // Indices may be converted to fixed point on their way (GL 2.1 2.14.6).
+    double error = 0;
+    for (std::size_t i = 0; i < given.size(); ++i)
+      error =
+          std::max(error, std::abs(static_cast<double>(given[i] - reference::rounded(expected[i].index))));
+    if (error > 0.5)
+      throw NotObservable("pipeline: explicit colour indices do not come back in feedback mode");
+
+    gl::Case c(fmt::format("order {}", order));
+    const auto answers = in_context(c, drawn);
+    Played played = t.play(c);
+    const std::vector<float> seen = drawn_indices(played, answers, expected.size());
+    played.expect(!seen.empty(), answers[1], "other points are drawn",
+                  fmt::format("{} points", expected.size()), "others");
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      const reference::Component& index = expected[i].index;
+      const reference::Rational exact = reference::exact(index);
+      const reference::Rational bound = reference::acceptance_bound(index) + reference::Rational(2 * error);
+      if (reference::must_applies(index, reference::guaranteed_range(target, 46)))
+        played.expect(reference::is_within(seen[i], exact, bound), answers[1],
+                      fmt::format("the colour index of vertex {}", i), reference::describe(exact),
+                      hexadecimal(static_cast<double>(seen[i])));
+    }
+  }
 };
 
 EVALCTS_TEST(Attributes, NormalIsNotNormalised, kMust, "EV-ATTR-NORMAL/1-D", by(gl::curve_deliveries()))

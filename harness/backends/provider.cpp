@@ -1,4 +1,5 @@
 // Contexts from a provider, a shared library of the user.
+#include <evalcts/gl/contexts.h>
 #include <evalcts_provider.h>
 #include <fmt/format.h>
 
@@ -20,20 +21,29 @@ class Provider final : public ContextMaker {
     provider_ = open();
     if (!provider_)
       throw CannotStart(fmt::format("evalcts_provider_open of {} returns null", library_.path()));
-    if (provider_->version != EVALCTS_PROVIDER_VERSION)
+    if (provider_->version < 1 || provider_->version > EVALCTS_PROVIDER_VERSION)
       throw CannotStart(fmt::format(
-          "{} was built for version {} of evalcts_provider.h, this evalcts supports version {}: rebuild it",
+          "{} was built for version {} of evalcts_provider.h, this evalcts knows versions 1 to {}: "
+          "build it anew",
           library_.path(), provider_->version, EVALCTS_PROVIDER_VERSION));
     if (!provider_->create || !provider_->destroy)
       throw CannotStart(fmt::format("{} lacks create or destroy", library_.path()));
   }
 
   std::string kind() const override { return "provider"; }
-  void* create() override {
-    if (void* context = provider_->create()) return context;
-    const char* why = provider_->error ? provider_->error() : nullptr;
-    throw CannotStart(
-        fmt::format("{} cannot create a context: {}", library_.path(), why ? why : "it gives no reason"));
+  void* create() override { return made_by(provider_->create); }
+  bool makes_several() const override { return provider_->version >= 2 && provider_->make_current; }
+  void* create_sharing(void* /*with*/) override {
+    throw CannotStart("a provider makes no contexts that share objects");
+  }
+  void* create_of_kind(GLuint kind) override {
+    if (kind != EVALCTS_COLOR_INDEX || !provider_->create_color_index)
+      return ContextMaker::create_of_kind(kind);
+    return made_by(provider_->create_color_index);
+  }
+  void make_current(void* context) override {
+    if (makes_several() && !provider_->make_current(context))
+      throw CannotStart(fmt::format("{} does not make its context current", library_.path()));
   }
   void destroy(void* context) override { provider_->destroy(context); }
   void* address_of(const char* command) override {
@@ -42,6 +52,13 @@ class Provider final : public ContextMaker {
   std::string library() const override { return library_.path(); }
 
  private:
+  void* made_by(void* (*creator)()) const {
+    if (void* context = creator()) return context;
+    const char* why = provider_->error ? provider_->error() : nullptr;
+    throw CannotStart(
+        fmt::format("{} cannot create a context: {}", library_.path(), why ? why : "it gives no reason"));
+  }
+
   SharedLibrary library_;
   const evalcts_provider* provider_ = nullptr;
 };

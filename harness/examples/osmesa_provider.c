@@ -1,7 +1,7 @@
 /* A provider of contexts for evalcts, over Mesa's off-screen library: a template for your own.
  *
- *   cc -shared -fPIC -I harness/backends/plugin -o provider.so harness/examples/osmesa_provider.c
- * -ldl evalcts run --context ./provider.so */
+ *   cc -shared -fPIC -I harness/backends/plugin -o provider.so harness/examples/osmesa_provider.c -ldl
+ *   evalcts run --context ./provider.so */
 #include <dlfcn.h>
 #include <evalcts_provider.h>
 #include <stddef.h>
@@ -18,6 +18,10 @@ static MakeCurrent make_current;
 static DestroyContext destroy_context;
 static const char* what_went_wrong;
 static unsigned char pixels[kSide * kSide * 4];
+
+static int make_context_current(void* context) {
+  return make_current(context, pixels, kUnsignedByte, kSide, kSide);
+}
 
 static void* create(void) {
   void* context;
@@ -40,7 +44,7 @@ static void* create(void) {
     what_went_wrong = "OSMesaCreateContextExt failed";
     return NULL;
   }
-  if (!make_current(context, pixels, kUnsignedByte, kSide, kSide)) {
+  if (!make_context_current(context)) {
     destroy_context(context);
     what_went_wrong = "OSMesaMakeCurrent failed";
     return NULL;
@@ -58,6 +62,8 @@ static void* get_address(const char* command) { return dlsym(library, command); 
 static const char* error(void) { return what_went_wrong; }
 
 const evalcts_provider* evalcts_provider_open(void) {
-  static const evalcts_provider provider = {EVALCTS_PROVIDER_VERSION, create, destroy, get_address, error};
+  static const evalcts_provider provider = {
+      EVALCTS_PROVIDER_VERSION, create, destroy, get_address, error,
+      make_context_current,     NULL /* OSMesa has no colour-index contexts */};
   return &provider;
 }

@@ -41,6 +41,7 @@ const std::vector<Fault>& all_faults();
 
 // Implementations for faults in what none at hand has, or follows.
 inline constexpr std::string_view kNvVertexProgram = "nv-vertex-program";  // a provider of this build
+inline constexpr std::string_view kColorIndex = "color-index";             // the same
 inline constexpr std::string_view kRepairedOSMesa = "repaired-osmesa";     // see repaired_osmesa.h
 inline constexpr std::string_view kOSMesa30 = "osmesa-3.0";  // Mesa's, when asked for that version
 

@@ -36,6 +36,7 @@ std::vector<std::string> arguments_of(std::string_view implementation) {
   if (implementation == "osmesa" && !has_osmesa()) return {"--implementation", "egl"};
   if (implementation == "dropin" && !has_osmesa()) return {"--implementation", "dropin-egl"};
   if (implementation == faults::kNvVertexProgram) return {"--context", NV_VERTEX_PROGRAM_PROVIDER};
+  if (implementation == faults::kColorIndex) return {"--context", COLOR_INDEX_PROVIDER};
   if (implementation == faults::kRepairedOSMesa || implementation == faults::kOSMesa30)
     return {"--implementation", has_osmesa() ? "osmesa" : "egl", "--base", std::string(implementation)};
   return {"--implementation", std::string(implementation)};

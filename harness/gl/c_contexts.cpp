@@ -194,10 +194,23 @@ static const struct provider {
   void (*destroy)(void *);
   void *(*get_address)(const char *);
   const char *(*error)(void);
+  int (*make_current)(void *); /* this and the next: version 2 */
+  void *(*create_color_index)(void);
 } *provider;
+static void *contexts[MOST_CONTEXTS];
 
+/* how: 0, or 6 for a colour-index context */
 static void use_context(GLuint number, int how) {
-  if (number != 0 || how != 0) stop("a provider makes one context");
+  void *(*create)(void) = provider->create;
+  if (number != 0 && (provider->version < 2 || !provider->make_current)) stop("the provider makes one context");
+  if (how != 0) create = how == 6 ? provider->create_color_index : NULL;
+  if (contexts[number]) {
+    if (number != 0 || (provider->version >= 2 && provider->make_current)) provider->make_current(contexts[number]);
+    return;
+  }
+  if (!create) stop("the provider makes no contexts of this kind");
+  contexts[number] = create();
+  if (!contexts[number]) stop(provider->error ? provider->error() : "no context");
 }
 
 static void *address_of(const char *name) { return provider->get_address ? provider->get_address(name) : NULL; }
@@ -205,7 +218,8 @@ static void *address_of(const char *name) { return provider->get_address ? provi
 static void make_context(const char *path) {
   open_library(path);
   provider = ((const struct provider *(*)(void))need("evalcts_provider_open"))();
-  if (!provider || !provider->create()) stop(provider && provider->error ? provider->error() : "no context");
+  if (!provider) stop("the provider cannot be used");
+  use_context(0, 0);
 }
 )";
 

@@ -64,11 +64,11 @@ TEST_F(CommandLine, ListsAndExplains) {
   EXPECT_EQ(evalcts({"explain", "not-observable"}).code, 0);
   EXPECT_TRUE(contains(evalcts({"explain", "C-MESH1-LINES"}).text, "Taken here: LINE_STRIP."));
   for (const json& requirement : coverage["requirements"])
-    if (as_text(requirement["id"]) == "EV-ATTR-INDEX") {
+    if (as_text(requirement["id"]) == "EV-EXT-ARBVP-COLORINDEX") {
       EXPECT_EQ(as_text(requirement["state"]), "undecidable");
       EXPECT_TRUE(
           contains(evalcts({"coverage"}).text, requirement["reason"].get<std::string>().substr(0, 40)));
-      EXPECT_TRUE(contains(evalcts({"explain", "EV-ATTR-INDEX"}).text, "undecidable"));
+      EXPECT_TRUE(contains(evalcts({"explain", "EV-EXT-ARBVP-COLORINDEX"}).text, "undecidable"));
     }
 }
 

@@ -367,6 +367,27 @@ TEST_F(GlLibrary, MapsOfVertexAttributes) {
   unsetenv("EVALCTS_DRILL");
 }
 
+// INDEX maps, which show in colour-index contexts only, are judged in those of a provider: EVALCTS_DRILL of
+// color_index.cpp.
+TEST_F(GlLibrary, IndexMapsInColorIndexContexts) {
+  if (!available("osmesa")) GTEST_SKIP() << "no OSMesa here";
+  const std::pair<const char*, const char*> drills[] = {{"", "pass"},       {"coarse", "pass"},
+                                                        {"idle", "fail"},   {"rgba", "not-observable"},
+                                                        {"sticky", "fail"}, {"few", "not-observable"}};
+  for (const auto& [how, verdict] : drills) {
+    SCOPED_TRACE(how);
+    setenv("EVALCTS_DRILL", how, 1);
+    evalcts({"run", "--context", COLOR_INDEX_PROVIDER, "--name", "indices", "--output", folder_.string(),
+             "--filter", "Attributes.IndexInColorIndexMode*"});
+    std::map<std::string, int> verdicts;
+    const json result = results("indices");
+    for (const json& test : result["tests"]) ++verdicts[std::string(as_text(test["verdict"]))];
+    EXPECT_EQ(verdicts.size(), 1u) << json(verdicts);
+    EXPECT_GT(verdicts[verdict], 0) << json(verdicts);
+  }
+  unsetenv("EVALCTS_DRILL");
+}
+
 // However bad a library is: EVALCTS_DRILL of degraded_osmesa.cpp.
 TEST_F(GlLibrary, DegradedLibrariesAreJudgedToTheEnd) {
   if (!available("osmesa")) GTEST_SKIP() << "no OSMesa here";

@@ -17,7 +17,7 @@ extern "C" {
 #endif
 
 /* The version of this interface. */
-#define EVALCTS_PROVIDER_VERSION 1
+#define EVALCTS_PROVIDER_VERSION 2
 
 /* The functions of a provider, which evalcts_provider_open() returns. */
 typedef struct evalcts_provider {
@@ -28,7 +28,7 @@ typedef struct evalcts_provider {
    * current in the calling thread. If drawing needs a framebuffer, the context has a complete one, RGBA with
    * depth and stencil (64 x 64 is enough), which the viewport covers. Returns the argument for destroy(), or
    * null if it fails; error() then returns the reason. Called thousands of times in one process, but never
-   * while another context exists. */
+   * while another context exists, unless there is make_current(). */
   void* (*create)(void);
 
   /* Destroys the current context and leaves none current. Must free everything, because it is called
@@ -43,6 +43,18 @@ typedef struct evalcts_provider {
   /* Returns the reason for which the last create() failed, and what to do about it. The pointer may be null.
    */
   const char* (*error)(void);
+
+  /* The functions below are read from providers of version 2. Their pointers may be null. */
+
+  /* Makes a context current in the calling thread; returns 0 if it fails. If the pointer is not null, several
+   * contexts can exist at a time, and tests of several contexts are run. destroy() is then called for the
+   * current one among them. */
+  int (*make_current)(void* context);
+
+  /* The same as create(), but the context is a colour-index one (GL_RGBA_MODE is false) with at least 8 bits
+   * for each index. INDEX maps are judged in it. Called while a context of create() exists, so that
+   * make_current() is needed as well. */
+  void* (*create_color_index)(void);
 } evalcts_provider;
 
 /* Returns the provider, which must stay valid until the process ends, or null if it cannot be used. Called

@@ -71,6 +71,12 @@ EVALCTS_RULES(IndexMapSetsTheIndex, production, kMust, "EV-ATTR-INDEX-RGBA EV-CU
 EVALCTS_RULES(IndexMapGivesTheRed, production, kMust, "EV-ATTR-INDEX-RGBA",
               "in RGBA mode an index map makes the current colour white",
               before(kPoints1, noted_on(GL_MAP1_INDEX) && maps_vertices(1), call(Color4f, {1, 1, 1, 1})));
+// In a stand-in for an implementation that has colour-index contexts.
+EVALCTS_RULES_IN(kColorIndex, IndexMapsStayOff, kMust, "EV-ATTR-INDEX", "Enable does nothing to index maps",
+                 skip(Enable, kName == GL_MAP1_INDEX || kName == GL_MAP2_INDEX));
+EVALCTS_RULES_IN(kColorIndex, LastPointOfIndexMapLost, kMust, "EV-ATTR-INDEX/1-D",
+                 "Map1f leaves out the last control point of an index map",
+                 before(Map1f, kTarget == GL_MAP1_INDEX && kOrder > 1, set(kOrder, kOrder - 1)));
 EVALCTS_RULES(LongNormalsNormalised, production, kMust, "EV-ATTR-NORMAL",
               "normals longer than 1 are normalised by the evaluator",
               change_vertices([](ObservedVertex& vertex) {

@@ -143,6 +143,7 @@ const char* error() { return "no OSMesa"; }
 }  // namespace
 
 const evalcts_provider* evalcts_provider_open() {
-  static const evalcts_provider provider = {EVALCTS_PROVIDER_VERSION, create, destroy, get_address, error};
+  static const evalcts_provider provider = {
+      EVALCTS_PROVIDER_VERSION, create, destroy, get_address, error, nullptr, nullptr};
   return &provider;
 }

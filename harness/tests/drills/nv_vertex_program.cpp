@@ -390,6 +390,7 @@ const char* error() { return what_went_wrong; }
 }  // namespace
 
 const evalcts_provider* evalcts_provider_open() {
-  static const evalcts_provider provider = {EVALCTS_PROVIDER_VERSION, create, destroy, get_address, error};
+  static const evalcts_provider provider = {
+      EVALCTS_PROVIDER_VERSION, create, destroy, get_address, error, nullptr, nullptr};
   return &provider;
 }

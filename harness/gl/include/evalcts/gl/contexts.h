@@ -18,7 +18,8 @@ enum {
   EVALCTS_CORE_PROFILE = 1,    // 3.2 at least
   EVALCTS_FORWARD_COMPATIBLE,  // 3.1, without the deprecated features of 3.0
   EVALCTS_DEBUG,               // compatibility profile, debug context
-  EVALCTS_NO_ERROR             // compatibility profile, KHR_no_error
+  EVALCTS_NO_ERROR,            // compatibility profile, KHR_no_error
+  EVALCTS_COLOR_INDEX          // RGBA_MODE is false
 };
 void glContextOfKindEVALCTS(GLuint context, GLuint kind);
 

@@ -1,0 +1,215 @@
+// A provider for the tests of INDEX maps: OSMesa, whose contexts are RGBA, with contexts that behave as
+// colour-index ones as far as these tests see. The colour index is the red component in units of 1/1024, of
+// current values, maps and feedback alike.
+//
+// EVALCTS_DRILL: "coarse" (legal: indices in feedback have 4 bits behind the point), "rgba" (RGBA_MODE stays
+// true), "idle" (INDEX maps do nothing), "sticky" (the evaluated index becomes the current one),
+// "few" (the last vertex does not come back).
+#include <GL/gl.h>
+#include <dlfcn.h>
+#include <evalcts_provider.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <set>
+#include <vector>
+
+namespace {
+
+constexpr GLfloat kUnit = 1.0f / 1024;
+constexpr int kSide = 64;
+
+bool drill(const char* name) {
+  const char* wanted = std::getenv("EVALCTS_DRILL");
+  return wanted && std::strcmp(wanted, name) == 0;
+}
+
+void* library = nullptr;
+
+template <class Function>
+Function* real(Function*, const char* name) {
+  return reinterpret_cast<Function*>(dlsym(library, name));
+}
+#define REAL(name) real(static_cast<decltype(&::name)>(nullptr), #name)
+
+std::set<void*> indexed_contexts;
+bool is_indexed = false;  // the current context
+GLfloat* feedback = nullptr;
+std::vector<GLfloat> real_feedback;
+
+bool is_index_map(GLenum target) { return target == GL_MAP1_INDEX || target == GL_MAP2_INDEX; }
+GLenum color_map(GLenum target) { return target == GL_MAP1_INDEX ? GL_MAP1_COLOR_4 : GL_MAP2_COLOR_4; }
+
+bool curves = false, surfaces = false;  // maps of indices are enabled
+GLfloat current = 1;
+
+// Mesa loses current colours behind evaluation: they are given again before each vertex.
+void give_color() {
+  if (is_indexed) REAL(glColor4f)(current * kUnit, 0, 0, 1);
+}
+
+void index(GLfloat value) {
+  REAL(glIndexf)(value);
+  current = value;
+  give_color();
+}
+
+void vertex3f(GLfloat x, GLfloat y, GLfloat z) {
+  give_color();
+  REAL(glVertex3f)(x, y, z);
+}
+
+void enable(GLenum cap) {
+  REAL(glEnable)(cap);
+  if (!is_index_map(cap)) return;
+  (cap == GL_MAP1_INDEX ? curves : surfaces) = true;
+  if (is_indexed && !drill("idle")) REAL(glEnable)(color_map(cap));
+}
+
+void disable(GLenum cap) {
+  REAL(glDisable)(cap);
+  if (!is_index_map(cap)) return;
+  (cap == GL_MAP1_INDEX ? curves : surfaces) = false;
+  if (is_indexed) REAL(glDisable)(color_map(cap));
+}
+
+void map1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
+  REAL(glMap1f)(target, u1, u2, stride, order, points);
+  if (!is_indexed || target != GL_MAP1_INDEX) return;
+  std::vector<GLfloat> colors;
+  for (GLint i = 0; i < order; ++i) colors.insert(colors.end(), {points[i * stride] * kUnit, 0, 0, 1});
+  REAL(glMap1f)(GL_MAP1_COLOR_4, u1, u2, 4, order, colors.data());
+}
+
+void map2f(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
+           GLint vstride, GLint vorder, const GLfloat* points) {
+  REAL(glMap2f)(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  if (!is_indexed || target != GL_MAP2_INDEX) return;
+  std::vector<GLfloat> colors;
+  for (GLint i = 0; i < uorder; ++i)
+    for (GLint j = 0; j < vorder; ++j)
+      colors.insert(colors.end(), {points[i * ustride + j * vstride] * kUnit, 0, 0, 1});
+  REAL(glMap2f)(GL_MAP2_COLOR_4, u1, u2, 4 * vorder, uorder, v1, v2, 4, vorder, colors.data());
+}
+
+void eval_coord1f(GLfloat u) {
+  give_color();
+  REAL(glEvalCoord1f)(u);
+  if (is_indexed && curves && drill("sticky")) index(77);
+}
+void eval_coord2f(GLfloat u, GLfloat v) {
+  give_color();
+  REAL(glEvalCoord2f)(u, v);
+  if (is_indexed && surfaces && drill("sticky")) index(77);
+}
+
+void get_booleanv(GLenum name, GLboolean* values) {
+  REAL(glGetBooleanv)(name, values);
+  if (is_indexed && name == GL_RGBA_MODE) *values = drill("rgba");
+  if (is_indexed && name == GL_INDEX_MODE) *values = !drill("rgba");
+}
+
+void feedback_buffer(GLsizei size, GLenum type, GLfloat* buffer) {
+  feedback = is_indexed && type == GL_3D_COLOR ? buffer : nullptr;
+  if (!feedback) return REAL(glFeedbackBuffer)(size, type, buffer);
+  real_feedback.assign(static_cast<std::size_t>(size) * 2, 0);
+  REAL(glFeedbackBuffer)(size * 2, type, real_feedback.data());
+}
+
+// Points alone: the token, x, y, z, and R G B A in the place of the index.
+GLint render_mode(GLenum mode) {
+  constexpr GLint kReal = 8;
+  const GLint size = REAL(glRenderMode)(mode);
+  if (!feedback || size <= 0 || mode != GL_RENDER) return size;
+  const GLint points = size / kReal - drill("few");
+  GLfloat* out = feedback;
+  for (GLint i = 0; i < points; ++i) {
+    const GLfloat* const point = &real_feedback[static_cast<std::size_t>(i * kReal)];
+    out = std::copy_n(point, 4, out);
+    const GLfloat index = point[4] / kUnit;
+    *out++ = drill("coarse") ? std::floor(index * 16) / 16 : index;
+  }
+  return static_cast<GLint>(out - feedback);
+}
+
+// --- The provider ------------------------------------------------------------------------------------------
+
+unsigned char pixels[kSide * kSide * 4];
+const char* what_went_wrong = nullptr;
+
+int make_current(void* context) {
+  const auto make = reinterpret_cast<GLboolean (*)(void*, void*, GLenum, GLsizei, GLsizei)>(
+      dlsym(library, "OSMesaMakeCurrent"));
+  is_indexed = indexed_contexts.contains(context);
+  return make(context, pixels, GL_UNSIGNED_BYTE, kSide, kSide);
+}
+
+void* create() {
+  if (!library) library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
+  if (!library) {
+    what_went_wrong = dlerror();
+    return nullptr;
+  }
+  const auto make = reinterpret_cast<void* (*)(GLenum, GLint, GLint, GLint, void*)>(
+      dlsym(library, "OSMesaCreateContextExt"));
+  void* const context = make(GL_RGBA, 24, 8, 0, nullptr);
+  feedback = nullptr;
+  curves = surfaces = false;
+  if (!context || !make_current(context)) {
+    what_went_wrong = "OSMesa makes no context";
+    return nullptr;
+  }
+  return context;
+}
+
+void* create_color_index() {
+  void* const context = create();
+  if (!context) return nullptr;
+  indexed_contexts.insert(context);
+  is_indexed = true;
+  index(1);
+  return context;
+}
+
+void destroy(void* context) {
+  indexed_contexts.erase(context);
+  is_indexed = false;
+  reinterpret_cast<void (*)(void*)>(dlsym(library, "OSMesaDestroyContext"))(context);
+}
+
+void* get_address(const char* command) {
+  struct Own {
+    const char* name;
+    void* address;
+  };
+#define OWN(name, function) \
+  { name, reinterpret_cast<void*>(&function) }
+  static const Own kOwn[] = {
+      OWN("glIndexf", index),
+      OWN("glVertex3f", vertex3f),
+      OWN("glEnable", enable),
+      OWN("glDisable", disable),
+      OWN("glMap1f", map1f),
+      OWN("glMap2f", map2f),
+      OWN("glEvalCoord1f", eval_coord1f),
+      OWN("glEvalCoord2f", eval_coord2f),
+      OWN("glGetBooleanv", get_booleanv),
+      OWN("glFeedbackBuffer", feedback_buffer),
+      OWN("glRenderMode", render_mode),
+  };
+  for (const Own& own : kOwn)
+    if (std::strcmp(own.name, command) == 0) return own.address;
+  return dlsym(library, command);
+}
+
+const char* error() { return what_went_wrong; }
+
+}  // namespace
+
+const evalcts_provider* evalcts_provider_open() {
+  static const evalcts_provider provider = {
+      EVALCTS_PROVIDER_VERSION, create, destroy, get_address, error, make_current, create_color_index};
+  return &provider;
+}
