@@ -97,7 +97,7 @@ bool expect_kept(Test& t, const std::function<Written(bool evaluated)>& write) {
 struct Evaluated {
   std::string name;
   std::function<void(gl::Case&)> prepare;
-  void (*emit)(gl::Case&, bool evaluated, float u) = emit;
+  void (*draw)(gl::Case&, bool evaluated, float u) = emit;
 };
 
 // Sets the value, evaluates (once, and often enough to make an implementation flush in the middle; at quick
@@ -119,14 +119,14 @@ void expect_current_untouched(Test& t, const std::function<Evaluated()>& evaluat
         const gl::Ref before = query.ask(c);
         c.Begin(GL_POINTS);
         for (int i = 0; i < vertices; ++i)
-          what.emit(c, evaluated, static_cast<float>(i + 1) / static_cast<float>(vertices));
+          what.draw(c, evaluated, static_cast<float>(i + 1) / static_cast<float>(vertices));
         c.End();
         if (flush) c.Flush();
         const gl::Ref after = query.ask(c);
         // Set inside the primitive, evaluated once more: the value of the command stays, not the map's.
         c.Begin(GL_POINTS);
         set(c, variant + 1);
-        what.emit(c, evaluated, 0.5f);
+        what.draw(c, evaluated, 0.5f);
         c.End();
         const gl::Ref inside = query.ask(c);
         set(c, variant + 1);
