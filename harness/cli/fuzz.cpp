@@ -8,6 +8,7 @@
 #include <memory>
 #include <set>
 
+#include <evalcts/backends/implementation.h>
 #include <evalcts/fuzz/campaign.h>
 #include <evalcts/fuzz/events.h>
 #include <evalcts/fuzz/hunt.h>
@@ -45,6 +46,10 @@ std::map<std::string, std::string> known_causes() {
 int fuzz(const FuzzOptions& options) {
   if (options.implementation.empty() && options.library.empty() && options.context.empty())
     return wrong_use("fuzz needs --implementation, --library or --context");
+  if (!options.implementation.empty() &&
+      std::ranges::count(implementation_kinds(), options.implementation, &ImplementationKind::name) == 0)
+    return wrong_use(fmt::format("there is no implementation '{}'; see 'evalcts list implementations'",
+                                 options.implementation));
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
   const FolderLock lock = claim(output, "evalcts fuzz");
   stop_when_asked();
@@ -101,10 +106,11 @@ std::function<int()> define_fuzz(CLI::App& app, const Call&) {
   app.add_option("--implementation", options->implementation, "what to judge");
   app.add_option("--library", options->library, "shared library instead of the usual one");
   app.add_option("--context", options->context, "what makes the contexts, as for run");
-  app.add_option("--seed", options->seed, "the same seed gives the same programs on every machine");
-  app.add_option("--programs", options->programs, "how many");
+  app.add_option("--seed", options->seed, "the same seed gives the same programs on every machine")
+      ->check(number_from_zero);
+  app.add_option("--programs", options->programs, "how many")->check(positive_number);
   app.add_option("--seconds", options->seconds, "for how long (default: 60, without --programs)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number);
   app.add_option("--length", options->length, "commands of a program, about")->check(CLI::Range(1, 100000));
   app.add_flag("--fresh-contexts", options->fresh_contexts,
                "a context for each program; without, most share one where that is faster");

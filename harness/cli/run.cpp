@@ -271,7 +271,6 @@ int run(const RunOptions& options, const std::string& shard) {
   RunRequest request = request_of(options, shard);
   const std::vector<ImplementationOptions> chosen = chosen_implementations(options);
   const fs::path output = request.output;
-  const FolderLock lock = claim(output, options.command);
   if (options.baseline != "none") {
     const ChosenBaseline wanted = baseline_of(options.baseline, places().baselines);
     if (!options.write_baseline && !fs::is_directory(wanted.folder))
@@ -286,6 +285,7 @@ int run(const RunOptions& options, const std::string& shard) {
   request.tests = chosen_tests(options, all_tests, request);
   if (const std::string wrong = wrong_filter(options, all_tests, request.depth); !wrong.empty())
     return wrong_use(wrong);
+  const FolderLock lock = claim(output, options.command);
 
   stop_when_asked();
   adopt_what_children_leave();
@@ -348,8 +348,8 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
       "runs at any depth");
   app.add_option("--depth", options->depth, "how many values")
       ->check(CLI::IsMember({"quick", "full", "thorough"}));
-  app.add_option("--seed", options->seed, "seed of the random tests");
-  app.add_option("--timeout", options->seconds_per_test, "seconds for each test")->check(CLI::PositiveNumber);
+  app.add_option("--seed", options->seed, "seed of the random tests")->check(number_from_zero);
+  app.add_option("--timeout", options->seconds_per_test, "seconds for each test")->check(positive_number);
   app.add_option("--memory", options->mebibytes, "MiB of memory for a process that plays tests")
       ->check(CLI::Range(64.0, 1e9));
   app.add_option("--retry", options->retries, "how often an unexpected fail is played again")
@@ -370,7 +370,7 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
                  "interpretations'; may be repeated");
   app.add_flag("--no-bugs", options->no_bugs, "do not reduce failing tests to distinct bugs");
   app.add_option("--bug-seconds", options->bug_seconds, "how long failing tests are reduced to distinct bugs")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number);
   app.add_flag("--reuse-context", options->reuse_context,
                "a second pass over one shared context, for defects that depend on history");
   add_allow_unobserved(app, options->allow_unobserved);

@@ -585,7 +585,7 @@ std::function<int()> define_ulp(CLI::App& app, const Call& call) {
       ->expected(2, 4);
   app.add_option("--segments", options->segments,
                  "the argument of the one input is a point of a grid with so many segments over the domain")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number);
   app.add_flag("--sweep", options->sweep,
                "every float of an interval as argument of one map: --orders and --points");
   app.add_option("--u", options->fixed_u, "of a surface that is swept along v: its u");

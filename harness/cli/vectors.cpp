@@ -110,7 +110,7 @@ std::function<int()> define_vectors(CLI::App& app, const Call&) {
     CLI::Option* const count =
         command
             ->add_option("--count", options->count, "random cases of each kind in place of the shipped ones")
-            ->check(CLI::PositiveNumber);
+            ->check(positive_number);
     command->add_option("--seed", options->seed, "of the random cases (the same for emit and check)")
         ->needs(count);
   }
