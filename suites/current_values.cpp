@@ -246,7 +246,7 @@ constexpr Named<GLenum> kStrips[] = {{"LINE_STRIP", GL_LINE_STRIP}, {"TRIANGLE_S
 EVALCTS_TEST(CurrentValues, LongPrimitives, kMust, "EV-CUR-COLOR/1-D", "EV-CUR-NORMAL/1-D", "EV-CUR-TEX/1-D",
              combine(kStrips).by(sparing(gl::without(gl::kMeshes | gl::kArrays, gl::curve_deliveries()))))
 (Test& t, const Named<GLenum>& mode) {
-  const int vertices = t.by_depth(2500, 40000, 66000);
+  const int vertices = t.by_depth(10000, 40000, 66000);
   std::vector<Map> maps;
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_4})
     maps.push_back(random_map(t, target, 2));

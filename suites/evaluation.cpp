@@ -178,6 +178,7 @@ EVALCTS_TEST_PAIR(Evaluation.NothingFromTheOtherDimension, Evaluation.NothingFro
     define_and_enable(c, random_map(t, target_in(two, GL_MAP1_VERTEX_3), two ? Orders{3, 2} : Orders{3}));
     if (cap != GL_AUTO_NORMAL) define(c, random_map(t, cap, two ? Orders{3} : Orders{2, 3}));
     c.Enable(cap);
+    two ? c.MapGrid2f(1, 0, 1, 1, 0, 1) : c.MapGrid1f(1, 0, 1);
     const auto emits = [&](double u) { eval_coord(c, two, u, 0.5); };
     const auto does_nothing = [&] { eval_coord(c, !two, 0.25, 0.75); };
     const auto primitive = [&](const std::function<void()>& commands) {

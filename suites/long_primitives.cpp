@@ -52,13 +52,14 @@ EVALCTS_TEST(LongPrimitives, AttributesOfMaps, kMust, "EV-COORD-PRIMS/1-D", "EV-
 EVALCTS_TEST(LongPrimitives, MixedWithVertex, kMust, "EV-COORD-MIX/1-D", "EV-COORD-CURRENT/1-D",
              "EV-CUR-NEXTVERTEX/1-D", combine(kConnected).by(primitive_deliveries()))
 (Test& t, const Connected& primitive) {
-  gl::Case c(
-      fmt::format("{} vertices, every third explicit, colours and normals from maps", primitive.vertices(t)));
+  const int vertices =
+      t.by_depth(10000, primitive.full, 66000);  // fills the 512 KiB of Mesa at quick depth, too
+  gl::Case c(fmt::format("{} vertices, every third explicit, colours and normals from maps", vertices));
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP1_NORMAL})
     define_and_enable(c, random_map(t, target, 2));
   c.Begin(primitive.mode);
   set_current_values(c);  // inside, so that the layout of vertices does not change
-  for (int i = 0; i < primitive.vertices(t); ++i) {
+  for (int i = 0; i < vertices; ++i) {
     const float x = argument_of(i);
     if (i % 7 == 3) c.TexCoord4f(x, 1 - x, 2, 0.5f);
     if (i % 97 == 50) c.Color4f(1 - x, x, 0.5f, 0.25f);

@@ -131,6 +131,8 @@ EVALCTS_TEST_PAIR(Mesh1.AfterEmptyPrimitives, Mesh2.AfterEmptyPrimitives, kMust,
   for (GLenum primitive = GL_POINTS; primitive <= GL_POLYGON; ++primitive) {
     eval_mesh(c, two, mode.mode, 2, 1, 0, 1);
     for (const GLenum empty : {primitive, GL_POLYGON - primitive}) {
+      // In lists of Mesa 22.3 an empty loop draws a line, without any evaluator.
+      if (empty == GL_LINE_LOOP && t.is_delivered_in_lists()) continue;
       c.Begin(empty);
       c.End();
     }

@@ -47,6 +47,10 @@ CLI::Option* add_shard(CLI::App& app, std::string& shard, const std::string& des
 // --allow-unobserved
 CLI::Option* add_allow_unobserved(CLI::App& app, bool& allow);
 
+// Checks of options: a number above 0, and one from 0 on. By itself the parser takes -1 for 2^64 - 1.
+std::string positive_number(const std::string& text);
+std::string number_from_zero(const std::string& text);
+
 // Prints "evalcts: " and the message to standard error, and returns kWrongUse.
 int wrong_use(const std::string& message);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 
 #include <evalcts/backends/implementation.h>
 #include <evalcts/results/baseline.h>
@@ -71,6 +72,23 @@ CLI::Option* add_shard(CLI::App& app, std::string& shard, const std::string& des
 CLI::Option* add_allow_unobserved(CLI::App& app, bool& allow) {
   return app.add_flag("--allow-unobserved", allow,
                       "exit code 0 even if most of the requested work cannot be observed");
+}
+
+namespace {
+// The number, or NaN if the text is none.
+double number_in(const std::string& text) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0' ? number : std::numeric_limits<double>::quiet_NaN();
+}
+}  // namespace
+
+std::string positive_number(const std::string& text) {
+  return number_in(text) > 0 ? std::string() : fmt::format("'{}' is no number above 0", text);
+}
+
+std::string number_from_zero(const std::string& text) {
+  return number_in(text) >= 0 ? std::string() : fmt::format("'{}' is no number from 0 on", text);
 }
 
 int wrong_use(const std::string& message) {

@@ -2,19 +2,28 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <fstream>
 #include <iostream>
 #include <map>
 
+#include <evalcts/faults/fault_table.h>
 #include <evalcts/results/coverage.h>
 #include <evalcts/runner/question.h>
+#include <evalcts/runner/suite_child.h>
 #include "command.h"
+#include "help.h"
 #include "places.h"
+#include "terminal.h"
 #include "wrap.h"
 
 namespace evalcts::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 void paragraph(const std::string& text, std::size_t indent = 2) {
   const std::string margin(indent, ' ');
@@ -71,13 +80,124 @@ void explain_ambiguity(const Ambiguity& entry) {
     paragraph(fmt::format("{}={}: {}", entry.id, reading, meaning), 4);
 }
 
+// A folder for temporary files, removed at the end.
+class Scratch {
+ public:
+  Scratch() : path_((fs::temp_directory_path() / "evalcts-explain-XXXXXX").string()) {
+    if (!mkdtemp(path_.data())) throw std::runtime_error("cannot make a temporary folder");
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  fs::path path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+// A test as it passes on the executable specification.
+struct PlayedTest {
+  std::optional<CaseStarted> first;  // its first case that is no control
+  std::optional<TestRecord> record;
+};
+
+PlayedTest play_on_specification(const std::string& test, const fs::path& scratch) {
+  constexpr double kLook = 0.01, kPatience = 60;  // seconds
+  const fs::path list = scratch / "test.txt", events = scratch / "events.jsonl";
+  std::ofstream(list) << test << '\n';
+  PlayedTest played;
+  SuiteChild child(
+      {places().suite_program.string(), "--implementation", "reference", "--depth", "quick", "--tests",
+       list.string(), "--records", events.string(), "--trace-cases", "--die-with-parent", "--gtest_brief=1"},
+      events, scratch / "log.txt", {kPatience});
+  const auto take = [&](const Event& event) {
+    if (const auto* started = std::get_if<CaseStarted>(&event); started && !started->is_control)
+      if (!played.first) played.first = *started;
+    if (const auto* finished = std::get_if<TestFinished>(&event)) played.record = finished->record;
+  };
+  while (!child.look(kLook, {}, take)) continue;
+  return played;
+}
+
+// The commands among the calls whose answers a test looks at: "glGetError, glIsEnabled".
+std::string queries_of(const std::vector<std::string>& calls) {
+  std::vector<std::string> names;
+  for (const std::string& call : calls)
+    for (const char* const stem : {"glGet", "glIsEnabled", "glRenderMode"}) {
+      if (!call.starts_with(stem)) continue;
+      const std::string name = call.substr(0, call.find('('));
+      if (std::ranges::count(names, name) == 0) names.push_back(name);
+    }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+void explain_cases(const PlayedTest& played) {
+  if (!played.first || !played.record) return;
+  paragraph(
+      fmt::format("First of {} cases, '{}':", played.record->cases.value_or(1), played.first->identity));
+  for (const std::string& call : played.first->calls) std::cout << "    " << call << "\n";
+  std::vector<std::string> compared;
+  if (!played.record->capture.empty())
+    compared.emplace_back(
+        "the vertices and primitives that come out, with those of the executable specification");
+  if (const std::string queries = queries_of(played.first->calls); !queries.empty())
+    compared.push_back("the answers of " + queries + ", with the answers that the rules demand");
+  labelled("Compared", fmt::format("{}", fmt::join(compared, "; ")));
+}
+
+// Tries the faults that break a rule of the test. The program with faults is built by './evalcts faults'.
+void explain_faults(ListedTest test, const fs::path& scratch) {
+  if (!fs::exists(places().faulty_suite_program)) {
+    labelled("Faults that it detects", "known once './evalcts faults' has built the program with faults");
+    return;
+  }
+  std::vector<faults::ListedFault> breaking = faults::list_faults(places().faulty_suite_program);
+  std::erase_if(breaking, [&](const faults::ListedFault& fault) {
+    return std::ranges::none_of(fault.requirements, [&](const std::string& requirement) {
+      return std::ranges::any_of(test.requirements,
+                                 [&](const RequirementId& id) { return id.decides(requirement); });
+    });
+  });
+  test.from = Depth::kQuick;  // its exact name is asked for
+  const std::vector<faults::TriedFault> tried =
+      faults::try_faults({.suite_program = places().faulty_suite_program,
+                          .faults = breaking,
+                          .tests = {test},
+                          .jobs = usual_jobs(),
+                          .scratch = scratch},
+                         [](std::size_t, const std::string&) {});
+  std::vector<const faults::ListedFault*> detected;
+  for (const faults::TriedFault& each : tried)
+    if (std::ranges::any_of(each.detections, &faults::Detection::detected)) detected.push_back(&each.fault);
+  paragraph(fmt::format("Faults that it detects, {} of {} that break its rules{}", detected.size(),
+                        breaking.size(), detected.empty() ? "" : ":"));
+  for (const faults::ListedFault* const fault : detected)
+    paragraph(fmt::format("{}: {}", fault->name, fault->what), 4);
+}
+
 void explain_test(const ListedTest& test) {
-  std::cout << fmt::format("{} ({})\n", test.name, name_of(test.level));
+  std::cout << fmt::format("{} ({}, from depth {})\n", test.name, name_of(test.level), name_of(test.from));
   for (const RequirementId& id : test.requirements)
     if (const Requirement* const requirement = catalogue().find(id)) {
       paragraph(id.text() + ": " + requirement->text);
       paragraph("Source: " + requirement->source, 4);
     }
+  const Scratch scratch;
+  explain_cases(play_on_specification(test.name, scratch.path()));
+  explain_faults(test, scratch.path());
+}
+
+// "; did you mean NAME?" for the name that is nearest to the word, or empty.
+std::string suggestion_for(const std::string& word, const std::vector<ListedTest>& tests) {
+  std::vector<std::string> names;
+  for (const Requirement& requirement : catalogue().requirements) names.push_back(requirement.id);
+  for (const Ambiguity* const entry : catalogue().interpretations()) names.push_back(entry->id);
+  for (const ListedTest& test : tests) names.push_back(test.name);
+  const std::string meant = nearest(word, names);
+  return meant.empty() ? "; see 'evalcts list'" : "; did you mean " + meant + "?";
 }
 
 int explain(const std::string& name) {
@@ -90,7 +210,8 @@ int explain(const std::string& name) {
     explain_ambiguity(*entry);
     return kNothingUnexpected;
   }
-  for (const ListedTest& test : list_tests(places().suite_program))
+  const std::vector<ListedTest> tests = list_tests(places().suite_program);
+  for (const ListedTest& test : tests)
     if (test.name == name) {
       explain_test(test);
       return kNothingUnexpected;
@@ -99,8 +220,8 @@ int explain(const std::string& name) {
     std::cout << fmt::format("{}: {}\n", name, text_of(*verdict).meaning);
     return kNothingUnexpected;
   }
-  return wrong_use(
-      fmt::format("'{}' is not a requirement, interpretation, test or verdict; see 'evalcts list'", name));
+  return wrong_use(fmt::format("'{}' is not a requirement, interpretation, test or verdict{}", name,
+                               suggestion_for(name, tests)));
 }
 
 std::function<int()> define_explain(CLI::App& app, const Call&) {

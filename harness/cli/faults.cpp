@@ -40,6 +40,7 @@ int legal(const FaultsOptions& options, const fs::path& output) {
       matching(faults::list_faults(places().faulty_suite_program, "--list-variations"), options.filter);
   if (chosen.empty()) return wrong_use(fmt::format("no variation matches '{}'", options.filter));
   if (!options.shard.empty()) chosen = Shard::parse(options.shard, "/")->part_of(chosen);
+  const FolderLock lock = claim(output, "evalcts faults");
   const fs::path scratch = output / "scratch-variations";
   fs::remove_all(scratch);
   fs::create_directory(scratch);
@@ -91,7 +92,6 @@ int legal(const FaultsOptions& options, const fs::path& output) {
 int faults(const FaultsOptions& options) {
   using faults::FaultOutcome;
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
-  const FolderLock lock = claim(output, "evalcts faults");
   if (options.legal) return legal(options, output);
 
   std::vector<faults::ListedFault> chosen =
@@ -103,6 +103,7 @@ int faults(const FaultsOptions& options) {
   if (!options.shard.empty()) chosen = Shard::parse(options.shard, "/")->part_of(chosen);
 
   const std::vector<ListedTest> tests = list_tests(places().suite_program);
+  const FolderLock lock = claim(output, "evalcts faults");
   const fs::path scratch = output / "scratch-faults";
   fs::remove_all(scratch);
   fs::create_directory(scratch);
@@ -171,7 +172,7 @@ std::function<int()> define_faults(CLI::App& app, const Call&) {
                "must still be detected behind it")
       ->excludes("--complete");
   app.add_option("--timeout", options->seconds_per_test, "time limit for each test, in seconds")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number);
   app.add_option("--jobs", options->jobs, "number of faults that run in parallel (default: one per core)")
       ->check(CLI::Range(1, 256));
   app.add_option("--output", options->output, "folder for faults.json and faults.md");

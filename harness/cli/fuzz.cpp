@@ -8,6 +8,7 @@
 #include <memory>
 #include <set>
 
+#include <evalcts/backends/implementation.h>
 #include <evalcts/fuzz/campaign.h>
 #include <evalcts/fuzz/events.h>
 #include <evalcts/fuzz/search.h>
@@ -45,6 +46,10 @@ std::map<std::string, std::string> known_causes() {
 int fuzz(const FuzzOptions& options) {
   if (options.implementation.empty() && options.library.empty() && options.context.empty())
     return wrong_use("fuzz needs --implementation, --library or --context");
+  if (!options.implementation.empty() &&
+      std::ranges::count(implementation_kinds(), options.implementation, &ImplementationKind::name) == 0)
+    return wrong_use(fmt::format("unknown implementation '{}'; see 'evalcts list implementations'",
+                                 options.implementation));
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
   const FolderLock lock = claim(output, "evalcts fuzz");
   stop_when_asked();
@@ -102,11 +107,13 @@ std::function<int()> define_fuzz(CLI::App& app, const Call&) {
   app.add_option("--library", options->library, "shared library to judge instead of the system's");
   app.add_option("--context", options->context, "interface that creates the contexts, as for run");
   app.add_option("--seed", options->seed,
-                 "seed of the programs; a seed gives the same programs on every machine (default: 1)");
-  app.add_option("--programs", options->programs, "number of programs (default: no limit)");
+                 "seed of the programs; a seed gives the same programs on every machine (default: 1)")
+      ->check(number_from_zero);
+  app.add_option("--programs", options->programs, "number of programs (default: no limit)")
+      ->check(positive_number);
   app.add_option("--seconds", options->seconds,
                  "time limit, in seconds (default: 60, without a limit if --programs is given)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number);
   app.add_option("--length", options->length, "approximate number of commands per program (default: 120)")
       ->check(CLI::Range(1, 100000));
   app.add_flag(

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 
 #include <evalcts/backends/implementation.h>
@@ -13,12 +14,16 @@
 #include <evalcts/runner/question.h>
 #include "command.h"
 #include "default_implementations.h"
+#include "help.h"
 #include "places.h"
 
 namespace evalcts::cli {
 namespace {
 
 using nlohmann::json;
+
+const std::vector<std::string> kLists = {"implementations", "requirements", "interpretations",
+                                         "tests",           "faults",       "baselines"};
 
 void list_implementations(bool as_json) {
   json all = json::array();
@@ -98,8 +103,14 @@ std::function<int()> define_list(CLI::App& app, const Call&) {
   const auto options = std::make_shared<Options>();
   app.add_option("what", options->what)
       ->required()
-      ->check(CLI::IsMember(
-          {"implementations", "requirements", "interpretations", "tests", "faults", "baselines"}));
+      ->check(CLI::Validator(
+          [](const std::string& what) {
+            if (std::ranges::count(kLists, what) > 0) return std::string();
+            const std::string meant = nearest(what, kLists);
+            return fmt::format("'{}' is none of {}{}", what, fmt::join(kLists, ", "),
+                               meant.empty() ? "" : "; did you mean " + meant + "?");
+          },
+          fmt::format("{{{}}}", fmt::join(kLists, ","))));
   app.add_flag("--json", options->as_json, "print JSON");
   return [options] { return list(options->what, options->as_json); };
 }

@@ -271,7 +271,6 @@ int run(const RunOptions& options, const std::string& shard) {
   RunRequest request = request_of(options, shard);
   const std::vector<ImplementationOptions> chosen = chosen_implementations(options);
   const fs::path output = request.output;
-  const FolderLock lock = claim(output, options.command);
   if (options.baseline != "none") {
     const ChosenBaseline wanted = baseline_of(options.baseline, places().baselines);
     if (!options.write_baseline && !fs::is_directory(wanted.folder))
@@ -286,6 +285,7 @@ int run(const RunOptions& options, const std::string& shard) {
   request.tests = chosen_tests(options, all_tests, request);
   if (const std::string wrong = wrong_filter(options, all_tests, request.depth); !wrong.empty())
     return wrong_use(wrong);
+  const FolderLock lock = claim(output, options.command);
 
   stop_when_asked();
   adopt_what_children_leave();
@@ -352,9 +352,9 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
   app.add_option("--depth", options->depth,
                  "number of values and variants that each test tries (default: full)")
       ->check(CLI::IsMember({"quick", "full", "thorough"}));
-  app.add_option("--seed", options->seed, "seed of the random tests (default: 1)");
+  app.add_option("--seed", options->seed, "seed of the random tests (default: 1)")->check(number_from_zero);
   app.add_option("--timeout", options->seconds_per_test, "time limit for each test, in seconds (default: 60)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number);
   app.add_option("--memory", options->mebibytes,
                  "memory limit for each process that runs tests, in MiB (default: 4096)")
       ->check(CLI::Range(64.0, 1e9));
@@ -379,7 +379,7 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
   app.add_flag("--no-bugs", options->no_bugs, "do not reduce the failing tests to distinct bugs");
   app.add_option("--bug-seconds", options->bug_seconds,
                  "time limit for reducing the failing tests to distinct bugs, in seconds (default: 60)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number);
   app.add_flag(
       "--reuse-context", options->reuse_context,
       "add a second pass that runs all tests in one context, which finds bugs that depend on history");

@@ -593,7 +593,7 @@ std::function<int()> define_ulp(CLI::App& app, const Call& call) {
   app.add_option(
          "--segments", options->segments,
          "number of grid segments over the domain; the argument of the single input is a point of this grid")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number);
   app.add_flag("--sweep", options->sweep,
                "measure one map, given by --orders and --points, at every float of an interval");
   app.add_option("--u", options->fixed_u, "fixed u of a surface that is swept along v");

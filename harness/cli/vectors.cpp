@@ -113,7 +113,7 @@ std::function<int()> define_vectors(CLI::App& app, const Call&) {
         command
             ->add_option("--count", options->count,
                          "number of random cases of each kind, which replace the shipped ones")
-            ->check(CLI::PositiveNumber);
+            ->check(positive_number);
     command->add_option("--seed", options->seed, "seed of the random cases; give the same to emit and check")
         ->needs(count);
   }

@@ -34,6 +34,10 @@ TEST_F(CommandLine, WrongUseIsTwo) {
         {"run", "--jobs", "many"},
         {"list", "nonsense"},
         {"explain", "nonsense"},
+        {"run", "--seed", "-1"},
+        {"fuzz", "--implementation", "production", "--seconds", "-3"},
+        {"fuzz", "--implementation", "production", "--programs", "-3"},
+        {"fuzz", "--implementation", "nonsense", "--programs", "3"},
         {"run", "--output", "/proc/evalcts"},
         {"run", "--library", "x", "--implementation", "production"},
         {"run", "--context", "none", "--implementation", "osmesa"},
@@ -61,6 +65,13 @@ TEST_F(CommandLine, ListsAndExplains) {
   EXPECT_TRUE(coverage["problems"].empty());
   EXPECT_TRUE(contains(evalcts({"explain", "EV-MAP1-COPY"}).text, "Map1State.CopyOnCall/UNMAPPED"));
   EXPECT_TRUE(contains(evalcts({"explain", "Map1State.CopyOnCall/UNMAPPED"}).text, "EV-MAP1-COPY"));
+  const std::string explained = evalcts({"explain", "Map1State.CopyOnCall/UNMAPPED"}).text;
+  for (const char* const part : {"First of ", "    glMap1f(", "Compared: ", "Faults that it detects"})
+    EXPECT_TRUE(contains(explained, part)) << part << " in " << explained;
+  EXPECT_TRUE(contains(evalcts({"explain", "Map1State.CopyOnCal/UNMAPPED"}).text,
+                       "did you mean Map1State.CopyOnCall/UNMAPPED?"));
+  EXPECT_TRUE(contains(evalcts({"explain", "EV-MAP1-COPPY"}).text, "did you mean EV-MAP1-COPY?"));
+  EXPECT_TRUE(contains(evalcts({"list", "tets"}).text, "did you mean tests?"));
   EXPECT_EQ(evalcts({"explain", "not-observable"}).code, 0);
   EXPECT_TRUE(contains(evalcts({"explain", "C-MESH1-LINES"}).text, "Taken here: LINE_STRIP."));
   for (const json& requirement : coverage["requirements"])
