@@ -782,6 +782,9 @@ typedef enum glev_grid_kind {
  * type: LISTS and SCATTERED: of the arguments u and v, GLEV_FLOAT or GLEV_DOUBLE.
  * v: in LISTS and SCATTERED; of curves it has no influence. It may be all zero for curves, with v_count 0, which
  *   is one row then.
+ * limit_normals: not FALSE for limits in place of (0,0,0) on edges of the domain that are a single point, such as
+ *   poles: if all control points of the edge are equal, NORMAL is what it tends to from inside the patch, computed
+ *   in double from derivatives of second order, and (0,0,0) if these do not determine it.
  * patch: SCATTERED only; numbers of type glev_uint.
  * target: one of glevGetTargetName; null for the best. */
 typedef struct glev_patch_grid {
@@ -791,12 +794,14 @@ typedef struct glev_patch_grid {
   glev_int u_segments, v_segments;
   size_t u_count, v_count;
   glev_enum type;
+  glev_boolean limit_normals;
   glev_input u, v, patch;
   const char* target;
 } glev_patch_grid;
 
 /* Evaluates an array of patches. The attributes are VERTEX, the values of the patches; TANGENT_U and TANGENT_V;
- * and of 3 or 4 components NORMAL, the automatic normals, which are (0,0,0) if a tangent is zero, as of curves.
+ * and of 3 or 4 components NORMAL, the automatic normals, which are (0,0,0) if a tangent is zero, as of curves, but
+ * for limit_normals.
  * All results have the bits that MAP2 maps of the same control points give, in UNIFORM by glevEvaluateMesh, else
  * by glevEvaluate; double results of curves in LISTS and SCATTERED those of MAP1 maps. They do not depend on
  * strides, other patches and, but for GLEV_FAST, on the instruction set.
