@@ -19,7 +19,7 @@ LimitNormals::LimitNormals(const double* points, int components, std::array<int,
 void LimitNormals::set(Edge& edge, const double* points, int components, std::array<int, 2> order,
                        int direction, bool is_last) {
   const int row = order[1] * components, count = order[1 - direction];
-  // From one control point to the next: along the edge, and across it in the direction of the argument.
+  // Steps from one control point to the next: along the edge, and across it in the direction of the argument.
   const int along = direction == 0 ? components : row, across = direction == 0 ? row : components;
   const double* const first = points + (is_last ? (order[direction] - 1) * across : 0);
   for (int i = 1; i < count; ++i) {
