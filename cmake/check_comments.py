@@ -60,7 +60,7 @@ def main():
     found = 0
     for name in sorted(filter(None, listed.stdout.split("\0"))):
         path = pathlib.Path(name)
-        is_c = path.suffix in (".cpp", ".h", ".c", ".def")
+        is_c = path.suffix in (".cpp", ".h", ".hpp", ".c", ".def")
         is_script = path.suffix in (".py", ".sh", ".cmake") or path.name in ("CMakeLists.txt", "evalcts")
         if not (is_c or is_script) or not (root / path).is_file():
             continue

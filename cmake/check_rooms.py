@@ -4,7 +4,7 @@ import pathlib
 import re
 import sys
 
-SOURCES = {".cpp", ".h", ".c", ".def"}
+SOURCES = {".cpp", ".h", ".hpp", ".c", ".def"}
 # Tests and benchmarks go with the room; examples are built as their users build them.
 OTHERS = {"tests", "benchmarks", "examples", "generated", "published", "subjects", "packages"}
 

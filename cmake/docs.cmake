@@ -19,7 +19,7 @@ if(EVALCTS_GIT AND EXISTS ${PROJECT_SOURCE_DIR}/.git)
   find_program(EVALCTS_CODESPELL codespell)
   if(EVALCTS_CODESPELL)
     add_test(NAME docs.spelling WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} COMMAND sh -c "git -c safe.directory='*' ls-files -z \
-'*.md' '*.txt' '*.cpp' '*.h' '*.c' '*.py' '*.cmake' '*.sh' '*.js' '*.h2m' '*requirements.json' evalcts ':!suites/baselines/*-signatures.txt' \
+'*.md' '*.txt' '*.cpp' '*.h' '*.hpp' '*.c' '*.py' '*.cmake' '*.sh' '*.js' '*.h2m' '*requirements.json' evalcts ':!suites/baselines/*-signatures.txt' \
 | xargs -0 ${EVALCTS_CODESPELL} --quiet-level 3 --ignore-words-list zink,kinf,kown,kno,fo,alltogether,upto")
     set_tests_properties(docs.spelling PROPERTIES LABELS script)
   endif()

@@ -11,7 +11,7 @@ endfunction()
 add_custom_target(evalcts_nothing)
 
 evalcts_stage(format 600 sh -c [=[find . \( -path './build*' -o -path './.*' \) -prune -o -type f \
-  \( -name '*.cpp' -o -name '*.h' -o -name '*.c' \) -print0 | xargs -0 clang-format-14 --dry-run --Werror]=])
+  \( -name '*.cpp' -o -name '*.h' -o -name '*.hpp' -o -name '*.c' \) -print0 | xargs -0 clang-format-14 --dry-run --Werror]=])
 
 # clang-tidy on every C and C++ file of this build, which is the one of the preset clang.
 evalcts_stage(tidy 21600 run-clang-tidy-14 -quiet -p ${CMAKE_BINARY_DIR} "^(?!.*/mutated/).*\\.(c|cpp)$")

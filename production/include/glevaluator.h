@@ -659,13 +659,12 @@ typedef enum glev_precision { GLEV_CORRECTLY_ROUNDED = 0, GLEV_FAST = 1 } glev_p
  * stride: at least the bytes of the components.
  * data_size: bytes at data that may be written.
  * type: GLEV_FLOAT, also 0, or GLEV_DOUBLE.
- * row_stride: meshes of two dimensions and patches only. At least the bytes from the first to the end of the
- *   last element of a row; 0: rows follow one another.
+ * row_stride: meshes of two dimensions and patches only. At least the bytes from the first to the end of
+ *   the last element of a row; 0: rows follow one another.
  * patch_stride: glevEvaluatePatches on a grid only, where element (i, j) of patch p lies at data +
  *   p*patch_stride + j*row_stride + i*stride. At least the bytes from the first to the end of the last
- * element of a patch; 0: patches follow one another. No alignment is required. Bytes between elements are not
- * touched, so attributes may be interleaved.
- *
+ *   element of a patch; 0: patches follow one another.
+ * No alignment is required. Bytes between elements are not touched, so attributes may be interleaved.
  * Double results of maps are within one ULP of V, for all finite maps, domains and arguments. */
 typedef struct glev_output {
   size_t size;
@@ -744,12 +743,14 @@ GLEV_API glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* me
 
 /* An array of `count` Bezier patches, tensor products of Bernstein polynomials with uorder * vorder control
  * points of `components` values each. Control point (i, j) of patch p begins p*patch_stride + i*u_stride +
- * j*v_stride bytes after `points`, i in the direction of u. Curves are patches with vorder 1. components: 1
- * to 4. uorder, vorder: 1 to 64. type: of the control points, GLEV_FLOAT or GLEV_DOUBLE. points_size: bytes
- * at points that may be read. No alignment is required. v_stride, u_stride, patch_stride: any, so that
- * control points may share memory. 0 stands for control points, rows and patches without padding, v fastest:
- * float points[count][uorder][vorder][components]. u1, u2, v1, v2: the domain of all patches, where u1 = u2
- * and v1 = v2 are wrong as in Map2; but u1 = u2 = 0 stands for 0 to 1, as does v1 = v2 = 0. */
+ * j*v_stride bytes after `points`, i in the direction of u. Curves are patches with vorder 1.
+ * components: 1 to 4. uorder, vorder: 1 to 64.
+ * type: of the control points, GLEV_FLOAT or GLEV_DOUBLE.
+ * points_size: bytes at points that may be read. No alignment is required.
+ * v_stride, u_stride, patch_stride: any, so that control points may share memory. 0 stands for control
+ *   points, rows and patches without padding, v fastest: float points[count][uorder][vorder][components].
+ * u1, u2, v1, v2: the domain of all patches, where u1 = u2 and v1 = v2 are wrong as in Map2; but u1 = u2 =
+ *   0 stands for 0 to 1, as does v1 = v2 = 0. */
 typedef struct glev_patches {
   size_t size;
   size_t count;
@@ -764,8 +765,10 @@ typedef struct glev_patches {
 
 /* UNIFORM: each patch at (u_segments + 1) * (v_segments + 1) points, those of MapGrid2d(u_segments, u1, u2,
  *   v_segments, v1, v2) with the ends of the domain. In a direction of 0 segments there is one point, the
- * first end. LISTS: each patch at u_count * v_count points, (u[i], v[j]). SCATTERED: u_count points; point i
- * is that of patch number patch[i] at (u[i], v[i]). Neighbours of the same patch cost less. */
+ *   first end.
+ * LISTS: each patch at u_count * v_count points, (u[i], v[j]).
+ * SCATTERED: u_count points; point i is that of patch number patch[i] at (u[i], v[i]). Neighbours of the
+ *   same patch cost less. */
 typedef enum glev_grid_kind {
   GLEV_GRID_UNIFORM = 0,
   GLEV_GRID_LISTS = 1,
@@ -777,8 +780,12 @@ typedef enum glev_grid_kind {
  * u_count: LISTS and SCATTERED. v_count: LISTS only.
  * type: LISTS and SCATTERED: of the arguments u and v, GLEV_FLOAT or GLEV_DOUBLE.
  * v: in LISTS and SCATTERED; of curves it has no influence. It may be all zero for curves, with v_count 0,
- * which is one row then. patch: SCATTERED only; numbers of type glev_uint. target: one of glevGetTargetName;
- * null for the best. */
+ *   which is one row then.
+ * limit_normals: not FALSE for limits in place of (0,0,0) on edges of the domain that are a single point,
+ *   such as poles: if all control points of the edge are equal, NORMAL is what it tends to from inside the
+ *   patch, computed in double from derivatives of second order, and (0,0,0) if these do not determine it.
+ * patch: SCATTERED only; numbers of type glev_uint.
+ * target: one of glevGetTargetName; null for the best. */
 typedef struct glev_patch_grid {
   size_t size;
   glev_grid_kind kind;
@@ -786,41 +793,47 @@ typedef struct glev_patch_grid {
   glev_int u_segments, v_segments;
   size_t u_count, v_count;
   glev_enum type;
+  glev_boolean limit_normals;
   glev_input u, v, patch;
   const char* target;
 } glev_patch_grid;
 
 /* Evaluates an array of patches. The attributes are VERTEX, the values of the patches; TANGENT_U and
- * TANGENT_V; and of 3 or 4 components NORMAL, the automatic normals, which are (0,0,0) if a tangent is zero,
- * as of curves. All results have the bits that MAP2 maps of the same control points give, in UNIFORM by
- * glevEvaluateMesh, else by glevEvaluate; double results of curves in LISTS and SCATTERED those of MAP1 maps.
- * They do not depend on strides, other patches and, but for GLEV_FAST, on the instruction set. UNIFORM and
- * LISTS: element (i, j) of an output, i along u, lies at data + p*patch_stride + j*row_stride + i*stride.
- * SCATTERED: element i lies at data + i*stride. scratch: scratch_size bytes of the caller's, at least what
- * glevGetPatchScratchSize says; contents and alignment do not matter. Nothing is allocated. Concurrent calls
- * need scratch of their own. Everything is checked before anything is written. Without patches or points
- * nothing is read or written, and points, arguments, data and scratch may be null; a point of SCATTERED
- * without patches has a wrong number. Returns SUCCESS or INVALID_ARGUMENT: a null pointer; a wrong size,
- * type, order, number of components, stride of an output, domain, kind, precision, number of segments or
- * target; a member that must be zero; a patch number that is not below count; an attribute that is there
- * twice. NO_MAP: NORMAL of fewer than 3 components, COLOR and TEXCOORD. BUFFER_TOO_SMALL: points_size, a
- * data_size or scratch_size. OVERLAP: bytes of an output belong to another output, the scratch, the control
- * points or the arguments as well. Interleaving is recognised as by glevEvaluate. */
+ * TANGENT_V; and of 3 or 4 components NORMAL, the automatic normals, which are (0,0,0) if a tangent is
+ * zero, as of curves, but for limit_normals.
+ * All results have the bits that MAP2 maps of the same control points give, in UNIFORM by glevEvaluateMesh,
+ * else by glevEvaluate; double results of curves in LISTS and SCATTERED those of MAP1 maps. They do not
+ * depend on strides, other patches and, but for GLEV_FAST, on the instruction set.
+ * UNIFORM and LISTS: element (i, j) of an output, i along u, lies at data + p*patch_stride + j*row_stride +
+ *   i*stride. SCATTERED: element i lies at data + i*stride.
+ * scratch: scratch_size bytes of the caller's, at least what glevGetPatchScratchSize says; contents and
+ *   alignment do not matter. Nothing is allocated. Concurrent calls need scratch of their own.
+ * Everything is checked before anything is written. Without patches or points nothing is read or written,
+ * and points, arguments, data and scratch may be null; a point of SCATTERED without patches has a wrong
+ * number. Returns SUCCESS or
+ * INVALID_ARGUMENT: a null pointer; a wrong size, type, order, number of components, stride of an output,
+ *   domain, kind, precision, number of segments or target; a member that must be zero; a patch number that
+ *   is not below count; an attribute that is there twice.
+ * NO_MAP: NORMAL of fewer than 3 components, COLOR and TEXCOORD.
+ * BUFFER_TOO_SMALL: points_size, a data_size or scratch_size.
+ * OVERLAP: bytes of an output belong to another output, the scratch, the control points or the arguments as
+ *   well. Interleaving is recognised as by glevEvaluate. */
 GLEV_API glev_result glevEvaluatePatches(const glev_patches* patches, const glev_patch_grid* grid,
                                          const glev_attribute_output* outputs, size_t output_count,
                                          void* scratch, size_t scratch_size);
 
 /* Returns the bytes of scratch memory that glevEvaluatePatches needs for these patches and this grid,
- * whatever the outputs. They do not depend on the number of patches and points, but of UNIFORM on u_segments.
- * 0 if glevEvaluatePatches returns INVALID_ARGUMENT because of `patches` or `grid`, where points, data and
- * data_size that are missing do not matter. */
+ * whatever the outputs and the number of patches. 0 if glevEvaluatePatches returns INVALID_ARGUMENT because
+ * of `patches` or `grid`, where points, data and data_size that are missing do not matter. */
 GLEV_API size_t glevGetPatchScratchSize(const glev_patches* patches, const glev_patch_grid* grid);
 
 /* One map for a plan without a context: what Map1 or Map2, MapGrid and Enable set.
  * target: one of the 18 names but MAP1_INDEX and MAP2_INDEX.
  * map: one patch (count 1) with the number of components of the target; vorder 1 for MAP1 names. It is
- * copied. u_segments, v_segments: of the grid, which spans the domain; 0 stands for 1. v_segments is 0 for
- * MAP1 names. auto_normal: not FALSE for automatic normals of MAP2_VERTEX maps. */
+ *   copied.
+ * u_segments, v_segments: of the grid, which spans the domain; 0 stands for 1. v_segments is 0 for MAP1
+ *   names.
+ * auto_normal: not FALSE for automatic normals of MAP2_VERTEX maps. */
 typedef struct glev_map_info {
   size_t size;
   glev_enum target;
@@ -832,7 +845,8 @@ typedef struct glev_map_info {
 } glev_map_info;
 
 /* Makes a plan of one map, with one reference. It gives what a plan of a context with this map gives. *plan
- * is null on failure. Returns SUCCESS, INVALID_ARGUMENT, BUFFER_TOO_SMALL (points_size) or OUT_OF_MEMORY. */
+ * is null on failure.
+ * Returns SUCCESS, INVALID_ARGUMENT, BUFFER_TOO_SMALL (points_size) or OUT_OF_MEMORY. */
 GLEV_API glev_result glevCreatePlanFromMap(const glev_map_info* info, glev_plan** plan);
 
 /* ---- Indices ---- */
@@ -841,19 +855,22 @@ GLEV_API glev_result glevCreatePlanFromMap(const glev_map_info* info, glev_plan*
 #define GLEV_CW 0x0900
 #define GLEV_CCW 0x0901
 
-/* Primitives of the vertices of meshes of columns * rows points, numbered along u first, for glDrawElements:
+/* Primitives of the vertices of meshes of columns * rows points, numbered along u first, for
+ * glDrawElements:
  * POINT: POINTS, in the order of EvalMesh2. LINE: LINES, first those along u, then those along v, each as
- * EvalMesh draws it. FILL: TRIANGLES, two for each quadrilateral of EvalMesh2's QUAD_STRIPs, (i,j) (i,j+1)
- * (i+1,j) and (i+1,j) (i,j+1) (i+1,j+1): the same side in front. A mesh of dimension 1 has rows = 1, and no
- * FILL.
+ *   EvalMesh draws it. FILL: TRIANGLES, two for each quadrilateral of EvalMesh2's QUAD_STRIPs, (i,j)
+ *   (i,j+1) (i+1,j) and (i+1,j) (i,j+1) (i+1,j+1): the same side in front. A mesh of dimension 1 has rows =
+ *   1, and no FILL.
  * patches: the number of meshes, whose primitives and vertices follow one another, as glevEvaluatePatches
- * writes the latter; 0 stands for 1. winding: of FILL, as seen from where automatic normals point to:
- * GLEV_CW, also 0, is that of EvalMesh2; GLEV_CCW swaps the second and third index of each triangle.
+ *   writes the latter; 0 stands for 1.
+ * winding: of FILL, as seen from where automatic normals point to: GLEV_CW, also 0, is that of EvalMesh2;
+ *   GLEV_CCW swaps the second and third index of each triangle.
  * vertices: if not null, vertices of equal bits are shared: each index is that of the first vertex, among
- * those of all patches, whose vertex_bytes bytes are equal. Vertex number i lies at vertices +
- * i*vertex_stride; vertices_size bytes may be read. Vertices that no index names any more stay where they
- * are. scratch: to share vertices: scratch_size bytes, at least what glevGetIndexScratchSize says; contents
- * and alignment do not matter. */
+ *   those of all patches, whose vertex_bytes bytes are equal. Vertex number i lies at vertices +
+ *   i*vertex_stride; vertices_size bytes may be read. Vertices that no index names any more stay where they
+ *   are.
+ * scratch: to share vertices: scratch_size bytes, at least what glevGetIndexScratchSize says; contents and
+ *   alignment do not matter. */
 typedef struct glev_indices {
   size_t size;
   glev_enum mode;
@@ -880,7 +897,7 @@ GLEV_API size_t glevGetIndexScratchSize(const glev_indices* indices);
 /* Writes them, without gaps. Data, vertices and scratch must not overlap; that is not checked.
  * Returns SUCCESS or
  * INVALID_ARGUMENT: a null pointer; a wrong size, mode, type or winding; a vertex whose number the type
- * cannot hold; vertex_bytes that are 0 or more than vertex_stride; 2^32 vertices or more to share.
+ *   cannot hold; vertex_bytes that are 0 or more than vertex_stride; 2^32 vertices or more to share.
  * BUFFER_TOO_SMALL: data_size, vertices_size or scratch_size. */
 GLEV_API glev_result glevGetIndices(const glev_indices* indices);
 

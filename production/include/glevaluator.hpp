@@ -199,8 +199,8 @@ template <Real T>
 
 // ---- Patches
 
-// As many patches of uorder * vorder control points without padding, v fastest, as the values are enough for.
-// Other strides and domains are members to set.
+// Returns as many patches of uorder * vorder control points without padding, v fastest, as the values are
+// enough for. Other strides and domains are members to set.
 template <Real T>
 glev_patches make_patches(std::span<const T> values, std::size_t components, int uorder,
                           int vorder) noexcept {
@@ -239,7 +239,8 @@ glev_patch_grid make_list_grid(std::span<const T> u, std::span<const T> v) noexc
   return grid;
 }
 
-// As many points as there are numbers of patches; `u` and `v` that are shorter make the call fail.
+// Returns a grid of as many points as there are numbers of patches; `u` and `v` that are shorter make the
+// call fail.
 template <Real T>
 glev_patch_grid make_scattered_grid(std::span<const glev_uint> patch, std::span<const T> u,
                                     std::span<const T> v) noexcept {

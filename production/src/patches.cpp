@@ -11,6 +11,7 @@
 #include "batch.h"
 #include "environment.h"
 #include "kernels.h"
+#include "limit_normals.h"
 #include "map.h"
 #include "outputs.h"
 #include "plan.h"
@@ -195,6 +196,8 @@ class PatchPlans {
   // Enough for any alignment.
   std::size_t bytes() const { return glev::kCacheLine + bytes_of_points() + glev_plan::bytes_for(source()); }
   void use(std::byte* memory) { memory_ = glev::align(memory); }
+  // The control points of the last plan.
+  const double* net() const { return reinterpret_cast<const double*>(memory_); }
   // Scratch memory for meshes lies behind the plan.
   std::byte* scratch() const { return memory_ + bytes_of_points() + glev_plan::bytes_for(source()); }
 
@@ -354,6 +357,27 @@ Outputs parts_of(const Outputs& outputs, const Part& part) {
   return parts;
 }
 
+// Replaces normals on edges that are a single point. u(i) and v(i, j): arguments.
+template <class U, class V>
+void write_limit_normals(const glev_patches& patches, const glev_patch_grid& grid, const PatchPlans& plans,
+                         const Output& normal, std::size_t columns, std::size_t rows, const U& u,
+                         const V& v) {
+  if (grid.limit_normals == GLEV_FALSE || !normal.is_wanted) return;
+  const glev::LimitNormals limits(plans.net(), static_cast<int>(patches.components), order_of(patches),
+                                  domain_of(patches));
+  if (!limits.has_edges()) return;
+  for (std::size_t j = 0; j < rows; ++j) {
+    for (std::size_t i = 0; i < columns; ++i) {
+      const std::array<float, 3> limit = limits.normal_at(u(i), v(i, j));
+      if (limit == std::array<float, 3>{}) continue;
+      const std::array<double, 3> wide = {limit[0], limit[1], limit[2]};
+      std::memcpy(normal.address_of(i, j),
+                  normal.is_double ? static_cast<const void*>(wide.data()) : limit.data(),
+                  normal.stream.element);
+    }
+  }
+}
+
 void evaluate_grids(const glev_patches& patches, const glev_patch_grid& grid, const Inputs& inputs,
                     const glev::Kernels* kernels, PatchPlans& plans, const Outputs& outputs,
                     std::byte* memory) {
@@ -370,6 +394,7 @@ void evaluate_grids(const glev_patches& patches, const glev_patch_grid& grid, co
                                  shape.columns,
                                  shape.rows};
   const glev::Input u = {inputs.u.begin, inputs.u.stride, is_double};
+  const glev::Input all_v = {inputs.v.begin, inputs.v.stride, is_double};
   SideBySide side_by_side(patches, grid, inputs, range, kernels, outputs, memory);
   for (std::size_t first = 0; first < patches.count; first += glev::kPatchLanes) {
     const std::size_t count = std::min(glev::kPatchLanes, patches.count - first);
@@ -380,6 +405,10 @@ void evaluate_grids(const glev_patches& patches, const glev_patch_grid& grid, co
       const Outputs own = parts_of(outputs, [&](const Output& output) { return output.patch(first + p); });
       if (is_uniform) {
         glev::evaluate_range(plan, range, grid.precision == GLEV_FAST, own, plans.scratch());
+        write_limit_normals(
+            patches, grid, plans, own[kNormal], shape.columns, shape.rows,
+            [&](std::size_t i) { return range.u_of(i); },
+            [&](std::size_t, std::size_t j) { return range.v_of(j); });
         continue;
       }
       for (std::size_t j = 0; j < shape.rows; ++j) {
@@ -387,6 +416,10 @@ void evaluate_grids(const glev_patches& patches, const glev_patch_grid& grid, co
         glev::evaluate_arguments(plan, u, patches.vorder > 1 ? &v : nullptr, shape.columns,
                                  parts_of(own, [&](const Output& output) { return output.row(j); }));
       }
+      write_limit_normals(
+          patches, grid, plans, own[kNormal], shape.columns, shape.rows,
+          [&](std::size_t i) { return glev::argument_at(u[i]); },
+          [&](std::size_t, std::size_t j) { return glev::argument_at(all_v[j]); });
     }
   }
 }
@@ -400,9 +433,13 @@ void evaluate_scattered(const glev_patches& patches, const glev_patch_grid& grid
     const glev_plan& plan = plans.make(inputs.points, p);
     const glev::Input u = {inputs.u.begin + begin * inputs.u.stride, inputs.u.stride, is_double},
                       v = {inputs.v.begin + begin * inputs.v.stride, inputs.v.stride, is_double};
-    glev::evaluate_arguments(
-        plan, u, patches.vorder > 1 ? &v : nullptr, end - begin,
-        parts_of(outputs, [&](const Output& output) { return output.columns(begin, end - begin); }));
+    const Outputs own =
+        parts_of(outputs, [&](const Output& output) { return output.columns(begin, end - begin); });
+    glev::evaluate_arguments(plan, u, patches.vorder > 1 ? &v : nullptr, end - begin, own);
+    write_limit_normals(
+        patches, grid, plans, own[kNormal], end - begin, 1,
+        [&](std::size_t i) { return glev::argument_at(u[i]); },
+        [&](std::size_t i, std::size_t) { return glev::argument_at(v[i]); });
   }
 }
 

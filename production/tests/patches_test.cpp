@@ -571,6 +571,133 @@ TEST_F(Patches, ExtremeComponentsHaveNoInfluenceOnOthers) {
   }
 }
 
+// Each edge in turn is a single point: normals there are those of arguments next to it.
+TEST_F(Patches, LimitNormalsAreThoseNextToTheEdge) {
+  for (int k = 0; k < 200; ++k) {
+    Net net;
+    net.order = {chance_.whole(2, 5), chance_.whole(2, 5)};
+    net.components = chance_.whole(3, 4);
+    net.count = 1;
+    net.is_double = true;
+    if (k % 3 == 0) net.domain = {2, -1, 0, 4};
+    const auto components = static_cast<std::size_t>(net.components);
+    const int direction = chance_.whole(0, 1);
+    const bool is_last = chance_.whole(0, 1) == 1;
+    for (int i = 0; i < net.order[0]; ++i) {
+      for (int j = 0; j < net.order[1]; ++j) {
+        const int across = direction == 0 ? i : j, last = net.order[static_cast<std::size_t>(direction)] - 1;
+        const bool is_pole = across == (is_last ? last : 0);
+        const double apart = 0.25 * chance_.next_double();
+        net.values.insert(net.values.end(), {is_pole ? 1 : i + apart, is_pole ? 2 : j - apart,
+                                             is_pole ? 0 : 0.5 * (i + 2) * (j - 3) + apart});
+        if (components == 4) net.values.push_back(is_pole ? 1.5 : 1 + 0.25 * chance_.next_double());
+      }
+    }
+    std::vector<unsigned char> points(net.bytes());
+    net.write(points.data());
+    const glev_patches patches = net.describe(points.data());
+    const auto [u1, u2, v1, v2] = net.domain;
+    // Five points along the edge, and as many next to it.
+    const auto normals_at = [&](double off, bool limits, bool are_doubles) {
+      std::vector<double> u, v, results(15);
+      for (int i = 0; i <= 4; ++i) {
+        const double along = i / 4.0, across = is_last ? 1 - off : off;
+        const auto at = [](double first, double last, double t) {
+          return t == 1 ? last : first + t * (last - first);
+        };
+        u.push_back(at(u1, u2, direction == 0 ? across : along));
+        v.push_back(at(v1, v2, direction == 0 ? along : across));
+      }
+      const std::vector<glev_uint> numbers(5, 0);
+      glev_patch_grid grid{};
+      grid.size = sizeof grid;
+      grid.kind = GLEV_GRID_SCATTERED;
+      grid.type = GLEV_DOUBLE;
+      grid.u_count = 5;
+      grid.u = input_of(u);
+      grid.v = input_of(v);
+      grid.patch = {numbers.data(), numbers.size() * sizeof(glev_uint), sizeof(glev_uint)};
+      grid.limit_normals = limits ? GLEV_TRUE : GLEV_FALSE;
+      std::vector<float> floats(15);
+      const glev_output normal = {sizeof normal,
+                                  are_doubles ? static_cast<void*>(results.data()) : floats.data(),
+                                  are_doubles ? std::size_t{120} : std::size_t{60},
+                                  are_doubles ? std::size_t{24} : std::size_t{12},
+                                  3,
+                                  static_cast<glev_enum>(are_doubles ? GLEV_DOUBLE : GLEV_FLOAT),
+                                  0,
+                                  0};
+      const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_NORMAL, &normal}};
+      std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
+      EXPECT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size()),
+                GLEV_SUCCESS);
+      if (!are_doubles) std::copy(floats.begin(), floats.end(), results.begin());
+      return results;
+    };
+    EXPECT_EQ(normals_at(0, false, true), std::vector<double>(15));
+    const std::vector<double> limits = normals_at(0, true, k % 2 == 0),
+                              inside = normals_at(0x1p-24, true, true);
+    EXPECT_EQ(inside, normals_at(0x1p-24, false, true));
+    for (std::size_t e = 0; e < 15; ++e)
+      ASSERT_NEAR(limits[e], inside[e], 2e-5)
+          << "case " << k << ", value " << e << ", direction " << direction;
+    // The grids have the same ones.
+    for (glev_grid_kind kind : {GLEV_GRID_UNIFORM, GLEV_GRID_LISTS}) {
+      glev_patch_grid grid{};
+      grid.size = sizeof grid;
+      grid.kind = kind;
+      grid.limit_normals = GLEV_TRUE;
+      const std::vector<double> u = {u1, u1 + 0.25 * (u2 - u1), u1 + 0.5 * (u2 - u1), u1 + 0.75 * (u2 - u1),
+                                     u2},
+                                v = {v1, v1 + 0.25 * (v2 - v1), v1 + 0.5 * (v2 - v1), v1 + 0.75 * (v2 - v1),
+                                     v2};
+      if (kind == GLEV_GRID_UNIFORM) grid.u_segments = grid.v_segments = 4;
+      if (kind == GLEV_GRID_LISTS) {
+        grid.type = GLEV_DOUBLE;
+        grid.u_count = grid.v_count = 5;
+        grid.u = input_of(u);
+        grid.v = input_of(v);
+      }
+      std::vector<float> results(75);
+      const glev_output normal = {sizeof normal, results.data(), 300, 12, 3, 0, 0, 0};
+      const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_NORMAL, &normal}};
+      std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
+      ASSERT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size()),
+                GLEV_SUCCESS);
+      for (std::size_t e = 0; e < 5; ++e) {
+        const std::size_t edge = is_last ? 4 : 0, at = direction == 0 ? 5 * e + edge : 5 * edge + e;
+        for (std::size_t c = 0; c < 3; ++c)
+          ASSERT_EQ(results[3 * at + c], static_cast<float>(limits[3 * e + c]))
+              << "case " << k << ", point " << e;
+      }
+    }
+  }
+}
+
+// All control points equal, or a limit of higher order.
+TEST_F(Patches, LimitNormalsThatAreNotDeterminedAreZero) {
+  for (double z : {0.0, 1.0}) {
+    Net net;
+    net.count = 1;
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) net.values.insert(net.values.end(), {0, 0, j * z});
+    }
+    std::vector<unsigned char> points(net.bytes());
+    net.write(points.data());
+    const glev_patches patches = net.describe(points.data());
+    glev_patch_grid grid{};
+    grid.size = sizeof grid;
+    grid.u_segments = grid.v_segments = 2;
+    grid.limit_normals = GLEV_TRUE;
+    std::vector<float> results(27, 5);
+    const glev_output normal = {sizeof normal, results.data(), 108, 12, 3, 0, 0, 0};
+    const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_NORMAL, &normal}};
+    std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
+    ASSERT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size()), GLEV_SUCCESS);
+    EXPECT_EQ(results, std::vector<float>(27));
+  }
+}
+
 TEST_F(Patches, DoNotDependOnTheCallersRoundingMode) {
   Net net = choose_net(chance_, 4, Data::kRandom);
   net.order = {4, 4}, net.components = 3, net.is_double = false, net.count = 11, net.stride = {};

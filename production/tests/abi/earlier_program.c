@@ -89,6 +89,7 @@ AT(glev_patch_grid, v_segments, 20);
 AT(glev_patch_grid, u_count, 24);
 AT(glev_patch_grid, v_count, 32);
 AT(glev_patch_grid, type, 40);
+AT(glev_patch_grid, limit_normals, 44);
 AT(glev_patch_grid, u, 48);
 AT(glev_patch_grid, v, 72);
 AT(glev_patch_grid, patch, 96);
