@@ -36,6 +36,7 @@ NOT_RUN = {
     "vectors.check": "takes a minute: the test vectors.check runs it",
     "CI services": "needs the environment of a CI service",
     "release": "makes a commit and a tag",
+    "virgl": "needs a server, and takes twenty minutes",
 }
 NEEDS = {
     "osmesa": lambda machine: "osmesa" in machine.available,

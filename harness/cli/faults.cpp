@@ -16,12 +16,16 @@
 namespace evalcts::cli {
 namespace {
 
+// Faults may hang. Behind variations nothing should, and a test that only waits for a busy machine would be a
+// false alarm.
+constexpr double kSecondsOfTest = 20, kSecondsOfLegalTest = 180;
+
 struct FaultsOptions {
   std::string filter;  // empty: all
   std::string shard;   // "K/N"; empty: all
   bool complete = false;
   bool legal = false;
-  double seconds_per_test = 20;
+  std::optional<double> seconds_per_test;
   std::optional<int> jobs;
   std::string output;  // empty: the usual folder
 };
@@ -51,7 +55,7 @@ int legal(const FaultsOptions& options, const fs::path& output) {
        .faults = matching(faults::list_faults(places().faulty_suite_program), kTypicalFaults),
        .tests = list_tests(places().suite_program),
        .jobs = options.jobs.value_or(usual_jobs()),
-       .seconds_per_test = options.seconds_per_test,
+       .seconds_per_test = options.seconds_per_test.value_or(kSecondsOfLegalTest),
        .scratch = scratch},
       chosen, [&](std::size_t done, const std::string& variation) {
         line.show("variations", fmt::format("{} of {}, {}", done, chosen.size(), variation));
@@ -114,7 +118,7 @@ int faults(const FaultsOptions& options) {
                           .faults = chosen,
                           .tests = tests,
                           .jobs = options.jobs.value_or(usual_jobs()),
-                          .seconds_per_test = options.seconds_per_test,
+                          .seconds_per_test = options.seconds_per_test.value_or(kSecondsOfTest),
                           .scratch = scratch},
                          [&](std::size_t done, const std::string& fault) {
                            line.show("faults", fmt::format("{} of {}, {}", done, chosen.size(), fault));

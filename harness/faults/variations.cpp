@@ -206,6 +206,7 @@ std::vector<TriedVariation> try_variations(
     for (std::size_t i; (i = next++) < variations.size() && !interrupted;) {
       progress(done, variations[i].name);
       results[i] = trial.try_variation(variations[i]);
+      if (interrupted) results[i].reset();  // its tests were not all run
       ++done;
     }
   };
