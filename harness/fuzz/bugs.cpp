@@ -83,6 +83,11 @@ class BugHunt {
     // Cases that draw very much take long, and most are of a cause that a smaller one has shown by then.
     std::ranges::stable_partition(cases, [](const FailingCase& each) { return !draws_very_much(each); });
     reduce(cases);
+    // A library that reads beyond its memory may live in a process in which something else lies there.
+    std::erase_if(cases, [this](const FailingCase& each) { return reductions_.contains(each.test); });
+    if (!cases.empty() && !interrupted && seconds_left() > 0) reduce(cases);
+    for (const FailingCase& each : cases)
+      if (!reductions_.contains(each.test)) take({each.test, {}, kDiedOnTheWay});
     for (const TestRecord* test : deaths) {
       take(reduce_death(*test));
       if (interrupted) break;
@@ -162,8 +167,6 @@ class BugHunt {
         start(job);
         ++running;
       }
-    for (const FailingCase& each : cases)
-      if (!reductions_.contains(each.test)) take({each.test, {}, kDiedOnTheWay});
   }
 
   // --- crashes and hangs
@@ -417,7 +420,7 @@ std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduc
   }
   for (const auto& [test, why] : left) {
     const auto alike = of_likeness.find(likeness_of(*test));
-    if (why == kOutOfTime && alike != of_likeness.end())
+    if ((why == kOutOfTime || why == kDiedOnTheWay) && alike != of_likeness.end())
       add(*test, alike->second, nullptr, "");
     else
       add(*test, "not reduced; " + likeness_of(*test), nullptr, why);
