@@ -42,7 +42,6 @@ constexpr double kSecondsOfDeath = 10;    // ... and for one of them
 constexpr double kSecondsOfHang = 2;      // for a program that hung before
 constexpr double kSecondsOfCase = 30;     // without an event from a process that reduces
 constexpr int kMostEmptyReducers = 3;
-constexpr char kDiedOnTheWay[] = "the library died while its failing case was reduced";
 
 bool is_to_be_explained(const TestRecord& test) {
   return is_failure(test.verdict) && !test.also_in_fresh_context;
