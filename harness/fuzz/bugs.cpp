@@ -42,7 +42,6 @@ constexpr double kSecondsOfDeath = 10;    // ... and for one of them
 constexpr double kSecondsOfHang = 2;      // for a program that hung before
 constexpr double kSecondsOfCase = 30;     // without an event from a process that reduces
 constexpr int kMostEmptyReducers = 3;
-constexpr char kDiedOnTheWay[] = "the library died while its failing case was reduced";
 
 bool is_to_be_explained(const TestRecord& test) {
   return is_failure(test.verdict) && !test.also_in_fresh_context;
@@ -83,6 +82,11 @@ class BugSearch {
     // Cases that draw very much take long, and most are of a cause that a smaller one has shown by then.
     std::ranges::stable_partition(cases, [](const FailingCase& each) { return !draws_very_much(each); });
     reduce(cases);
+    // A library that reads beyond its memory may live in a process in which something else lies there.
+    std::erase_if(cases, [this](const FailingCase& each) { return reductions_.contains(each.test); });
+    if (!cases.empty() && !interrupted && seconds_left() > 0) reduce(cases);
+    for (const FailingCase& each : cases)
+      if (!reductions_.contains(each.test)) take({each.test, {}, kDiedOnTheWay});
     for (const TestRecord* test : deaths) {
       take(reduce_death(*test));
       if (interrupted) break;
@@ -162,8 +166,6 @@ class BugSearch {
         start(job);
         ++running;
       }
-    for (const FailingCase& each : cases)
-      if (!reductions_.contains(each.test)) take({each.test, {}, kDiedOnTheWay});
   }
 
   // --- crashes and hangs
@@ -417,7 +419,7 @@ std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduc
   }
   for (const auto& [test, why] : left) {
     const auto alike = of_likeness.find(likeness_of(*test));
-    if (why == kOutOfTime && alike != of_likeness.end())
+    if ((why == kOutOfTime || why == kDiedOnTheWay) && alike != of_likeness.end())
       add(*test, alike->second, nullptr, "");
     else
       add(*test, "not reduced; " + likeness_of(*test), nullptr, why);

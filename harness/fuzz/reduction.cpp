@@ -66,7 +66,8 @@ class CaseReducer {
     std::optional<Finding> found;
     is_large_ = vertices_of(program) > kMostVertices;
     case_begin_ = Clock::now();
-    if (is_large_)
+    if (is_large_) {
+      if (const Finding* const known = known_of_large(program, look)) return {failing.test, *known, ""};
       program = excerpt_of(program, [&](const gl::Case& part) {
         report_now_and_then();
         if (is_over() || !keeps_its_grid(part)) return false;
@@ -75,6 +76,7 @@ class CaseReducer {
         found = std::move(of_part);
         return true;
       });
+    }
     if (!found) {
       if (!specify_if_defined(program, max_order_)) program = with_errors_asked_for(program, max_order_);
       const std::optional<Specified> specified = specify_if_defined(program, max_order_);
@@ -91,11 +93,16 @@ class CaseReducer {
     if (const auto same = reduced_.find(key); same != reduced_.end()) return {failing.test, same->second, ""};
     Finding minimal = reducer_.explain(program, *found);
     // A wrong answer in it, such as a missing error, tells more than what comes of it.
-    if (!kind.starts_with("gl"))
-      if (const std::optional<Finding> answer = difference_of(minimal.program, Look::kAnswers))
+    if (!kind.starts_with("gl") && !without_answers_.contains(minimal.cause)) {
+      if (const std::optional<Finding> answer = difference_of(minimal.program, Look::kAnswers)) {
         minimal = reducer_.explain(gl::Case(minimal.program), *answer);
+      } else {
+        without_answers_.insert(minimal.cause);
+      }
+    }
     if (is_over()) return not_reduced(failing, kOutOfTime);
     if (vertices_of(plain) <= kMostVertices && fails_alike(plain, kind)) reduced_[key] = minimal;
+    by_cause_.try_emplace(minimal.cause, minimal);
     return {failing.test, minimal, ""};
   }
 
@@ -108,6 +115,22 @@ class CaseReducer {
     return std::ranges::any_of(program.commands(), [&](const gl::Command& command) {
       return gl::name_of(command.entry).starts_with(stem);
     });
+  }
+
+  // Returns the minimal program of a smaller case if its commands, as this program has them, differ in the
+  // same way; otherwise null. Each further look at such a program takes long.
+  const Finding* known_of_large(const gl::Case& program, Look look) {
+    for (const auto& [cause, minimal] : by_cause_) {
+      const std::set<std::string> words = words_of(minimal.program);
+      gl::Case part = program;
+      for (const std::string& word : words_of(program))
+        if (!words.contains(word)) part = without_word(part, word);
+      if (words_of(part) != words || vertices_of(part) == 0 || !keeps_its_grid(part)) continue;
+      report_now_and_then();
+      const std::optional<Finding> found = difference_of(part, look);
+      if (found && found->cause == cause) return &minimal;
+    }
+    return nullptr;
   }
 
   // False for a mesh over the initial grid if the case has one of its own: what differs there may be another
@@ -146,9 +169,13 @@ class CaseReducer {
     return specified ? judge_program(subject_, program, *specified, look).finding : std::nullopt;
   }
 
+  // Looks in the shared context, if there is one.
   bool fails_alike(const gl::Case& program, const std::string& kind) {
-    const std::optional<Finding> found =
-        difference_of(program, kind.starts_with("gl") ? Look::kAnswers : Look::kVertices);
+    const Look look = kind.starts_with("gl") ? Look::kAnswers : Look::kVertices;
+    const std::optional<Specified> specified = specify_if_defined(program, max_order_);
+    if (!specified) return false;
+    const std::optional<Finding> found = shared_ ? shared_->judge(program, *specified, look).finding
+                                                 : judge_program(subject_, program, *specified, look).finding;
     return found && kind_of(found->failure.what) == kind;
   }
 
@@ -165,6 +192,8 @@ class CaseReducer {
   Reducer reducer_;
   bool has_grid_ = false;                   // of the case that is reduced
   std::map<std::string, Finding> reduced_;  // by kind of difference and plain form
+  std::map<std::string, Finding> by_cause_;
+  std::set<std::string> without_answers_;  // causes whose minimal programs give no wrong answer
 };
 
 }  // namespace
