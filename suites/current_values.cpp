@@ -97,7 +97,7 @@ bool expect_kept(Test& t, const std::function<Written(bool evaluated)>& write) {
 struct Evaluated {
   std::string name;
   std::function<void(gl::Case&)> prepare;
-  void (*emit)(gl::Case&, bool evaluated, float u) = emit;
+  void (*emit)(gl::Case&, bool evaluated, float u) = suite_current_values::emit;
 };
 
 // Sets the value, evaluates (once, and often enough to make an implementation flush in the middle; at quick
