@@ -93,7 +93,7 @@ bool expect_kept(Test& t, const std::function<Written(bool evaluated)>& write) {
   return true;
 }
 
-// What is evaluated: the maps and enables, and one evaluation or, in its place, an explicit vertex.
+// The maps and enables of an evaluation, and one evaluation or, in its place, an explicit vertex.
 struct Evaluated {
   std::string name;
   std::function<void(gl::Case&)> prepare;

@@ -161,8 +161,8 @@ EVALCTS_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, kMust, "EV-COORD-
   t.expect_emission(c, kUnit0);
 };
 
-// What the other dimension evaluates without a map of vertices changes nothing in front of an evaluation,
-// behind it and in the primitives that follow; nor if no current value was ever set.
+// Without a map of vertices, evaluations of the other dimension change nothing: no vertex before or behind
+// them, none of the primitives that follow, also if no current value was ever set.
 EVALCTS_TEST_PAIR(Evaluation.NothingFromTheOtherDimension, Evaluation.NothingFromTheOtherDimension2, kMust,
                   decide("EV-COORD-NOVERTEX-OTHERDIM/1-D", "EV-COORD-NOVERTEX-OTHERDIM/2-D"), [](bool two) {
                     std::vector<GLenum> caps = {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_1,
