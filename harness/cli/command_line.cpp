@@ -88,7 +88,7 @@ std::string positive_number(const std::string& text) {
 }
 
 std::string number_from_zero(const std::string& text) {
-  return number_in(text) >= 0 ? std::string() : fmt::format("'{}' is no number from 0 on", text);
+  return number_in(text) >= 0 ? std::string() : fmt::format("'{}' is not a number of 0 or more", text);
 }
 
 int wrong_use(const std::string& message) {

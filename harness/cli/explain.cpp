@@ -136,8 +136,9 @@ std::string queries_of(const std::vector<std::string>& calls) {
 
 void explain_cases(const PlayedTest& played) {
   if (!played.first || !played.record) return;
-  paragraph(
-      fmt::format("First of {} cases, '{}':", played.record->cases.value_or(1), played.first->identity));
+  const auto cases = played.record->cases.value_or(1);
+  paragraph(fmt::format("{}, '{}':", cases == 1 ? "The only case" : fmt::format("First of {} cases", cases),
+                        played.first->identity));
   for (const std::string& call : played.first->calls) std::cout << "    " << call << "\n";
   std::vector<std::string> compared;
   if (!played.record->capture.empty())
@@ -190,8 +191,12 @@ void explain_test(const ListedTest& test) {
   explain_faults(test, scratch.path());
 }
 
-// "; did you mean NAME?" for the name that is nearest to the word, or empty.
+// "; did you mean NAME?" for the name that is nearest to the word, and for the name of a test function one of
+// its tests.
 std::string suggestion_for(const std::string& word, const std::vector<ListedTest>& tests) {
+  const auto is_meant = [&](const ListedTest& test) { return test.name.starts_with(word + "/"); };
+  if (const auto first = std::ranges::find_if(tests, is_meant); first != tests.end())
+    return fmt::format("; it has {} tests, such as {}", std::ranges::count_if(tests, is_meant), first->name);
   std::vector<std::string> names;
   for (const Requirement& requirement : catalogue().requirements) names.push_back(requirement.id);
   for (const Ambiguity* const entry : catalogue().interpretations()) names.push_back(entry->id);

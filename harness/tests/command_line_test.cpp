@@ -71,6 +71,8 @@ TEST_F(CommandLine, ListsAndExplains) {
   EXPECT_TRUE(contains(evalcts({"explain", "Map1State.CopyOnCal/UNMAPPED"}).text,
                        "did you mean Map1State.CopyOnCall/UNMAPPED?"));
   EXPECT_TRUE(contains(evalcts({"explain", "EV-MAP1-COPPY"}).text, "did you mean EV-MAP1-COPY?"));
+  EXPECT_TRUE(
+      contains(evalcts({"explain", "Map1State.CopyOnCall"}).text, " tests, such as Map1State.CopyOnCall/"));
   EXPECT_TRUE(contains(evalcts({"list", "tets"}).text, "did you mean tests?"));
   EXPECT_EQ(evalcts({"explain", "not-observable"}).code, 0);
   EXPECT_TRUE(contains(evalcts({"explain", "C-MESH1-LINES"}).text, "Taken here: LINE_STRIP."));
