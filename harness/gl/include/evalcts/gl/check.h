@@ -1,4 +1,4 @@
-// A check on an answer of a run case, simple enough for a stand-alone C program.
+// A check on an answer of an executed case, simple enough for a stand-alone C program.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace evalcts::gl {
 
-// A number that a run case answered.
+// A number that an executed case answered.
 struct Answer {
   enum class Of {
     kReturned,         // what a command returned
@@ -42,7 +42,7 @@ struct Check {
   std::vector<std::pair<double, double>> accepted = {};  // closed
   Ref other = {};
   std::vector<Ref> recorded = {};  // for unlike: the commands that count
-  std::size_t pass = 0;            // which of the run cases, where a capture needs several
+  std::size_t pass = 0;            // which of the executed cases, where a capture needs several
   std::string what = {};           // "position.x of vertex 3", for people; empty: named after the command
   std::string expected = {};       // in words, where no interval says it
 };

@@ -22,7 +22,7 @@ struct MissingEntryPoint : std::runtime_error {
   EntryPoint entry;
 };
 
-// The answers of the commands of a run case.
+// The answers of the commands of an executed case.
 class Trace {
  public:
   // The value that a command returned (enumerant, boolean, name); 0 for commands that return nothing.
