@@ -283,7 +283,7 @@ class GlxContexts final : public ContextMaker {
     try {
       context = static_cast<Made*>(create());
     } catch (const CannotStart& error) {
-      throw CannotStart(fmt::format("{} cannot create a {} context: {}{}", where,
+      throw CannotStart(fmt::format("{} cannot create {} contexts: {}{}", where,
                                     direct_ ? "direct" : "indirect", error.what(),
                                     server_ || direct_ ? "" : kHint));
     }

@@ -89,7 +89,8 @@ int fuzz(const FuzzOptions& options) {
     text +=
         fmt::format("{} programs differed in a shared context only, not behind the programs before them\n",
                     found.not_repeated);
-  if (found.slow) text += fmt::format("{} programs exceeded the time limit, but not when run again alone\n", found.slow);
+  if (found.slow)
+    text += fmt::format("{} programs exceeded the time limit, but not when run again alone\n", found.slow);
   line.print(clean(text));
   if (!found.cannot_start.empty())
     return wrong_use(fmt::format("{}: {}", request.name, clean(found.cannot_start)));

@@ -109,7 +109,7 @@ TEST_F(CommandLine, LittleThatIsObservedIsNoPass) {
   std::erase(arguments, "--allow-unobserved");
   const Outcome outcome = evalcts(arguments);
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_TRUE(contains(outcome.text, "tests could be observed: this is no pass"));
+  EXPECT_TRUE(contains(outcome.text, "tests could be observed, which is not a pass"));
 }
 
 TEST_F(CommandLine, SoundLibraryHasNoDeaths) {
@@ -465,19 +465,20 @@ TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
     EXPECT_TRUE(contains(outcome.text, reason));
   }
   const std::pair<std::vector<std::string>, std::string> contexts[] = {
-      {{"--context", "none"}, "name one"},
+      {{"--context", "none"}, "--context none needs --library"},
       {{"--context", "nonsense"},
-       "none of osmesa, egl-surfaceless, egl-device, egl-gles2, glx, glx-indirect, none, nor a provider"},
-      {{"--context", "egl-gles2"}, "with --context egl-gles2 the commands come from --library: name one"},
+       "neither one of osmesa, egl-surfaceless, egl-device, egl-gles2, glx, glx-indirect, none nor a "
+       "provider"},
+      {{"--context", "egl-gles2"}, "--context egl-gles2 needs --library"},
       {{"--context", "./absent.so"}, "cannot load './absent.so'"},
-      {{"--context", "libm.so.6"}, "exports no evalcts_provider_open"},
+      {{"--context", "libm.so.6"}, "does not export evalcts_provider_open"},
       {{"--context", "none", "--library", "libm.so.6"}, "glGetString"},
       {{"--implementation", "sink"}, "needs --library"},
       {{"--implementation", "sink", "--library", "libm.so.6"}, "exports no evalcts_sink_open"},
       {{"--implementation", "egl", "--library", "libm.so.6"}, "it is not EGL"},
       {{"--implementation", "glx", "--library", "libm.so.6"}, "it is not GLX"},
       {{"--library", "libm.so.6"}, "choose the interface that creates its contexts with --context"},
-      {{"--library", OSMESA_PROVIDER}, "name it with --context"}};
+      {{"--library", OSMESA_PROVIDER}, "pass it with --context"}};
   for (const auto& [more, reason] : contexts) {
     std::vector<std::string> arguments = {"run", "--name", "drill", "--output", folder_.string()};
     arguments.insert(arguments.end(), more.begin(), more.end());

@@ -394,7 +394,8 @@ TEST_F(FuzzCommand, LittleThatIsObservedIsNoPass) {
                                         DRILL_LIBRARY,      "--programs", "40"};
   const Outcome outcome = fuzz(arguments);
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_TRUE(contains(outcome.text, "of 40 programs could be observed: this is no pass")) << outcome.text;
+  EXPECT_TRUE(contains(outcome.text, "of 40 programs could be observed, which is not a pass"))
+      << outcome.text;
   arguments.emplace_back("--allow-unobserved");
   EXPECT_EQ(fuzz(arguments).code, 0);
 }

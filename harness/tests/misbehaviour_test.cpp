@@ -347,7 +347,7 @@ TEST_F(Folders, NamesDoNotLeadOutOfThem) {
     *std::ranges::find(arguments, "drill") = name;
     const Outcome outcome = evalcts(arguments);
     EXPECT_EQ(outcome.code, 2) << name;
-    EXPECT_TRUE(contains(outcome.text, "--name becomes part of file names"));
+    EXPECT_TRUE(contains(outcome.text, "--name is used in file names"));
   }
 }
 

@@ -114,7 +114,7 @@ TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
       {foreign.dump(), "\"evalcts-ulp-1\""},
       {nameless.dump(), "its format is missing"},
       {wrong.dump(), "tests[0].verdict: unknown verdict \"passed\""},
-      {twice.dump(), "stands in this record twice"},
+      {twice.dump(), "occurs twice in this record"},
       {shard.dump(), "is not K-of-N"}};
   const auto refuses = [this](const std::vector<std::string>& arguments, const std::string& words) {
     std::vector<std::string> command = {"report", "--output", path("out")};

@@ -611,7 +611,7 @@ TEST_F(SweepOfProcesses, SaysOnceWhatIsWrong) {
   *std::find(arguments.begin(), arguments.end(), "sum-float") = "production-fast";
   Outcome outcome = start(arguments);
   EXPECT_EQ(outcome.code, 2) << outcome.text;
-  EXPECT_TRUE(contains(outcome.text, "production-fast is for grids"));
+  EXPECT_TRUE(contains(outcome.text, "production-fast evaluates grids only"));
   EXPECT_EQ(outcome.text.find("evalcts: "), outcome.text.rfind("evalcts: "));
 }
 #endif

@@ -229,7 +229,7 @@ TEST(RunResult, UnknownWordsAreRefused) {
 
 TEST(RunResult, ATestStandsOnce) {
   EXPECT_EQ(refusal({{"tests", {{{"name", "A.b"}}, {{"name", "A.b"}}}}}),
-            "tests[1].name: \"A.b\" stands in this record twice");
+            "tests[1].name: \"A.b\" occurs twice in this record");
 }
 
 TEST(RunResult, SummaryCountsOnlyWithoutTests) {

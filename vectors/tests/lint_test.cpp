@@ -115,7 +115,7 @@ TEST(Lint, ChecksWhatExactEndsClaim) {
     // Everything is accepted.
     for (json& component : file["cases"][0]["components"]) component["accept"] = nullptr;
     EXPECT_EQ(complaint(file),
-              std::string(id) + ": claims " + requirement + ", but a result without it is accepted");
+              std::string(id) + ": claims " + requirement + ", but accepts a result that violates it");
   }
   // The grid from 0 to 1 in 43 segments ends at 1 by any arithmetic.
   json file = shipped("grid", "grid.exact-last.1");

@@ -158,7 +158,7 @@ void* create() {
   feedback = nullptr;
   curves = surfaces = false;
   if (!context || !make_current(context)) {
-    what_went_wrong = "OSMesa makes no context";
+    what_went_wrong = "OSMesa creates no context";
     return nullptr;
   }
   return context;

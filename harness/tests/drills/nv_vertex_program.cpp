@@ -345,7 +345,7 @@ void* create() {
   void* const context = make(GL_RGBA, 24, 8, 0, nullptr);
   state = {};
   if (!context || !make_current(context, pixels, GL_UNSIGNED_BYTE, kSide, kSide)) {
-    what_went_wrong = "OSMesa makes no context";
+    what_went_wrong = "OSMesa creates no context";
     return nullptr;
   }
   return context;
