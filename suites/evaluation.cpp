@@ -271,6 +271,17 @@ EVALCTS_TEST(Evaluation, Primitives, kMust, "EV-COORD-PRIMS/1-D",
   t.expect_emission(c, kPosition | kTextureCoordinate0);
 };
 
+// Primitives of 0 to 9 vertices, every third of them explicit.
+void draw_mixed_primitives(gl::Case& c, GLenum mode) {
+  float u = 0;
+  for (int vertices = 0; vertices < 10; ++vertices) {
+    c.Begin(mode);
+    for (int i = 0; i < vertices; ++i, u += 0.015625f)
+      i % 3 == 1 ? c.Vertex3f(u, 1 - u, 0.5f) : c.EvalCoord1f(u);
+    c.End();
+  }
+}
+
 // The same with a Vertex for every third vertex; with no map but the vertex map, so that nothing but the
 // primitive is at stake.
 EVALCTS_TEST(Evaluation, MixedPrimitives, kMust, "EV-COORD-PRIMS/1-D", "EV-COORD-MIX/1-D",
@@ -278,13 +289,7 @@ EVALCTS_TEST(Evaluation, MixedPrimitives, kMust, "EV-COORD-PRIMS/1-D", "EV-COORD
 (Test& t, const Named<GLenum>& mode) {
   gl::Case c = with_current_values("0 to 9 vertices, every third explicit");
   define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 4));
-  float u = 0;
-  for (int vertices = 0; vertices < 10; ++vertices) {
-    c.Begin(mode.value);
-    for (int i = 0; i < vertices; ++i, u += 0.015625f)
-      i % 3 == 1 ? c.Vertex3f(u, 1 - u, 0.5f) : c.EvalCoord1f(u);
-    c.End();
-  }
+  draw_mixed_primitives(c, mode.value);
   t.expect_emission(c, kPosition | kTextureCoordinate0);
 };
 
@@ -296,13 +301,7 @@ EVALCTS_TEST(Evaluation, MixedPrimitivesOfVertex4, kMust, "EV-COORD-PRIMS/1-D", 
   Map map = random_map(t, GL_MAP1_VERTEX_4, 4);
   for (std::size_t i = 3; i < map.points.size(); i += 4) map.points[i] = 1 + std::abs(map.points[i]);
   define_and_enable(c, map);
-  float u = 0;
-  for (int vertices = 0; vertices < 10; ++vertices) {
-    c.Begin(mode.value);
-    for (int i = 0; i < vertices; ++i, u += 0.015625f)
-      i % 3 == 1 ? c.Vertex3f(u, 1 - u, 0.5f) : c.EvalCoord1f(u);
-    c.End();
-  }
+  draw_mixed_primitives(c, mode.value);
   t.expect_emission(c, kPosition | kTextureCoordinate0);
 };
 

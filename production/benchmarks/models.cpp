@@ -58,7 +58,7 @@ std::vector<Model> all_models() {
     return [](const float* points, float* results) {
       constexpr float kScale = 1.0F / ManyPatches::kSegments;
       for (std::size_t p = 0; p < ManyPatches::kBlock; ++p, points += ManyPatches::kValues) {
-        // That has the orders the other way round.
+        // horner_surface() takes its arguments in the order v, u for these points.
         for (int j = 0; j <= ManyPatches::kSegments; ++j) {
           for (int i = 0; i <= ManyPatches::kSegments; ++i, results += 3)
             horner_surface(points, 4, 4, 3, static_cast<float>(j) * kScale, static_cast<float>(i) * kScale,
