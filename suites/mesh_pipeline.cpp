@@ -240,6 +240,7 @@ EVALCTS_TEST(Mesh2, NoDiagonals, kMust, "EV-MESH2-ISQUADS")
     if (lit(control.parts[i]) != is_edge(i))
       throw NotObservable("pipeline: explicit quad strips do not show their edges and nothing else");
   Picture picture = pixels(t, "evaluated", state, mesh(GL_FILL), areas, GL_RED);
+  show_pixels(picture, control.parts);
   for (std::size_t i = 0; i < areas.size(); ++i) {
     const Part& part = picture.parts[i];
     const char* const where = is_edge(i) ? "on an edge of a quad" : "in the middle of a quad";
@@ -275,6 +276,7 @@ EVALCTS_TEST(Mesh2, NonPlanarQuads, kQuality, "EV-MESH2-PLANAR")
   });
   const Picture control = pixels(t, gl::control("middles of the quads"), {}, strips, middles);
   Picture picture = pixels(t, "middles of the quads", {}, twisted, middles);
+  show_pixels(picture, control.parts);
   for (std::size_t i = 0; i < middles.size(); ++i) {
     if (!lit(control.parts[i])) throw NotObservable("pipeline: explicit quad strips do not come out whole");
     const Part& part = picture.parts[i];

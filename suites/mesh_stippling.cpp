@@ -114,6 +114,7 @@ void expect_stipple(Test& t, const Stipple& stipple, const gl::Case& evaluated,
     if (!std::equal(part.values.begin() + 5, part.values.begin() + 14, expected[0].values.begin() + 5))
       throw NotObservable("pipeline: the stipple does not start anew at each explicit line strip");
   Picture picture = pixels(t, "evaluated", state, evaluated, areas, GL_RED);
+  show_pixels(picture, expected);
   for (std::size_t i = 0; i < count; ++i) expect_like_explicit(picture.played, picture.parts[i], expected[i]);
 }
 

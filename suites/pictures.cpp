@@ -32,7 +32,80 @@ std::string name_of(const Area& area) {
   return fmt::format("the {} by {} pixels at ({}, {})", area.width, area.height, area.x, area.y);
 }
 
+// Returns "rrggbb" for each pixel of values between 0 and 1. A single channel is grey.
+std::string rgb_of(const Part& part) {
+  const auto pixel_count = static_cast<std::size_t>(part.area->width * part.area->height);
+  const std::size_t channels = part.values.size() / pixel_count;
+  std::string out;
+  for (std::size_t pixel = 0; pixel < pixel_count; ++pixel)
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const double value = part.values[pixel * channels + (channels == 1 ? 0 : channel)];
+      out += fmt::format("{:02x}", std::isnan(value) ? 0 : std::lround(255 * std::clamp(value, 0.0, 1.0)));
+    }
+  return out;
+}
+
+std::vector<PlottedPrimitive> plotted(const Part& feedback) {
+  std::vector<PlottedPrimitive> out;
+  std::size_t room = Plot::kMostVertices;
+  for (const FeedbackPrimitive& primitive : primitives_of(feedback)) {
+    if (primitive.vertices.size() > room) break;
+    room -= primitive.vertices.size();
+    PlottedPrimitive& one = out.emplace_back();
+    one.mode = primitive.token == GL_POINT_TOKEN     ? "GL_POINTS"
+               : primitive.token == GL_POLYGON_TOKEN ? "GL_POLYGON"
+                                                     : "GL_LINES";
+    for (const auto& vertex : primitive.vertices)
+      one.positions.push_back({static_cast<float>(vertex[0]), static_cast<float>(vertex[1]), 0});
+  }
+  return out;
+}
+
+// True if the pictures of both are the same: what differs is a colour or the like.
+bool look_alike(const std::vector<PlottedPrimitive>& a, const std::vector<PlottedPrimitive>& b) {
+  return std::ranges::equal(a, b, [](const PlottedPrimitive& one, const PlottedPrimitive& other) {
+    return one.mode == other.mode &&
+           std::ranges::equal(one.positions, other.positions, [](const auto& p, const auto& q) {
+             return std::hypot(p[0] - q[0], p[1] - q[1]) <= kTolerance;
+           });
+  });
+}
+
+// Returns no plot if one of the parts is not from a feedback buffer, or if both look alike.
+std::optional<Plot> feedback_plot(const Part& seen, const Part& expected) {
+  try {
+    Plot plot;
+    plot.expected = plotted(expected);
+    plot.captured = plotted(seen);
+    plot.is_cut = plot.expected->size() < primitives_of(expected).size() ||
+                  plot.captured.size() < primitives_of(seen).size();
+    if (look_alike(*plot.expected, plot.captured)) return std::nullopt;
+    return plot;
+  } catch (const NotObservable&) {
+    return std::nullopt;
+  }
+}
+
+Plot pixel_plot(const std::vector<Part>& seen, const std::vector<Part>& expected, std::size_t scene) {
+  Plot plot;
+  int room = Plot::kMostPixels;
+  for (std::size_t i = 0; i < seen.size() && i < expected.size(); ++i) {
+    if (!seen[i].area || seen[i].scene != scene) continue;
+    const auto [x, y, width, height] = *seen[i].area;
+    room -= width * height;
+    plot.is_cut = room < 0;
+    if (plot.is_cut) break;
+    plot.pixels.push_back({x, y, width, height, rgb_of(expected[i]), rgb_of(seen[i])});
+  }
+  return plot;
+}
+
 }  // namespace
+
+void show_pixels(Picture& picture, const std::vector<Part>& control, std::size_t scene) {
+  picture.played.set_plot(
+      [&picture, &control, scene] { return pixel_plot(picture.parts, control, scene); });
+}
 
 Picture feedback(Test& t, const gl::Identity& identity, const std::vector<Scene>& scenes) {
   gl::Case c(identity);
@@ -53,7 +126,7 @@ Picture feedback(Test& t, const gl::Identity& identity, const std::vector<Scene>
     if (returned < 0) throw NotObservable("pipeline: the feedback buffer overflows");
     const std::vector<GLfloat> all = trace.values<GLfloat>(refs[i].buffer);
     const auto end = all.begin() + std::min<std::ptrdiff_t>(kRoom, returned);
-    picture.parts.push_back({scenes[i].name, refs[i].buffer, {all.begin(), end}});
+    picture.parts.push_back({scenes[i].name, refs[i].buffer, {all.begin(), end}, i});
   }
   return picture;
 }
@@ -95,14 +168,16 @@ Picture pixels(Test& t, const gl::Identity& identity, const std::vector<Scene>& 
   c.Viewport(0, 0, kSide, kSide);
   c.ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   std::vector<Part> parts;
-  for (const Scene& scene : scenes) {
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const Scene& scene = scenes[i];
     c.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     c.append(scene.commands);
     for (const Area& area : areas) {
       const std::size_t count = channels_of(format) * static_cast<std::size_t>(area.width * area.height);
       const gl::Ref read =
           c.ReadPixels(area.x, area.y, area.width, area.height, format, GL_FLOAT, gl::out<GLfloat>(count));
-      parts.push_back({scene.name.empty() ? name_of(area) : scene.name + ": " + name_of(area), read, {}});
+      parts.push_back(
+          {scene.name.empty() ? name_of(area) : scene.name + ": " + name_of(area), read, {}, i, area});
     }
   }
   Picture picture = {t.play(c), std::move(parts)};
@@ -144,15 +219,19 @@ void expect_like_explicit(Played& played, const Part& seen, const Part& control)
     return fmt::format("{:.7g} at {} of {} values", values[where], where, values.size());
   };
   const std::string expected = text(control.values), captured = text(seen.values);
+  if (!seen.area) played.set_plot([&] { return feedback_plot(seen, control); });
   played.expect(alike(seen.values, control.values), seen.shown,
                 fmt::format("evaluated vertices come out of the pipeline as {}, explicit ones as {} ({})",
                             captured, expected, seen.name),
                 expected, captured);
+  if (!seen.area) played.set_plot({});
 }
 
 void expect_like_explicit(Picture picture, const Picture& control) {
-  for (std::size_t i = 0; i < picture.parts.size(); ++i)
+  for (std::size_t i = 0; i < picture.parts.size(); ++i) {
+    if (picture.parts[i].area) show_pixels(picture, control.parts, picture.parts[i].scene);
     expect_like_explicit(picture.played, picture.parts[i], control.parts.at(i));
+  }
 }
 
 const Part& drawn_once(const std::string& name, const std::function<Part()>& draw) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,11 +33,17 @@ struct Scene {
   }
 };
 
+struct Area {
+  int x, y, width = 1, height = 1;
+};
+
 // One thing looked at: what a command wrote.
 struct Part {
   std::string name;
   gl::Ref shown;
   std::vector<double> values;
+  std::size_t scene = 0;
+  std::optional<Area> area = {};  // of pixels
 };
 
 struct Picture {
@@ -66,10 +73,6 @@ void forget_stipple_starts(Picture& feedback);
 inline constexpr int kSide = 64;
 inline float at_pixel(double window) { return static_cast<float>((window - kSide / 2.0) / (kSide / 2.0)); }
 
-struct Area {
-  int x, y, width = 1, height = 1;
-};
-
 // The areas of the frame buffer, a part each, after each scene; before it the frame buffer is cleared to 0
 // (its depth to 1). format: GL_RGBA, GL_RED or GL_DEPTH_COMPONENT.
 Picture pixels(Test& t, const gl::Identity& identity, const std::vector<Scene>& scenes,
@@ -77,6 +80,10 @@ Picture pixels(Test& t, const gl::Identity& identity, const std::vector<Scene>& 
 // One drawing under the state.
 Picture pixels(Test& t, const gl::Identity& identity, const gl::Case& state, const gl::Case& drawing,
                const std::vector<Area>& areas, GLenum format = GL_RGBA);
+
+// If a check on the picture fails after this, the report shows the pixels of the scene beside those of the control, which has
+// the same areas. Both pictures have to outlive the checks.
+void show_pixels(Picture& picture, const std::vector<Part>& control, std::size_t scene = 0);
 
 bool alike(const std::vector<double>& a, const std::vector<double>& b, double tolerance = kTolerance);
 

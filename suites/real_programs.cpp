@@ -455,6 +455,7 @@ void expect_picture(Test& t, const RealProgram& program) {
                                   {"sideways", explicit_program(t, steps, {-1, -1, 0})}},
                                  {kWindow});
   Picture picture = pixels(t, "picture", {{"evaluated", evaluated}}, {kWindow});
+  show_pixels(picture, control.parts);
 
   const Pixels wanted{control.parts[0].values}, other{control.parts[1].values}, seen{picture.parts[0].values};
   std::size_t all_lit = 0, lit = 0, different = 0, first = 0;

@@ -216,6 +216,7 @@ EVALCTS_TEST(Pipeline, ClippedQuads, kMust, "EV-PIPE-CLIPPLANE")
   Picture picture = pixels(t, "evaluated", staged(stages, drawings, true), areas, GL_RED);
   for (std::size_t i = 0; i < picture.parts.size(); ++i) {
     const Part& seen = picture.parts[i];
+    show_pixels(picture, control.parts, seen.scene);
     const char* const is = lit(seen) ? "drawn" : "not drawn";
     const char* const expected = lit(control.parts[i]) ? "drawn" : "not drawn";
     picture.played.expect(lit(seen) == lit(control.parts[i]), seen.shown,

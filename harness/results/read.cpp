@@ -56,6 +56,15 @@ std::vector<PlottedPrimitive> read_primitives(const JsonObject& in, const std::s
   return out;
 }
 
+std::vector<PlottedPixels> read_pixels(const JsonObject& in, const std::string& key) {
+  std::vector<PlottedPixels> out;
+  in.each_object(key, [&](const JsonObject& item) {
+    const auto number = [&](const std::string& name) { return static_cast<int>(item.natural(name).value_or(0)); };
+    out.push_back({number("x"), number("y"), number("width"), number("height"), item.text("expected"), item.text("captured")});
+  });
+  return out;
+}
+
 Failure read_failure(const JsonObject& in) {
   Failure out;
   out.case_identity = in.text("case");
@@ -68,8 +77,13 @@ Failure read_failure(const JsonObject& in) {
   out.ulp = in.distance("ulp");
   out.condition_aware = in.distance("condition_aware");
   out.calls = in.texts("calls");
-  if (const auto plot = in.object("plot"))
-    out.plot = {read_primitives(*plot, "expected"), read_primitives(*plot, "captured"), plot->boolean("cut")};
+  if (const auto plot = in.object("plot")) {
+    out.plot = {.expected = std::nullopt,
+                .captured = read_primitives(*plot, "captured"),
+                .pixels = read_pixels(*plot, "pixels"),
+                .is_cut = plot->boolean("cut")};
+    if (plot->has("expected")) out.plot->expected = read_primitives(*plot, "expected");
+  }
   return out;
 }
 

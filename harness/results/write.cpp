@@ -53,8 +53,16 @@ json to_json(const std::vector<PlottedPrimitive>& primitives) {
   return out;
 }
 
+json to_json(const PlottedPixels& pixels) {
+  return {{"x", pixels.x},           {"y", pixels.y},
+          {"width", pixels.width},   {"height", pixels.height},
+          {"expected", pixels.expected}, {"captured", pixels.captured}};
+}
+
 json to_json(const Plot& plot) {
-  json out = {{"expected", to_json(plot.expected)}, {"captured", to_json(plot.captured)}};
+  json out = {{"captured", to_json(plot.captured)}};
+  if (plot.expected) out["expected"] = to_json(*plot.expected);
+  for (const PlottedPixels& pixels : plot.pixels) out["pixels"].push_back(to_json(pixels));
   set(out, "cut", plot.is_cut);
   return out;
 }

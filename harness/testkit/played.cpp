@@ -73,6 +73,7 @@ void Played::fail(gl::Check check, const std::string& message, const std::string
   const gl::Ref asked = check.answer.command;
   failure.expected = check.expected = expected;
   failure.captured = captured;
+  if (plot_ && !test_.has_plot()) failure.plot = plot_();
   test_.fail(
       std::move(failure), [&] { return gl::to_c(script, 0, asked.index); }, check);
 }

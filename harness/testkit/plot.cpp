@@ -42,11 +42,16 @@ std::vector<PlottedPrimitive> plotted(const std::vector<Primitive>& primitives, 
 
 }  // namespace
 
-Plot plot_of(const Prediction& prediction, const Observation& observation) {
+Plot plot_of(const Observation& observation) {
   Plot plot;
   plot.is_cut = observation.overflow;
-  plot.expected = plotted(prediction.primitives, plot.is_cut);
   plot.captured = plotted(observation.primitives, plot.is_cut);
+  return plot;
+}
+
+Plot plot_of(const Prediction& prediction, const Observation& observation) {
+  Plot plot = plot_of(observation);
+  plot.expected = plotted(prediction.primitives, plot.is_cut);
   return plot;
 }
 

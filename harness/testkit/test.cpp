@@ -279,10 +279,9 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Wante
     }
     failure.capture = capture.name();
     const bool is_seen_in_plot =
-        mismatch.of == Mismatch::Of::kVertices || mismatch.what.starts_with("position");
-    if (prediction && is_seen_in_plot && (seen.attributes & kPosition) &&
-        std::ranges::none_of(record_.failures, [](const Failure& other) { return other.plot.has_value(); }))
-      failure.plot = plot_of(*prediction, seen);
+        !prediction || mismatch.of == Mismatch::Of::kVertices || mismatch.what.starts_with("position");
+    if (is_seen_in_plot && (seen.attributes & kPosition) && !has_plot())
+      failure.plot = prediction ? plot_of(*prediction, seen) : plot_of(seen);
     std::optional<gl::Check> check;
     if (subject_.reproduction)
       check = subject_.reproduction->check_of(mismatch, mismatches, [&](Implementation& implementation) {
@@ -292,6 +291,10 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Wante
         std::move(failure), [&] { return gl::all_calls(script); }, check,
         judges_current_values_ ? std::string() : mismatch.rule_of_current_values);
   }
+}
+
+bool Test::has_plot() const {
+  return std::ranges::any_of(record_.failures, [](const Failure& other) { return other.plot.has_value(); });
 }
 
 RequirementId Test::requirement(const std::string& id) const {

@@ -30,6 +30,14 @@ TEST(Plot, HasBothSidesDividedByW) {
   EXPECT_EQ(plot.captured, (std::vector<PlottedPrimitive>{{"GL_LINES", {{0, 0.5f, 0}, {0.5f, 0.5f, 0}}}}));
 }
 
+TEST(Plot, HasOneSideIfNothingIsPredicted) {
+  Observation observation;
+  observation.primitives = {observed(GL_POINTS, 1)};
+  const Plot plot = plot_of(observation);
+  EXPECT_FALSE(plot.expected);
+  EXPECT_EQ(plot.captured, (std::vector<PlottedPrimitive>{{"GL_POINTS", {{0, 0.5f, 0}}}}));
+}
+
 TEST(Plot, IsCut) {
   Observation observation;
   observation.primitives = {observed(GL_POINTS, 60), observed(GL_POINTS, 60), observed(GL_POINTS, 60)};

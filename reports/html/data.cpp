@@ -128,11 +128,20 @@ class Writer {
     }
     return out;
   }
-  // The primitives expected and captured, and 1 if there are more; empty without a plot.
+  // "x y width height expected captured", a line for each rectangle.
+  static std::string plotted(const std::vector<PlottedPixels>& pixels) {
+    std::string out;
+    for (const PlottedPixels& one : pixels)
+      out += fmt::format("{}{} {} {} {} {} {}", out.empty() ? "" : "\n", one.x, one.y, one.width, one.height,
+                         one.expected, one.captured);
+    return out;
+  }
+  // The primitives expected (null if a rule decides) and captured, 1 if there are more, and the pixels; empty without a plot.
   json plot_of(const Failure& failure) {
     if (!failure.plot) return json::array();
     const Plot& plot = *failure.plot;
-    return {plotted(plot.expected), plotted(plot.captured), plot.is_cut ? 1 : 0};
+    return {plot.expected ? json(plotted(*plot.expected)) : json(), plotted(plot.captured), plot.is_cut ? 1 : 0,
+            plotted(plot.pixels)};
   }
 
   Number failure(const Failure& failure) {

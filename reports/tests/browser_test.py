@@ -504,6 +504,21 @@ class Address(Browser):
         self.assertIn("Captured vertices where none is expected are filled. The first vertices only.", self.texts("p.faint"))
         self.assertEqual(driver.get_log("browser"), [])
 
+    # The sample has five pixels: two differ visibly, one by 2 of 255. The image ends one pixel beyond the outermost ones.
+    def test_picture_of_pixels(self):
+        self.open("three.html")
+        self.press_toggle("Map1Values.Bezier/TEXTURE_COORD_1/d")
+        self.js("[...document.querySelectorAll('#table .detail .case')].filter((fold) => !fold.open).forEach((fold) => fold.firstChild.click())")
+        self.eventually(["Expected: 5 pixels", "Captured: 5 pixels", "Different: 2 of 5 pixels"],
+                        lambda: self.texts(".plot canvas + figcaption"))
+        self.assertEqual(self.js("const canvas = document.querySelector('.plot canvas'); return [canvas.width, canvas.height]"), [7, 4])
+        at = "return [...document.querySelectorAll('.plot canvas')].map((canvas) => " \
+             "[...canvas.getContext('2d').getImageData(arguments[0], arguments[1], 1, 1).data].slice(0, 4).join(' '))"
+        self.assertEqual(self.js(at, 2, 1), ["255 0 0 255", "0 255 0 255", "204 34 34 255"])  # the upper row of the square
+        self.assertEqual(self.js(at, 1, 2), ["0 0 0 255", "0 0 0 255", "0 0 0 0"])
+        self.assertEqual(self.js(at, 4, 2), ["0 0 0 0"] * 3)  # between the areas
+        self.assertEqual(driver.get_log("browser"), [])
+
     def test_addresses_that_are_none(self):
         self.open("three.html")
         everything = self.shown()

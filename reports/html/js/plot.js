@@ -52,10 +52,49 @@ function contentOf(primitives) {
           lost ? `${lost} not finite` : ''].filter(Boolean).join(', ');
 }
 
+const panelOf = (picture, name, content) => el('figure', null, picture, el('figcaption', null, `${name}: ${content}`));
+
+// "x y width height rrggbb... rrggbb..." as pixels with the colours of both sides.
+function plottedPixels(string) {
+  return string.split('\n').flatMap((line) => {
+    const [x, y, width, , expected, captured] = line.split(' '), pixels = [];
+    for (let i = 0; i < expected.length / 6; ++i) {
+      const [a, b] = [expected, captured].map((colours) => `#${colours.slice(6 * i, 6 * i + 6)}`);
+      pixels.push({x: Number(x) + i % Number(width), y: Number(y) + Math.floor(i / Number(width)), expected: a, captured: b});
+    }
+    return pixels;
+  });
+}
+
+// The colours of both sides, and the pixels where they differ. Pixels at which the test does not look stay empty.
+function pixelPlotOf(pixels, isCut) {
+  const [xs, ys] = [pixels.map((pixel) => pixel.x), pixels.map((pixel) => pixel.y)];
+  const [left, bottom] = [Math.min(...xs) - 1, Math.min(...ys) - 1];
+  const [width, height] = [Math.max(...xs) - left + 2, Math.max(...ys) - bottom + 2];
+  const levels = (colour) => [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16));
+  // A difference that the eye does not see is none.
+  const differs = ({expected, captured}) => levels(expected).some((level, i) => Math.abs(level - levels(captured)[i]) > 5);
+  const different = pixels.filter(differs);
+  const drawn = (name, some, colourOf, content) => {
+    const canvas = el('canvas', {width, height, role: 'img', 'aria-label': `${name}: ${content}`}), context = canvas.getContext('2d');
+    for (const pixel of some) {
+      context.fillStyle = colourOf(pixel);
+      context.fillRect(pixel.x - left, height - 1 - (pixel.y - bottom), 1, 1);
+    }
+    return panelOf(canvas, name, content);
+  };
+  const looked = count(pixels.length, 'pixel');
+  return [el('div', {class: 'plot'}, drawn('Expected', pixels, (pixel) => pixel.expected, looked),
+             drawn('Captured', pixels, (pixel) => pixel.captured, looked),
+             drawn('Different', different, () => '#c22', different.length ? `${different.length} of ${looked}` : 'none by more than 5 of 255')),
+          el('p', {class: 'faint'}, ['Pixels at which the test looks, enlarged.', isCut ? 'The first pixels only.' : ''].filter(Boolean).join(' '))];
+}
+
 function plotOf(failure) {
   const plot = data.plots[failure[PLOT]];
   if (!plot.length) return null;
-  const [expected, captured] = plot.slice(0, 2).map(plottedPrimitives);
+  if (plot[3]) return pixelPlotOf(plottedPixels(plot[3]), plot[2]);
+  const isJudgedByRule = plot[0] === null, [expected, captured] = [plot[0] ?? '', plot[1]].map(plottedPrimitives);
   const pointsOf = (primitives) => primitives.flatMap((primitive) => primitive.points).filter(isFinitePoint);
   const all = [...pointsOf(expected), ...pointsOf(captured)];
   if (!all.length) return null;
@@ -80,9 +119,14 @@ function plotOf(failure) {
       const [cx, cy] = place(point);
       return svg('circle', {cx, cy, r: 3, class: mark && isWrong(point) ? 'wrong' : 'right'});
     })]);
-  const panel = (name, primitives, mark) => el('figure', null,
+  const panel = (name, primitives, mark) => panelOf(
       svg('svg', {viewBox: `0 0 ${extents[0]} ${extents[1]}`, role: 'img', 'aria-label': `${name}: ${contentOf(primitives)}`}, drawn(primitives, mark)),
-      el('figcaption', null, `${name}: ${contentOf(primitives)}`));
+      name, contentOf(primitives));
+  if (isJudgedByRule) {
+    // A single point shows nothing.
+    if (all.length < 2) return null;
+    return [el('div', {class: 'plot'}, panel('Captured', captured, false)), plot[2] ? el('p', {class: 'faint'}, 'The first vertices only.') : null];
+  }
   const wrong = captured.flatMap((primitive) => primitive.points).filter((point) => isFinitePoint(point) && isWrong(point)).length;
   return [el('div', {class: 'plot'}, panel('Expected', expected, false), panel('Captured', captured, true)),
           el('p', {class: 'faint'}, [wrong ? 'Captured vertices where none is expected are filled.' : '',

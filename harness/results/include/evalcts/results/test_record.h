@@ -32,12 +32,23 @@ struct PlottedPrimitive {
   bool operator==(const PlottedPrimitive&) const = default;
 };
 
-// Primitives of a failing case as they are expected and as they were captured, for a picture in the report.
+// Pixels of a rectangle of the window, for a plot: "rrggbb" for each pixel, the lowest row first.
+struct PlottedPixels {
+  int x = 0, y = 0, width = 1, height = 1;
+  std::string expected, captured;
+
+  bool operator==(const PlottedPixels&) const = default;
+};
+
+// A failing case as it is expected and as it was captured, for a picture in the report: primitives or pixels.
 struct Plot {
   static constexpr std::size_t kMostVertices = 96;  // of each side
+  static constexpr std::size_t kMostPixels = 4096;
 
-  std::vector<PlottedPrimitive> expected, captured;
-  bool is_cut = false;  // there are more vertices
+  std::optional<std::vector<PlottedPrimitive>> expected;  // none if the test has a rule in place of expected vertices
+  std::vector<PlottedPrimitive> captured;
+  std::vector<PlottedPixels> pixels;
+  bool is_cut = false;  // there are more vertices or pixels
 
   bool operator==(const Plot&) const = default;
 };
@@ -53,7 +64,7 @@ struct Failure {
   std::string capture;                         // the capture that saw it
   std::optional<double> ulp, condition_aware;  // infinite for an infinite error
   std::vector<std::string> calls;              // the GL commands of the case, as C
-  std::optional<Plot> plot;                    // of the first failure of a test in positions or vertices
+  std::optional<Plot> plot;                    // of the first failure of a test in positions, vertices or pixels
 
   bool operator==(const Failure&) const = default;
 };

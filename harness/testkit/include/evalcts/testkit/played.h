@@ -2,13 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <evalcts/gl/check.h>
 #include <evalcts/gl/delivery.h>
 #include <evalcts/gl/player.h>
+#include <evalcts/results/test_record.h>
 
 namespace evalcts {
 
@@ -46,6 +49,9 @@ class Played {
   void expect(bool holds, gl::Ref command, const std::string& message, const std::string& expected,
               const std::string& captured);
 
+  // Checks that fail from here on are shown in this plot, unless a failure of the test has one already. Empty: no plot.
+  void set_plot(std::function<std::optional<Plot>()> plot) { plot_ = std::move(plot); }
+
  private:
   void check_values(gl::Ref query, const std::vector<double>& expected, double relative);
   std::vector<double> written_values(gl::Ref query) const;
@@ -65,6 +71,7 @@ class Played {
   Test& test_;
   gl::DeliveredCase delivered_;
   gl::Trace trace_;
+  std::function<std::optional<Plot>()> plot_;
 };
 
 }  // namespace evalcts

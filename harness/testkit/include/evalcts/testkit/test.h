@@ -121,6 +121,8 @@ class Test {
   // `rule`: the requirement that it violates; empty: those of decide().
   void fail(Failure failure, const std::function<std::vector<std::string>()>& calls = {},
             const std::optional<gl::Check>& check = {}, const std::string& rule = {});
+  // True if a failure has a plot already: one is enough for a test.
+  bool has_plot() const;
 
   // Runs the test; called by the runner.
   void run(const std::function<void(Test&)>& body);
@@ -146,7 +148,7 @@ class Test {
   void judge_emission(const gl::Case& delivered, const Prediction& prediction, Attributes required,
                       bool measured);
   // A failure for each mismatch that `judge` finds in what the capture saw of the case. With a prediction,
-  // the first one in positions or vertices gets a plot.
+  // the first one in positions or vertices gets a plot, otherwise the first.
   void fail_each(const gl::Case& script, const Capture& capture, const Wanted& wanted,
                  const Observation& seen, const OwnJudge& judge, const Prediction* prediction = nullptr);
 
