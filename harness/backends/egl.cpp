@@ -18,7 +18,7 @@ namespace evalcts {
 namespace {
 
 // The functions of EGL 1.4 that are used. Only the types of the header's declarations are used.
-// (clang-format 14 never comes to an end with such lists.)
+// (clang-format 14 does not terminate on such lists.)
 // clang-format off
 #define EGL_FUNCTIONS(X)                                                           \
   X(GetError) X(QueryString) X(GetDisplay) X(Initialize) X(Terminate) X(BindAPI)   \
@@ -82,7 +82,7 @@ bool has_word(const char* words, const std::string& wanted) {
 // A display that may give a context.
 struct Candidate {
   std::string name;
-  EGLenum platform;  // EGL_NONE: eglGetDisplay
+  EGLenum platform;  // EGL_NONE: opened by eglGetDisplay
   void* native;
 };
 
@@ -425,7 +425,7 @@ class EglContexts final : public ContextMaker {
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLConfig config_ = nullptr;
   std::vector<EGLint> attributes_;
-  std::unique_ptr<Made> only_;  // of OpenGL ES; stays, like the display
+  std::unique_ptr<Made> only_;  // the context of OpenGL ES, which stays until the process ends
   bool surfaceless_ = false;
   bool knows_all_commands_ = false;
 };

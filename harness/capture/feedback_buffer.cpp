@@ -175,8 +175,8 @@ class FeedbackBuffer final : public Capture {
     return vertex;
   }
 
-  // Adds the attributes of one pass to another. All passes replay the same case, so that their primitives
-  // must agree.
+  // Adds the attributes `gives` of one pass to the whole observation. All passes replay the same case, so
+  // their primitives must agree.
   static void merge(Observation& whole, const Observation& pass, Attributes gives) {
     const char* const kDiffer = "two feedback passes over the same commands gave different primitives";
     if (whole.primitives.size() != pass.primitives.size()) throw NotObservable(kDiffer);
@@ -197,7 +197,7 @@ class FeedbackBuffer final : public Capture {
   bool keep_w_ = true;
   bool unclamp_ = false;
   Attributes attributes_ = 0;
-  std::optional<double> color_error_;  // if colours come back inexact
+  std::optional<double> color_error_;  // set if colours are inexact
 };
 
 }  // namespace
