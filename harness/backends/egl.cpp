@@ -343,9 +343,9 @@ class EglContexts final : public ContextMaker {
     const char* extensions = egl_.QueryString(display_, EGL_EXTENSIONS);
     knows_all_commands_ = is_1_5 || has_word(extensions, "EGL_KHR_get_all_proc_addresses") ||
                           client_has("EGL_KHR_client_get_all_proc_addresses");
-    // A framebuffer object is used only if there are no surfaces: NVIDIA's driver (580) loses the one of a
-    // context without a surface after other contexts have been current. Contexts of OpenGL ES for another
-    // library need not support framebuffer objects.
+    // A framebuffer object is used only if there are no surfaces: NVIDIA's driver (580) loses the framebuffer
+    // object of a context without a surface after other contexts have been current. Contexts of OpenGL ES for
+    // another library need not support framebuffer objects.
     surfaceless_ = false;
     if (!choose_config() && opengl() && has_word(extensions, "EGL_KHR_surfaceless_context")) {
       surfaceless_ = true;

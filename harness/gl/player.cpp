@@ -274,7 +274,7 @@ class Player {
   const Table& table_;
   Trace trace_;
   std::size_t index_ = 0;
-  std::list<ClientArray> inputs_;  // all arrays live until the case is over
+  std::list<ClientArray> inputs_;  // all arrays exist until the case ends
   std::map<std::pair<int, std::size_t>, ClientArray*> slots_;
   std::list<std::vector<const char*>> strings_;
   std::array<ClientArray*, 16> inputs_of_call_{};

@@ -61,8 +61,8 @@ printf '%s\n' "$@" | awk '
   FILENAME != "-" { there[$0]; next }
   $0 in there { print "installed " $0 }' "$machine/installed" -
 X
-  # Like the real one: it knows what is installed without any lists, and a name that it does not know is a regular
-  # expression.
+  # Behaves like the real apt-cache: it knows installed packages without any lists, and reads an unknown name as a
+  # regular expression.
   printf '%s\n' grep-{1..30} >"$machine/base"
   script apt-cache <<'X'
 verb=$1

@@ -27,7 +27,7 @@ struct Delivery {
   // floats if the delivery uses floats.
   //
   // point: a primitive whose arguments lie on a grid gets that grid (MapGrid), and EvalPoint replaces
-  // EvalCoord. Other points become primitives of their own, each with a grid whose first end is the point.
+  // EvalCoord. Other points become separate primitives, each with a grid whose first end is the point.
   //
   // mesh: EvalMesh replaces whole primitives: a POINT mesh for each point or run of points on a grid, and a
   // LINE mesh for line strips along a grid.

@@ -70,7 +70,7 @@ struct Observation {
   std::size_t units = 1;        // texture units observed
   GLenum error = GL_NO_ERROR;   // error that the case itself raised
   bool error_observed = true;   // false: the implementation has no GetError
-  bool overflow = false;        // more vertices came than there was room for
+  bool overflow = false;        // there was no room for some of the vertices
   std::vector<ObservedPrimitive> primitives;
 
   std::size_t vertex_count() const;

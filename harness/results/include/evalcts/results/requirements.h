@@ -24,9 +24,9 @@ struct Ambiguity {
   enum class Kind { kContradiction, kUndefined };
   Kind kind = Kind::kContradiction;
   std::string id, section;
-  std::string where;                                   // the documents
-  std::string conflict, change, slip, take, why;       // contradictions: what differs, what is taken, why
-  std::string situation, may_assert, must_not_assert;  // undefined: when, and what a test may do
+  std::string where;                                   // the documents that contain the passage
+  std::string conflict, change, slip, take, why;       // kContradiction: the difference, the choice, the reason
+  std::string situation, may_assert, must_not_assert;  // kUndefined: the condition, and limits of assertions
   std::map<std::string, std::string> readings;         // the accepted readings, with their meanings
 
   // Returns the description of the ambiguity.

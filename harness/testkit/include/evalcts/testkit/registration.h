@@ -80,11 +80,11 @@ class Parameters {
     std::erase_if(kept.combinations_, [&](const Combination& each) { return !std::apply(holds, each); });
     return kept;
   }
-  // Makes one test for each delivery. Quick depth runs the plain deliveries and one other delivery without
-  // display lists; full depth runs all deliveries without display lists (but sparing ones as quick depth
-  // does); thorough depth runs all deliveries. Besides, one delivery through display lists runs for every
-  // ninth test at quick depth and every third at full depth. These choices rotate, by a hash of the test's
-  // name.
+  // Makes one test for each delivery. For the parameters that a depth runs, quick depth runs the plain
+  // deliveries and one other delivery without display lists; full depth runs all deliveries without display
+  // lists (but sparing ones as quick depth does); thorough depth runs all deliveries. Besides, one delivery
+  // through display lists runs for every ninth test at quick depth and every third at full depth. A hash of
+  // the test's name makes these choices.
   Parameters by(std::vector<gl::Delivery> deliveries) const {
     Parameters delivered = *this;
     delivered.deliveries_ = std::move(deliveries);
