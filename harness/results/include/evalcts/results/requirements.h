@@ -25,8 +25,8 @@ struct Ambiguity {
   Kind kind = Kind::kContradiction;
   std::string id, section;
   std::string where;                                   // the documents that contain the passage
-  std::string conflict, change, slip, take, why;       // kContradiction: the difference, the choice, the reason
-  std::string situation, may_assert, must_not_assert;  // kUndefined: the condition, and limits of assertions
+  std::string conflict, change, slip, take, why;       // contradiction: the difference, choice and reason
+  std::string situation, may_assert, must_not_assert;  // undefined: the condition, and limits of assertions
   std::map<std::string, std::string> readings;         // the accepted readings, with their meanings
 
   // Returns the description of the ambiguity.
