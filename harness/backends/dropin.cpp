@@ -1,5 +1,5 @@
-// Opens the drop-in library (production/dropin), the evaluators of this project in front of a GL, as an
-// implementation.
+// Opens the drop-in library (production/dropin), the evaluators of this project in front of a GL,
+// as an implementation.
 #include <cstdlib>
 #include <filesystem>
 

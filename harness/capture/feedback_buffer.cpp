@@ -99,8 +99,8 @@ class FeedbackBuffer final : public Capture {
     if (wanted & kPosition) pass(TextureCoordinatesHold::kPosition, kPosition);
     if (wanted & (kNormal | kUnitNormal)) pass(TextureCoordinatesHold::kNormal, kNormal | kUnitNormal);
     if (!observation) throw NotObservable("feedback mode shows nothing of units 1 and up");
-    // The control of a proof requests attributes that are not proved yet. Other unproved attributes may be
-    // wrong.
+    // The control of a proof requests attributes that are not proved yet. Other unproved attributes
+    // may be wrong.
     observation->attributes &= attributes_ | inexact_attributes() | wanted;
     observation->clamped_colors = !unclamp_;
     observation->color_error = color_error_.value_or(0);

@@ -14,8 +14,8 @@ struct Places {
   std::filesystem::path output;
   std::filesystem::path baselines;
   std::filesystem::path vectors;
-  // Headers and library of libglevaluator for C programs; empty in an installation, where the compiler finds
-  // them.
+  // Headers and library of libglevaluator for C programs; empty in an installation, where the
+  // compiler finds them.
   std::filesystem::path production_headers, production_library;
 };
 Places places();

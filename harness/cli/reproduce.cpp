@@ -76,8 +76,8 @@ std::string suggestions(const std::vector<Candidate>& tests) {
   return text;
 }
 
-// Returns the only failing test with the wanted name, or the only one whose name contains it. Throws
-// CannotReproduce.
+// Returns the only failing test with the wanted name, or the only one whose name contains
+// it. Throws CannotReproduce.
 Candidate find(const std::vector<Candidate>& tests, const std::string& wanted) {
   std::vector<Candidate> failing, exact, part;
   bool exists = false;

@@ -94,8 +94,8 @@ struct ChosenBaseline {
   std::string name;
 };
 
-// Parses a value of --baseline: "DIR", "DIR/NAME", the NAME of a shipped baseline, or empty for the shipped
-// baselines.
+// Parses a value of --baseline: "DIR", "DIR/NAME", the NAME of a shipped baseline, or empty for
+// the shipped baselines.
 ChosenBaseline baseline_of(const std::string& given, const fs::path& shipped) {
   const auto has = [](const fs::path& folder, const std::string& name) {
     return !name.empty() && fs::exists(folder / (name + "-fails.txt"));

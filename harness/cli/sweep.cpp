@@ -70,8 +70,8 @@ std::string replay_line(const UlpOptions& options, const accuracy::SweepTask& ta
   return "  " + shell_line(command) + "\n";
 }
 
-// Returns a description of a largest error, followed by the command that reproduces it if `options` is not
-// null.
+// Returns a description of a largest error, followed by the command that reproduces it if `options`
+// is not null.
 std::string in_words(const accuracy::Checkpoint& sweep, const accuracy::SweepResult::Largest& found,
                      const char* unit, const UlpOptions* options) {
   const auto largest = accuracy::largest_error(sweep.identity.task, found);

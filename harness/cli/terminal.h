@@ -36,12 +36,12 @@ class Pace {
   std::size_t done_before_ = 0;
 };
 
-// Returns the default number of parallel processes: that of the cores that this process may use, but at most
-// 8.
+// Returns the default number of parallel processes: that of the cores that this process may use, but
+// at most 8.
 int usual_jobs();
 
-// A line on standard error, only on terminals, that shows the progress of all parallel tasks and is
-// overwritten.
+// A line on standard error, only on terminals, that shows the progress of all parallel tasks
+// and is overwritten.
 class ProgressLine {
  public:
   // If `quiet`, no line is shown.

@@ -1,6 +1,6 @@
-// `evalcts ulp`: measures the accuracy table. Each implementation is measured in its own process, because
-// libraries disturb each other in one process and may crash. The process writes one line of JSON for each
-// row.
+// `evalcts ulp`: measures the accuracy table. Each implementation is measured in its own process,
+// because libraries disturb each other in one process and may crash. The process writes one line of JSON
+// for each row.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sys/prctl.h>
@@ -383,8 +383,8 @@ accuracy::MeasuredImplementation result_of(const Measurement& measurement, const
   return entry;
 }
 
-// Returns the sweeps in the folder, whose proven results are shown on the page. Prints a warning for other
-// files.
+// Returns the sweeps in the folder, whose proven results are shown on the page. Prints a warning
+// for other files.
 std::vector<json> sweeps_in(const fs::path& output) {
   std::map<std::string, json> by_name;
   std::error_code error;

@@ -33,8 +33,8 @@ class World {
 // evalcts; evalcts-mpi sets it.
 extern std::unique_ptr<World> (*join_world)();
 
-// Returns the number of processes that mpirun or srun started, according to environment variables; at least
-// 1.
+// Returns the number of processes that mpirun or srun started, according to environment variables;
+// at least 1.
 int processes_of_environment();
 
 }  // namespace evalcts::cli

@@ -12,8 +12,8 @@ namespace evalcts::cli {
 std::string wrapped(const std::string& text, std::size_t columns, const std::string& indent,
                     std::size_t used = 0);
 
-// Returns the number of columns of the terminal on standard output, limited to 80..100; 100 if there is no
-// terminal.
+// Returns the number of columns of the terminal on standard output, limited to 80..100; 100 if there
+// is no terminal.
 std::size_t terminal_columns();
 
 }  // namespace evalcts::cli

@@ -50,13 +50,13 @@ struct Call {
   std::size_t next = 0;         // the rules before this index have been applied
   std::vector<double> storage;  // keeps the points of set_net() alive
 
-  // Applies the next rule for the command, or if there is none, calls the unmodified command with the current
-  // arguments.
+  // Applies the next rule for the command, or if there is none, calls the unmodified command with
+  // the current arguments.
   void go();
   // Calls the unmodified command with the current arguments.
   void go_original();
-  // Returns the argument with this letter (see the constants of rules.h). Throws std::logic_error if there is
-  // none.
+  // Returns the argument with this letter (see the constants of rules.h). Throws std::logic_error if
+  // there is none.
   double& argument(char letter);
   GLint integer(char letter) { return static_cast<GLint>(argument(letter)); }
   GLenum target() { return static_cast<GLenum>(argument('t')); }

@@ -24,8 +24,8 @@ inline const Value kColumns = loop(kColumn, kI1, kI2, surface(GL_LINE, kColumn, 
 inline Value draw_origins(Value primitive_mode) {
   return primitive(primitive_mode, loop(kColumn, kI1, kI2, call(Vertex4f, {0, 0, 0, 1})));
 }
-// Draws the strips of a FILL mesh as primitives of this mode, with the vertices (i, j + first), (i, j + 1 -
-// first).
+// Draws the strips of a FILL mesh as primitives of this mode, with the vertices (i, j + first), (i, j +
+// 1 - first).
 inline Value draw_strips(GLenum mode, int first = 0) {
   return loop(kRow, kJ1, kJ2 - 1,
               primitive(mode, loop(kColumn, kI1, kI2,
@@ -62,8 +62,8 @@ using Coordinate = GLfloat (*)(const GridIndex& index);
 inline constexpr Coordinate kExact = [](const GridIndex& index) { return index.exact(); };
 inline constexpr Coordinate kInexact = [](const GridIndex& index) { return index.at(); };
 
-// True if EvalMesh1 draws: it is called outside of primitives with a legal mode and a range that is not
-// empty.
+// True if EvalMesh1 draws: it is called outside of primitives with a legal mode and a range that
+// is not empty.
 inline const Value kDrawsCurve = kIsMode1 && !kInside && kI1 <= kI2;
 // Replaces EvalMesh1 by a loop of EvalCoord1f at the arguments `u`, if it draws and the condition holds.
 Rule curve_at(Value condition, Coordinate u);

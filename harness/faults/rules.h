@@ -192,8 +192,8 @@ Value call(gl::EntryPoint entry, std::vector<Value> arguments = {});  // calls t
 Value enable(Value cap);
 Value disable(Value cap);
 Value switch_to(Value cap, Value on);  // enables or disables
-// Takes the steps with the counter at first, first + step, ... up to last, or down to last if the step is
-// negative.
+// Takes the steps with the counter at first, first + step, ... up to last, or down to last if the
+// step is negative.
 Value loop(Place counter, Value first, Value last, Steps steps, int step = 1);
 Value primitive(Value mode, Steps steps);               // takes the steps between Begin and End
 inline const Value kGo{[](Call& call) { call.go(); }};  // continues the call with the current arguments
@@ -211,8 +211,8 @@ Value swap_components(int one, int other);
 Value repeat_points(Value condition);
 // Defines a map over [0, 1] with one or more control points. Those of a surface lie along v.
 Value define(GLenum target, std::initializer_list<double> points);
-// Changes the current definition of a map. take_u(), a possible `change`, sets its domain of u to that of the
-// call.
+// Changes the current definition of a map. take_u(), a possible `change`, sets its domain of u to that
+// of the call.
 Value redefine(Value target, void (*change)(Map& map, Call& call));
 inline void take_u(Map& map, Call& call) {
   map.u1 = call.argument('a');
@@ -230,9 +230,9 @@ using Restore = std::function<void()>;
 using State = std::function<Restore()>;
 State enable_of(GLenum cap);
 State map_of(GLenum target);
-// The state that a command sets. `arguments` are expressions that query the arguments of the command. If
-// `part` is not negative, only this argument is restored, and the others are queried when the state is
-// restored.
+// The state that a command sets. `arguments` are expressions that query the arguments of the command.
+// If `part` is not negative, only this argument is restored, and the others are queried when the
+// state is restored.
 State setting(gl::EntryPoint command, std::initializer_list<Value> arguments, int part = -1);
 State grid1_state(int part = -1);
 State grid2_state(int part = -1);
@@ -301,8 +301,8 @@ Rule skip(const Entries& entries, Value condition);
 Rule missing(gl::EntryPoint entry);  // the implementation does not provide the command
 // Takes the steps in a fresh context.
 Rules initially(Steps steps);
-// Takes the first steps before the call and the last steps after it. For Begin, the last steps follow the
-// End.
+// Takes the first steps before the call and the last steps after it. For Begin, the last steps
+// follow the End.
 Rules around(const Entries& entries, Value condition, Steps first, Steps last);
 // Disable or enable the capability during the call.
 Rules without(const Entries& entries, Value condition, GLenum cap);

@@ -1,6 +1,6 @@
-// Tracks state of the context that faults need when it cannot be queried: between Begin and End, or while a
-// list is compiled. The state is derived from the calls of the application, by wrappers in front of the
-// fault.
+// Tracks state of the context that faults need when it cannot be queried: between Begin and End, or
+// while a list is compiled. The state is derived from the calls of the application, by wrappers in front
+// of the fault.
 #pragma once
 
 #include <map>

@@ -235,8 +235,8 @@ class BugSearch {
     return {test.name, finding, ""};
   }
 
-  // Returns the commands of the program that the cause names; none if the program does not contain all of
-  // them.
+  // Returns the commands of the program that the cause names; none if the program does not contain
+  // all of them.
   static std::optional<gl::Case> with_words_of(const std::string& cause, const gl::Case& program) {
     const std::string words = ", " + cause.substr(0, cause.find(": ")) + ", ";
     gl::Case reduced = program;

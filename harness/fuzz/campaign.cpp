@@ -139,8 +139,8 @@ class Player {
     return found;
   }
 
-  // Writes the candidate to the in-flight file before it runs. Returns false if the library has died in it
-  // before.
+  // Writes the candidate to the in-flight file before it runs. Returns false if the library has died
+  // in it before.
   bool takes_off(const gl::Case& candidate) const {
     if (campaign_.in_flight.empty()) return true;
     const std::string text = gl::to_text(candidate);

@@ -61,8 +61,8 @@ class Primitives {
     if (depth == kMostNesting) return false;
     const auto list = lists_.find(static_cast<GLuint>(integer(command, 0)));
     if (list == lists_.end()) return true;
-    // If a list is called while it is being replaced, the GL executes its old contents, which are not known
-    // here.
+    // If a list is called while it is being replaced, the GL executes its old contents, which are
+    // not known here.
     if (open_ && *open_ == list->first) return false;
     for (const gl::Command& inner : list->second)
       if (!execute(inner, depth + 1)) return false;

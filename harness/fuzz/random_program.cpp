@@ -621,8 +621,8 @@ class ProgramWriter {
 
 SpecifiedProgram write_program(std::uint32_t seed, std::uint32_t number, int length, int max_eval_order,
                                bool past) {
-  // If the outcome of a random program is undefined (for example because of a replaced list), another one is
-  // made.
+  // If the outcome of a random program is undefined (for example because of a replaced list), another
+  // one is made.
   for (std::uint64_t attempt = 0;; ++attempt) {
     Dice dice((std::uint64_t{seed} << 32 | number) + attempt * 0x9E3779B97F4A7C15u);
     gl::Case program(fmt::format("program {} of seed {}", number, seed));

@@ -73,8 +73,8 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful)
       const std::optional<Specified> of_form = specify_if_defined(form, max_order_);
       for (const std::string& cause : causes_) {
         if (!of_form || !cause.ends_with(": " + wanted)) continue;
-        // The shared context has shown that each word is necessary, so one repetition in a fresh context
-        // suffices.
+        // The shared context has shown that each word is necessary, so one repetition in a
+        // fresh context suffices.
         const std::optional<gl::Case> reduced = in_shared ? reduced_to(cause, form, *of_form, still_in_shared)
                                                           : reduced_to(cause, form, *of_form, still);
         if (!reduced || (in_shared && !still(*reduced))) continue;

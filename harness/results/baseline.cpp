@@ -134,8 +134,8 @@ const BaselineFiles* find(const std::vector<BaselineFiles>& all, const std::stri
   return found == all.end() ? nullptr : &*found;
 }
 
-// Appends "# text", wrapped at 100 columns, with "bug: ID." on a separate line. Reading joins the lines
-// again.
+// Appends "# text", wrapped at 100 columns, with "bug: ID." on a separate line. Reading joins
+// the lines again.
 void append_comment(const std::string& text, std::string& out) {
   std::string line = "#";
   std::istringstream words(text);

@@ -15,8 +15,8 @@
 namespace evalcts {
 namespace {
 
-// Returns true if the descriptor still refers to the file at `path`, which the previous owner may have
-// removed.
+// Returns true if the descriptor still refers to the file at `path`, which the previous owner
+// may have removed.
 bool is_file_of(int descriptor, const std::filesystem::path& path) {
   struct stat mine {};
   struct stat there {};

@@ -23,10 +23,10 @@ struct History {
 // Returns true if the failure happens after these tests in this order; empty if time ran out first.
 using HappensAfter = std::function<std::optional<bool>(const std::vector<std::string>&)>;
 
-// Returns the shortest history of a failure that does not happen if its test runs alone. The search first
-// tries `first_guess`, unless that is empty; then it doubles the number of last predecessors until the
-// failure happens, finds the least number by bisection, and removes unnecessary tests by delta debugging
-// (delta_debugging.h).
+// Returns the shortest history of a failure that does not happen if its test runs alone. The search
+// first tries `first_guess`, unless that is empty; then it doubles the number of last predecessors
+// until the failure happens, finds the least number by bisection, and removes unnecessary tests by
+// delta debugging (delta_debugging.h).
 History shortest_history(const std::vector<std::string>& predecessors,
                          const std::vector<std::string>& first_guess, const HappensAfter& happens_after);
 

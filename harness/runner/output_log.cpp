@@ -72,8 +72,8 @@ void OutputLog::finish() {
 }
 
 void OutputLog::take_line(const std::string& line) {
-  // GoogleTest's text need not be at the start of the line, because a library may print an incomplete line
-  // before.
+  // GoogleTest's text need not be at the start of the line, because a library may print an
+  // incomplete line before.
   if (const std::size_t test = line.find(kTestBegins); test != std::string::npos) {
     say_what_is_left_out();
     kept_ = 0;

@@ -298,9 +298,9 @@ class Run {
   }
 
   // Runs the tests in parallel processes, each of which takes the next free test. A process that dies is
-  // replaced. Results are added to records_. Returns the processes that have ended. `in_flight` is cleared if
-  // an interruption killed the process, or if the test is to be run again without the command in which it
-  // crashed.
+  // replaced. Results are added to records_. Returns the processes that have ended. `in_flight` is
+  // cleared if an interruption killed the process, or if the test is to be run again without the command
+  // in which it crashed.
   std::vector<ChildRun> run_side_by_side(const std::vector<std::string>& tests) {
     Claims::create(scratch_ / "claims", tests.size());
     const Claims claims(scratch_ / "claims");
@@ -415,8 +415,8 @@ class Run {
       if (!last_case->commands.empty()) result_.failing_cases[name] = last_case->commands;
       record.failures.push_back(failure);
     }
-    // The file of records must be complete without the result file, so it gets the records of dead tests,
-    // too.
+    // The file of records must be complete without the result file, so it gets the records of
+    // dead tests, too.
     append_to_records(TestFinished{record});
     return records_[name] = std::move(record);
   }

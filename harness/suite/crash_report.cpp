@@ -153,8 +153,8 @@ void handle(int signal, siginfo_t* details, void* context) {
 
 void report_crashes(const EventFile& events) {
   events_of_process = &events;
-  // The first calls of these functions load a library and build a table, which is not allowed in a signal
-  // handler.
+  // The first calls of these functions load a library and build a table, which is not allowed in
+  // a signal handler.
   void* unused = nullptr;
   backtrace(&unused, 1);
   gl::call_text({gl::EntryPoint::Begin, {std::int64_t{0}}});

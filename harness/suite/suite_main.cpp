@@ -127,8 +127,8 @@ class GoogleTestAdapter : public testing::Test {
     if (!changed.empty())
       std::cout << fmt::format("evalcts: the library has changed {}; put back", fmt::join(changed, ", "))
                 << std::endl;
-    // The library may have closed other files, too, so the remaining tests run in a new process of the
-    // runner.
+    // The library may have closed other files, too, so the remaining tests run in a new process
+    // of the runner.
     if (program_.records->was_closed()) _exit(0);
   }
 
@@ -317,9 +317,9 @@ void parse(int argc, char** argv, Options& options) {
     options.implementation.name = "reference";
 }
 
-// Returns the filter with each '-' in the name of a test replaced by '?', which matches any character.
-// Otherwise GoogleTest would read it as the start of exclusions. Other runners pass such names as they are
-// listed.
+// Returns the filter with each '-' in the name of a test replaced by '?', which matches any
+// character. Otherwise GoogleTest would read it as the start of exclusions. Other runners pass such
+// names as they are listed.
 std::string with_names_taken_literally(const std::string& filter) {
   std::set<std::string> names;
   for (const TestInfo& info : all_tests())
@@ -410,8 +410,8 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
   testing::InitGoogleTest(&argc, argv);
   const std::string filter = testing::GTEST_FLAG(filter);
   testing::GTEST_FLAG(filter) = with_names_taken_literally(filter);
-  // Never destroyed, because a library that calls exit() inside a test must not run the destructor of its
-  // context.
+  // Never destroyed, because a library that calls exit() inside a test must not run the destructor
+  // of its context.
   static Program& program = *new Program;
   parse(argc, argv, program.options);
   const Options& options = program.options;

@@ -13,8 +13,8 @@
 namespace evalcts {
 namespace {
 
-// Returns the shortest text that distinguishes the value from all other floats, or doubles if it is not a
-// float.
+// Returns the shortest text that distinguishes the value from all other floats, or doubles if it is
+// not a float.
 std::string shortest(double value) {
   const auto single = static_cast<float>(value);
   // Integers are printed with all digits; the shortest form of a large float would end in zeros.

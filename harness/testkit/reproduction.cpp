@@ -184,8 +184,8 @@ class Experiment {
     return got() == 0.0f ? 1.0f : 0.0f;
   }
 
-  // Returns true if the mismatch disappears when the answer is changed. Then the answer becomes that of the
-  // check.
+  // Returns true if the mismatch disappears when the answer is changed. Then the answer becomes that
+  // of the check.
   template <class Change>
   bool decides(const gl::Answer& answer, const Change& change) {
     std::vector<Pass> changed = passes_;

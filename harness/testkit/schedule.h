@@ -21,8 +21,8 @@ class Schedule {
   // full for the rest. Fewer are quick if there are deliveries, and even fewer if these are sparing.
   std::vector<Depth> of_parameters(std::size_t count, const std::vector<gl::Delivery>& deliveries) const;
 
-  // Returns the least depth of the test through each of the deliveries; `from` is the least depth of the test
-  // itself.
+  // Returns the least depth of the test through each of the deliveries; `from` is the least depth of
+  // the test itself.
   std::vector<Depth> of_deliveries(Depth from, const std::vector<gl::Delivery>& deliveries) const;
 
   // True if further captures check the observation of the first capture of a case with this number of

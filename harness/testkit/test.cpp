@@ -230,8 +230,8 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
     return judgement;
   };
   if (capture->is_last_resort() && !subject_.reproduction && !judged(observation).mismatches.empty()) {
-    // The vertices in the capture's own proof set every attribute, so attributes may still be lost in this
-    // case.
+    // The vertices in the capture's own proof set every attribute, so attributes may still be lost
+    // in this case.
     const Attributes lost = control_.lost_attributes(script, *capture);
     if (!(required & kAllAttributes & ~lost))
       throw NotObservable(fmt::format("pipeline: {} of explicit vertices goes wrong, too", describe(lost)));

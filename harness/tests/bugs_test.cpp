@@ -360,8 +360,8 @@ RunResult run_with_fault(const std::string& fault, const std::vector<std::string
   return run;
 }
 
-// One mistake becomes few bugs, regardless of the number of tests that detect it, their dimensions and their
-// commands.
+// One mistake becomes few bugs, regardless of the number of tests that detect it, their dimensions
+// and their commands.
 TEST(FaultyImplementation, HasFewBugs) {
   struct Injected {
     std::string fault;

@@ -114,8 +114,8 @@ TEST_F(CProgram, AnswersOfEveryKind) {
       0);
 }
 
-// A case with two contexts: the first keeps its state while the second is used, and does not see the second's
-// state.
+// A case with two contexts: the first keeps its state while the second is used, and does not see
+// the second's state.
 TEST_F(CProgram, OtherContexts) {
   gl::Case c("two contexts");
   c.MapGrid1f(3, 0, 1);

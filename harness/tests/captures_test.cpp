@@ -21,8 +21,8 @@ class CapturesTest : public testing::Test {
     }
     return Captures(implementation_, info_, std::move(owned));
   }
-  // Returns the number of proofs of each capture. Must not be called if a capture was found to be
-  // unavailable.
+  // Returns the number of proofs of each capture. Must not be called if a capture was found
+  // to be unavailable.
   std::vector<int> proofs() const {
     std::vector<int> proofs;
     for (const SyntheticCapture* capture : all_) proofs.push_back(capture->proofs);

@@ -219,8 +219,8 @@ TEST_F(CommandLine, QuickDepthKeepsEveryRule) {
   for (const auto& [id, decided] : requirements) EXPECT_TRUE(decided) << id;
 }
 
-// The reading that an implementation follows is recorded. If the user chooses another reading, the test
-// fails.
+// The reading that an implementation follows is recorded. If the user chooses another reading,
+// the test fails.
 TEST_F(CommandLine, Readings) {
   const auto judge = [&](const std::vector<std::string>& more) {
     std::vector<std::string> arguments = {
@@ -269,8 +269,8 @@ TEST_F(CommandLine, DeathThatDependsOnAnEarlierTestNamesIt) {
   EXPECT_TRUE(contains(message, "Map1State.EveryOrderAccepted/MAP1_COLOR_4_f"));
 }
 
-// The second pass finds a bug that fresh contexts hide, and names the earlier test and case that it depends
-// on.
+// The second pass finds a bug that fresh contexts hide, and names the earlier test and case that
+// it depends on.
 TEST_F(CommandLine, SecondPassNamesTheShortestHistory) {
   const char* const guilty = "Map1State.Stride/MAP1_INDEX_f";
   const char* const victim = "Map1State.Stride/MAP1_VERTEX_3_f";

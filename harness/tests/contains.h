@@ -1,5 +1,5 @@
-// Defines the assertion contains(): a text or JSON string contains another one. The failure message shows
-// both.
+// Defines the assertion contains(): a text or JSON string contains another one. The failure
+// message shows both.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -33,8 +33,8 @@ TEST(Delivery, ReplacesMapsAndEvaluations) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(delivered(c, i), expected[i]) << curve_deliveries()[i].name;
 }
 
-// Deliveries also convert commands that are not in the f form, and keep the treatment of arrays after the
-// call.
+// Deliveries also convert commands that are not in the f form, and keep the treatment of arrays
+// after the call.
 TEST(Delivery, WorksFromEveryForm) {
   Case c;
   c.Map1d(GL_MAP1_INDEX, 0.0, 1.0, 1, 1, array({1.0 / 3}, AfterCall::kProtect));

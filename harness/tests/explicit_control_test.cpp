@@ -151,8 +151,8 @@ TEST_F(ExplicitControlTest, LinesAreTakenApartAsTheCaptureDoesIt) {
   EXPECT_EQ(controls(in_lists(GL_LINES), backwards), 3);  // the third one learns the topology
 }
 
-// Returns the capability whose Enable and Disable replace Map1f and Enable in the control; 0 if there is
-// none.
+// Returns the capability whose Enable and Disable replace Map1f and Enable in the control; 0 if
+// there is none.
 GLenum changed_in(const gl::Case& control) {
   for (const gl::Command& command : control.commands())
     if (command.entry == gl::EntryPoint::Enable)

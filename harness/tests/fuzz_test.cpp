@@ -70,8 +70,8 @@ TEST(RandomProgram, GoesEverywhereAndIsDefined) {
     EXPECT_GT(times[entry], 5) << gl::name_of(entry);
 }
 
-// Programs must leave out kinds of commands, because otherwise the bug that shows most easily hides the
-// others.
+// Programs must leave out kinds of commands, because otherwise the bug that shows most easily
+// hides the others.
 TEST(RandomProgram, LeavesPartsOut) {
   using gl::EntryPoint;
   int without_lists = 0, without_surfaces = 0, errors_from_lists = 0;
@@ -433,8 +433,8 @@ TEST_F(FuzzCommand, ACrashIsMadeSmall) {
   EXPECT_TRUE(program) << "a C program";
 }
 
-// The library crashes during the reduction of a wrong answer. Both the crash and the wrong answer become
-// findings.
+// The library crashes during the reduction of a wrong answer. Both the crash and the wrong
+// answer become findings.
 TEST_F(FuzzCommand, ACrashOnTheWayToAWrongAnswerIsAFinding) {
   const Outcome outcome = fuzz_drill("fragile");
   EXPECT_EQ(outcome.code, 1) << outcome.text;

@@ -556,8 +556,8 @@ TEST_F(GlxLibrary, LeavesNoServerBehind) {
 class GlLibraryLeaks : public GlLibrary, public testing::WithParamInterface<const char*> {};
 
 TEST_P(GlLibraryLeaks, ContextsAreFreed) {
-  // Availability is determined in another process, because an Xvfb without indirect rendering ends its
-  // clients.
+  // Availability is determined in another process, because an Xvfb without indirect rendering
+  // ends its clients.
   if (!available(GetParam())) GTEST_SKIP() << GetParam() << " is not available";
   ImplementationOptions options;
   options.name = GetParam();

@@ -49,8 +49,8 @@ class Misbehaviours : public DrillTest, public testing::WithParamInterface<Misbe
             "--jobs",    misbehaviour.jobs};
   }
 
-  // Checks that a misbehaviour in one call affects at most the test that makes it, and leaves no processes or
-  // files.
+  // Checks that a misbehaviour in one call affects at most the test that makes it, and leaves no
+  // processes or files.
   void check(const Misbehaviour& misbehaviour, int code) const {
     const bool dies = std::string(misbehaviour.verdict) != "pass";
     EXPECT_EQ(code, dies ? 1 : 0) << misbehaviour.what;

@@ -87,8 +87,8 @@ void read_baseline(const std::string& text) {
   }
 }
 
-// Reads a result file, and uses it in pages, terminal output, merged shards, a comparison with itself, and a
-// replay.
+// Reads a result file, and uses it in pages, terminal output, merged shards, a comparison with itself,
+// and a replay.
 void read_results(const std::string& text) {
   try {
     const RunResult result = parse_run_result(text);

@@ -100,8 +100,8 @@ TEST(Prediction, KnowsThatFlushAndFinishAreNotForPrimitives) {
   }
 }
 
-// Cases that must not run in a no-error context, because they raise errors, which they query or leave
-// pending.
+// Cases that must not run in a no-error context, because they raise errors, which they query
+// or leave pending.
 TEST(Prediction, KnowsWhatMayRaiseAnError) {
   gl::Case legal("legal");
   legal.Enable(GL_MAP1_VERTEX_3);

@@ -48,8 +48,8 @@ void issue(GLenum target, const Changed& map, const std::vector<GLfloat>& points
     unvaried.Map1f(target, map.u1, map.u2, k, map.uorder, points.data());
 }
 
-// True if the definition of a map takes effect at once. Other definitions are rejected or compiled into a
-// list.
+// True if the definition of a map takes effect at once. Other definitions are rejected or compiled
+// into a list.
 bool is_defined(GLenum target, bool two, bool valid) {
   if (!is_target(target, two) || !valid || remembered.inside || remembered.compiling) return false;
   GLint unit = GL_TEXTURE0;

@@ -180,8 +180,8 @@ EVALCTS_VARIATION(LeastRange, "production",
 // --- Meshes
 // --------------------------------------------------------------------------------------------------
 
-// True if EvalMesh2 draws: the mode is legal, and the call is neither inside a primitive nor compiled into a
-// list.
+// True if EvalMesh2 draws: the mode is legal, and the call is neither inside a primitive nor compiled
+// into a list.
 bool draws(GLenum mode) {
   return !remembered.inside && !remembered.compiling &&
          (mode == GL_POINT || mode == GL_LINE || mode == GL_FILL);
@@ -228,8 +228,8 @@ void draw_mesh(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   }
 }
 
-// The requirements that demand the order of the loops in the specification. Only their tests may depend on
-// it.
+// The requirements that demand the order of the loops in the specification. Only their tests may
+// depend on it.
 #define MESH_ROWS "EV-MESH2-POINT EV-MESH2-LINE EV-MESH2-FILL"
 EVALCTS_VARIATION(MeshesInColumns, "production", "EvalMesh2 draws in another order", MESH_ROWS) {
   v.gl.EvalMesh2 = draw_mesh<false, GL_QUADS>;

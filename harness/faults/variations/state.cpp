@@ -1,5 +1,5 @@
-// Variations of the commands that a library provides, of its answers to queries, and of the state of
-// contexts.
+// Variations of the commands that a library provides, of its answers to queries, and of the
+// state of contexts.
 #include <cstdio>
 #include <ctime>
 #include <iterator>

@@ -8,8 +8,8 @@ EVALCTS_RULES(MeshLeavesWhite, production, kMust, "EV-CUR-COLOR",
               "EvalMesh1 with a colour map resets the current colour",
               after(EvalMesh1, noted_on(GL_MAP1_COLOR_4), call(Color4f, {1, 1, 1, 1})));
 
-// Imitates an implementation that flushes in the middle of a primitive, so that only long primitives show the
-// mistake.
+// Imitates an implementation that flushes in the middle of a primitive, so that only long primitives
+// show the mistake.
 EVALCTS_RULES(ColorLostInLongPrimitives, production, kMust, "EV-CUR-COLOR",
               "the 257th evaluated vertex of a primitive leaves its colour as the current one",
               before(Begin, set(kCount, 0)),

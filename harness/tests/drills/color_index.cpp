@@ -45,8 +45,8 @@ GLenum color_map(GLenum target) { return target == GL_MAP1_INDEX ? GL_MAP1_COLOR
 bool curves = false, surfaces = false;  // true if MAP1_INDEX or MAP2_INDEX is enabled
 GLfloat current = 1;
 
-// Sets the current colour again. It is called before each vertex, because Mesa changes the current colour in
-// evaluations.
+// Sets the current colour again. It is called before each vertex, because Mesa changes the current
+// colour in evaluations.
 void give_color() {
   if (is_indexed) REAL(glColor4f)(current * kUnit, 0, 0, 1);
 }

@@ -70,8 +70,8 @@ std::vector<std::unique_ptr<Capture>> all_captures();
 // because a proof runs many cases and most tests need only one capture.
 class Captures {
  public:
-  // `names`: names of the captures that may be used; null: all. `implementation` and `info` must outlive the
-  // object.
+  // `names`: names of the captures that may be used; null: all. `implementation` and `info` must
+  // outlive the object.
   Captures(Implementation& implementation, const ImplementationInfo& info,
            const std::vector<std::string>* names = nullptr);
   Captures(Implementation& implementation, const ImplementationInfo& info,

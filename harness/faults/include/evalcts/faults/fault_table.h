@@ -109,8 +109,8 @@ std::vector<TriedVariation> try_variations(
 // Returns a table of the variations and their results.
 std::string as_markdown(const std::vector<TriedVariation>& variations);
 
-// Returns the table for these faults. `decided`: the requirements that tests decide, in the order of the
-// table.
+// Returns the table for these faults. `decided`: the requirements that tests decide, in the order
+// of the table.
 FaultTable make_table(std::vector<TriedFault> faults, const std::vector<std::string>& decided);
 
 // Returns a table of the requirements, their faults, and the tests that detect them.
@@ -123,9 +123,9 @@ std::string to_text(const FaultTable& table);
 std::string to_text(const std::vector<ListedFault>& faults);
 std::optional<std::vector<ListedFault>> parse_faults(const std::string& text);
 
-// Returns the faults or variations that the suite program with faults lists; `question` is "--list-faults" or
-// "--list-variations". Throws CannotStart if the program does not exist, std::runtime_error if it does not
-// answer.
+// Returns the faults or variations that the suite program with faults lists; `question` is
+// "--list-faults" or "--list-variations". Throws CannotStart if the program does not exist,
+// std::runtime_error if it does not answer.
 std::vector<ListedFault> list_faults(const std::filesystem::path& suite_program,
                                      const std::string& question = "--list-faults");
 

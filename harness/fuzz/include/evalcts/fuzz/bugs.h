@@ -35,8 +35,8 @@ void find_bugs(RunResult& run, const BugRequest& request,
 std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduction>& reductions,
                          int max_eval_order);
 
-// Returns the text by which failures that were not reduced are grouped: family, requirement and kind of
-// difference.
+// Returns the text by which failures that were not reduced are grouped: family, requirement and
+// kind of difference.
 std::string likeness_of(const TestRecord& test);
 
 // Returns the commands as C, at most 40 lines. Values that are not short decimals are hexadecimal, with the

@@ -58,8 +58,8 @@ struct Judged {
 Judged judge_program(const Subject& subject, const gl::Case& program, const Specified& specified,
                      Look look = Look::kAll);
 
-// Returns the key of a cause, see Finding::cause. `what`: the difference, "position.x of vertex 3", or
-// "crash".
+// Returns the key of a cause, see Finding::cause. `what`: the difference, "position.x of vertex
+// 3", or "crash".
 std::string cause_of(const gl::Case& program, const std::string& what);
 
 // Returns the most specific requirement that the commands concern, see Finding::requirement.

@@ -126,9 +126,9 @@ struct Identity {
   Identity(const char* name) : text(name) {}
 };
 
-// Returns the identity of a control, which draws explicit vertices instead of evaluating, under the same
-// state. If a control raises an error, crashes or hangs, the evaluators are not at fault, and the test is
-// not-observable.
+// Returns the identity of a control, which draws explicit vertices instead of evaluating, under the
+// same state. If a control raises an error, crashes or hangs, the evaluators are not at fault, and the
+// test is not-observable.
 inline Identity control(const std::string& name) { return {"control: " + name, true}; }
 
 class Case {

@@ -13,8 +13,8 @@ void glOtherContextEVALCTS(GLuint context);
 // Like glOtherContextEVALCTS, but a new context shares objects (display lists, textures) with context 0.
 void glSharingContextEVALCTS(GLuint context);
 
-// Like glOtherContextEVALCTS, but a new context is of this kind. An implementation need not support every
-// kind.
+// Like glOtherContextEVALCTS, but a new context is of this kind. An implementation need not
+// support every kind.
 enum {
   EVALCTS_CORE_PROFILE = 1,    // core profile of GL 3.2 or newer
   EVALCTS_FORWARD_COMPATIBLE,  // GL 3.1, without the deprecated features of GL 3.0

@@ -8,11 +8,11 @@
 
 namespace evalcts::gl {
 
-// A capability without effect on vertices. All functions below leave out commands that define, enable or
-// query maps and grids, and meshes between Begin and End. If a capability is given, Enable and Disable of it,
-// in turn, replace these commands, to show if any change of state, or any error between Begin and End,
-// disturbs the primitives. The caller chooses the capability, because no capability is supported by every
-// layer.
+// A capability without effect on vertices. All functions below leave out commands that define, enable
+// or query maps and grids, and meshes between Begin and End. If a capability is given, Enable and
+// Disable of it, in turn, replace these commands, to show if any change of state, or any error between
+// Begin and End, disturbs the primitives. The caller chooses the capability, because no capability is
+// supported by every layer.
 using IdleCapability = std::optional<GLenum>;
 
 // Returns the case with each EvalCoord and EvalPoint replaced by a Vertex3f, and each EvalMesh outside of

@@ -29,8 +29,8 @@ inline constexpr std::size_t kEntryPointCount = 0
 #undef GL_ENTRY
     ;
 
-// Function pointers with the types of the Khronos headers; null if the implementation does not provide the
-// command.
+// Function pointers with the types of the Khronos headers; null if the implementation does not
+// provide the command.
 struct Table {
 #define GL_ENTRY(name, kinds) decltype(&::gl##name) name = nullptr;
 #include <evalcts/gl/entry_points.def>

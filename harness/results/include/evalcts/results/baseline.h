@@ -137,12 +137,12 @@ class Baseline {
   // overlay that withdraw nothing (`tests`: all tests of the suite).
   std::vector<std::string> stale_entries(const std::vector<ListedTest>& tests) const;
 
-  // Returns files with which this baseline expects exactly the failures of the result. They replace the part
-  // called `target`; an empty `target` stands for the only part, or, if there is none, for new files called
-  // `new_name`. Their entries are the differences from the other parts. Existing reasons are kept; new
-  // entries state that their cause has not been traced. Skips and flakes are kept, and flaky tests get no
-  // entry. Throws BadBaseline if no part is called `target`, or if there are several parts and `target` is
-  // empty.
+  // Returns files with which this baseline expects exactly the failures of the result. They replace the
+  // part called `target`; an empty `target` stands for the only part, or, if there is none, for new files
+  // called `new_name`. Their entries are the differences from the other parts. Existing reasons are kept;
+  // new entries state that their cause has not been traced. Skips and flakes are kept, and flaky tests
+  // get no entry. Throws BadBaseline if no part is called `target`, or if there are several parts and
+  // `target` is empty.
   BaselineFiles renewed(const RunResult& result, const std::string& target,
                         const std::string& new_name) const;
 

@@ -1,5 +1,5 @@
-// FNV-1a, the hash of names. It gives each test a seed that is independent of other tests, and makes
-// signatures.
+// FNV-1a, the hash of names. It gives each test a seed that is independent of other tests,
+// and makes signatures.
 #pragma once
 
 #include <cstdint>

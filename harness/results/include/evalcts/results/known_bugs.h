@@ -41,8 +41,8 @@ std::vector<KnownBug> parse_known_bugs(const std::string& text);
 // product, and requirements that do not exist.
 std::vector<std::string> lint(const std::vector<KnownBug>& bugs);
 
-// Returns the text of docs/known-bugs.md. `programs_as_c` has the minimal program of each bug as C; empty:
-// none.
+// Returns the text of docs/known-bugs.md. `programs_as_c` has the minimal program of each bug as
+// C; empty: none.
 std::string known_bugs_as_markdown(const std::vector<KnownBug>& bugs,
                                    const std::vector<std::string>& programs_as_c);
 

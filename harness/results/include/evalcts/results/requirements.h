@@ -1,5 +1,5 @@
-// The requirements and the ambiguous passages of the specification, which are stored as data in
-// suites/requirements.json.
+// The requirements and the ambiguous passages of the specification, which are stored as
+// data in suites/requirements.json.
 #pragma once
 
 #include <map>
@@ -13,8 +13,8 @@ namespace evalcts {
 struct Requirement {
   std::string id, section, text, source, since, observation, severity, level;
   bool inferred = false;  // no single sentence states it
-  // Reasons why no test can decide the half "1-D" or "2-D", by half. A half that is not listed can be
-  // decided.
+  // Reasons why no test can decide the half "1-D" or "2-D", by half. A half that is not listed
+  // can be decided.
   std::map<std::string, std::string> undecidable;
   std::size_t place = 0;  // position in the catalogue
 };

@@ -117,8 +117,8 @@ struct CrashGroup {
   std::string where;                 // see Crash::group()
   std::map<std::string, int> calls;  // the commands in flight, with the number of tests
   std::vector<const TestRecord*> tests;
-  // Returns the command in flight in most of the tests, and the number of other commands: "glEnd() and 2
-  // more".
+  // Returns the command in flight in most of the tests, and the number of other commands: "glEnd()
+  // and 2 more".
   std::string call() const;
 };
 // Returns the groups of crashes that have a report, the largest first. They point into `result`.

@@ -82,9 +82,9 @@ struct TestRecord {
   Level level = Level::kMust;
   Verdict verdict = Verdict::kInternalError;
   std::string message;  // the verdict in one line
-  // The requirements that a fail violates. They need not be requirements of the test: in any test, a wrong
-  // value that no map supplies violates EV-COORD-CURRENT. Empty if the violated requirements were not
-  // determined.
+  // The requirements that a fail violates. They need not be requirements of the test: in any test, a
+  // wrong value that no map supplies violates EV-COORD-CURRENT. Empty if the violated requirements
+  // were not determined.
   std::vector<RequirementId> violated;
   std::optional<std::uint64_t> cases, failed_cases, seed;
   std::optional<double> seconds;

@@ -23,8 +23,8 @@ class OutputLog {
   OutputLog(const OutputLog&) = delete;
   OutputLog& operator=(const OutputLog&) = delete;
 
-  // Returns the write end, which the child inherits. Close it with close_writer() after the child has
-  // started.
+  // Returns the write end, which the child inherits. Close it with close_writer() after the
+  // child has started.
   int writer() const { return writer_; }
   void close_writer();
 

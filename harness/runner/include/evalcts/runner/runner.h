@@ -37,8 +37,8 @@ struct RunRequest {
   // are not investigated further.
   std::vector<BaselineFiles> baselines;
   std::string baseline;  // name of the base or overlay that the user chose; empty: the best fit
-  // The result of the first pass, with fresh contexts, if this run is the second pass; null in the first
-  // pass.
+  // The result of the first pass, with fresh contexts, if this run is the second pass; null in
+  // the first pass.
   const RunResult* first_pass = nullptr;
 };
 

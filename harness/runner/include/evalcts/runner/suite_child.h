@@ -31,8 +31,8 @@ struct ChildRun {
   Ending ending;
 };
 
-// Time and memory beyond which a library is assumed never to stop. They are far more than any GL needs for a
-// test.
+// Time and memory beyond which a library is assumed never to stop. They are far more than any GL needs
+// for a test.
 struct Limits {
   double seconds_per_test = 60;
   std::uint64_t memory = std::uint64_t{4096} << 20;  // resident memory of a process, in bytes
@@ -46,10 +46,10 @@ class SuiteChild {
  public:
   using Deadline = std::optional<std::chrono::steady_clock::time_point>;
 
-  // Starts `command`, which writes its events to the file `events`, which must not exist, and all other
-  // output to `log`, which keeps kMostPrinted bytes of each test. The process is killed if it reports no
-  // event for limits.seconds_per_test (it then counts as hung), or exceeds limits.memory. Throws
-  // std::runtime_error.
+  // Starts `command`, which writes its events to the file `events`, which must not exist, and all
+  // other output to `log`, which keeps kMostPrinted bytes of each test. The process is killed if it
+  // reports no event for limits.seconds_per_test (it then counts as hung), or exceeds
+  // limits.memory. Throws std::runtime_error.
   SuiteChild(const std::vector<std::string>& command, const std::filesystem::path& events,
              const std::filesystem::path& log, const Limits& limits);
 

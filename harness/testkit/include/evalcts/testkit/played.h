@@ -42,11 +42,11 @@ class Played {
   }
   // Checks that the query did not write to its array.
   void expect_nothing_written(gl::Ref query);
-  // Checks that two queries gave the same answer, bit for bit. Succeeds if one of them was left out (index
-  // -1).
+  // Checks that two queries gave the same answer, bit for bit. Succeeds if one of them was left
+  // out (index -1).
   void expect_same(gl::Ref before, gl::Ref after);
-  // Checks any other condition on the answer of the command. `captured` and `expected` are texts for the
-  // reader.
+  // Checks any other condition on the answer of the command. `captured` and `expected` are texts
+  // for the reader.
   void expect(bool holds, gl::Ref command, const std::string& message, const std::string& expected,
               const std::string& captured);
 

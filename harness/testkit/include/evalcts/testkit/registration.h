@@ -107,8 +107,8 @@ inline Parameters<> by(std::vector<gl::Delivery> deliveries) {
   return Parameters<>().by(std::move(deliveries));
 }
 
-// The type of the variables that EVALCTS_TEST defines: `declaration << body` registers the tests and returns
-// it.
+// The type of the variables that EVALCTS_TEST defines: `declaration << body` registers the tests
+// and returns it.
 struct Registration {};
 
 // A test with one combination of its parameters.

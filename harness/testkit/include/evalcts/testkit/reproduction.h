@@ -25,8 +25,8 @@ class Reproduction {
   // Returns the recording implementation, on which the test must run.
   Implementation& implementation();
 
-  // Must be called at the beginning of each case of the test. Discards the recorded commands of earlier
-  // cases.
+  // Must be called at the beginning of each case of the test. Discards the recorded commands
+  // of earlier cases.
   void begin_case();
 
   // Returns the check that decides `mismatch`, one of `all` mismatches of an observation; none if it does not

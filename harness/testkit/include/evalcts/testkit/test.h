@@ -1,5 +1,5 @@
-// Defines the class Test, through which tests name the requirements that they decide, run cases and report
-// failures.
+// Defines the class Test, through which tests name the requirements that they decide, run cases
+// and report failures.
 #pragma once
 
 #include <cstdint>
@@ -51,8 +51,8 @@ class Test {
   // Throws NotSupported below the version unless the extension is advertised.
   void require(int major, int minor, const std::string& or_extension = {}) const;
 
-  // Throws NotObservable if cases do not begin in a fresh context, but in one whose state was restored by
-  // commands.
+  // Throws NotObservable if cases do not begin in a fresh context, but in one whose state was
+  // restored by commands.
   void require_initial_state() const;
 
   // Makes all following cases go through this delivery.
@@ -90,9 +90,9 @@ class Test {
 
   // Observes the output of the case through the best capture, and judges it against the executable
   // specification at the level of the test. In one test of 32 (at thorough depth in all tests), other
-  // captures observe it, too, and must agree. All attributes that the capture shows are judged. Attributes in
-  // `required` that no capture shows are recorded as unobserved; if none of them is shown, the test is
-  // not-observable.
+  // captures observe it, too, and must agree. All attributes that the capture shows are judged.
+  // Attributes in `required` that no capture shows are recorded as unobserved; if none of them is shown,
+  // the test is not-observable.
   void expect_emission(const gl::Case& script, Attributes required);
   // Like the function above, but with a given prediction, and not through a delivery. If not `measured`,
   // accuracy is not recorded, because this takes longer than judging.
@@ -111,8 +111,8 @@ class Test {
   void expect_observation(const gl::Case& script, Attributes required, std::size_t most_vertices,
                           PrimitiveKinds kinds, const OwnJudge& judge, Judged judged = Judged::kInLists);
 
-  // Runs the case with a vertex shader of the test, and returns the outputs of the shader. Throws
-  // NotObservable.
+  // Runs the case with a vertex shader of the test, and returns the outputs of the
+  // shader. Throws NotObservable.
   RecordedVaryings record_varyings(const gl::Case& script, const VaryingShader& shader,
                                    std::size_t most_vertices);
 
