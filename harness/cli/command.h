@@ -1,6 +1,7 @@
 // Declares the commands of evalcts, such as `evalcts fuzz`, and helpers for them. Each command has its own
-// file with a definition const Command kFuzzCommand = {"fuzz", "random programs ...", R"(  $ evalcts fuzz
-// ...)", define_fuzz}; A new command is also declared below and added to kCommands in command_line.cpp.
+// file with a definition
+//   const Command kFuzzCommand = {"fuzz", "random programs ...", R"(  $ evalcts fuzz ...)", define_fuzz};
+// A new command is also declared below and added to kCommands in command_line.cpp.
 #pragma once
 
 #include <CLI/App.hpp>

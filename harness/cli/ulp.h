@@ -48,8 +48,7 @@ ImplementationOptions implementation_of(const UlpOptions& options);
 // Returns the error in the orders and control points; empty if the points are floats in the number that the
 // orders require.
 std::string wrong_points(const UlpOptions& options);
-// The functions below carry out a mode and return an exit code.
-// Measures the errors at every float of an interval.
+// Measures the errors at every float of an interval. Returns an exit code, as the next two functions do.
 int sweep(const UlpOptions& options);
 // Merges the shards of a sweep.
 int merge(const UlpOptions& options);

@@ -1,8 +1,11 @@
-// A provider over OSMesa that makes it an extremely bad library. EVALCTS_DRILL names the mistake: half: about
-// half of the commands are missing; low, high: limits are -1, or the largest integer; silent: GetError never
-// returns an error; noisy: GetError always returns an error; crashes: every second call of an evaluator
-// crashes; lists: explicit and evaluated vertices in display lists are in wrong places; evaluated: only
-// evaluated vertices in display lists are.
+// A provider over OSMesa that makes it an extremely bad library. EVALCTS_DRILL names the mistake:
+//   half: about half of the commands are missing
+//   low, high: limits are -1, or the largest integer
+//   silent: GetError never returns an error
+//   noisy: GetError always returns an error
+//   crashes: every second call of an evaluator crashes
+//   lists: explicit and evaluated vertices in display lists are in wrong places
+//   evaluated: only evaluated vertices in display lists are in wrong places
 #include <GL/gl.h>
 #include <dlfcn.h>
 #include <evalcts_provider.h>

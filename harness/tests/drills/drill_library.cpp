@@ -5,19 +5,26 @@
 // so only if a context of OpenGL ES is then current, as a layer over OpenGL ES may require.
 //
 // EVALCTS_DRILL names the misbehaviour. "The trigger" is a call of Map1f for INDEX with order 5, which few
-// tests make. a name in misbehaviours.h: happens at the trigger "second": crashes at the trigger if a map of
-// order 7 was defined before in this process "both": crashes at the trigger, and hangs at the same call of
-// Map1d "now-and-then": after the trigger, GetMapiv returns an order of INDEX that is too large by one, but
-// only in the first process, which creates EVALCTS_DRILL_FILE "crash-now-and-then": crashes at the trigger,
-// but only in the first process "history": after the trigger, GetMapiv returns an order of VERTEX_3 that is
-// too large by one in the same context "start": crashes when a context is created "lenient": Map1f of
-// VERTEX_3 accepts strides below 3 "fragile": as "lenient", but crashes in such calls if nothing was enabled
-// before in the context "control": each Vertex3f crashes, and each EvalCoord1f changes the current colour
-// "control-error": each Vertex3f raises an error, and each EvalCoord1f changes the current colour "worn":
-// after 45 primitives in a context, more than in one random program, IsEnabled returns the opposite
-// "worn-out": as "worn", but after 400 primitives "query": GetMapiv of NORMAL reads from an invalid address
-// "end": each End crashes "evaluation": each EvalCoord1f crashes "terminate": DRILL_LAYER terminates the EGL
-// display when it is loaded
+// tests make.
+//   a name in misbehaviours.h: happens at the trigger
+//   "second": crashes at the trigger if a map of order 7 was defined before in this process
+//   "both": crashes at the trigger, and hangs at the same call of Map1d
+//   "now-and-then": after the trigger, GetMapiv returns an order of INDEX that is too large by one, but only
+//     in the first process, which creates EVALCTS_DRILL_FILE
+//   "crash-now-and-then": crashes at the trigger, but only in the first process
+//   "history": after the trigger, GetMapiv returns an order of VERTEX_3 that is too large by one in the same
+//     context
+//   "start": crashes when a context is created
+//   "lenient": Map1f of VERTEX_3 accepts strides below 3
+//   "fragile": as "lenient", but crashes in such calls if nothing was enabled before in the context
+//   "control": each Vertex3f crashes, and each EvalCoord1f changes the current colour
+//   "control-error": each Vertex3f raises an error, and each EvalCoord1f changes the current colour
+//   "worn": after 45 primitives in a context, more than in one random program, IsEnabled returns the opposite
+//   "worn-out": as "worn", but after 400 primitives
+//   "query": GetMapiv of NORMAL reads from an invalid address
+//   "end": each End crashes
+//   "evaluation": each EvalCoord1f crashes
+//   "terminate": DRILL_LAYER terminates the EGL display when it is loaded
 #ifdef DRILL_LAYER
 #define EGL_NO_X11
 #include <EGL/egl.h>

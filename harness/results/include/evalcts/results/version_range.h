@@ -9,9 +9,12 @@
 namespace evalcts {
 
 // A range has one of four forms. The first three begin with the text before the number in GL_VERSION (here
-// "Mesa"): "Mesa 20.3 to 24.3"     both ends included "Mesa 25.0 or newer" "Mesa 22.3 or older" "Mesa 22.3"
-// any text: contains the versions in which it occurs A version is compared in as many components as the bound
-// has: 24.3.9 is not newer than 24.3.
+// "Mesa"):
+//   "Mesa 20.3 to 24.3"     both ends included
+//   "Mesa 25.0 or newer"
+//   "Mesa 22.3 or older"
+//   "Mesa 22.3"             any text: contains the versions in which it occurs
+// A version is compared in as many components as the bound has: 24.3.9 is not newer than 24.3.
 class VersionRange {
  public:
   VersionRange() = default;  // contains every version
