@@ -20,7 +20,7 @@ class ContextMaker {
   // Creates a context and makes it current. No other context exists at that time, unless makes_several().
   // Throws CannotStart.
   virtual void* create() = 0;
-  // True if several contexts can exist at a time. The next three functions are called only then.
+  // True if several contexts can exist at a time. If false, the next three functions are not called.
   virtual bool makes_several() const { return false; }
   // Creates a context that shares objects with another one. Throws CannotStart.
   virtual void* create_sharing(void* /*with*/) { return nullptr; }
@@ -30,8 +30,8 @@ class ContextMaker {
   }
   // Makes a context current. Throws CannotStart.
   virtual void make_current(void* /*context*/) {}
-  // True if copy() is supported. It copies the state groups of a PushAttrib mask from the current context to
-  // another one. Throws CannotStart.
+  // True if copy() is supported, which copies the state groups of a PushAttrib mask from the current context
+  // to another context. copy() throws CannotStart.
   virtual bool copies() const { return false; }
   virtual void copy(void* /*from*/, void* /*to*/, GLbitfield /*mask*/) {}
   // True if the next two functions are supported; they record the requests of the current context as

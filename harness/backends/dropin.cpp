@@ -1,5 +1,5 @@
-// The drop-in library (production/dropin) as an implementation: the evaluators of this project in front of a
-// GL.
+// Opens the drop-in library (production/dropin), the evaluators of this project in front of a GL,
+// as an implementation.
 #include <cstdlib>
 #include <filesystem>
 
@@ -24,7 +24,7 @@ std::string built_library() {
 
 std::unique_ptr<Implementation> open_dropin(const std::string& name, const std::string& library) {
   const std::string in_front = library.empty() ? built_library() : library;
-  // The drop-in library is opened with dlopen, not preloaded, so the environment names the GL behind it.
+  // The drop-in library is opened with dlopen, not preloaded, so it finds the GL by an environment variable.
   const auto in_front_of = [&](const char* gl, std::unique_ptr<ContextMaker> (*make)(const std::string&)) {
     setenv("GLEVALUATOR_GL", gl, 0);
     return make_gl_library(name, make(in_front), "");

@@ -18,7 +18,7 @@ namespace evalcts {
 namespace {
 
 // The functions of EGL 1.4 that are used. Only the types of the header's declarations are used.
-// (clang-format 14 never comes to an end with such lists.)
+// (clang-format 14 does not terminate on such lists.)
 // clang-format off
 #define EGL_FUNCTIONS(X)                                                           \
   X(GetError) X(QueryString) X(GetDisplay) X(Initialize) X(Terminate) X(BindAPI)   \
@@ -82,7 +82,7 @@ bool has_word(const char* words, const std::string& wanted) {
 // A display that may give a context.
 struct Candidate {
   std::string name;
-  EGLenum platform;  // EGL_NONE: eglGetDisplay
+  EGLenum platform;  // EGL_NONE: opened by eglGetDisplay
   void* native;
 };
 
@@ -343,9 +343,9 @@ class EglContexts final : public ContextMaker {
     const char* extensions = egl_.QueryString(display_, EGL_EXTENSIONS);
     knows_all_commands_ = is_1_5 || has_word(extensions, "EGL_KHR_get_all_proc_addresses") ||
                           client_has("EGL_KHR_client_get_all_proc_addresses");
-    // A framebuffer object is used only if there are no surfaces: NVIDIA's driver (580) loses the one of a
-    // context without a surface after other contexts have been current. Contexts of OpenGL ES for another
-    // library need not support framebuffer objects.
+    // A framebuffer object is used only if there are no surfaces: NVIDIA's driver (580) loses the framebuffer
+    // object of a context without a surface after other contexts have been current. Contexts of OpenGL ES for
+    // another library need not support framebuffer objects.
     surfaceless_ = false;
     if (!choose_config() && opengl() && has_word(extensions, "EGL_KHR_surfaceless_context")) {
       surfaceless_ = true;
@@ -425,7 +425,7 @@ class EglContexts final : public ContextMaker {
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLConfig config_ = nullptr;
   std::vector<EGLint> attributes_;
-  std::unique_ptr<Made> only_;  // of OpenGL ES; stays, like the display
+  std::unique_ptr<Made> only_;  // the context of OpenGL ES, which stays until the process ends
   bool surfaceless_ = false;
   bool knows_all_commands_ = false;
 };

@@ -51,7 +51,7 @@ bool has_driver(const fs::path& directory) {
   return false;
 }
 
-// Returns what is wrong with one entry of a path list; empty if nothing is.
+// Returns the problem with one entry of a path list; empty if there is none.
 std::string problem_of(const std::string& entry, Holds holds) {
   std::error_code error;
   if (holds == Holds::kName) return {};

@@ -91,7 +91,7 @@ class MadeContext final : public Context {
       return maker_.make_current(made->second);
     try {
       others_[number] = create(maker_);
-    } catch (const CannotStart&) {  // one context at a time, or none like that
+    } catch (const CannotStart&) {  // no second context, or no context of this kind, can be created
       others_.erase(number);
       throw gl::MissingEntryPoint(command);
     }
@@ -119,7 +119,7 @@ class GlLibrary final : public Implementation {
     auto context = std::make_unique<MadeContext>(*contexts_, contexts_->create(), table_);
     if (!loaded_) {
       load();
-      context->make_current();  // a layer may leave another one
+      context->make_current();  // a layer may have made another context current
     }
     return context;
   }

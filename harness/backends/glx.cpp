@@ -24,7 +24,7 @@ namespace evalcts {
 namespace {
 
 // The functions of Xlib and GLX 1.3 that are used.
-// (clang-format 14 never comes to an end with such lists.)
+// (clang-format 14 does not terminate on such lists.)
 // clang-format off
 #define XLIB_FUNCTIONS(X)                                                               \
   X(OpenDisplay) X(CloseDisplay) X(DisplayName) X(DefaultScreen) X(Sync) X(Free)        \
@@ -182,8 +182,8 @@ class GlxContexts final : public ContextMaker {
     if (made->surface != None) glx_.DestroyPbuffer(display_, made->surface);
   }
 
-  // glXGetProcAddressARB returns all commands. The exports of libGL prove less, because libglvnd exports
-  // names that the driver lacks.
+  // glXGetProcAddressARB returns all commands. The exports of libGL prove less, because libglvnd also exports
+  // commands that the driver does not provide.
   void* address_of(const char* command) override {
     return reinterpret_cast<void*>(glx_.GetProcAddressARB(reinterpret_cast<const GLubyte*>(command)));
   }
@@ -202,7 +202,7 @@ class GlxContexts final : public ContextMaker {
         profile = GLX_CONTEXT_CORE_PROFILE_BIT_ARB;
         break;
       case EVALCTS_FORWARD_COMPATIBLE:
-        minor = 1;  // which knows no profiles
+        minor = 1;  // this version has no profiles
         flags = GLX_CONTEXT_FORWARD_COMPATIBLE_BIT_ARB;
         break;
       case EVALCTS_DEBUG:

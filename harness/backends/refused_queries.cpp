@@ -22,7 +22,7 @@ constexpr GLenum kQueried[] = {GL_MAX_EVAL_ORDER,     GL_CURRENT_COLOR,
 struct Filter {
   static inline gl::Table inner;
   static inline std::set<GLenum> names;
-  static inline bool inside = false;  // between Begin and End every query raises an error
+  static inline bool inside = false;  // between Begin and End, where every query raises an error
 
   static bool drops(GLenum name) { return !inside && names.contains(name); }
 

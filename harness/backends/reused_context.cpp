@@ -17,9 +17,9 @@ using gl::EntryPoint;
 // --- restoring commands, by theme --------------------------------------------------------------------------
 //
 // State is set by plain commands and not saved by PushAttrib: a case that fills the attribute stack would
-// find a level less, a capture that relies on saved state would see another history, and PopAttrib is itself
-// under test, with the evaluators in its EVAL_BIT. If a case sets new state, the command that restores it
-// must be added to its theme here. Entry points that an implementation lacks are left out.
+// have one level less, a capture that relies on saved state would see another history, and PopAttrib is
+// itself under test, with the evaluators in its EVAL_BIT. If a case sets new state, the command that restores
+// it must be added to its theme here. Entry points that an implementation does not provide are left out.
 
 constexpr GLenum unit_token(int unit) { return GL_TEXTURE0 + static_cast<GLenum>(unit); }
 
@@ -85,7 +85,7 @@ void current_values(Case& c, const ImplementationInfo& info) {
   c.FogCoordf(0);
   for (GLuint i = 1; i < 16; ++i) c.VertexAttrib4f(i, 0, 0, 0, 1);  // 0 is a vertex
   // Identity matrices transform this corner to the window position (0,0,0,1), with the current values above.
-  // Its eye distance is 1 and not 0, which no test queries.
+  // Its distance from the eye is 1 and not 0, which no test queries.
   c.RasterPos3f(-1, -1, -1);
 }
 
@@ -241,9 +241,9 @@ constexpr void (*kThemes[])(Case&, const ImplementationInfo&) = {
     pipeline, pixel_store,          current_values, evaluators,
 };
 
-// --- what a case leaves behind -----------------------------------------------------------------------------
+// --- objects and open constructs of earlier cases ----------------------------------------------------------
 
-// A command that opens something, and the command that closes it as often as it was opened.
+// A command that opens a construct, and the command that closes it. Both must be called equally often.
 struct Pair {
   EntryPoint open, close;
 };
@@ -344,7 +344,7 @@ class Shared {
  public:
   Shared(std::unique_ptr<Context> context, const ImplementationInfo& info, Programs programs)
       : context_(std::move(context)), table_(context_->table()), programs_(programs) {
-    table_.OtherContextEVALCTS = table_.SharingContextEVALCTS = nullptr;  // one context is the point
+    table_.OtherContextEVALCTS = table_.SharingContextEVALCTS = nullptr;  // all cases must use one context
     table_.ContextOfKindEVALCTS = nullptr;
     table_.CopyContextEVALCTS = nullptr;
     table_.RecordRequestsEVALCTS = nullptr;

@@ -25,7 +25,7 @@
 namespace evalcts {
 namespace {
 
-constexpr int kFirstNumber = 1000, kNumbers = 1000;  // far from those that servers take
+constexpr int kFirstNumber = 1000, kNumbers = 1000;  // far from the display numbers that servers use
 constexpr std::size_t kMostDescriptors = 32;         // in one message; Xlib and servers send fewer
 
 class Descriptor {
@@ -201,7 +201,7 @@ class XRecorder::Pump {
       if (now < 0 && errno == EINTR) continue;
       if (now < 0) return false;
       sent += static_cast<std::size_t>(now);
-      message.msg_control = nullptr;  // descriptors travel once
+      message.msg_control = nullptr;  // descriptors are sent only once
       message.msg_controllen = 0;
     }
     return true;

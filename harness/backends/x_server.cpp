@@ -62,8 +62,9 @@ std::string line_from(int pipe) {
   _exit(kNoProgram);
 }
 
-// Runs the guardian, a process between suite and server, which ends the server when the suite ends. A server
-// that clients have brought into a loop ignores SIGTERM, and leaves its socket behind when it is killed.
+// Runs the guardian, a process between suite and server, which ends the server when the suite ends. A
+// server in an endless loop, which clients can cause, ignores SIGTERM and does not remove its socket when
+// it is killed.
 [[noreturn]] void become_guardian(char* const* command, char* const* environment, pid_t parent, int input,
                                   int log, const int* number) {
   // The guardian has its own session, so that neither Ctrl-C nor the kill of a hung suite reaches it.

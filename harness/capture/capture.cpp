@@ -68,7 +68,7 @@ std::vector<const Capture*> Captures::showing_most(Attributes required, Primitiv
   std::vector<const Capture*> chosen;
   Attributes shown = 0;
   for (Entry& entry : captures_) {
-    if (shown == wanted && chosen.size() >= most) break;  // the next one might have to be proved
+    if (shown == wanted && chosen.size() >= most) break;  // the proof of another capture would be wasted
     if (shown == wanted && entry.capture && entry.capture->is_last_resort()) continue;
     const Capture* const capture = proved(entry);
     if (!capture || (nonpositive_w && capture->loses_nonpositive_w()) || !capture->takes(kinds)) continue;

@@ -26,8 +26,8 @@ Control make_control(const ControlOptions& options);
 // 0 only), otherwise a description of the difference.
 std::string compare(const Control& control, const Observation& observation, Attributes attributes);
 
-// Runs the control through the capture. Returns an empty string if it came back unchanged, otherwise a
-// description of the difference. Throws the exceptions of Capture::observe.
+// Runs the control through the capture. Returns an empty string if the given attributes came back unchanged,
+// otherwise a description of the difference. Throws the exceptions of Capture::observe.
 std::string try_control(const Capture& capture, Implementation& implementation, const ControlOptions& options,
                         Attributes attributes);
 
@@ -35,8 +35,8 @@ std::string try_control(const Capture& capture, Implementation& implementation, 
 Attributes confirm_attributes(const Capture& capture, Implementation& implementation,
                               const ControlOptions& options, Attributes attributes);
 
-// Returns twice the largest error of the control's colours, if that is small enough for a quantiser of at
-// least 6 bits.
+// Returns twice the largest error of the control's colours; empty if an error exceeds the step of 6-bit
+// colours (1/63), or the control cannot be observed.
 std::optional<double> measure_color_error(const Capture& capture, Implementation& implementation);
 
 }  // namespace evalcts

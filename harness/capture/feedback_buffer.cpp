@@ -99,7 +99,8 @@ class FeedbackBuffer final : public Capture {
     if (wanted & kPosition) pass(TextureCoordinatesHold::kPosition, kPosition);
     if (wanted & (kNormal | kUnitNormal)) pass(TextureCoordinatesHold::kNormal, kNormal | kUnitNormal);
     if (!observation) throw NotObservable("feedback mode shows nothing of units 1 and up");
-    // A control wants attributes that are not proved yet. Other attributes are not known to be right.
+    // The control of a proof requests attributes that are not proved yet. Other unproved attributes
+    // may be wrong.
     observation->attributes &= attributes_ | inexact_attributes() | wanted;
     observation->clamped_colors = !unclamp_;
     observation->color_error = color_error_.value_or(0);
@@ -175,8 +176,8 @@ class FeedbackBuffer final : public Capture {
     return vertex;
   }
 
-  // Adds the attributes of one pass to another. All passes replay the same case, so that their primitives
-  // must agree.
+  // Adds the attributes `gives` of one pass to the whole observation. All passes replay the same case, so
+  // their primitives must agree.
   static void merge(Observation& whole, const Observation& pass, Attributes gives) {
     const char* const kDiffer = "two feedback passes over the same commands gave different primitives";
     if (whole.primitives.size() != pass.primitives.size()) throw NotObservable(kDiffer);
@@ -197,7 +198,7 @@ class FeedbackBuffer final : public Capture {
   bool keep_w_ = true;
   bool unclamp_ = false;
   Attributes attributes_ = 0;
-  std::optional<double> color_error_;  // if colours come back inexact
+  std::optional<double> color_error_;  // set if colours are inexact
 };
 
 }  // namespace

@@ -146,7 +146,7 @@ class Windows {
   // False if the case touches the current texture coordinates of unit 1.
   bool split() {
     gl::Case windowed(script_.identity());
-    std::vector<int> positions;  // in the new case
+    std::vector<int> positions;  // of the original commands in `windowed`
     std::size_t in_window = 0;
     for (gl::Command command : script_.commands()) {
       const std::string_view name = gl::name_of(command.entry);
@@ -155,7 +155,7 @@ class Windows {
         return false;
       const std::size_t vertices = vertices_of(command);
       in_window += vertices;
-      if (in_window > kOfOnePass - 2) {  // with the witness, and room to see that more came
+      if (in_window > kOfOnePass - 2) {  // two places are for the witness and for a surplus vertex
         set(windowed, count_++);
         in_window = vertices;
       }
@@ -172,10 +172,10 @@ class Windows {
   bool are_in_order() const {
     if (count_ == 1) return true;
     std::map<std::int64_t, std::vector<const gl::Command*>> lists;
-    std::vector<const gl::Command*>* list = nullptr;  // being compiled
+    std::vector<const gl::Command*>* list = nullptr;  // the list that is being compiled, if any
     double window = 0, last = 0;
     bool in_order = true;
-    int depth = 0;  // of lists, to which GL sets a limit as well
+    int depth = 0;  // nesting of lists, which GL limits to 64 levels or more
     const std::function<void(const gl::Command&)> execute = [&](const gl::Command& command) {
       if (command.entry == gl::EntryPoint::CallList && depth < 64) {
         ++depth;

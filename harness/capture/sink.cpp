@@ -60,14 +60,14 @@ class Sink final : public Capture {
     }
     if (confirmed == 0) throw NotObservable(wrong);
     if (confirmed & kNormal) confirmed |= kUnitNormal;
-    // The control uses texture unit 0; other units are taken to behave alike.
+    // The control uses only texture unit 0; other units are assumed to behave alike.
     if (confirmed & kTextureCoordinate0) confirmed |= offered & kTextureCoordinatesOther;
     attributes_ = confirmed;
   }
 
   Attributes attributes_ = 0;
   bool clamps_ = false;
-  std::optional<double> color_error_;  // if colours come back inexact
+  std::optional<double> color_error_;  // set if colours are inexact
 };
 
 }  // namespace

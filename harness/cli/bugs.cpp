@@ -1,4 +1,4 @@
-// evalcts bugs: the distinct bugs of a run, each with its minimal program.
+// `evalcts bugs`: prints the distinct bugs of a run, each with its minimal program.
 #include <evalcts/reports.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,12 +19,12 @@ namespace evalcts::cli {
 namespace {
 
 struct BugsOptions {
-  std::vector<std::string> results;  // files and folders; empty: the usual folder
+  std::vector<std::string> results;  // files and folders; empty: the default folder
   bool verbose = false;
   bool known = false;
 };
 
-// docs/known-bugs.md
+// Returns the text of docs/known-bugs.md.
 std::string known_bugs_page() {
   std::vector<std::string> programs;
   for (const KnownBug& bug : known_bugs())

@@ -1,4 +1,4 @@
-// The command line of evalcts.
+// Parses the command line of evalcts and runs the chosen command.
 #include <evalcts/cli/command_line.h>
 
 #include <fmt/format.h>
@@ -26,14 +26,14 @@ constexpr const Command* kCommands[] = {
     &kReportCommand, &kFaultsCommand, &kFuzzCommand, &kRoundingCommand, &kUlpCommand,     &kVectorsCommand};
 
 Call call_of(int argc, char** argv) {
-  // The launcher says how it was called itself.
+  // If the launcher script started this program, messages must show the launcher's name.
   const char* const launcher = std::getenv("EVALCTS_LAUNCHER");
   Call call = {launcher && *launcher ? launcher : argc > 0 ? argv[0] : "evalcts", "evalcts", ""};
   for (int i = 1; i < argc; ++i) call.command += std::string(" ") + argv[i];
   return call;
 }
 
-// Carries out the command. What is thrown becomes a message and an exit code.
+// Carries out the command. Exceptions become messages and exit codes.
 int carry_out(const std::function<int()>& command, Call& call) {
   const auto complain = [](const std::exception& error, int code, const char* advice = "") {
     std::cerr << "evalcts: " << error.what() << advice << "\n";
@@ -75,7 +75,7 @@ CLI::Option* add_allow_unobserved(CLI::App& app, bool& allow) {
 }
 
 namespace {
-// The number, or NaN if the text is none.
+// Returns the number in the text, or NaN if the text is not a number.
 double number_in(const std::string& text) {
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);

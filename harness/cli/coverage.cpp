@@ -1,4 +1,4 @@
-// evalcts coverage: which tests decide each requirement, or why none can.
+// `evalcts coverage`: prints the tests that decide each requirement, or the reason why no test can.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -19,7 +19,7 @@ namespace {
 using State = Coverage::State;
 constexpr State kStates[] = {State::kDecided, State::kInPart, State::kUndecidable, State::kUndecided};
 
-// "7. Evaluation commands: 12 decided, 3 in part, 4 undecided"
+// Returns the counts of a section, "12 decided, 3 in part, 4 undecided".
 std::string counted(const std::map<State, int>& counts) {
   std::vector<std::string> parts;
   for (const State state : kStates)

@@ -1,4 +1,4 @@
-// Implementations that can be judged on this machine.
+// Determines the implementations that can be judged on this machine.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace evalcts::cli {
 
-// Why an implementation does not start; empty where it does. Asked in a child: libraries do not share a
-// process well.
+// Returns the reason why an implementation does not start; empty if it starts. Tries it in a child process,
+// because GL libraries disturb each other in one process.
 std::string why_not(const std::string& implementation);
 
-// The implementations that `run` and `ulp` use unless told otherwise. If OSMesa does not start, egl takes its
-// place, and a line on standard output says so.
+// Returns the implementations that `run` and `ulp` use by default. If OSMesa does not start, egl replaces it,
+// and a message is printed to standard output.
 std::vector<std::string> default_implementations();
 
 }  // namespace evalcts::cli

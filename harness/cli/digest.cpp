@@ -1,4 +1,4 @@
-// `evalcts ulp --digest`: one line for millions of results.
+// `evalcts ulp --digest`: prints one line with a digest of millions of results.
 #include <fmt/format.h>
 
 #include <iostream>

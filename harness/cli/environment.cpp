@@ -26,7 +26,7 @@ std::string shard_of_environment() {
   if (const std::string file = variable("GTEST_SHARD_STATUS_FILE"); !file.empty())
     std::ofstream(file, std::ios::app);
   if (total.empty() && index.empty()) return {};
-  // GoogleTest counts from 0.
+  // GTEST_SHARD_INDEX counts from 0.
   const bool is_number = !index.empty() && index.find_first_not_of("0123456789") == std::string::npos;
   const std::string shard =
       is_number && index.size() < 10 ? fmt::format("{}/{}", std::stoul(index) + 1, total) : "";

@@ -1,4 +1,4 @@
-// Environment variables that other programs set when they start tests.
+// Reads the environment variables by which test runners, such as Bazel, control GoogleTest.
 #pragma once
 
 #include <stdexcept>
@@ -6,18 +6,18 @@
 
 namespace evalcts::cli {
 
-// Variables that make no sense; the message says which, and what to do.
+// Thrown if the variables are invalid. The message states their values and what to do.
 struct BadEnvironment : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The part of the tests that GTEST_TOTAL_SHARDS and GTEST_SHARD_INDEX ask for, as the "K/N" of --shard; empty
-// where they ask for all. Creates GTEST_SHARD_STATUS_FILE, which says that somebody has read them. Throws
-// BadEnvironment.
+// Returns the part of the tests that GTEST_TOTAL_SHARDS and GTEST_SHARD_INDEX select, as "K/N" for --shard;
+// empty if they select all tests. Creates GTEST_SHARD_STATUS_FILE, which tells the caller that sharding is
+// supported. Throws BadEnvironment.
 std::string shard_of_environment();
 
-// Removes all that GoogleTest reads: the programs that this one starts are told what to do by their arguments
-// alone.
+// Removes all environment variables that GoogleTest reads, so that they do not affect the suite programs that
+// evalcts starts.
 void forget_googletest();
 
 }  // namespace evalcts::cli

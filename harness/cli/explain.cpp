@@ -1,4 +1,4 @@
-// evalcts explain: a requirement, an ambiguous text, a test or a verdict in words.
+// `evalcts explain`: describes a requirement, an ambiguous passage, a test or a verdict.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -30,7 +30,7 @@ void paragraph(const std::string& text, std::size_t indent = 2) {
   std::cout << margin << wrapped(text, terminal_columns(), margin, indent) << "\n";
 }
 
-// "  label: text", unless the text is empty.
+// Prints "  label: text", unless the text is empty.
 void labelled(const std::string& label, const std::string& text) {
   if (!text.empty()) paragraph(label + ": " + text);
 }
@@ -56,7 +56,8 @@ void explain_requirement(const Requirement& requirement) {
   }
 }
 
-// A text that is ambiguous, or leaves something undefined, and what this suite makes of it.
+// Prints a passage that is ambiguous or leaves something undefined, with its accepted readings and their
+// effects on tests.
 void explain_ambiguity(const Ambiguity& entry) {
   const bool is_undefined = entry.kind == Ambiguity::Kind::kUndefined;
   std::cout << entry.id
@@ -80,7 +81,7 @@ void explain_ambiguity(const Ambiguity& entry) {
     paragraph(fmt::format("{}={}: {}", entry.id, reading, meaning), 4);
 }
 
-// A folder for temporary files, removed at the end.
+// A folder for temporary files, which the destructor removes.
 class Scratch {
  public:
   Scratch() : path_((fs::temp_directory_path() / "evalcts-explain-XXXXXX").string()) {
@@ -98,9 +99,9 @@ class Scratch {
   std::string path_;
 };
 
-// A test as it passes on the executable specification.
+// The run of a test on the executable specification, where it passes.
 struct PlayedTest {
-  std::optional<CaseStarted> first;  // its first case that is no control
+  std::optional<CaseStarted> first;  // its first case that is not a control
   std::optional<TestRecord> record;
 };
 
@@ -122,7 +123,7 @@ PlayedTest play_on_specification(const std::string& test, const fs::path& scratc
   return played;
 }
 
-// The commands among the calls whose answers a test looks at: "glGetError, glIsEnabled".
+// Returns the queries among the calls, each once: "glGetError, glIsEnabled".
 std::string queries_of(const std::vector<std::string>& calls) {
   std::vector<std::string> names;
   for (const std::string& call : calls)
@@ -149,7 +150,8 @@ void explain_cases(const PlayedTest& played) {
   labelled("Compared", fmt::format("{}", fmt::join(compared, "; ")));
 }
 
-// Tries the faults that break a rule of the test. The program with faults is built by './evalcts faults'.
+// Prints the faults that the test detects, of those that break one of its requirements. './evalcts faults'
+// builds the program with faults.
 void explain_faults(ListedTest test, const fs::path& scratch) {
   if (!fs::exists(places().faulty_suite_program)) {
     labelled("Faults that it detects", "known once './evalcts faults' has built the program with faults");
@@ -162,7 +164,7 @@ void explain_faults(ListedTest test, const fs::path& scratch) {
                                  [&](const RequirementId& id) { return id.decides(requirement); });
     });
   });
-  test.from = Depth::kQuick;  // its exact name is asked for
+  test.from = Depth::kQuick;  // a test that is named exactly runs at every depth
   const std::vector<faults::TriedFault> tried =
       faults::try_faults({.suite_program = places().faulty_suite_program,
                           .faults = breaking,
@@ -191,8 +193,8 @@ void explain_test(const ListedTest& test) {
   explain_faults(test, scratch.path());
 }
 
-// "; did you mean NAME?" for the name that is nearest to the word, and for the name of a test function one of
-// its tests.
+// Returns "; did you mean NAME?" for the name that is most similar to the word. For the name of a test
+// function, returns the number of its tests and an example.
 std::string suggestion_for(const std::string& word, const std::vector<ListedTest>& tests) {
   const auto is_meant = [&](const ListedTest& test) { return test.name.starts_with(word + "/"); };
   if (const auto first = std::ranges::find_if(tests, is_meant); first != tests.end())
@@ -206,7 +208,7 @@ std::string suggestion_for(const std::string& word, const std::vector<ListedTest
 }
 
 int explain(const std::string& name) {
-  // A half, "ID/1-D", is explained with its requirement.
+  // For a half, "ID/1-D", the whole requirement is explained.
   if (const Requirement* const requirement = catalogue().find(name)) {
     explain_requirement(*requirement);
     return kNothingUnexpected;

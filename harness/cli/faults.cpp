@@ -16,8 +16,8 @@
 namespace evalcts::cli {
 namespace {
 
-// Faults may hang. Behind variations nothing should, and a test that only waits for a busy machine would be a
-// false alarm.
+// Time limits of a test. A fault may make a test hang, so its limit is short. A variation must not, so its
+// limit is long, to avoid false alarms on a busy machine.
 constexpr double kSecondsOfTest = 20, kSecondsOfLegalTest = 180;
 
 struct FaultsOptions {
@@ -27,18 +27,19 @@ struct FaultsOptions {
   bool legal = false;
   std::optional<double> seconds_per_test;
   std::optional<int> jobs;
-  std::string output;  // empty: the usual folder
+  std::string output;  // empty: the default folder
 };
 
 namespace fs = std::filesystem;
 
-// Mistakes of different kinds that real evaluators have made, for `--legal`.
+// Faults of different kinds that occur in real evaluators. `--legal` requires that they are detected behind
+// each variation.
 constexpr const char* kTypicalFaults =
     "OrderZeroTaken:DegreeAnswered:StrideInOneByte:SinglePointReadLate:ReversedDomainSorted:"
     "SymmetricDomainTakenForUnit:ReversedVSorted:WideNetsTransposed:ColorWaitsForEnd:"
     "CurveMeshAfterDisableOfItsMap";
 
-// Variations instead of faults.
+// Carries out `--legal`: tries variations instead of faults.
 int legal(const FaultsOptions& options, const fs::path& output) {
   std::vector<faults::ListedFault> chosen =
       matching(faults::list_faults(places().faulty_suite_program, "--list-variations"), options.filter);

@@ -26,16 +26,16 @@ struct FuzzOptions {
   std::uint32_t seed = 1;
   std::optional<std::uint32_t> programs;
   double seconds = 0;  // 0: no limit
-  int length = 120;    // commands of a program, about
+  int length = 120;    // approximate number of commands of a program
   bool fresh_contexts = false;
   bool allow_unobserved = false;
   std::optional<int> jobs;
-  std::string output;  // empty: the usual folder
+  std::string output;  // empty: the default folder
 };
 
 namespace fs = std::filesystem;
 
-// The causes of the findings that the suite replays in every run: those are known.
+// Returns the causes of the known findings, which the suite replays in every run.
 std::map<std::string, std::string> known_causes() {
   std::map<std::string, std::string> known;
   for (const fuzz::KnownFinding& finding : fuzz::known_findings())

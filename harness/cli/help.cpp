@@ -9,7 +9,7 @@
 namespace evalcts::cli {
 namespace {
 
-// Damerau's distance, with each place edited once.
+// Returns the restricted Damerau-Levenshtein distance (optimal string alignment).
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i)
@@ -28,7 +28,8 @@ std::size_t distance(const std::string& a, const std::string& b) {
 
 constexpr std::size_t kLongestWord = 64;
 
-// "TEXT", "INT", "{quick,full}": the type of a value or the accepted words, without the range of a number.
+// Returns " TEXT", " INT" or " {quick,full}", the type of a value or the accepted words, without the range of
+// a number; empty for a flag.
 std::string value_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::size_t colon = type.find(':');
@@ -37,7 +38,7 @@ std::string value_of(const CLI::Option& option) {
                                                                      : type.substr(0, colon));
 }
 
-// "  --seed UINT    seed of the random tests"
+// Returns a line of the help, such as "  --seed UINT    seed of the random tests".
 std::string row(const std::string& name, const std::string& description) {
   constexpr std::size_t kColumn = 30, kColumns = 100;
   std::string line = "  " + name;
@@ -47,7 +48,7 @@ std::string row(const std::string& name, const std::string& description) {
   return line + wrapped(description, kColumns, std::string(kColumn, ' '), kColumn) + "\n";
 }
 
-// Writes the same text with every version of CLI11, in the form that help2man reads.
+// Formats the help in the form that help2man reads, equally with every version of CLI11.
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode) const override {

@@ -15,12 +15,12 @@ namespace evalcts::cli {
 // Writes the text of --help.
 std::shared_ptr<CLI::FormatterBase> help_formatter();
 
-// "did you mean --baseline?" for the first argument that is no command, or no option of its command, and is
-// near to one; else empty.
+// Returns "did you mean --baseline?" for the first argument that is not a known command or option but is
+// similar to one; empty if there is none.
 std::string suggestion(const CLI::App& app, const std::vector<std::string>& arguments);
 
-// The candidate that the fewest insertions, deletions, replacements and swaps of neighbours make of the word;
-// empty where it takes too many to be a slip.
+// Returns the candidate with the smallest Damerau-Levenshtein distance from the word; empty if the distance
+// exceeds a third of the word's length (but at least 1).
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
 
 }  // namespace evalcts::cli

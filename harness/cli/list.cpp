@@ -41,7 +41,7 @@ void list_implementations(bool as_json) {
   if (as_json) std::cout << json{{"implementations", all}}.dump(1) << "\n";
 }
 
-// The shipped baselines and overlays, each with its header and the number of its entries.
+// Prints the shipped baselines and overlays, each with its header and the number of its entries.
 void list_baselines(bool as_json) {
   json all = json::array();
   for (const BaselineFiles& files : BaselineFiles::read_all(places().baselines)) {

@@ -1,5 +1,5 @@
-// Sweeps of several processes by MPI (its C interface). Rank 0 keeps the state and hands out blocks; the
-// others ask for some, and tell what came of the last ones in the same message.
+// Implements World with MPI (its C interface). Rank 0 keeps the state and hands out blocks. The other ranks
+// request blocks; each request also contains the results of the previous blocks.
 #define OMPI_SKIP_MPICXX 1
 #define MPICH_SKIP_MPICXX 1
 #include <mpi.h>
@@ -18,7 +18,7 @@
 namespace evalcts::cli {
 namespace {
 
-// An empty vector may have no address.
+// Copies `size` bytes. Unlike memcpy, accepts null pointers, which empty vectors may return, if `size` is 0.
 void copy_bytes(void* to, const void* from, std::size_t size) {
   if (size != 0) std::memcpy(to, from, size);
 }
@@ -28,12 +28,13 @@ using Clock = std::chrono::steady_clock;
 
 enum Tag { kHello = 1, kReport, kGoodbye, kProblem, kOrders };
 
-// So many blocks at a time that messages are rare and what is lost with a process is little.
+// The number of blocks of an order is adapted so that an order takes about this long: messages are rare, and
+// little work is lost if a process dies.
 constexpr auto kShortOrder = std::chrono::milliseconds(50);
 constexpr std::int64_t kLongestOrder = 64;
 constexpr auto kBetweenLooks = std::chrono::microseconds(200);
 
-// All that a rank says of finished blocks; their positions come after it.
+// Message of a rank about its finished blocks. The positions of these blocks follow in the same message.
 struct Report {
   std::int64_t wanted = 0;
   std::int64_t finished = 0;
@@ -76,7 +77,7 @@ class RemoteBlocks final : public accuracy::Blocks {
     orders_.clear();
     ended_ = true;
   }
-  // After the last block. Throws the first problem.
+  // Sends the last results to rank 0. Must be called after the last block. Rethrows the first problem.
   void end() {
     tell(kGoodbye, 0);
     if (problem_) std::rethrow_exception(problem_);
@@ -141,7 +142,7 @@ class MpiWorld final : public World {
             accuracy::SweepState& state, const std::atomic<bool>& stop,
             const std::function<void(const accuracy::SweepState&)>& progress) override {
     accuracy::OwnBlocks blocks(identity.task, state, stop, progress);
-    // The messages are this thread's.
+    // Only this thread sends and receives messages, so the blocks of rank 0 are computed by another thread.
     std::thread own([&] { accuracy::work(identity.task, source, threads, blocks); });
     listen(&blocks, accuracy::to_text(identity));
     own.join();
@@ -166,14 +167,15 @@ class MpiWorld final : public World {
   }
 
  private:
-  // Answers until every other rank has said its last word: a problem, or none. No blocks: all are sent home.
+  // Answers requests until every other rank has sent its final message, which states a problem or is empty.
+  // If `blocks` is null, the answers contain no blocks, so that the other ranks end.
   void listen(accuracy::OwnBlocks* blocks, const std::string& identity) {
     for (int left = size_ - 1; left > 0;) {
       MPI_Status status;
       int there = 0;
       MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &status);
       if (there == 0) {
-        std::this_thread::sleep_for(kBetweenLooks);  // MPI's own waiting takes a core
+        std::this_thread::sleep_for(kBetweenLooks);  // blocking MPI calls would keep a core busy
         continue;
       }
       const std::vector<char> data = receive(status);

@@ -1,4 +1,4 @@
-// The pages of results that lie in an output folder.
+// Writes the pages of results into an output folder.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace evalcts::cli {
 
-// Writes index.html and summary.md of these results, compared with the earlier ones, into an existing folder,
-// each whole or not at all. Throws CannotWrite or FormatError.
+// Writes index.html and summary.md, which show `results` and compare them with the earlier results `before`,
+// into an existing folder. Throws CannotWrite, after which the old file is unchanged, or FormatError.
 void write_pages(const std::filesystem::path& output, const std::vector<RunResult>& results,
                  const std::vector<RunResult>& before);
 

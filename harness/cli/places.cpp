@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 Places places() {
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
-  // In a checkout the program lies in build/PRESET/harness/cli.
+  // In a checkout, the program is in build/PRESET/harness/cli.
   const fs::path top = fs::weakly_canonical(folder / "../../../..");
   if (fs::exists(top / "reports/schema") && fs::exists(top / "suites/requirements.json"))
     return {.suite_program = folder / "evalcts-suite",

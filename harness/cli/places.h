@@ -1,4 +1,4 @@
-// The places of the files of evalcts.
+// Finds the files of evalcts, in a checkout or an installation.
 #pragma once
 
 #include <filesystem>
@@ -8,19 +8,20 @@
 
 namespace evalcts::cli {
 
-// Paths of the suite programs and of the usual output folder.
+// Paths of the suite programs, the default output folder, and the data of evalcts.
 struct Places {
   std::filesystem::path suite_program, faulty_suite_program;
   std::filesystem::path output;
   std::filesystem::path baselines;
   std::filesystem::path vectors;
-  // libglevaluator for C programs; empty where it is not known.
+  // Headers and library of libglevaluator for C programs; empty in an installation, where the
+  // compiler finds them.
   std::filesystem::path production_headers, production_library;
 };
 Places places();
 
-// The output folder, for this command alone while the result lives; made where it is missing. Throws
-// CannotStart where nothing can be written into it or another command writes there.
+// Creates the output folder if it does not exist, and locks it while the result lives. Throws CannotStart if
+// the folder is not writable or another command has locked it.
 FolderLock claim(const std::filesystem::path& output, const std::string& command);
 
 }  // namespace evalcts::cli

@@ -10,7 +10,7 @@
 namespace evalcts::cli {
 namespace {
 
-constexpr std::size_t kLongestName = 200;  // bytes of a file's name
+constexpr std::size_t kLongestName = 200;  // bytes of a test's name in a file name
 constexpr double kLongestTimeout = 1e6;    // seconds
 
 bool is_word(const std::string& text) {

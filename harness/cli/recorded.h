@@ -1,4 +1,5 @@
-// Results of earlier runs as what to replay: files that anybody may have written.
+// Determines what to replay from the results of an earlier run. Result files may come from anybody, so they
+// are validated.
 #pragma once
 
 #include <string>
@@ -19,16 +20,16 @@ struct Candidate {
   bool failed() const { return is_failure(test->verdict); }
 };
 
-// The tests of a run, which has to live as long; none of a second pass, in which tests fail only after
-// others, so that no program of one case shows it. Throws FormatError if something that a replay needs is
-// missing.
+// Returns the tests of a run, which must outlive them. A second pass has none, because its tests fail only
+// after others, so that a program with one case does not reproduce the failure. Throws FormatError if the
+// name of the implementation is missing or the timeout is invalid.
 std::vector<Candidate> candidates_of(const RunResult& run);
 
-// The options with which the suite program judged, and the captures: those that say what is judged, and how.
-// No option gets through that writes a file, whatever the record holds. Throws FormatError.
+// Returns the options with which the suite program judged, and --captures. Only options that select the
+// implementation and the way of judging are accepted, because others might write files. Throws FormatError.
 std::vector<std::string> replay_options(const RunResult& run);
 
-// "reproduce-Theme.Test-MAP1_INDEX.c": a name in the folder of the results, whatever the test is called.
+// Returns a file name such as "reproduce-Theme.Test-MAP1_INDEX.c", without characters that leave the folder.
 std::string reproducer_name(const std::string& test);
 
 }  // namespace evalcts::cli

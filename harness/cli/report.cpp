@@ -1,4 +1,4 @@
-// evalcts report: pages from results that are there, of this run or another, of this machine or others.
+// `evalcts report`: writes pages from existing results, which may come from different runs and machines.
 #include <evalcts/reports.h>
 #include <fmt/format.h>
 
@@ -16,9 +16,9 @@ namespace evalcts::cli {
 namespace {
 
 struct ReportOptions {
-  std::vector<std::string> results;  // files and folders; empty: the usual folder
-  std::vector<std::string> before;   // of the earlier results; empty: nothing is compared
-  std::string output;                // empty: the usual folder
+  std::vector<std::string> results;  // files and folders; empty: the default folder
+  std::vector<std::string> before;   // files and folders of earlier results; empty: nothing is compared
+  std::string output;                // empty: the default folder
 };
 
 namespace fs = std::filesystem;

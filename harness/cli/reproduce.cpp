@@ -1,4 +1,4 @@
-// evalcts reproduce: a failure or a bug of the last run as a stand-alone C program.
+// `evalcts reproduce`: writes a failure or a bug of the last run as a stand-alone C program.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -24,25 +24,26 @@ namespace evalcts::cli {
 namespace {
 
 struct ReproduceOptions {
-  // A test's name, NAME:test, or a part that only one failing test has; a bug's ID, or NAME:ID.
+  // The name of a test, NAME:test, or a part of a name that occurs in only one failing test; the ID of a bug,
+  // or NAME:ID. NAME is the name of an implementation.
   std::string failure;
-  std::string results;  // folder of the run; empty: the usual one
-  std::string output;   // the file to write; empty: in the folder of the run
-  std::string program;  // how evalcts was called
+  std::string results;  // folder of the run; empty: the default folder
+  std::string output;   // the file to write; empty: a file in the folder of the run
+  std::string program;  // evalcts as the user typed it
 };
 
 namespace fs = std::filesystem;
 
-constexpr double kLook = 0.1;         // seconds between two looks at the child
-constexpr double kStartSeconds = 60;  // for contexts and captures, before the test itself
+constexpr double kLook = 0.1;         // interval, in seconds, at which the child is checked
+constexpr double kStartSeconds = 60;  // time limit, in seconds, for the start of the test
 constexpr std::size_t kMostSuggested = 10;
 
-// Thrown if no reproducer can be written; the message says what to do.
+// Thrown if no reproducer can be written. The message states the reason.
 struct CannotReproduce : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Every test of every result file in the folder; `runs` keeps what they point to.
+// Returns the tests of all result files in the folder. They point to results, which are added to `runs`.
 std::vector<Candidate> recorded_tests(const fs::path& folder, std::list<RunResult>& runs) {
   std::vector<Candidate> tests;
   std::error_code error;
@@ -75,7 +76,8 @@ std::string suggestions(const std::vector<Candidate>& tests) {
   return text;
 }
 
-// The one failing test that is meant.
+// Returns the only failing test with the wanted name, or the only one whose name contains
+// it. Throws CannotReproduce.
 Candidate find(const std::vector<Candidate>& tests, const std::string& wanted) {
   std::vector<Candidate> failing, exact, part;
   bool exists = false;
@@ -98,13 +100,14 @@ Candidate find(const std::vector<Candidate>& tests, const std::string& wanted) {
                                                       wanted, suggestions(failing)));
 }
 
-// The minimal program of a bug, as if it were a test.
+// The minimal program of a bug, with a record as if it were a test.
 struct BugProgram {
   TestRecord test;
   std::string commands;  // JSON
 };
 
-// The one bug that is meant; none if no bug has this ID. A bug that was not reduced is its first test.
+// Returns the bug with the wanted ID; none if there is none. For a bug that was not reduced, returns its
+// first test; otherwise sets `program`. Throws CannotReproduce if several implementations have the bug.
 std::optional<Candidate> find_bug(const std::list<RunResult>& runs, const std::string& wanted,
                                   BugProgram& program) {
   std::vector<std::pair<const RunResult*, const Bug*>> found;
@@ -155,15 +158,15 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-// The outcome of the test when the suite program ran it once more.
+// The outcome of the test when the suite program ran it again.
 struct Replayed {
-  std::optional<TestRecord> record;  // none if the process died or hung in it
+  std::optional<TestRecord> record;  // none if the process died or hung in the test
   bool hung = false;
   std::string ending;
-  std::string program;  // C
+  std::string program;  // the C program; empty if none was written
 };
 
-// Returns true if the test has begun, and sets its record once there is one.
+// Returns true if the test has started. Sets `record` if the test has finished.
 bool read_events(const fs::path& path, std::optional<TestRecord>& record) {
   bool started = false;
   std::ifstream records(path);
@@ -176,7 +179,8 @@ bool read_events(const fs::path& path, std::optional<TestRecord>& record) {
   return started;
 }
 
-// `program`: the commands of a program that is replayed instead of the test; may be empty.
+// Runs the test again and writes the C program. `program`: JSON commands that are replayed instead of the
+// test; empty: none. Throws CannotReproduce if the test does not start.
 Replayed replay(const Candidate& failure, const std::string& program) {
   if (failure.run->suite_command.empty())
     throw CannotReproduce("the results come from another version of evalcts; run the test again:\n  " +
@@ -213,7 +217,7 @@ Replayed replay(const Candidate& failure, const std::string& program) {
   return result;
 }
 
-// Text for a C comment.
+// Returns the text as lines of a C comment.
 std::string comment(const std::string& text) {
   std::string out = " * " + wrapped(text, 96, " * ", 3);
   for (const char* mark : {"*/", "/*"})
@@ -241,13 +245,14 @@ std::string head(const Candidate& failure, const Replayed& replayed, const std::
   return text;
 }
 
-// A path as short as it can be from here.
+// Returns `path` relative to the working directory if that is shorter.
 std::string from_here(const fs::path& path) {
   const std::string relative = fs::proximate(path).string();
   return relative.size() < path.string().size() ? relative : path.string();
 }
 
-// One line for the shell; the paths are `source` and the same without its extension.
+// Returns a shell line that compiles the C file `source` to a program of the same name without extension and
+// runs it.
 std::string compile_line(const Candidate& failure, const std::string& source) {
   const std::string program = source.substr(0, source.size() - fs::path(source).extension().string().size());
   std::vector<std::string> command = {"cc", "-o", program, source};

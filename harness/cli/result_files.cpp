@@ -22,7 +22,7 @@ bool is_result_name(const fs::path& path) {
   return path.filename().string().starts_with("results-") && path.extension() == ".json";
 }
 
-// The result files that an argument names, sorted.
+// Returns the result files that an argument names, sorted.
 std::vector<fs::path> files_of(const fs::path& argument) {
   std::error_code error;
   const fs::file_status status = fs::status(argument, error);
@@ -58,7 +58,7 @@ RunResult read_result(const fs::path& file) {
   }
 }
 
-// The folder that the user named distinguishes results of one name.
+// Returns the folder that the user named, which distinguishes results with the same name.
 std::string origin_of(const fs::path& argument) {
   const fs::path path = argument.has_filename() ? argument : argument.parent_path();
   return is_result_name(path) && path.has_parent_path() ? path.parent_path().string() : path.string();

@@ -1,4 +1,4 @@
-// Results of runs, from the files and folders that the user names.
+// Reads the results of runs from the files and folders that the user names.
 #pragma once
 
 #include <stdexcept>
@@ -9,13 +9,13 @@
 
 namespace evalcts::cli {
 
-// The results that the user named cannot be read; the message says what to do.
+// Thrown if the named results cannot be read. The message states the file, the reason and what to do.
 struct CannotReadResults : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The results in the files, and in the folders; shards are put together. `with_origin`: each remembers where
-// it was read from. Throws CannotReadResults, and FormatError if shards do not belong together.
+// Returns the results in the files and folders, each file once. Shards of a run are merged. If `with_origin`,
+// sets RunResult::origin. Throws CannotReadResults, and FormatError if shards do not belong together.
 std::vector<RunResult> read_results(const std::vector<std::string>& arguments, bool with_origin);
 
 }  // namespace evalcts::cli

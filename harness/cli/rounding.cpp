@@ -15,9 +15,9 @@ namespace evalcts::cli {
 namespace {
 
 struct RoundingOptions {
-  std::uint64_t samples = 100'000, exact = 2'000;  // values of each class
+  std::uint64_t samples = 100'000, exact = 2'000;  // numbers of values of each class
   bool sweep = false;
-  std::string filter;  // of the classes; empty: all
+  std::string filter;  // selects classes; empty: all
   std::vector<std::string> targets;
   std::uint32_t seed = 1;
   std::optional<int> jobs;
@@ -74,7 +74,7 @@ int rounding(const RoundingOptions& options) {
 
 std::function<int()> define_rounding(CLI::App& app, const Call&) {
   const auto options = std::make_shared<RoundingOptions>();
-  const CLI::Range counts(0.0, 1e15);  // by itself the parser takes -1 for 2^64 - 1
+  const CLI::Range counts(0.0, 1e15);  // needed because the parser reads -1 as 2^64 - 1
   app.add_option("--samples", options->samples,
                  "number of values per class of maps that are checked through the filter and, if it does not "
                  "decide, the exact route")

@@ -33,31 +33,31 @@ namespace evalcts::cli {
 namespace {
 
 struct RunOptions {
-  std::vector<std::string> implementations;  // empty: the default ones
+  std::vector<std::string> implementations;  // empty: the default implementations
   std::string library;
   std::string context;
   std::string label;
-  std::string filter;  // among the tests of the depth; empty: all of them
+  std::string filter;  // selects among the tests of the depth; empty: all of them
   std::string depth = "full";
   std::uint32_t seed = 1;
   double seconds_per_test = 60;
-  std::uint64_t mebibytes = 4096;  // of memory, for each process
+  std::uint64_t mebibytes = 4096;  // memory limit of each process
   int retries = 1;
   std::optional<int> jobs;  // processes for each implementation
-  std::string output;       // empty: the usual folder
-  std::string baseline;     // "DIR", "DIR/NAME", "NAME", "none", or empty for the shipped ones
+  std::string output;       // empty: the default folder
+  std::string baseline;     // "DIR", "DIR/NAME", "NAME" or "none"; empty: the shipped baselines
   bool write_baseline = false;
   bool strict = false;
   bool no_bugs = false;
-  double bug_seconds = 60;  // for reducing failing tests to minimal programs
+  double bug_seconds = 60;  // time limit for the reduction of failing tests to minimal programs
   bool reuse_context = false;
   bool allow_unobserved = false;
   std::vector<std::string> interpretations;  // NAME=READING
   std::string shard;                         // "K/N"; empty: all
   std::optional<std::uint32_t> shuffle;      // seed of the order in which the tests run
   bool quiet = false, verbose = false;
-  std::string command;  // as typed
-  std::string program;  // how it was called
+  std::string command;  // the typed command
+  std::string program;  // evalcts as the user typed it
 
   bool names_implementations() const {
     return !implementations.empty() || !library.empty() || !context.empty();
@@ -87,13 +87,15 @@ int exit_code_of(const RunResult& result, const RunOptions& options) {
   return code;
 }
 
-// The folder that a value of --baseline names, and the base or overlay in it, or empty for the one that fits.
+// The folder that a value of --baseline names, and the base or overlay in it; an empty name stands for the
+// best fit.
 struct ChosenBaseline {
   fs::path folder;
   std::string name;
 };
 
-// `given`: empty for the shipped baselines, "DIR", "DIR/NAME", or the NAME of a shipped one.
+// Parses a value of --baseline: "DIR", "DIR/NAME", the NAME of a shipped baseline, or empty for
+// the shipped baselines.
 ChosenBaseline baseline_of(const std::string& given, const fs::path& shipped) {
   const auto has = [](const fs::path& folder, const std::string& name) {
     return !name.empty() && fs::exists(folder / (name + "-fails.txt"));
@@ -107,7 +109,7 @@ ChosenBaseline baseline_of(const std::string& given, const fs::path& shipped) {
   return {path, ""};
 }
 
-// With all that is put around it, a file's name has at most 255 bytes.
+// The names of output files contain the label, and may have at most 255 bytes.
 constexpr std::size_t kLongestLabel = 100;
 
 bool is_file_name(const std::string& label) {
@@ -116,7 +118,7 @@ bool is_file_name(const std::string& label) {
   return !label.empty() && label.size() <= kLongestLabel && label[0] != '.' && label[0] != '-';
 }
 
-// Returns the error in the first bad one of these, NAME=READING each; empty if all are good.
+// Returns the error in the first invalid choice (NAME=READING); empty if all are valid.
 std::string wrong_reading(const std::vector<std::string>& choices) {
   for (const std::string& choice : choices) {
     const std::size_t equals = choice.find('=');
@@ -129,7 +131,7 @@ std::string wrong_reading(const std::vector<std::string>& choices) {
   return {};
 }
 
-// Returns the error in the options, whatever the machine; empty if there is none.
+// Returns the error in the options as far as they do not depend on the machine; empty if there is none.
 std::string wrong_options(const RunOptions& options) {
   const std::size_t named = std::max<std::size_t>(options.implementations.size(), 1);
   const bool is_one = named == 1 && options.names_implementations();
@@ -157,7 +159,7 @@ std::vector<ImplementationOptions> chosen_implementations(const RunOptions& opti
     for (const std::string& name : default_implementations()) chosen.push_back({name, "", ""});
     return chosen;
   }
-  // The commands that a failure is shown with work from everywhere.
+  // The path is absolute so that the commands shown with a failure work in any directory.
   const std::string library = options.library.find('/') == std::string::npos
                                   ? options.library
                                   : fs::absolute(options.library).lexically_normal().string();
@@ -166,7 +168,7 @@ std::vector<ImplementationOptions> chosen_implementations(const RunOptions& opti
   return chosen;
 }
 
-// The tests of the run, in the order in which they are run.
+// Returns the tests to run, in their order.
 std::vector<ListedTest> chosen_tests(const RunOptions& options, const std::vector<ListedTest>& all,
                                      const RunRequest& request) {
   std::vector<ListedTest> tests = matching(all, options.filter);
@@ -177,7 +179,7 @@ std::vector<ListedTest> chosen_tests(const RunOptions& options, const std::vecto
   return tests;
 }
 
-// Says why no test is run; empty if one is.
+// Returns the reason why the filter selects no test; empty if it selects any.
 std::string wrong_filter(const RunOptions& options, const std::vector<ListedTest>& all, Depth depth) {
   const std::vector<ListedTest> matched = matching(all, options.filter);
   if (matched.empty()) return fmt::format("no test matches '{}'; see 'evalcts list tests'", options.filter);
@@ -197,7 +199,7 @@ RunRequest request_of(const RunOptions& options, const std::string& shard) {
   request.seed = options.seed;
   request.limits = {options.seconds_per_test, options.mebibytes << 20};
   request.retries = options.retries;
-  // With several processes, chance decides which tests of the same process come before another.
+  // With several processes, the order of tests within a process is not deterministic, so --shuffle uses one.
   request.jobs = options.jobs.value_or(options.shuffle ? 1 : usual_jobs());
   request.output = options.output.empty() ? places().output : fs::path(options.output);
   request.command = options.command;
@@ -208,7 +210,7 @@ RunRequest request_of(const RunOptions& options, const std::string& shard) {
   return request;
 }
 
-// Sets the bugs behind the failing tests.
+// Reduces the failing tests to distinct bugs and sets result.bugs or result.bugs_note.
 void find_bugs(RunResult& result, const RunRequest& request, const RunOptions& options, ProgressLine& line) {
   if (std::ranges::none_of(result.tests, [](const TestRecord& test) { return is_failure(test.verdict); }))
     return;
@@ -232,7 +234,8 @@ void find_bugs(RunResult& result, const RunRequest& request, const RunOptions& o
   fs::remove_all(scratch);
 }
 
-// The passes over one implementation; the second, over one shared context, follows the first.
+// Runs the passes over one implementation and returns their results. The second pass, over one shared
+// context, is optional.
 std::vector<RunResult> passes_over(RunRequest request, const RunOptions& options, ProgressLine& line) {
   Pace pace;
   const auto show = [&](const Progress& progress) {
@@ -250,12 +253,12 @@ std::vector<RunResult> passes_over(RunRequest request, const RunOptions& options
   return passes;
 }
 
-// Compares the result with its baseline, which is written anew first if the user wants that.
+// Compares the result with its baseline. If --write-baseline is given, the baseline is updated first.
 void apply_baseline(RunResult& result, const RunOptions& options, const RunRequest& request,
                     const std::vector<ListedTest>& all_tests) {
   Baseline baseline =
       Baseline::best_fit(request.baselines, result.implementation, result.pass, request.baseline);
-  // A baseline that was chosen for one pass leaves the other pass alone.
+  // If the chosen baseline is for one pass, the other pass must not write it.
   if (options.write_baseline && (request.baseline.empty() || baseline.has_part(request.baseline))) {
     const BaselineFiles renewed = baseline.renewed(result, request.baseline, result.file_label());
     if (!baseline.name().empty() || !renewed.entries.empty())
@@ -290,7 +293,7 @@ int run(const RunOptions& options, const std::string& shard) {
   stop_when_asked();
   adopt_what_children_leave();
   ProgressLine line(options.quiet);
-  // Side by side: each implementation has processes of its own. Their summaries come in the order asked for.
+  // Implementations run in parallel, each in its own processes. Summaries are printed in the requested order.
   std::vector<std::future<std::vector<RunResult>>> running;
   for (const ImplementationOptions& implementation : chosen) {
     request.implementation = implementation;

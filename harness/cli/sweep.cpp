@@ -1,5 +1,5 @@
-// `evalcts ulp --sweep`: every float of an interval, from where a checkpoint says that it ended; in one
-// process or in several. `evalcts ulp --merge`: the shards of a sweep together.
+// `evalcts ulp --sweep`: evaluates at every float of an interval, resumes from a checkpoint, and may use
+// several processes. `evalcts ulp --merge`: merges the shards of a sweep.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -35,8 +35,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The file of the options, or one whose name has a checksum of the identity: a sweep of another map gets
-// another file.
+// Returns the checkpoint file of the options. By default, its name contains a checksum of the identity, so
+// that sweeps of different maps have different files.
 fs::path file_of(const UlpOptions& options, const accuracy::SweepIdentity& identity) {
   if (!options.checkpoint.empty()) return options.checkpoint;
   const std::string text = accuracy::to_text(identity);
@@ -47,7 +47,7 @@ fs::path file_of(const UlpOptions& options, const accuracy::SweepIdentity& ident
                      crc.checksum());
 }
 
-// The command that evaluates the input of an error again.
+// Returns the command that evaluates the input of an error again.
 std::string replay_line(const UlpOptions& options, const accuracy::SweepTask& task, int component, float at) {
   const accuracy::Map& map = task.map.map;
   std::vector<std::string> command = {options.program, "ulp"}, points, orders = {std::to_string(map.uorder)};
@@ -70,7 +70,8 @@ std::string replay_line(const UlpOptions& options, const accuracy::SweepTask& ta
   return "  " + shell_line(command) + "\n";
 }
 
-// One of the largest errors, and how to see it again if there are options of a sweep.
+// Returns a description of a largest error, followed by the command that reproduces it if `options`
+// is not null.
 std::string in_words(const accuracy::Checkpoint& sweep, const accuracy::SweepResult::Largest& found,
                      const char* unit, const UlpOptions* options) {
   const auto largest = accuracy::largest_error(sweep.identity.task, found);
@@ -99,11 +100,11 @@ std::string in_words(const accuracy::Checkpoint& sweep, const UlpOptions* option
              result.digest, sweep.seconds, values / sweep.seconds / 1e6, result.decided_exactly);
 }
 
-// The map of the options; a message where there is none.
+// Returns the map of the options, or an error message.
 std::variant<accuracy::SweptMap, std::string> map_of(const UlpOptions& options) {
   std::size_t product = 1;
   for (const int order : options.orders) product *= static_cast<std::size_t>(std::max(order, 0));
-  UlpOptions one_component = options;  // for what is said of all of them
+  UlpOptions one_component = options;  // one component, for a check that applies to each of them
   one_component.points.resize(std::min<std::size_t>(product, reference::kMaxOrder * reference::kMaxOrder));
   if (options.orders.empty() || options.points.empty() ||
       options.points.size() % std::max<std::size_t>(product, 1) != 0)
@@ -129,7 +130,7 @@ std::variant<accuracy::SweptMap, std::string> map_of(const UlpOptions& options) 
     return fmt::format("{} has {} components: --points takes one number per control point, or that many",
                        map.target, map.map.components);
   map.map.points = options.points;
-  if (given == 1) {  // all components alike
+  if (given == 1) {  // the given component stands for all
     map.map.points.clear();
     for (const double x : options.points) map.map.points.insert(map.map.points.end(), map.map.components, x);
   }
@@ -142,8 +143,8 @@ std::variant<accuracy::SweptMap, std::string> map_of(const UlpOptions& options) 
   return map;
 }
 
-// This program cannot work with the processes that the environment announces: the program that can takes its
-// place.
+// Replaces this program, which does not support several processes, by evalcts-mpi. Returns an error message
+// if this fails.
 std::string become_mpi_program() {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "evalcts-mpi";
   if (!fs::exists(program))
@@ -196,7 +197,7 @@ int merge(const UlpOptions& options) {
 
 namespace {
 
-// The sweep of the options; a message if they are of none.
+// Returns the sweep of the options, or an error message.
 std::variant<accuracy::SweepTask, std::string> task_of(const UlpOptions& options) {
   auto map = map_of(options);
   if (const auto* const wrong = std::get_if<std::string>(&map)) return *wrong;
@@ -229,7 +230,8 @@ std::string headline(const UlpOptions& options, const accuracy::SweepTask& task,
                      world && world->size() > 1 ? fmt::format(", {} processes", world->size()) : "");
 }
 
-// Rank 0, which keeps the checkpoint. Throws CannotStart, NotObservable, BadCheckpoint.
+// Runs the sweep as rank 0, which keeps the checkpoint, and returns an exit code. Sets `world` to null once
+// lead() has been called. Throws CannotStart, NotObservable, BadCheckpoint.
 int sweep_here(const UlpOptions& options, const accuracy::SweepTask& task, int jobs, World*& world) {
   const accuracy::StreamSource source = accuracy::stream_source(implementation_of(options));
   if (source.info.max_eval_order > 0 && std::ranges::max(options.orders) > source.info.max_eval_order)
@@ -289,7 +291,7 @@ int sweep(const UlpOptions& options) {
     return wrong_use(why_not);
   }
   std::unique_ptr<World> world;
-  // One process says so.
+  // Only rank 0 prints an error message.
   const auto said_once = [&](const std::string& words) {
     return !world || world->rank() == 0 ? wrong_use(words) : kWrongUse;
   };
@@ -298,7 +300,7 @@ int sweep(const UlpOptions& options) {
   } catch (const CannotStart& reason) {
     return said_once(reason.what());
   }
-  // An error here is one in every process.
+  // All processes have the same options, so an error here occurs in each of them.
   const auto given = task_of(options);
   if (const auto* const wrong = std::get_if<std::string>(&given)) return said_once(*wrong);
   const auto& task = std::get<accuracy::SweepTask>(given);
@@ -309,7 +311,7 @@ int sweep(const UlpOptions& options) {
         task, [&] { return accuracy::stream_source(implementation_of(options)); }, jobs);
     return kNothingUnexpected;
   }
-  // The others wait for orders, whatever happens here; none if they have been led.
+  // Dismisses the other ranks, which wait for orders, if this function returns without having called lead().
   struct Dismissal {
     World* others;
     ~Dismissal() {

@@ -18,7 +18,7 @@ namespace evalcts::cli {
 namespace {
 constexpr int kMostUsualJobs = 8;
 constexpr std::size_t kUsualColumns = 80;
-constexpr double kFirstEstimate = 2;  // seconds, before which there is none
+constexpr double kFirstEstimate = 2;  // seconds until the first estimate
 }  // namespace
 
 void stop_when_asked() {

@@ -1,4 +1,4 @@
-// Helpers of the commands that run things: signals, cores, a line of progress.
+// Helpers for long-running commands: signals, number of processes, and a progress line.
 #pragma once
 
 #include <chrono>
@@ -10,23 +10,23 @@
 
 namespace evalcts::cli {
 
-// From now on SIGINT, SIGTERM and SIGHUP set `interrupted`, and nothing is lost where nobody reads the
-// output.
+// Makes SIGINT, SIGTERM and SIGHUP set `interrupted`, and ignores SIGPIPE and SIGXFSZ, so that results are
+// not lost if nobody reads the output.
 void stop_when_asked();
 
 // Returns true if standard output is a terminal and NO_COLOR is not set.
 bool shows_colour();
 
-// Lines and columns of the terminal that the stream's descriptor is; 0 where it is none.
+// Size of the terminal to which a descriptor refers; 0 and 0 if it does not refer to a terminal.
 struct ScreenSize {
   std::size_t lines = 0, columns = 0;
 };
 ScreenSize screen_of(int descriptor);
 
-// "1:07", "2:03:04".
+// Returns "1:07" or "2:03:04".
 std::string clock_time(double seconds);
 
-// The pace of something: "1234 of 5304, 61 a second, 1:07 left".
+// Progress with rate and estimated time remaining: "1234 of 5304, 61 a second, 1:07 left".
 class Pace {
  public:
   std::string at(std::size_t done, std::size_t total);
@@ -36,16 +36,19 @@ class Pace {
   std::size_t done_before_ = 0;
 };
 
-// Returns the number of processes for the cores that this one may use, within reason.
+// Returns the default number of parallel processes: that of the cores that this process may use, but
+// at most 8.
 int usual_jobs();
 
-// One line that is written over, on terminals only, with the progress of all that run side by side.
+// A line on standard error, only on terminals, that shows the progress of all parallel tasks
+// and is overwritten.
 class ProgressLine {
  public:
-  // `quiet`: none.
+  // If `quiet`, no line is shown.
   explicit ProgressLine(bool quiet = false) : terminal_(!quiet && on_terminal()) {}
+  // Sets the state of the task called `name`.
   void show(const std::string& name, const std::string& state);
-  // Prints whole lines without the progress line getting in between.
+  // Erases the progress line and prints complete lines to standard output.
   void print(const std::string& text);
 
  private:

@@ -1,5 +1,6 @@
-// `evalcts ulp`: the accuracy table. Each implementation is measured in a process of its own, since libraries
-// do not share one well and may crash; it writes one line of JSON for each row.
+// `evalcts ulp`: measures the accuracy table. Each implementation is measured in its own process,
+// because libraries disturb each other in one process and may crash. The process writes one line of JSON
+// for each row.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sys/prctl.h>
@@ -51,7 +52,7 @@ std::vector<std::string> targets_of(const UlpOptions& options) {
 
 bool is_float(double x) { return static_cast<double>(static_cast<float>(x)) == x && !std::isinf(x); }
 
-// Why the domain that was given is none; empty if it is good.
+// Returns the error in the domain; empty if there is none.
 std::string wrong_domain(const UlpOptions& options) {
   const std::vector<double>& ends = options.domain;
   if (ends.size() % 2 != 0) return "--domain takes two numbers, u1,u2, or four, u1,u2,v1,v2";
@@ -64,7 +65,7 @@ std::string wrong_domain(const UlpOptions& options) {
   return {};
 }
 
-// The same interval in both directions, if only one is given.
+// Returns the domain of the options, if there is one. A single interval applies to both directions.
 std::optional<accuracy::Domain> domain_of(const UlpOptions& options) {
   const std::vector<double>& ends = options.domain;
   if (ends.empty()) return std::nullopt;
@@ -81,7 +82,7 @@ std::vector<accuracy::RowRequest> chosen_rows(const UlpOptions& options) {
   return rows;
 }
 
-// ---- The process that measures
+// --- the process that measures an implementation
 
 int measure_rows(const UlpOptions& options) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -104,7 +105,7 @@ int measure_rows(const UlpOptions& options) {
       }
     };
     for (const accuracy::RowRequest& request : chosen_rows(options)) {
-      // A subject without targets is measured once.
+      // A subject without targets is measured only once.
       if (!subject->has_targets() && request.target != targets_of(options).front()) break;
       const auto measure = [&] {
         const accuracy::Errors sample = accuracy::measure(*subject, request, interrupted);
@@ -131,7 +132,7 @@ int measure_rows(const UlpOptions& options) {
   return file ? kNothingUnexpected : kWrongUse;
 }
 
-// ---- One input
+// --- evaluation of one input
 
 int replay(const UlpOptions& options) {
   if (const std::string wrong = wrong_points(options); !wrong.empty()) return wrong_use(wrong);
@@ -177,7 +178,7 @@ int replay(const UlpOptions& options) {
   return kNothingUnexpected;
 }
 
-// ---- What comes of it
+// --- output
 
 std::string in_hex(const std::vector<double>& values) {
   std::vector<std::string> texts;
@@ -201,7 +202,7 @@ std::vector<std::string> how_to_replay(const UlpOptions& options, const std::str
   add("--target", row.target);
   add("--orders", input.two_dimensional ? fmt::format("{},{}", input.uorder, input.vorder)
                                         : std::to_string(input.uorder));
-  // A value that begins with '-' has to stand in the same word.
+  // A value that begins with '-' must be in the same word as its option.
   command.push_back("--points=" + in_hex(input.points));
   add("--at", argument_of(input));
   if (input.domain != accuracy::kUnitDomain)
@@ -210,7 +211,7 @@ std::vector<std::string> how_to_replay(const UlpOptions& options, const std::str
   return command;
 }
 
-// The row's name, with its target where there are several.
+// Returns the name of the row; if `with_target`, its target is appended.
 std::string name_of(const accuracy::Row& row, bool with_target) {
   return row.what.name() + (with_target && !row.target.empty() ? "/" + row.target : "");
 }
@@ -225,7 +226,7 @@ std::string worst_in_words(const WorstResult& result, const char* unit) {
                      worst.exact, shell_line(result->replay));
 }
 
-// Names the source of the largest error; no search proves that there is no larger one.
+// Returns the name of the search that found the largest error. No search proves that there is no larger one.
 const char* found_by(const WorstResult& result) {
   return !result ? "-" : result->worst.climbed ? "climbing" : "sample";
 }
@@ -266,7 +267,8 @@ std::string in_words(const accuracy::MeasuredImplementation& entry, bool with_ta
     for (Kind& kind : kinds) {
       if (!(row.*kind.worst)) continue;
       if (verbose) text += worst_in_words(row.*kind.worst, kind.unit);
-      // Near the end of the range floats are coarser than that unit, whatever was computed.
+      // Near the limits of the range, even the spacing of floats exceeds the unit of the condition-aware
+      // error.
       if (&kind == &kinds[1] && row.what.data == "extreme") continue;
       if (!kind.largest || row.*kind.maximum > kind.largest->*kind.maximum) kind.largest = &row;
     }
@@ -284,7 +286,7 @@ std::string quoted_for_gnuplot(const fs::path& path) {
   return quoted;
 }
 
-// gnuplot's picture of a script; none where that is not here.
+// Returns the picture that gnuplot draws from the script; none if gnuplot is missing or fails.
 std::optional<std::string> drawn(const fs::path& output, const std::string& script) {
   const fs::path commands = output / "ulp-picture.gnuplot", picture = output / "ulp-picture.svg";
   write_atomically(commands, fmt::format("set output '{}'\n", quoted_for_gnuplot(picture)) + script);
@@ -299,7 +301,7 @@ std::optional<std::string> drawn(const fs::path& output, const std::string& scri
   return svg;
 }
 
-// ---- The process that asks for it
+// --- the process that starts the measurements
 
 struct Measurement {
   std::string implementation, name;
@@ -343,7 +345,8 @@ void start(Measurement& measurement, const UlpOptions& options) {
   measurement.child = std::make_unique<ChildProcess>(command, measurement.log.string());
 }
 
-// The implementation's part of the document. Files that have nothing more to say are removed.
+// Returns the implementation's part of the document. Removes the files of the measurement, but keeps its log
+// if the process crashed.
 accuracy::MeasuredImplementation result_of(const Measurement& measurement, const UlpOptions& options) {
   using Status = accuracy::MeasuredImplementation::Status;
   accuracy::MeasuredImplementation entry;
@@ -365,7 +368,7 @@ accuracy::MeasuredImplementation result_of(const Measurement& measurement, const
   }
   const bool well = measurement.ending && !measurement.ending->signalled && measurement.ending->value == 0;
   if (interrupted) {
-    // The row in flight is lost with its process.
+    // The unfinished row is lost.
     entry.status = Status::kInterrupted;
     entry.reason = "interrupted; these rows were finished";
   } else if (!well) {
@@ -380,7 +383,8 @@ accuracy::MeasuredImplementation result_of(const Measurement& measurement, const
   return entry;
 }
 
-// Sweeps in the folder belong to the page: what they say is proven. What is none is left out, with a word.
+// Returns the sweeps in the folder, whose proven results are shown on the page. Prints a warning
+// for other files.
 std::vector<json> sweeps_in(const fs::path& output) {
   std::map<std::string, json> by_name;
   std::error_code error;
@@ -402,7 +406,7 @@ std::vector<json> sweeps_in(const fs::path& output) {
   return sweeps;
 }
 
-// Writes the page, and returns the sentence about it.
+// Writes the page, and returns a line with its path.
 std::string write_page(const fs::path& output, const json& document) {
   bool draws = true;
   const auto draw = [&](const std::string& script) -> std::optional<std::string> {
@@ -417,7 +421,7 @@ std::string write_page(const fs::path& output, const json& document) {
                      draws ? "" : " (without pictures: no working gnuplot was found, package gnuplot-nox)");
 }
 
-// The page of a measurement that is there already.
+// Writes the page of an existing measurement again.
 int page_again(const UlpOptions& options) {
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
   const auto wrong = [&](const std::string& why) {
@@ -520,7 +524,7 @@ int ulp(const UlpOptions& options) {
                 all[i].ending ? "done" : fmt::format("{} of {}", lines_of(all[i].rows).size(), rows));
     }
   }
-  for (Measurement& measurement : all) measurement.child.reset();  // killed, where it still runs
+  for (Measurement& measurement : all) measurement.child.reset();  // kills children that still run
 
   const bool with_target = targets_of(options).size() > 1;
   accuracy::Report report{options.command, interrupted, options.seed, targets_of(options), {}};
@@ -568,7 +572,7 @@ std::function<int()> define_ulp(CLI::App& app, const Call& call) {
   app.add_option("--climb", options->climb,
                  "number of further evaluations per row that search for larger errors, starting from the "
                  "largest ones found (default: that of --values)")
-      ->check(CLI::Range(0.0, 1e15));  // by itself the parser takes -1 for 2^64 - 1
+      ->check(CLI::Range(0.0, 1e15));  // needed because the parser reads -1 as 2^64 - 1
   app.add_option("--seed", options->seed, "seed of maps and arguments (default: 1)");
   app.add_option("--jobs", options->jobs,
                  "number of implementations that are measured in parallel (default: one per core)")

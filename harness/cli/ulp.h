@@ -1,4 +1,4 @@
-// The parts of `evalcts ulp`.
+// Declares the options and the modes of `evalcts ulp`.
 #pragma once
 
 #include <cstdint>
@@ -14,45 +14,45 @@ namespace evalcts::cli {
 inline constexpr std::uint64_t kValuesOfRow = 20'000, kValuesOfDigest = 10'000'000;
 
 struct UlpOptions {
-  std::vector<std::string> implementations;  // empty: the usual ones
+  std::vector<std::string> implementations;  // empty: the default implementations
   std::string library, context, label;
   std::vector<std::string> targets;     // empty: vertex_3
-  std::string filter;                   // of the classes of maps; empty: all
-  std::optional<std::uint64_t> values;  // of each row of the table, or of the digest
-  std::optional<std::uint64_t> climb;  // results that the search for worse inputs may take; as many as values
+  std::string filter;                   // selects classes of maps; empty: all
+  std::optional<std::uint64_t> values;  // number of values of each row of the table, or of the digest
+  std::optional<std::uint64_t> climb;   // evaluations of the search for worse inputs; none: as `values`
   std::uint32_t seed = 1;
   std::optional<int> jobs;
-  std::string output;  // empty: the usual folder
+  std::string output;  // empty: the default folder
   bool verbose = false;
-  // One input instead: its orders, control points and arguments.
+  // Mode that evaluates one input: its orders, control points and arguments.
   std::vector<int> orders;
   std::vector<double> points, at;
-  std::vector<double> domain;  // of the maps, or of that input: u1, u2 and v1, v2; empty: that of the class
-  int segments = 0;            // of the grid whose point the input's argument is; 0: a coordinate
-  // Every float of an interval instead.
+  std::vector<double> domain;  // u1, u2 or u1, u2, v1, v2 of the maps or of the one input; empty: the default
+  int segments = 0;            // segments of the grid if the argument is a grid point; 0: it is a coordinate
+  // Mode that evaluates at every float of an interval.
   bool sweep = false;
   float from = 0, to = 1;
-  std::optional<float> fixed_u, fixed_v;  // of a surface: where the argument stands that is not swept
-  bool digest = false;                    // instead: one line for many results
-  std::vector<std::string> merge;         // instead of that: files of its shards
-  std::string page;                       // instead: the ulp.json whose page to write again
+  std::optional<float> fixed_u, fixed_v;  // the fixed argument of a surface, which is not swept
+  bool digest = false;                    // mode that prints one line for many results
+  std::vector<std::string> merge;         // mode that merges a sweep: files of its shards
+  std::string page;                       // mode that writes the page of this ulp.json again
   std::string shard;                      // "K/N"; empty: all
   std::string checkpoint;                 // file; empty: one in the output folder
-  std::string rows;     // for the process that measures one implementation: the file to fill
-  std::string command;  // as typed
-  std::string program;  // how it was called
+  std::string rows;     // for the child process that measures one implementation: the file to write
+  std::string command;  // the typed command
+  std::string program;  // evalcts as the user typed it
 };
 
-// The one implementation of the options.
+// Returns the implementation that the options name; they must not name several.
 ImplementationOptions implementation_of(const UlpOptions& options);
-// Why the orders and control points that were given are none; empty where they are good: floats, as many as
-// the orders say.
+// Returns the error in the orders and control points; empty if the points are floats in the number that the
+// orders require.
 std::string wrong_points(const UlpOptions& options);
-// Every float of an interval.
+// Measures the errors at every float of an interval. Returns an exit code, as the next two functions do.
 int sweep(const UlpOptions& options);
-// The shards of a sweep together.
+// Merges the shards of a sweep.
 int merge(const UlpOptions& options);
-// One line for many results.
+// Prints one line with a digest of many results.
 int digest(const UlpOptions& options);
 
 }  // namespace evalcts::cli

@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The least number of cases that the shipped files hold together.
+// Minimum number of cases in all shipped files together.
 constexpr std::size_t kFewestCases = 5000;
 
-// Throws vectors::Malformed.
+// Returns the content of the file. Throws vectors::Malformed.
 std::string content_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream content;

@@ -1,4 +1,4 @@
-// The commands behind `evalcts vectors`.
+// Declares the options and the subcommands of `evalcts vectors`.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,15 @@
 namespace evalcts::cli {
 
 struct VectorsOptions {
-  std::string output;              // folder to write into; empty: the usual one
-  std::vector<std::string> files;  // to look at; empty: those that are shipped
-  std::vector<std::string> kinds;  // that are asked in a pipe; empty: all of them
-  bool allow_unobserved = false;   // exit code 0 of check although most cases were skipped
-  std::uint64_t seed = 0;          // of random cases
-  std::uint64_t count = 0;         // random cases of each kind; 0: the shipped cases
+  std::string output;              // folder to write into; empty: the default folder
+  std::vector<std::string> files;  // files to read; empty: the shipped files
+  std::vector<std::string> kinds;  // kinds of cases for emit and check; empty: all
+  bool allow_unobserved = false;   // exit code 0 of check even if most cases were skipped
+  std::uint64_t seed = 0;          // seed of random cases
+  std::uint64_t count = 0;         // number of random cases of each kind; 0: the shipped cases
 };
 
+// Carry out a subcommand and return an exit code.
 int write_vectors(const VectorsOptions& options);
 int lint_vectors(const VectorsOptions& options);
 int emit_vectors(const VectorsOptions& options);

@@ -18,13 +18,13 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostShown = 20;
 
-// The kinds that were asked for, or all that can be asked in a pipe.
+// Returns the requested kinds of cases, or all kinds that the pipe supports.
 std::vector<std::string> kinds_of(const VectorsOptions& options) {
   return options.kinds.empty() ? std::vector<std::string>{"map1_eval", "map2_eval", "grid", "auto_normal"}
                                : options.kinds;
 }
 
-// Throws vectors::Malformed.
+// Returns the parsed files. Throws vectors::Malformed.
 std::vector<nlohmann::json> files_of(const VectorsOptions& options) {
   std::vector<nlohmann::json> files;
   for (const std::string& kind : kinds_of(options)) {
@@ -95,7 +95,7 @@ int emit_vectors(const VectorsOptions& options) {
 
 namespace {
 
-// Judges what comes on standard input, kind after kind.
+// Judges the answers on standard input, one kind after the other.
 std::vector<vectors::Score> scores_of(const VectorsOptions& options, vectors::Answers& answers) {
   std::vector<vectors::Score> scores;
   if (options.count > 0) {

@@ -1,5 +1,5 @@
-// Processes that share one sweep, as mpirun starts them. The program evalcts knows of none; evalcts-mpi,
-// which is built where MPI is, is the same program with these.
+// The processes, started by mpirun, that share one sweep. Only the program evalcts-mpi supports them; it is
+// built if MPI is installed, and is otherwise the same as evalcts.
 #pragma once
 
 #include <atomic>
@@ -16,22 +16,25 @@ class World {
   virtual int rank() const = 0;
   virtual int size() const = 0;
 
-  // Rank 0, once: as accuracy::sweep(), while the other ranks take blocks as they ask for them. A rank that
-  // cannot start, or whose implementation is another one than `identity` says, ends it with CannotStart.
+  // Runs the sweep like accuracy::sweep(), and also hands out blocks to the other ranks. Called once, by rank
+  // 0. Throws CannotStart if another rank cannot start, or its implementation is not that of `identity`.
   virtual void lead(const accuracy::SweepIdentity& identity, const accuracy::StreamSource& source,
                     int threads, accuracy::SweepState& state, const std::atomic<bool>& stop,
                     const std::function<void(const accuracy::SweepState&)>& progress) = 0;
-  // Rank 0, instead of lead(): there is nothing to do.
+  // Tells the other ranks to end. Called by rank 0 instead of lead() if there is nothing to do.
   virtual void dismiss() = 0;
-  // The other ranks: does blocks until there is no more. What goes wrong here is for rank 0 to say.
+  // Computes blocks until there are no more. Called by the other ranks. Errors are sent to rank 0, which
+  // reports them.
   virtual void serve(const accuracy::SweepTask& task, const std::function<accuracy::StreamSource()>& source,
                      int threads) = 0;
 };
 
-// Null in evalcts; evalcts-mpi sets it. The world is left when it is destroyed. Throws CannotStart.
+// Joins the processes of mpirun, which are left when the object is destroyed. Throws CannotStart. Null in
+// evalcts; evalcts-mpi sets it.
 extern std::unique_ptr<World> (*join_world)();
 
-// Returns the number of processes of mpirun or srun, by the environment.
+// Returns the number of processes that mpirun or srun started, according to environment variables;
+// at least 1.
 int processes_of_environment();
 
 }  // namespace evalcts::cli

@@ -21,7 +21,7 @@ std::string wrapped(const std::string& text, std::size_t columns, const std::str
   std::istringstream words(text);
   std::string out;
   std::size_t column = used;
-  bool first = true;  // of its line
+  bool first = true;  // the next word is the first of its line
   for (std::string word; words >> word;) {
     const std::size_t size = code_points(word);
     if (!first && column + 1 + size > columns) {

@@ -1,4 +1,4 @@
-// Text for a terminal.
+// Wraps text for a terminal.
 #pragma once
 
 #include <cstddef>
@@ -6,13 +6,14 @@
 
 namespace evalcts::cli {
 
-// The words of `text` on lines of at most `columns` code points, every line but the first behind `indent`,
-// which counts. `used`: columns of the first line that are taken already. A longer word has a line of its
-// own.
+// Returns the words of `text` on lines of at most `columns` code points. All lines but the first begin with
+// `indent`, which counts as part of the line. `used` is the number of columns that are already used on the
+// first line. A word that is too long gets its own line.
 std::string wrapped(const std::string& text, std::size_t columns, const std::string& indent,
                     std::size_t used = 0);
 
-// Columns of the terminal on standard output, between 80 and 100; 100 where it is none.
+// Returns the number of columns of the terminal on standard output, limited to 80..100; 100 if there
+// is no terminal.
 std::size_t terminal_columns();
 
 }  // namespace evalcts::cli

@@ -3,8 +3,8 @@
  *   cc -shared -fPIC -I harness/backends/plugin -o bezier.so harness/examples/bezier_sink.c
  *   evalcts run --library ./bezier.so
  *
- * It declares two targets, VERTEX_3 and VERTEX_4, and hands over positions only. It has no queries, no
- * errors, no double precision and no explicit vertices: tests that need them are not-observable. */
+ * It declares two targets, VERTEX_3 and VERTEX_4, and emits only positions. It has no queries, no errors, no
+ * double precision and no explicit vertices, so tests that need them are not-supported. */
 #include <evalcts_sink.h>
 #include <string.h>
 
@@ -63,7 +63,7 @@ static void EvalCoord1f(float u) {
 
 static void EvalCoord1fv(const float* u) { EvalCoord1f(*u); }
 
-/* The initial state of GL: order 1, domain 0 to 1, point (0, 0, 0, 1). */
+/* Sets the initial state of GL: maps of order 1, with domain 0 to 1 and the point (0, 0, 0, 1). */
 static const char* reset(const evalcts_receiver* new_receiver) {
   int i;
   receiver = new_receiver;

@@ -1,4 +1,4 @@
-/* The smallest useful sink: curves of three coordinates. Only what is declared below is ever called. */
+/* The smallest useful sink: curves of three coordinates. evalcts calls only the functions declared below. */
 #include <evalcts_sink.h>
 static const evalcts_receiver* receiver;
 static float points[8][3], u1, u2;

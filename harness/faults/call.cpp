@@ -1,4 +1,4 @@
-// The wrappers that turn calls of entry points into Call objects, and the originals behind them.
+// Defines the wrappers that turn calls of entry points into Call objects, and call the unmodified commands.
 #include "call.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace evalcts::faults {
 namespace {
 
-// The letters of the arguments of families of entry points, by the beginning of their names.
+// The letters of the arguments, by the beginning of the command's name. The first match counts.
 constexpr std::pair<std::string_view, std::string_view> kLetters[] = {{"MapGrid1", "gab"},
                                                                       {"MapGrid2", "gabhcd"},
                                                                       {"Map1", "tabso"},
@@ -53,7 +53,7 @@ T give(Call& call, std::size_t i) {
   return T{};
 }
 
-// The wrapper of an entry point, and its original with the arguments of a call.
+// The wrapper of an entry point (run), and the unmodified command with the arguments of a Call (original).
 template <gl::EntryPoint kEntry, auto kMember, class Signature>
 struct Wrapper;
 template <gl::EntryPoint kEntry, auto kMember, class R, class... A>

@@ -1,4 +1,4 @@
-// Calls of entry points as data, which the expressions and steps of rules.h read and change.
+// Represents calls of entry points as data, which the expressions and steps of rules.h read and change.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@ namespace evalcts::faults {
 
 using enum gl::EntryPoint;
 
-inline constexpr GLint kMaxOrder = 64;  // of production
+inline constexpr GLint kMaxOrder = 64;  // MAX_EVAL_ORDER of production
 
 inline bool is_map1_target(GLenum token) { return token >= GL_MAP1_COLOR_4 && token <= GL_MAP1_VERTEX_4; }
 inline bool is_map2_target(GLenum token) { return token >= GL_MAP2_COLOR_4 && token <= GL_MAP2_VERTEX_4; }
 
-// The control points of a map without padding, v fastest. A curve has one column.
+// The control points of a map, without padding. v varies fastest. A curve has one column.
 struct Net {
   int components = 0, rows = 1, columns = 1;
   std::vector<double> values;
@@ -33,9 +33,9 @@ struct Map {
   double u1 = 0, u2 = 1, v1 = 0, v2 = 1;
   Net net;
 
-  void define() const;  // by the original Map1d or Map2d
+  void define() const;  // defines the map by the unmodified Map1d or Map2d
 };
-// Queries the present definition of a map. Not between Begin and End.
+// Queries the current definition of a map. Must not be called between Begin and End.
 Map current_map(GLenum target);
 
 // One call of an entry point with a rule, with its arguments as numbers.
@@ -43,34 +43,37 @@ struct Call {
   gl::EntryPoint entry{};
   std::array<double, 12> numbers{};
   std::array<void*, 12> pointers{};
-  void* pointer = nullptr;  // the last of them
+  void* pointer = nullptr;  // the last pointer argument
   std::size_t last_pointer = 0;
-  char element = ' ';  // the type behind `pointer`: f, d, i (int) or b (boolean)
+  char element = ' ';  // type of the elements at `pointer`: f (float), d (double), i (int) or b (boolean)
   double result = 0;
   std::size_t next = 0;         // the rules before this index have been applied
   std::vector<double> storage;  // keeps the points of set_net() alive
 
-  // Calls the original command, or the next rule for it, with the present arguments.
+  // Applies the next rule for the command, or if there is none, calls the unmodified command with
+  // the current arguments.
   void go();
-  // Calls the original command.
+  // Calls the unmodified command with the current arguments.
   void go_original();
-  // The argument with that letter (see the constants below).
+  // Returns the argument with this letter (see the constants of rules.h). Throws std::logic_error if
+  // there is none.
   double& argument(char letter);
   GLint integer(char letter) { return static_cast<GLint>(argument(letter)); }
   GLenum target() { return static_cast<GLenum>(argument('t')); }
-  // Elements behind the pointer.
+  // Read and write element i at `pointer`.
   double read(std::size_t i) const;
   void write(std::size_t i, double value);
-  // Map1 and Map2: true if the arguments are legal and the points may be read; the points; other points, with
-  // the strides that they need.
+  // Returns true if the arguments of Map1 or Map2 are legal, so that the control points may be read.
   bool is_legal();
+  // Returns the control points of a legal call of Map1 or Map2.
   Net net();
+  // Replaces the control points of Map1 or Map2, and adapts the strides and the order of u.
   void set_net(const Net& net);
 };
 
-// Puts the wrapper of an entry point, which makes a Call, into the table.
+// Sets an entry point of the table to its wrapper, which makes a Call.
 void install(gl::EntryPoint entry, gl::Table& table);
-// Takes the entry point out of the table.
+// Sets an entry point of the table to null.
 void remove(gl::EntryPoint entry, gl::Table& table);
 
 }  // namespace evalcts::faults

@@ -1,8 +1,9 @@
-// Faults: deliberate defects, one at a time, of an implementation that is correct without them. A suite is as
-// good as the defects that it detects.
+// Defines faults: deliberate mistakes, one at a time, in a correct implementation. A suite is as good as the
+// faults that it detects.
 //
-// Most are wrappers around entry points: rules (see rules.h) in wrappers/, one file for a section of the
-// requirements. Mistakes that no wrapper can make are mutations of the sources of `production`
+// Most faults are rules (see rules.h) that wrap entry points. They are in wrappers/, one file for each
+// section of the requirements. Mistakes that a wrapper cannot make are mutations of the sources of
+// `production`
 // (production/mutations/mutations.json).
 #pragma once
 
@@ -25,10 +26,10 @@ struct Injection {
 
 struct Fault {
   std::string_view name;
-  std::string_view implementation;  // that it is put into: see implementation_kinds(), or one of those below
-  Level level;                      // at which a test has to detect it
+  std::string_view implementation;  // the implementation that gets the fault: a kind, or a constant below
+  Level level;                      // minimum level of the tests that must detect the fault
   std::string_view
-      requirements;       // IDs (or halves, "ID/2-D") separated by blanks; a test of each detects the fault
+      requirements;       // IDs (or halves, "ID/2-D"), separated by blanks; a test of each detects the fault
   std::string_view what;  // the mistake, in words
   void (*inject)(Injection&);  // null: a mutation of production
 };
@@ -36,17 +37,17 @@ struct Fault {
 // The entry points without the fault.
 inline gl::Table unmodified;
 
-// Wrappers and mutations, by name.
+// Returns all faults (wrappers and mutations), sorted by name.
 const std::vector<Fault>& all_faults();
 
-// Implementations for faults in what none at hand has, or follows.
+// Implementations for faults in features that no available GL supports or implements correctly.
 inline constexpr std::string_view kNvVertexProgram = "nv-vertex-program";  // a provider of this build
-inline constexpr std::string_view kColorIndex = "color-index";             // the same
+inline constexpr std::string_view kColorIndex = "color-index";             // a provider of this build
 inline constexpr std::string_view kRepairedOSMesa = "repaired-osmesa";     // see repaired_osmesa.h
-inline constexpr std::string_view kOSMesa30 = "osmesa-3.0";  // Mesa's, when asked for that version
+inline constexpr std::string_view kOSMesa30 = "osmesa-3.0";                // OSMesa that reports GL 3.0
 
-// The implementation with the fault; `inner` has to be of the kind that the fault is for. Throws CannotStart
-// where there is no such fault.
+// Returns the implementation with the fault. `inner` must be the implementation that the fault is for. Throws
+// CannotStart if there is no such fault.
 std::unique_ptr<Implementation> with_fault(std::unique_ptr<Implementation> inner, std::string_view fault);
 
 struct FaultRegistration {

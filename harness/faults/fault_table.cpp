@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostDeaths = 20;  // of one run without a fault
+constexpr int kMostDeaths = 20;  // children that may die while the tests run without a fault
 
 struct CannotTry {
   std::string reason;
@@ -73,7 +73,7 @@ class Trial {
     return names;
   }
 
-  // Returns the tests that pass without a fault.
+  // Returns those of the tests that pass on the unmodified implementation.
   std::vector<std::string> passing_tests(const ListedFault& fault, Depth depth,
                                          const std::vector<std::string>& tests) {
     const std::string& implementation = fault.implementation;
@@ -100,7 +100,7 @@ class Trial {
   Detection play_until_detected(const ListedFault& fault, Depth depth,
                                 const std::vector<std::string>& tests) {
     const ChildRun run = play(fault, fault.name, depth, tests);
-    if (interrupted) throw CannotTry{"interrupted"};  // the death of the child says nothing then
+    if (interrupted) throw CannotTry{"interrupted"};  // the interruption has killed the child
     const auto detected = [&](const std::string& test, Verdict verdict, const std::string& message) {
       return Detection{"", true, test, by_name_.at(test)->level, depth, verdict, message};
     };
@@ -128,7 +128,7 @@ class Trial {
 
   const TableRequest& request_;
   std::map<std::string, const ListedTest*> by_name_;
-  std::mutex mutex_;  // for what follows: the first to ask finds out, the others wait for it
+  std::mutex mutex_;  // protects passes_; held while tests run, so that no test runs twice
   std::map<std::pair<std::string, Depth>, std::map<std::string, bool>> passes_;
 };
 

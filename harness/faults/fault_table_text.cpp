@@ -1,4 +1,4 @@
-// Faults and their table as JSON and as Markdown.
+// Writes and reads faults and their table as JSON, and writes them as Markdown.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -35,7 +35,7 @@ json to_json(const Detection& detection) {
   return out;
 }
 
-// True if the requirement or half is `id` or a half of it.
+// True if `requirement` is `id` or a half of `id`.
 bool belongs_to(const std::string& requirement, const std::string& id) {
   return requirement == id || requirement.starts_with(id + "/");
 }

@@ -1,6 +1,6 @@
-// The suite program with faults: the implementation under test has the one that --fault names, and is the one
-// of fault.h that --base names; the variation that --variation names stands in front of both. --list-faults
-// FILE and --list-variations FILE write all of them as JSON.
+// The suite program with faults. --fault NAME injects a fault into the implementation under test, --base NAME
+// first replaces this implementation by one of fault.h, and --variation NAME puts a variation in front of
+// both. --list-faults FILE and --list-variations FILE write all faults or variations as JSON.
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -17,8 +17,8 @@ namespace {
 
 using namespace evalcts;
 
-// True if OSMesa can be opened. Mesa 25.1 and newer have none; their faults are put into the same Mesa
-// through EGL.
+// True if OSMesa can be opened. Mesa 25.1 and newer do not contain it, so the faults for OSMesa are injected
+// into Mesa through EGL.
 bool has_osmesa() {
   static const bool has = [] {
     try {
@@ -31,7 +31,7 @@ bool has_osmesa() {
   return has;
 }
 
-// The arguments that make this program open the implementation of a fault.
+// Returns the arguments that make this program open the implementation of a fault.
 std::vector<std::string> arguments_of(std::string_view implementation) {
   if (implementation == "osmesa" && !has_osmesa()) return {"--implementation", "egl"};
   if (implementation == "dropin" && !has_osmesa()) return {"--implementation", "dropin-egl"};
@@ -72,8 +72,8 @@ void list_variations(const char* file) {
   std::ofstream(file) << faults::to_text(all);
 }
 
-// Names of the layers in front of the implementation that the other arguments name, innermost first; may be
-// empty.
+// Names of the layers in front of the implementation that the other arguments select, innermost first. A name
+// may be empty.
 struct Layers {
   std::string base, fault, variation;
 };
@@ -92,7 +92,7 @@ std::unique_ptr<Implementation> wrapped(std::unique_ptr<Implementation> implemen
 
 int main(int argc, char** argv) {
   Layers layers;
-  std::vector<char*> rest;  // what the suite program itself knows
+  std::vector<char*> rest;  // arguments of the ordinary suite program
   for (int i = 0; i < argc; ++i) {
     const bool has_value = i + 1 < argc;
     if (has_value && std::strcmp(argv[i], "--list-faults") == 0) {

@@ -3,10 +3,10 @@
 namespace evalcts::faults {
 namespace {
 
-// Directions of grids: of curves, and the two of surfaces.
+// Directions of grids: the one of MapGrid1, and the two of MapGrid2.
 enum Direction { kCurveU, kSurfaceU, kSurfaceV };
 
-// Values of grids are kept at these places.
+// First of the places, see kept(), that contain the noted grids.
 constexpr int kFirstNoted = 50;
 
 GridIndex direction_of_grid(Direction direction, const std::function<double(int)>& curves,

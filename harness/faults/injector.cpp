@@ -16,8 +16,8 @@ std::vector<Fault>& wrappers() {
   return all;
 }
 
-// The mutations of the production library that tests of the suite detect, with their numbers in front. Those
-// without requirements are detected by production's own tests.
+// Returns the mutations of the production library that tests of the suite must detect, with their numbers.
+// Mutations without requirements are left out, because production's own tests detect them.
 const std::vector<std::pair<int, Fault>>& mutations() {
   static const std::vector<std::pair<int, Fault>> all = [] {
     std::vector<std::pair<int, Fault>> list;
@@ -38,7 +38,7 @@ void activate_mutation(std::string_view name) {
     if (fault.name == name) glev::active_mutation = number;
 }
 
-// A context with a fault in it.
+// A context of an implementation with a fault.
 class FaultyContext final : public Context {
  public:
   FaultyContext(std::unique_ptr<Context> inner, const Fault& fault) : inner_(std::move(inner)) {
@@ -47,7 +47,7 @@ class FaultyContext final : public Context {
     Injection injection{table_};
     fault.inject(injection);
     emitted_ = injection.emitted;
-    // A command that is missing stays so.
+    // A missing command stays missing.
 #define GL_ENTRY(name, kinds) \
   if (!unmodified.name) table_.name = nullptr;
 #include <evalcts/gl/entry_points.def>

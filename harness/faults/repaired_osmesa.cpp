@@ -9,11 +9,11 @@
 namespace evalcts::faults {
 namespace repairs {
 
-gl::Table own;  // of OSMesa
+gl::Table own;  // the commands of OSMesa
 
 struct State {
   bool inside = false;
-  GLboolean edge_flag = GL_TRUE;  // to be given back after a quad strip
+  GLboolean edge_flag = GL_TRUE;  // the value to restore after a quad strip
 };
 State state;
 
@@ -23,13 +23,13 @@ GLint integer(GLenum pname) {
   return value;
 }
 
-// --- EV-MESH2-EDGEFLAG: filled meshes are quad strips, and edges of these, explicit ones too, are boundaries
+// --- EV-MESH2-EDGEFLAG: filled meshes are quad strips, and all edges of quad strips are boundary edges
 
 void begin(GLenum mode) {
   if (!state.inside) {
     own.GetBooleanv(GL_EDGE_FLAG, &state.edge_flag);
     if (mode == GL_QUAD_STRIP) own.EdgeFlag(GL_TRUE);
-    own.Flush();  // a flag that comes with the vertices is lost
+    own.Flush();  // without it, Mesa ignores a flag that is set just before the vertices
   }
   state.inside = true;
   own.Begin(mode);
@@ -53,7 +53,7 @@ void eval_mesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   }
 }
 
-// --- EV-CTX-COPY, -NOMAPS: glXCopyContext, which Mesa rejects, of two groups
+// --- EV-CTX-COPY, -NOMAPS: glXCopyContext of two attribute groups, which Mesa rejects
 
 void copy_context(GLuint from, GLuint to, GLbitfield mask) {
   std::array<GLfloat, 4> color{}, domain2{};

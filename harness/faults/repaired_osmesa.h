@@ -1,7 +1,7 @@
-// OSMesa (or the same Mesa through EGL, see faulty_suite.cpp) without those of its own defects for which a
-// rule would have no correct implementation to put a fault into, `dropin` included: edge flags of filled
-// meshes, and CopyContext. Wrappers do what the rule says, in the commands that the plain deliveries of its
-// tests use. A test counts on it only where it passes.
+// Repairs OSMesa (or Mesa through EGL, see faulty_suite.cpp) where no available implementation, not even
+// `dropin`, satisfies a requirement, so that faults against this requirement can be injected: edge flags of
+// filled meshes, and CopyContext. Wrappers implement the requirement for the commands that the plain
+// deliveries of its tests use. Only tests that pass on the repaired implementation count.
 #pragma once
 
 #include <memory>
@@ -11,6 +11,7 @@
 
 namespace evalcts::faults {
 
+// Returns OSMesa with the repairs.
 std::unique_ptr<Implementation> repaired_osmesa(std::unique_ptr<Implementation> osmesa);
 
 }  // namespace evalcts::faults

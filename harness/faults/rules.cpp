@@ -9,11 +9,11 @@ namespace evalcts::faults {
 namespace {
 
 std::vector<Rule> active;
-std::map<double, double> numbers;  // behind remembered()
+std::map<double, double> numbers;  // the storage of remembered()
 std::vector<double> numbers_listed;
 std::vector<Call> held;
 
-// A place that no other rule uses.
+// Returns a new place that no other rule uses.
 Place fresh_place() {
   const auto number = std::make_shared<double>(0);
   return {[=](Call&) { return *number; }, [=](Call&, double x) { *number = x; }};
@@ -33,7 +33,7 @@ Value binary(Value a, Value b, F f) {
 GLenum token(double value) { return static_cast<GLenum>(value); }
 std::size_t index(double value) { return static_cast<std::size_t>(value); }
 
-// Returns the answers of GetMap, or Get of a grid, in double precision.
+// Returns the answers to GetMap, or Get of a grid, in double precision.
 std::vector<double> exact_answers(Call& call) {
   if (!(kGetMap | kGetnMap).contain(call.entry)) {
     const GLenum name = token(call.argument('e'));
@@ -54,7 +54,7 @@ std::vector<double> exact_answers(Call& call) {
   return values;
 }
 
-// Changes what comes out by the rules whose conditions hold.
+// Changes the output by the rules whose conditions hold.
 void change_emitted(Primitives& primitives) {
   Call none;
   for (const Rule& rule : active)
@@ -86,7 +86,7 @@ Place remembered(Value key) {
   return {unary(key, [](double k) { return numbers[k]; }), [=](Call& c, double x) { numbers[key(c)] = x; }};
 }
 std::vector<double>& remembered_list() { return numbers_listed; }
-// Keys that no token has.
+// Uses negative keys, which differ from all tokens.
 Place kept(int i) { return remembered(-100 - i); }
 Value keep(std::initializer_list<Value> values) {
   Value all = 0;
@@ -275,8 +275,8 @@ Value error(GLenum kind) {
 }
 Value error_inside() { return call(Begin, {GL_POINTS}); }
 Value error_now(GLenum kind) {
-  if (kind == GL_INVALID_VALUE) return call(GenLists, {-1});  // never in a list
-  if (kind == GL_INVALID_OPERATION) return call(EndList);     // no list is open then
+  if (kind == GL_INVALID_VALUE) return call(GenLists, {-1});  // GenLists is never compiled
+  if (kind == GL_INVALID_OPERATION) return call(EndList);     // must not be used while a list is open
   return [](Call&) {
     GLint unused[4];
     unmodified.GetMapiv(0, GL_ORDER, unused);

@@ -1,10 +1,10 @@
-// Faults as data. A rule names entry points, a condition and the steps that are wrong:
+// Defines faults as data. A rule consists of entry points, a condition and the wrong steps:
 //
 //   EVALCTS_RULES(OrderZeroTaken, production, kMust, "EV-MAP1-ERR-ORDER-LOW", "Map1 takes order 0 as 1",
 //                 before(kMap1, kOrder == 0, set(kOrder, 1)));
 //
 // Conditions and steps are expressions (Value), which are evaluated during the call. A lambda that takes the
-// Call is an expression too. Most rules can do without a condition: before(kMap1, set(kOrder, 1)).
+// Call is an expression, too. The condition may be omitted: before(kMap1, set(kOrder, 1)).
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ class Value {
   template <class T>
   requires(std::is_arithmetic_v<T> || (std::is_enum_v<T> && std::convertible_to<T, int>)) Value(T number)
       : function_([number](Call&) { return static_cast<double>(number); }) {}
-  // A function of the call. If it returns nothing, the value is 0.
+  // Makes an expression from a function of the call. If the function returns void, the value is 0.
   template <class F>
   requires(std::invocable<const F&, Call&> && !std::derived_from<F, Value>) Value(F function) {
     if constexpr (std::is_void_v<std::invoke_result_t<const F&, Call&>>) {
@@ -49,7 +49,7 @@ class Value {
   std::function<double(Call&)> function_;
 };
 
-// An expression that can be set.
+// An expression that can be assigned to.
 class Place : public Value {
  public:
   Place(Value value, std::function<void(Call&, double)> assign)
@@ -60,7 +60,7 @@ class Place : public Value {
   std::function<void(Call&, double)> assign_;
 };
 
-// --- Arguments. Those of Map2, MapGrid2 and EvalMesh2 have the names of one dimension for u. ---------------
+// --- Arguments. For Map2, MapGrid2 and EvalMesh2, the names without V or J stand for the arguments of u. ---
 
 Place argument(char letter);
 inline const Place kTarget = argument('t'), kU1 = argument('a'), kU2 = argument('b'), kStride = argument('s'),
@@ -73,55 +73,55 @@ inline const Place kTarget = argument('t'), kU1 = argument('a'), kU2 = argument(
 inline const Place kFirst = argument('0'), kSecond = argument('1'), kThird = argument('2'),
                    kFourth = argument('3'), kFifth = argument('4');
 inline const Place kResult{[](Call& c) { return c.result; }, [](Call& c, double x) { c.result = x; }};
-// The address behind the pointer argument.
+// The value of the (last) pointer argument.
 inline const Value kAddress{[](Call& c) { return reinterpret_cast<std::uintptr_t>(c.pointer); }};
 // True for commands that take or return floats.
 inline const Value kIsFloat{[](Call& c) { return c.element == 'f' || gl::name_of(c.entry).back() == 'f'; }};
-// Map1 and Map2: true if the arguments are legal.
+// True if the arguments of Map1 or Map2 are legal.
 inline const Value kIsLegal{[](Call& c) { return c.is_legal(); }};
 // Number of values of a control point of the target.
 inline const Value kComponents{[](Call& c) { return gl::components_of(c.target()); }};
 
 // --- Memory. All of it is 0 in a fresh context. ------------------------------------------------------------
 
-// The number with that key.
+// A number that a rule can store under a key.
 Place remembered(Value key);
 inline const Place kFlag = remembered(-1), kCount = remembered(-2), kNumber = remembered(-3);
 // Counters of loops.
 inline const Place kRow = remembered(-4), kColumn = remembered(-5);
-// A list of numbers, for lambdas.
+// A list of numbers that lambdas can store.
 std::vector<double>& remembered_list();
-// Numbers in a row, and the first `count` of them.
+// Number i of an array that rules can store, and the first `count` numbers of this array.
 Place kept(int i);
 std::vector<Value> kept_values(int count);
-// Steps: set kept(0), kept(1), ... to the values, or to the four values that GetDoublev answers.
+// Steps that set kept(0), kept(1), ... to the values, or to the four values that GetDoublev returns.
 Value keep(std::initializer_list<Value> values);
 Value keep_state(GLenum pname);
-// A step: sets all memory to 0.
+// A step that sets all memory to 0.
 Value forget();
 
 // --- State -------------------------------------------------------------------------------------------------
 
-// Noted from the calls of the application (see watched.h), and available anywhere.
+// State that is known from the calls of the application (see watched.h), and available everywhere.
 inline const Value kInside{[](Call&) { return is_inside(); }};
 inline const Value kOpenMode{[](Call&) { return open_mode(); }};
-inline const Value kUnit{[](Call&) { return watched.unit; }};           // by the last ActiveTexture
+inline const Value kUnit{[](Call&) { return watched.unit; }};           // set by the last ActiveTexture
 inline const Value kListMode{[](Call&) { return watched.list_mode; }};  // 0 if no list is open
 inline const Value kCompiling{[](Call&) { return watched.list_mode == GL_COMPILE; }};
 inline const Value kKind{[](Call&) { return watched.kind; }};  // the argument of ContextOfKindEVALCTS
 // The argument of the PushAttrib that the next PopAttrib undoes.
 inline const Value kLevelMask{[](Call&) { return watched.masks.empty() ? 0 : watched.masks.back(); }};
-inline const Value kLevel{[](Call&) { return watched.masks.size(); }};  // of the attribute stack
+inline const Value kLevel{[](Call&) { return watched.masks.size(); }};  // depth of the attribute stack
 Value noted_on(Value cap);
 Value maps_vertices(Value dimension);
 Value has_buffer(Value target);
 
-// Queries: not between Begin and End.
+// State that is queried from the GL. Must not be used between Begin and End.
 Value enabled(Value cap);
 Value evaluates();                         // true if a vertex map of either dimension is enabled
 Value state(Value pname, int i = 0);       // element i of the answer of GetIntegerv
 Value real_state(Value pname, int i = 0);  // element i of the answer of GetDoublev
-// The grids: argument i of the MapGrid1 or MapGrid2 that sets them.
+// Argument i of the MapGrid1 or MapGrid2 that sets the current grid.
 Value grid1(int i);
 Value grid2(int i);
 
@@ -155,13 +155,13 @@ Value abs(Value a);
 Value round(Value a);
 Value is_negative_zero(Value a);
 Value is_subnormal(Value a);                // in single precision
-Value next_float(Value a, double towards);  // the neighbour in single precision
+Value next_float(Value a, double towards);  // the adjacent float in that direction
 Value in_bits(Value a, int bits);           // the low bits, as a signed number
 Value with_precision(Value a, int bits);    // rounded to a significand of that length
 double with_precision(double a, int bits);
 Value choose(Value condition, Value yes, Value no);
-Value swapped(Value token, GLenum one, GLenum other);  // exchanges the two, keeps others
-Value element(Value i);  // behind the pointer: answers of queries, control points
+Value swapped(Value token, GLenum one, GLenum other);  // exchanges the two tokens, keeps other values
+Value element(Value i);  // element i at the pointer argument: answers of queries, control points
 
 // --- Steps -------------------------------------------------------------------------------------------------
 
@@ -176,64 +176,69 @@ struct Steps {
 inline Value sequence(std::initializer_list<Value> steps) { return Steps(steps); }
 Value when(Value condition, Steps steps);
 Value set(Place place, Value value);
-Value put(Value i, Value value);          // behind the pointer
-Value exchange(Value i, Value j);         // behind the pointer
-Value answer(std::vector<Value> values);  // behind the pointer, from its first element on
+Value put(Value i, Value value);          // sets element i at the pointer argument
+Value exchange(Value i, Value j);         // exchanges two elements at the pointer argument
+Value answer(std::vector<Value> values);  // sets the first elements at the pointer argument
 Value swap(Place one, Place other);
-// Raises an error: by a command that may go into a list; INVALID_OPERATION between Begin and End; outside
-// primitives, at once even while a list is compiled; the same, in place of an error of that kind.
+// Raises an error by a command that may be compiled into a list.
 Value error(GLenum kind);
+// Raises INVALID_OPERATION between Begin and End.
 Value error_inside();
+// Raises an error outside of primitives, at once even while a list is compiled.
 Value error_now(GLenum kind);
+// Replaces a pending error of the kind by another error, as error_now() does.
 Value replace_error(GLenum kind, GLenum by);
-Value call(gl::EntryPoint entry, std::vector<Value> arguments = {});  // the original command
+Value call(gl::EntryPoint entry, std::vector<Value> arguments = {});  // calls the unmodified command
 Value enable(Value cap);
 Value disable(Value cap);
 Value switch_to(Value cap, Value on);  // enables or disables
-// The steps with the counter at first, first + step, ... up to last, or down to last if the step is negative.
+// Takes the steps with the counter at first, first + step, ... up to last, or down to last if the
+// step is negative.
 Value loop(Place counter, Value first, Value last, Steps steps, int step = 1);
-Value primitive(Value mode, Steps steps);               // the steps between Begin and End
-inline const Value kGo{[](Call& call) { call.go(); }};  // the original call, with the present arguments
-// Delayed calls. The memory behind their pointers is not copied.
+Value primitive(Value mode, Steps steps);               // takes the steps between Begin and End
+inline const Value kGo{[](Call& call) { call.go(); }};  // continues the call with the current arguments
+// Delay calls. The memory that their pointers refer to is not copied.
 Value hold();     // keeps a copy of the call
-Value release();  // executes the calls that were kept
-Value drop();     // discards them
-// Map1 and Map2: changes the control points of a legal call, and nothing in others.
+Value release();  // executes the kept calls
+Value drop();     // discards the kept calls
+// Change the control points of a legal call of Map1 or Map2. Other calls stay unchanged.
 Value change_points(void (*change)(Net& net));
 Value change_points(void (*change)(Net& net, Call& call));
 Value change_values(double (*change)(double value));
 Value swap_components(int one, int other);
-// Gives the call the points of the previous call with this step, if the condition holds and there are as
-// many.
+// Replaces the control points by those of the previous call with this step, if the condition holds and the
+// number of points is the same.
 Value repeat_points(Value condition);
-// Defines a map over [0, 1] with one or more control points, those of a surface along v.
+// Defines a map over [0, 1] with one or more control points. Those of a surface lie along v.
 Value define(GLenum target, std::initializer_list<double> points);
-// Changes a map as it is defined now. take_u() gives it the ends of u of a Map1 or Map2.
+// Changes the current definition of a map. take_u(), a possible `change`, sets its domain of u to that
+// of the call.
 Value redefine(Value target, void (*change)(Map& map, Call& call));
 inline void take_u(Map& map, Call& call) {
   map.u1 = call.argument('a');
   map.u2 = call.argument('b');
 }
-// Number of values that GetMap, GetnMap, or Get of a grid, answers.
+// Number of values that GetMap, GetnMap, or Get of a grid returns.
 Value answers();
-// The same commands: replaces each value by change(exact value, answered value).
+// For these commands: replaces each returned value by change(exact value, returned value).
 Value change_answers(double (*change)(double exact, double answered));
 
-// --- State that can be saved. Outside primitives. ----------------------------------------------------------
+// --- State that can be saved, outside of primitives --------------------------------------------------------
 
 using Restore = std::function<void()>;
 // Saves state and returns a function that restores it.
 using State = std::function<Restore()>;
 State enable_of(GLenum cap);
 State map_of(GLenum target);
-// The state that a command sets, with the queries of its arguments. If `part` is not negative, only that
-// argument is restored; the others are queried again then.
+// The state that a command sets. `arguments` are expressions that query the arguments of the command.
+// If `part` is not negative, only this argument is restored, and the others are queried when the
+// state is restored.
 State setting(gl::EntryPoint command, std::initializer_list<Value> arguments, int part = -1);
 State grid1_state(int part = -1);
 State grid2_state(int part = -1);
-State parameter(gl::EntryPoint command, GLenum pname);  // of Fogi and the like
-State current(gl::EntryPoint command, GLenum pname);    // of Color4d and the like
-// A step: sets the state to its present value, for instance in a list that is compiled.
+State parameter(gl::EntryPoint command, GLenum pname);  // for commands such as Fogi
+State current(gl::EntryPoint command, GLenum pname);    // for commands such as Color4d
+// A step that sets the state to its current value, for instance to compile this value into a list.
 Value send(const State& state);
 
 // --- Rules -------------------------------------------------------------------------------------------------
@@ -275,9 +280,9 @@ using Primitives = std::vector<ObservedPrimitive>;
 struct Rule {
   Entries entries;
   Value condition, step;
-  bool late = false;                           // the call comes first, otherwise it is replaced by the step
-  bool missing = false;                        // there is no such command
-  std::function<void(Primitives&)> emitted{};  // changes the output, if the condition holds then
+  bool late = false;                           // true: the step follows the call; false: it replaces the call
+  bool missing = false;                        // true: the commands are missing
+  std::function<void(Primitives&)> emitted{};  // changes the output if the condition holds at that time
 };
 // One rule or several.
 struct Rules {
@@ -285,7 +290,7 @@ struct Rules {
   Rules(std::initializer_list<Rules> several);
   std::vector<Rule> all;
 };
-// Take the steps before or after the call, or in its place, if the condition holds.
+// Take the steps before the call, after the call, or instead of the call, if the condition holds.
 Rule before(const Entries& entries, Value condition, Steps steps);
 Rule before(const Entries& entries, Steps steps);
 Rule after(const Entries& entries, Value condition, Steps steps);
@@ -293,30 +298,31 @@ Rule after(const Entries& entries, Steps steps);
 Rule instead(const Entries& entries, Value condition, Steps steps);
 Rule instead(const Entries& entries, Steps steps);
 Rule skip(const Entries& entries, Value condition);
-Rule missing(gl::EntryPoint entry);  // the implementation lacks the command
+Rule missing(gl::EntryPoint entry);  // the implementation does not provide the command
 // Takes the steps in a fresh context.
 Rules initially(Steps steps);
-// Takes steps before and after the call. If Begin is among the entries, the last steps follow the End.
+// Takes the first steps before the call and the last steps after it. For Begin, the last steps
+// follow the End.
 Rules around(const Entries& entries, Value condition, Steps first, Steps last);
-// The capability is off, or on, during the call.
+// Disable or enable the capability during the call.
 Rules without(const Entries& entries, Value condition, GLenum cap);
 Rules with(const Entries& entries, Value condition, GLenum cap);
 // Takes the steps before the call and restores the state after it.
 Rules keeping(const Entries& entries, Value condition, const State& state, Steps steps = 0);
-// Unit 0 is active during the call.
+// Makes texture unit 0 active during the call.
 Rules on_unit_0(const Entries& entries, Value condition);
-// Enable and Disable of any map or of AUTO_NORMAL leave the capability off unless the condition holds.
+// After Enable and Disable of any map or of AUTO_NORMAL, `cap` is disabled unless the condition holds.
 Rules only_if(GLenum cap, Value condition);
-// Exchanges two tokens wherever maps are named.
+// Exchanges two tokens in all commands that take a map target.
 Rules swap_targets(GLenum one, GLenum other);
-// PopAttrib fails to restore the state, or restores it without being asked to, if the condition (usually of
-// kLevelMask) holds. Not in lists.
+// PopAttrib does not restore the state although it must, or restores the state although it must not, if the
+// condition (usually on kLevelMask) holds. The rules do not apply in lists.
 Rules not_restored(const State& state, Value condition);
 Rules restored(const State& state, Value condition);
 // Changes the output if the condition holds.
 Rules change_output(Value condition, std::function<void(Primitives&)> change);
-// Changes the output of a context in which something was evaluated: all of it, each primitive, each vertex,
-// or each vertex given the previous one of its primitive, from the last vertex down to index `from`.
+// Change the output of a context that has evaluated: the whole output, each primitive, each vertex, or each
+// vertex together with the previous vertex of its primitive, from the last vertex down to index `from`.
 Rules change_evaluated(std::function<void(Primitives&)> change);
 Rules change_primitives(std::function<void(ObservedPrimitive&)> change);
 Rules change_vertices(void (*change)(ObservedVertex& vertex));
@@ -334,7 +340,7 @@ void forget_rules();
 
 #define EVALCTS_RULES(name, implementation, level, requirements, what, ...) \
   EVALCTS_RULES_IN(#implementation, name, level, requirements, what, __VA_ARGS__)
-// The same for an implementation that is no word ("glx-indirect").
+// Like EVALCTS_RULES, for an implementation whose name is not an identifier ("glx-indirect").
 #define EVALCTS_RULES_IN(implementation, name, level, requirements, what, ...) \
   static const ::evalcts::faults::FaultRegistration name##_registration {      \
     {                                                                          \

@@ -14,7 +14,7 @@ std::vector<std::string> arguments_of(const ListedFault& fault) {
 ChildRun play_in_child(const TableRequest& request, const std::string& label,
                        const std::vector<std::string>& arguments, Depth depth,
                        const std::vector<std::string>& tests) {
-  constexpr double kLook = 0.01;  // seconds between two looks at a child
+  constexpr double kLook = 0.01;  // interval, in seconds, at which the child is checked
   namespace fs = std::filesystem;
   const fs::path list = request.scratch / (label + ".txt"), events = request.scratch / (label + ".jsonl");
   std::ofstream stream(list);

@@ -13,7 +13,7 @@ std::vector<Variation>& registered() {
   return all;
 }
 
-// Notes what the variations ask for, in front of their own commands.
+// Wraps the commands of a variation to keep `remembered` up to date.
 
 void note(gl::Table& table) {
   static gl::Table varied;

@@ -1,6 +1,6 @@
-// Variations: the inverse of faults. Each makes an implementation differ from those that the suite was
-// developed with, in a way that the specification permits or that is not about evaluators. No test may fail
-// on one, and faults behind it have to be detected as far as they are visible.
+// Defines variations, the inverse of faults. A variation makes an implementation differ from those that the
+// suite was developed with, in a way that the specification permits or that does not concern evaluators. No
+// test may fail on a variation, and tests must detect faults behind a variation if they are visible.
 #pragma once
 
 #include <cstdint>
@@ -18,14 +18,14 @@ namespace evalcts::variations {
 struct Varied {
   gl::Table& gl;
   void (*emitted)(std::vector<ObservedPrimitive>&) = nullptr;  // for implementations with a sink
-  bool one_state = false;                                      // all contexts are one, which keeps its state
+  bool one_state = false;                                      // there is one context, which keeps its state
 };
 
 struct Variation {
   std::string_view name;
-  std::string_view implementation;  // that it is put in front of
+  std::string_view implementation;  // the implementation that is varied
   std::string_view what;            // the difference, in words
-  std::string_view violates;        // requirements that it does not keep, with blanks between; mostly empty
+  std::string_view violates;        // violated requirements, separated by blanks; mostly empty
   void (*vary)(Varied&);
 };
 
@@ -38,21 +38,22 @@ struct Remembered {
   GLsizei feedback_size = 0;
   bool inside = false;         // between Begin and End
   bool compiling = false;      // between NewList and EndList
-  GLenum error = GL_NO_ERROR;  // of the variation itself, not asked for yet
+  GLenum error = GL_NO_ERROR;  // pending error that the variation itself raised
   std::uint32_t random = 1;
 };
 inline Remembered remembered;
 
-// All variations, sorted by name.
+// Returns all variations, sorted by name.
 const std::vector<Variation>& all_variations();
 
-// Throws CannotStart if there is no such variation.
+// Returns the implementation with the variation. Throws CannotStart if there is no such variation.
 std::unique_ptr<Implementation> with_variation(std::unique_ptr<Implementation> inner, std::string_view name);
 
 struct VariationRegistration {
   explicit VariationRegistration(const Variation& variation);
 };
 
+// Defines and registers a variation:
 // EVALCTS_VARIATION(NoLists, "dropin", "there are no display lists", "") { v.gl.NewList = nullptr; }
 #define EVALCTS_VARIATION(name, implementation, what, violates)                  \
   static void name(::evalcts::variations::Varied& v);                            \

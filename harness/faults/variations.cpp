@@ -1,4 +1,4 @@
-// Runs of the suite against variations, and against typical faults behind them.
+// Runs the suite against variations, and against typical faults behind them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace evalcts::faults {
 namespace {
 
-constexpr int kMostDeathsOfOne = 60;  // of one implementation
+constexpr int kMostDeathsOfOne = 60;  // children that may die while the tests run on one implementation
 constexpr Depth kPlayedDepth = Depth::kQuick;
 
 using Verdicts = std::map<std::string, TestRecord>;
@@ -42,7 +42,7 @@ class VariationTrial {
     }
     const std::vector<std::string> varied_arguments = {"--variation", variation.name};
     const Verdicts varied = play_all(variation, variation.name, varied_arguments, all_);
-    // No verdict at all is no agreement.
+    // Without any verdict, the variation must not count as free of false alarms.
     if (varied.empty() && !interrupted)
       result.alarms.push_back({"all tests", Verdict::kInternalError, "the suite did not begin in its time"});
     for (const auto& [name, record] : varied) {
@@ -61,8 +61,8 @@ class VariationTrial {
 
  private:
   DetectionBehind detect(const ListedFault& variation, const ListedFault& fault, const Verdicts& varied) {
-    // Tests that show the fault by itself, and pass with the variation alone. Those that pass in part may
-    // show it in what is seen; only the others must.
+    // Tests that detect the fault without the variation, and pass with the variation alone. Tests that pass
+    // only in part may detect the fault behind the variation; tests that pass in full must.
     std::vector<std::string> tests;
     std::set<std::string> in_full;
     DetectionBehind detection{fault.name, DetectionBehind::Outcome::kNotVisible, "",
@@ -87,7 +87,8 @@ class VariationTrial {
         detection.test = name;
       }
     if (!detection.test.empty() || in_full.empty()) return detection;
-    // A fault of explicit vertices, too, takes the proof of what is left to see with: every test says so.
+    // A fault that also affects explicit vertices may prevent the proof of the only capture that is left.
+    // Then every test is not-observable, and the fault is not visible.
     const auto is_undecided = [&](const auto& entry) {
       return entry.second.verdict == Verdict::kNotObservable || !in_full.contains(entry.first);
     };
@@ -103,7 +104,7 @@ class VariationTrial {
     return record.unobserved.empty() ? record.message : fmt::format("no {} is shown", record.unobserved);
   }
 
-  // True if the test names one of the requirements of the fault, or that the variation violates.
+  // True if the test decides a requirement that the fault (or variation) violates.
   bool is_violated(const ListedFault& fault, const std::string& test) const {
     return std::ranges::any_of(requirements_.at(test), [&](const RequirementId& named) {
       return std::ranges::any_of(fault.requirements,
@@ -123,13 +124,13 @@ class VariationTrial {
                 [&] { return play_all(variation, "unmodified-" + variation.implementation, {}, all_); });
   }
 
-  // On the implementation that the variation is for, without the variation.
+  // Returns the verdicts on the variation's implementation with the fault, without the variation.
   const Verdicts& with_fault(const ListedFault& variation, const ListedFault& fault) {
     const std::string label = variation.implementation + "-" + fault.name;
     return kept(label, [&] { return play_all(variation, label, {"--fault", fault.name}, tests_of(fault)); });
   }
 
-  // The first to ask finds out, the others wait for it.
+  // Returns the verdicts kept under the label. The first caller computes them by `find`; other threads wait.
   template <class Find>
   const Verdicts& kept(const std::string& label, Find find) {
     std::shared_ptr<Kept> entry;
@@ -174,9 +175,9 @@ class VariationTrial {
   };
 
   const TableRequest& request_;
-  std::vector<std::string> all_;  // tests
+  std::vector<std::string> all_;  // the names of all tests that run
   std::map<std::string, std::vector<RequirementId>> requirements_;
-  std::mutex mutex_;  // for kept_
+  std::mutex mutex_;  // protects kept_
   std::map<std::string, std::shared_ptr<Kept>> kept_;
 };
 
@@ -206,7 +207,7 @@ std::vector<TriedVariation> try_variations(
     for (std::size_t i; (i = next++) < variations.size() && !interrupted;) {
       progress(done, variations[i].name);
       results[i] = trial.try_variation(variations[i]);
-      if (interrupted) results[i].reset();  // its tests were not all run
+      if (interrupted) results[i].reset();  // the result is incomplete
       ++done;
     }
   };

@@ -3,7 +3,7 @@
 namespace evalcts::faults {
 namespace {
 
-gl::Table behind;  // the commands that the notes are in front of
+gl::Table behind;  // the wrapped commands
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void watch(gl::Table& table) {
     watched.buffers[target] = buffer;
     behind.BindBuffer(target, buffer);
   };
-  // A command that is missing stays so.
+  // A missing command stays missing.
 #define GL_ENTRY(name, kinds) \
   if (!behind.name) table.name = nullptr;
 #include <evalcts/gl/entry_points.def>

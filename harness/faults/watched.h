@@ -1,5 +1,6 @@
-// State of the context that faults ask for while a GL query is not possible: between Begin and End, or while
-// a list is compiled. The injector notes the calls of the application before the fault sees them.
+// Tracks state of the context that faults need when it cannot be queried: between Begin and End, or
+// while a list is compiled. The state is derived from the calls of the application, by wrappers in front
+// of the fault.
 #pragma once
 
 #include <map>
@@ -16,13 +17,13 @@ struct Watched {
   GLenum unit = GL_TEXTURE0;        // argument of the last ActiveTexture
   GLenum list_mode = 0;             // mode of the open list, 0 without one
   GLuint kind = 0;                  // the argument of the last ContextOfKindEVALCTS
-  std::vector<GLbitfield> masks;    // of the levels of the attribute stack
+  std::vector<GLbitfield> masks;    // the masks of PushAttrib on the attribute stack
   std::map<GLenum, bool> enabled;   // the last Enable or Disable of each capability
   std::map<GLenum, GLuint> buffers;
 };
 inline Watched watched;
 
-// Puts the notes in front of the commands of the table.
+// Wraps the commands of the table so that they update `watched`, which is reset to the initial state.
 void watch(gl::Table& table);
 
 inline GLenum open_mode() { return watched.primitive; }

@@ -3,7 +3,7 @@
 namespace evalcts::fuzz {
 namespace {
 
-// Queries may answer in single precision (EV-GETMAP-FLOAT, EV-GETMAP-DOUBLE).
+// Relative tolerance of queries, which may answer in single precision (EV-GETMAP-FLOAT, EV-GETMAP-DOUBLE).
 constexpr double kTolerance = 1e-5;
 
 template <class T>

@@ -35,12 +35,12 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kLookAtReducers = 0.02;
-constexpr std::size_t kMostCalls = 40;    // lines of a minimal program: a screen
+constexpr std::size_t kMostCalls = 40;    // lines of a minimal program, about a screen
 constexpr std::size_t kMostOfText = 80;   // columns of a requirement's text in a title
-constexpr int kMostAttemptsOfDeath = 60;  // to make a crash smaller: each is a process
-constexpr double kSecondsOfDeath = 10;    // ... and for one of them
-constexpr double kSecondsOfHang = 2;      // for a program that hung before
-constexpr double kSecondsOfCase = 30;     // without an event from a process that reduces
+constexpr int kMostAttemptsOfDeath = 60;  // candidates for the reduction of a crash; each needs a process
+constexpr double kSecondsOfDeath = 10;    // time limit for the reduction of a crash
+constexpr double kSecondsOfHang = 2;      // time limit of a candidate for a hang
+constexpr double kSecondsOfCase = 30;     // time limit of a reducing process without an event
 constexpr int kMostEmptyReducers = 3;
 
 bool is_to_be_explained(const TestRecord& test) {
@@ -52,14 +52,14 @@ std::string without_digits(std::string text) {
   return text;
 }
 
-// "Mesh1.LastIsExact/LINE/Executed" -> "Mesh.LastIsExact".
+// Returns the family of a test, "Mesh.LastIsExact" for "Mesh1.LastIsExact/LINE/Executed".
 std::string family_of(const std::string& test) { return without_digits(test.substr(0, test.find('/'))); }
 
 bool draws_very_much(const FailingCase& failing) {
   return !failing.commands.empty() && vertices_of(gl::parse_case(failing.commands)) > kMostVertices;
 }
 
-// Reduces failing cases in child processes, and crashes by running candidates in processes of their own.
+// Reduces failing cases in child processes, and crashes by running each candidate in a separate process.
 class BugSearch {
  public:
   BugSearch(const RunResult& run, const BugRequest& request,
@@ -79,10 +79,12 @@ class BugSearch {
         cases.push_back({test->name, failure ? failure->what : "", commands_of(*test)});
       }
     }
-    // Cases that draw very much take long, and most are of a cause that a smaller one has shown by then.
+    // Cases that draw very much take long and come last, because smaller cases have often shown their cause
+    // by then.
     std::ranges::stable_partition(cases, [](const FailingCase& each) { return !draws_very_much(each); });
     reduce(cases);
-    // A library that reads beyond its memory may live in a process in which something else lies there.
+    // A library that reads out of bounds may crash or not, depending on the contents of memory, so cases
+    // whose process died get a second attempt.
     std::erase_if(cases, [this](const FailingCase& each) { return reductions_.contains(each.test); });
     if (!cases.empty() && !interrupted && seconds_left() > 0) reduce(cases);
     for (const FailingCase& each : cases)
@@ -95,7 +97,7 @@ class BugSearch {
   }
 
  private:
-  // The commands of the first failing case; empty if the case cannot be stored as data.
+  // Returns the commands of the first failing case as JSON; empty if the case cannot be stored as JSON.
   std::string commands_of(const TestRecord& test) const {
     const auto found = run_.failing_cases.find(test.name);
     return found == run_.failing_cases.end() ? std::string() : found->second;
@@ -105,7 +107,8 @@ class BugSearch {
     return request_.seconds - std::chrono::duration<double>(Clock::now() - begin_).count();
   }
 
-  // One of each group of tests that look alike first, then the second of each, and so on.
+  // Returns the failing tests: first one of each group with the same likeness_of(), then the second of each,
+  // and so on.
   std::vector<const TestRecord*> in_order() const {
     std::map<std::string, std::size_t> seen;
     std::vector<std::pair<std::size_t, const TestRecord*>> order;
@@ -170,7 +173,7 @@ class BugSearch {
 
   // --- crashes and hangs
 
-  // True if the program comes to its end in a process of its own.
+  // True if the program runs to its end in a separate process.
   bool ends_alone(const gl::Case& program, double patience) {
     const fs::path file = request_.scratch / "alone.json", events = request_.scratch / "alone.jsonl";
     write_atomically(file, gl::to_text(program));
@@ -205,7 +208,7 @@ class BugSearch {
              std::chrono::duration<double>(Clock::now() - begin).count() < kSecondsOfDeath &&
              specify_if_defined(candidate, max_eval_order()) && !ends_alone(candidate, patience);
     };
-    // Most deaths are of a cause that has been seen: the commands of that alone show it then.
+    // Most deaths have a known cause, so the commands of known causes are tried first.
     for (const gl::Case& form : forms_of(program)) {
       const std::optional<Specified> specified = specify_if_defined(form, max_eval_order());
       for (const Finding& seen : deaths_)
@@ -232,7 +235,8 @@ class BugSearch {
     return {test.name, finding, ""};
   }
 
-  // The commands of the program that the cause names; none if it does not have all of them.
+  // Returns the commands of the program that the cause names; none if the program does not contain
+  // all of them.
   static std::optional<gl::Case> with_words_of(const std::string& cause, const gl::Case& program) {
     const std::string words = ", " + cause.substr(0, cause.find(": ")) + ", ";
     gl::Case reduced = program;
@@ -261,13 +265,14 @@ std::string id_of(const std::string& requirement, const std::string& cause) {
   return fmt::format("{}-{:04x}", requirement, fnv1a<std::uint32_t>(cause) & 0xFFFFu);
 }
 
-// The requirements that a fail violates, or that a warning is about.
+// Returns the requirements that a bad test violates; for other tests, all requirements of the test.
 std::vector<RequirementId> violated_by(const TestRecord& test) {
   return test.is_bad() ? test.blamed() : test.requirements;
 }
 
-// The requirement that all tests violate first, if it is one; otherwise the requirement that the minimal
-// program is about, if one of its tests violates it; otherwise the one that most of its tests violate first.
+// Returns the requirement that a bug is reported for: the first violated requirement of the tests if they
+// agree in it; otherwise `of_program`, the requirement of the minimal program, if a test violates it;
+// otherwise the first violated requirement of most tests.
 std::string decisive(const std::string& of_program, const std::vector<const TestRecord*>& tests) {
   std::map<std::string, std::size_t> times;
   bool is_violated = false;
@@ -281,15 +286,15 @@ std::string decisive(const std::string& of_program, const std::vector<const Test
   return std::ranges::max_element(times, {}, [](const auto& each) { return each.second; })->first;
 }
 
-// A group of failures, to which tests are added.
+// A group of failing tests with the same bug.
 struct Group {
   std::vector<const TestRecord*> tests;
-  std::optional<Finding> minimal;  // the smallest
+  std::optional<Finding> minimal;  // the smallest minimal program of the tests
   std::string title, why_not_reduced;
   std::string cause;
 };
 
-// True if the other finding is smaller, and takes the place of the first.
+// Replaces `minimal` by `other` if `other` is smaller. Returns true if it was replaced.
 bool keep_smaller(std::optional<Finding>& minimal, const Finding& other) {
   const auto size = [](const Finding& finding) {
     return std::tuple(finding.outside_evaluators, finding.program.commands().size(),
@@ -372,7 +377,7 @@ std::vector<std::string> readable_calls(const gl::Case& program) {
       const std::string text = it->str();
       const bool single = text.back() == 'f';
       const double value = std::strtod(text.c_str(), nullptr);
-      // A decimal of few digits that is exact stands for itself.
+      // A decimal with at most six decimal places that is exact is shown without its hexadecimal form.
       const double scaled = value * 1e6;
       const bool exact =
           std::abs(scaled) < 1e15 && scaled == std::trunc(scaled) && std::fma(value, 1e6, -scaled) == 0;
@@ -391,9 +396,8 @@ std::vector<std::string> readable_calls(const gl::Case& program) {
 
 std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduction>& reductions,
                          int max_eval_order) {
-  std::map<std::string, Group> groups;  // by known bug or cause
-  std::map<std::string, std::string>
-      of_likeness;  // key of the group that a reduced test with this likeness is in
+  std::map<std::string, Group> groups;             // by key_of(cause)
+  std::map<std::string, std::string> of_likeness;  // cause of a reduced test, by its likeness_of()
   const auto key_of = [&](const std::string& cause) {
     const KnownBug* const known = known_bug_with_sign(cause, run.implementation);
     return known ? "known: " + known->id : cause;
@@ -405,7 +409,7 @@ std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduc
     if ((minimal && keep_smaller(group.minimal, *minimal)) || group.cause.empty()) group.cause = cause;
     if (group.why_not_reduced.empty()) group.why_not_reduced = why;
   };
-  std::vector<std::pair<const TestRecord*, std::string>> left;  // with the reason
+  std::vector<std::pair<const TestRecord*, std::string>> left;  // tests not reduced, with the reason
   for (const TestRecord& test : run.tests) {
     if (!is_to_be_explained(test)) continue;
     const auto found = reductions.find(test.name);

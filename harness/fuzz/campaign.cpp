@@ -21,14 +21,15 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kReportEvery = std::chrono::milliseconds(500);
-constexpr double kGrace = 30;              // seconds after the end for a program that is being made smaller
-constexpr std::uint64_t kFreshEvery = 16;  // one program of so many has a context of its own
+constexpr double kGrace = 30;              // seconds that a reduction may take after the end of the campaign
+constexpr std::uint64_t kFreshEvery = 16;  // every 16th program has its own context
 
 }  // namespace
 
 Judged judge_program(const Subject& subject, const gl::Case& program, const Specified& specified, Look look) {
   TestRecord record;
-  // The name decides if other captures check the first one, which a repeated look does not need.
+  // The name determines if other captures check the first one (Schedule::is_cross_checked), which repetitions
+  // do not need.
   record.name = look == Look::kAll ? program.identity() : "a smaller version";
   Test test(subject, record);
   test.run([&](Test& t) { expect_as_specified(t, program, specified, look); });
@@ -42,7 +43,7 @@ Judged judge_program(const Subject& subject, const gl::Case& program, const Spec
 
 namespace {
 
-// Drops definitions of maps of higher orders: not known to be accepted, and not known to be rejected.
+// Returns the program without maps of a higher order, because it is unknown if they are accepted or rejected.
 gl::Case without_orders_above(const gl::Case& program, int limit) {
   gl::Case left(program.identity());
   for (const gl::Command& command : program.commands())
@@ -81,7 +82,7 @@ class Player {
 
  private:
   bool goes_on() const { return !is_over(0) && !(campaign_.programs && programs_ >= *campaign_.programs); }
-  // Returns true if the time has been over for so many seconds.
+  // Returns true if the time limit was exceeded at least `seconds` ago.
   bool is_over(double seconds) const {
     return campaign_.seconds > 0 &&
            std::chrono::duration<double>(Clock::now() - begin_).count() >= campaign_.seconds + seconds;
@@ -121,8 +122,8 @@ class Player {
     report_(FindingMade{number, finding});
   }
 
-  // Returns in a fresh context the difference that the shared context showed: of the program alone, or behind
-  // some that were run there before.
+  // Reproduces a difference of the shared context in a fresh context, with the program alone or after some of
+  // the programs that preceded it. Returns none if the difference does not occur.
   std::optional<Finding> repeated(const gl::Case& program, const Specified& specified) {
     if (std::optional<Finding> alone = judge_program(subject_, program, specified).finding) return alone;
     std::optional<Finding> found;
@@ -134,11 +135,12 @@ class Player {
     }
     landed();
     not_repeated_ += !found;
-    shared_->renew();  // what no call restores is not as in a fresh one
+    shared_->renew();  // its state may differ from a fresh context in a way that no command restores
     return found;
   }
 
-  // Leaves word of the program that is run next. False where the library has died in it before.
+  // Writes the candidate to the in-flight file before it runs. Returns false if the library has died
+  // in it before.
   bool takes_off(const gl::Case& candidate) const {
     if (campaign_.in_flight.empty()) return true;
     const std::string text = gl::to_text(candidate);
@@ -155,7 +157,7 @@ class Player {
   const Report& report_;
   const gl::Table table_;
   const int max_order_;
-  const bool knows_limit_;  // orders above max_order_ are rejected
+  const bool knows_limit_;  // true if orders above max_order_ must be rejected
   const Clock::time_point begin_ = Clock::now();
   Clock::time_point reported_ = begin_;
   std::uint64_t programs_ = 0, judged_ = 0, in_full_ = 0, commands_ = 0, not_repeated_ = 0;

@@ -18,7 +18,7 @@ namespace {
 
 using gl::EntryPoint;
 
-// "glMap1fv" -> "Map1": the form of the arguments does not make a cause.
+// Returns "Map1" for "glMap1fv", because the form of the arguments does not distinguish causes.
 std::string without_form(std::string name) {
   name = name.substr(2);
   for (const std::string_view stem :
@@ -31,7 +31,7 @@ std::string without_form(std::string name) {
   return name;
 }
 
-// The word for a command in a cause.
+// Returns the word for a command in a cause.
 std::string word_of(const gl::Command& command) {
   const auto* cap = command.arguments.empty() ? nullptr : std::get_if<std::int64_t>(&command.arguments[0]);
   return cap && *cap == GL_AUTO_NORMAL ? "AUTO_NORMAL"
@@ -166,9 +166,10 @@ std::vector<gl::Case> controls_without_evaluators(const gl::Case& program) {
 }
 
 gl::Case commands_of_specification(const gl::Case& script) {
-  // A case of one command tells: it throws, or, for a name that is of another part of the GL
-  // (Enable(LIGHTING)), raises INVALID_ENUM. If the case asks for the error, the command is about it.
-  static std::map<EntryPoint, bool> known;  // asked once
+  // A case of one command shows if the command is supported: if not, the specification throws, or, for a
+  // token of another part of the GL (Enable(LIGHTING)), raises INVALID_ENUM. If GetError follows, this error
+  // is intended.
+  static std::map<EntryPoint, bool> known;  // results of earlier checks
   const auto is_specified = [](const gl::Command& command, bool asks_for_error) {
     const auto found = known.find(command.entry);
     if (found != known.end() && !found->second) return false;

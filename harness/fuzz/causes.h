@@ -1,4 +1,4 @@
-// The words that tell causes of differences from each other. Private to harness/fuzz.
+// Defines the words that distinguish causes of differences. Private to harness/fuzz.
 #pragma once
 
 #include <set>
@@ -8,19 +8,18 @@
 
 namespace evalcts::fuzz {
 
-// "position.x of vertex 3" -> "position". Vertices too many or too few show in their number where all are
-// points, else in the primitives.
+// Returns the kind of a difference, "position" for "position.x of vertex 3". A wrong number of vertices is of
+// the kind kPrimitives.
 inline constexpr char kPrimitives[] = "primitives";
 std::string kind_of(const std::string& what);
 
-// The words of a cause that the commands of the program give it: see Finding::cause.
+// Returns the words of the program's commands in a cause, see Finding::cause.
 std::set<std::string> words_of(const gl::Case& program);
-// The program without the commands that give the cause this word.
+// Returns the program without the commands that have this word.
 gl::Case without_word(const gl::Case& program, const std::string& word);
 
-// The commands of the program that the executable specification has, without those that enable or ask for
-// state that it does not have. Throws std::invalid_argument for a case
-// of several contexts.
+// Returns the commands of the program that the executable specification supports, without commands that
+// enable or query state that it does not have. Throws std::invalid_argument for a case with several contexts.
 gl::Case commands_of_specification(const gl::Case& script);
 
 }  // namespace evalcts::fuzz

@@ -12,8 +12,8 @@ namespace {
 using gl::Command;
 using gl::EntryPoint;
 
-constexpr std::size_t kMostExcerpts = 12;  // that are tried
-constexpr std::int64_t kLeastToHalve = 8;  // steps of a mesh or of a grid
+constexpr std::size_t kMostExcerpts = 12;  // number of excerpts that are tried
+constexpr std::int64_t kLeastToHalve = 8;  // shorter meshes and grids (in steps) are not halved
 
 std::int64_t integer_at(const Command& command, std::size_t i) {
   const auto* value = std::get_if<std::int64_t>(&command.arguments.at(i));
@@ -30,7 +30,7 @@ std::int64_t emitted_by(const Command& command) {
   return name.starts_with("glEvalCoord") || name.starts_with("glEvalPoint") || name.starts_with("glVertex");
 }
 
-// The commands from Begin to End, or a mesh.
+// A range of commands from Begin to End, or a mesh.
 struct Drawing {
   std::size_t first = 0, last = 0;
   std::int64_t vertices = 0;
@@ -55,7 +55,7 @@ std::vector<Drawing> drawings_of(const gl::Case& program) {
   return drawings;
 }
 
-// Ranges of drawings that follow each other, with few vertices each.
+// Divides the drawings into successive ranges of at most kMostVertices vertices or one drawing.
 std::vector<std::pair<std::size_t, std::size_t>> windows_of(const std::vector<Drawing>& drawings) {
   std::vector<std::pair<std::size_t, std::size_t>> windows;
   for (std::size_t begin = 0, end = 0; begin < drawings.size(); begin = end) {
@@ -67,7 +67,7 @@ std::vector<std::pair<std::size_t, std::size_t>> windows_of(const std::vector<Dr
   return windows;
 }
 
-// The program without the drawings before `begin` and from `end` on.
+// Returns the program without the drawings before `begin` and from `end` on.
 gl::Case with_drawings(const gl::Case& program, const std::vector<Drawing>& drawings, std::size_t begin,
                        std::size_t end) {
   gl::Case part(program.identity());
@@ -80,8 +80,8 @@ gl::Case with_drawings(const gl::Case& program, const std::vector<Drawing>& draw
   return part;
 }
 
-// The program with each long range of a mesh changed by the function, and grids of half as many steps if
-// `halves_grids`.
+// Returns the program with each long range of a mesh changed by the function. If `halves_grids`, grids get
+// half as many steps.
 template <class Change>
 gl::Case with_ranges(const gl::Case& program, bool halves_grids, const Change& change) {
   gl::Case changed(program.identity());
@@ -134,7 +134,7 @@ std::int64_t vertices_of(const gl::Case& program) {
 gl::Case excerpt_of(const gl::Case& program, const std::function<bool(const gl::Case&)>& still) {
   const std::vector<Drawing> drawings = drawings_of(program);
   const std::vector<std::pair<std::size_t, std::size_t>> windows = windows_of(drawings);
-  // Evenly distributed over the program.
+  // The tried windows are distributed evenly over the program.
   const std::size_t count = std::min(windows.size(), kMostExcerpts);
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [begin, end] = windows[count == 1 ? 0 : i * (windows.size() - 1) / (count - 1)];

@@ -1,5 +1,4 @@
-// Excerpts of programs that draw very much, which take too long to be reduced as a whole. Private to
-// harness/fuzz.
+// Makes excerpts of programs that draw very much and would take too long to reduce. Private to harness/fuzz.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +8,16 @@
 
 namespace evalcts::fuzz {
 
-// Programs with more vertices are reduced to an excerpt first.
+// Programs with more vertices are first reduced to an excerpt.
 inline constexpr std::int64_t kMostVertices = 400;
 
-// Number of vertices that the commands of the program stand for: each command counts once, however often a
-// display list with it is called.
+// Returns the number of vertices that the commands of the program emit. Each command counts once, regardless
+// of how often a display list calls it.
 std::int64_t vertices_of(const gl::Case& program);
 
-// Returns a part of the program for which `still` holds, as it may do for the program: state and other
-// commands are kept, and drawings are removed until few vertices are left. The largest meshes that are left
-// are halved as long as `still` holds. Returns the program itself if `still` holds for none of a few such
-// parts.
+// Returns a part of the program for which still() returns true. The part has all commands of the program
+// except drawings outside of a window of about kMostVertices vertices. Its meshes are then halved as long as
+// still() returns true. Returns the whole program if still() returns false for all of at most 12 windows.
 gl::Case excerpt_of(const gl::Case& program, const std::function<bool(const gl::Case&)>& still);
 
 }  // namespace evalcts::fuzz

@@ -22,7 +22,7 @@ bool emits_vertices(EntryPoint entry) {
   return name.starts_with("glEvalCoord") || name.starts_with("glEvalPoint") || name.starts_with("glVertex");
 }
 
-// Never an error, whatever its arguments.
+// True for commands that set current values, which never raise an error.
 bool is_current_value(EntryPoint entry) {
   const std::string_view name = gl::name_of(entry);
   for (const std::string_view prefix : {"glColor", "glNormal", "glTexCoord", "glIndex", "glEdgeFlag"})
@@ -30,10 +30,10 @@ bool is_current_value(EntryPoint entry) {
   return false;
 }
 
-// Follows where primitives begin and end, lists included.
+// Tracks where primitives begin and end, inside display lists as well.
 class Primitives {
  public:
-  // False where a vertex command comes outside a primitive.
+  // Returns false if the command emits a vertex outside of a primitive.
   bool issue(const gl::Command& command) {
     if (command.entry == EntryPoint::NewList && !inside_ && !open_) {
       open_ = static_cast<GLuint>(integer(command, 0));
@@ -51,7 +51,7 @@ class Primitives {
   bool is_open() const { return inside_ || open_; }
 
  private:
-  static constexpr int kMostNesting = 16;  // more than a program has
+  static constexpr int kMostNesting = 16;  // nesting of lists; programs have less
 
   bool execute(const gl::Command& command, int depth) {
     if (emits_vertices(command.entry)) return inside_;
@@ -61,7 +61,8 @@ class Primitives {
     if (depth == kMostNesting) return false;
     const auto list = lists_.find(static_cast<GLuint>(integer(command, 0)));
     if (list == lists_.end()) return true;
-    // A list that is being replaced while it is called: its old self is executed, which is not kept here.
+    // If a list is called while it is being replaced, the GL executes its old contents, which are
+    // not known here.
     if (open_ && *open_ == list->first) return false;
     for (const gl::Command& inner : list->second)
       if (!execute(inner, depth + 1)) return false;
@@ -74,7 +75,7 @@ class Primitives {
   std::map<GLuint, std::vector<gl::Command>> lists_;
 };
 
-// Returns true if vertices come between Begin and End only, and nothing stays open.
+// Returns true if vertices are only between Begin and End, and no primitive or list stays open.
 bool has_whole_primitives(const gl::Case& program) {
   Primitives primitives;
   for (const gl::Command& command : program.commands())
@@ -82,14 +83,15 @@ bool has_whole_primitives(const gl::Case& program) {
   return !primitives.is_open();
 }
 
-// CallList(0) does nothing, says glCallList; libraries call it an error.
+// Returns true if the program does not call list 0. By the reference page of glCallList, this has no effect,
+// but libraries raise an error.
 bool calls_names_only(const gl::Case& program) {
   return std::ranges::none_of(program.commands(), [](const gl::Command& command) {
     return command.entry == EntryPoint::CallList && integer(command, 0) == 0;
   });
 }
 
-// Returns true if each error has one possible code and is asked for before the next.
+// Returns true if each error has one possible code, and GetError follows before the next error.
 bool has_clear_errors(const gl::Case& program, const std::vector<std::vector<GLenum>>& errors) {
   bool pending = false;
   for (std::size_t i = 0; i < errors.size(); ++i) {

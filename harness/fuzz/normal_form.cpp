@@ -37,7 +37,7 @@ bool is_evaluation(EntryPoint entry) {
   return starts_with(entry, "EvalCoord") || starts_with(entry, "EvalPoint") || starts_with(entry, "EvalMesh");
 }
 
-// 1 or 2, from the name of the command; 0 if it has none.
+// Returns the dimension, 1 or 2, in the name of the command; 0 if there is none.
 int dimension_of(EntryPoint entry) {
   for (const char c : gl::name_of(entry))
     if (c == '1' || c == '2') return c - '0';
@@ -54,9 +54,10 @@ struct Facts {
   Lists lists = Lists::kNone;
   int evaluations = 0;
   bool meshes = false, points = false, grids = false, automatic_normals = false, attribute_maps = false;
-  bool without_vertices = false;   // evaluates in a dimension of which no vertex map is enabled
-  std::set<std::int64_t> queried;  // names that Get asks for
-  // The commands that are neither set-up nor a way to look: "Map", "evaluation", "PopAttrib".
+  bool without_vertices = false;   // evaluates in a dimension without an enabled vertex map
+  std::set<std::int64_t> queried;  // names that Get queries
+  // Words for the commands, without those that only frame or observe others (Begin, GetError): "Map",
+  // "evaluation", "PopAttrib".
   std::set<std::string> words;
 
   explicit Facts(const gl::Case& program) {
@@ -113,7 +114,7 @@ struct Facts {
   }
 };
 
-// The component of a vertex that differs.
+// Properties of the component of a vertex that differs.
 struct Difference {
   bool given = false;  // a current value, or a component of an explicit vertex
   bool explicit_vertex = false;
@@ -121,7 +122,7 @@ struct Difference {
 
 bool is_given(const reference::Component& component) { return std::holds_alternative<float>(component); }
 
-// The number behind `word` in the text.
+// Returns the number that follows `word` in the text; none if there is none.
 std::optional<std::size_t> number_behind(std::string_view text, std::string_view word) {
   const std::size_t at = text.find(word);
   if (at == std::string_view::npos) return std::nullopt;
@@ -131,8 +132,8 @@ std::optional<std::size_t> number_behind(std::string_view text, std::string_view
                                                                                      : std::nullopt;
 }
 
-// Returns whether the component of the failure ("texture coordinate 0.s of vertex 3") is given or evaluated
-// according to the specification.
+// Returns the properties of the component in the failure ("texture coordinate 0.s of vertex 3") according to
+// the specification; none if the failure is not about a component.
 std::optional<Difference> difference_of(const Finding& minimal, int max_eval_order) {
   const std::string& what = minimal.failure.what;
   const std::optional<std::size_t> index = number_behind(what, "vertex ");
@@ -167,7 +168,7 @@ std::optional<Difference> difference_of(const Finding& minimal, int max_eval_ord
   return difference;
 }
 
-// "the current colour", by what differs or is asked for.
+// Returns the noun for the value that differs or is queried, such as "colour".
 std::string noun_of(const std::string& what, const Facts& facts) {
   if (what.starts_with("color") || facts.queried.contains(GL_CURRENT_COLOR)) return "colour";
   if (what.starts_with("normal") || facts.queried.contains(GL_CURRENT_NORMAL)) return "normal";
@@ -190,7 +191,7 @@ std::string cause_from(const std::string& head, const std::vector<std::string>& 
   return cause;
 }
 
-// "Map, evaluation", without what always belongs to an evaluation.
+// Returns the words of the commands, such as "Map, evaluation", except `left_out`.
 std::string words_without(const Facts& facts, std::initializer_list<const char*> left_out) {
   std::vector<std::string> words;
   for (const std::string& word : facts.words)

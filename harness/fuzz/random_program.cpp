@@ -19,16 +19,16 @@ constexpr int kLists = 6, kMostDepth = 6;
 
 enum class Kind { kPoints, kLines, kPolygons };
 
-// Parts of a program. Most programs lack some: if everything comes together, the defect that shows most
-// easily hides the others.
+// The kinds of commands in a program. Most programs do not have all of them, because otherwise the bug that
+// shows most easily would hide the others.
 struct Parts {
   bool curves = true, surfaces = true;
   bool vertices_always = false;  // vertex maps stay enabled
   bool grids_first = false;      // no mesh over an initial grid
   bool given_vertices = true, current_values = true, automatic_normals = true, disabling = true;
   bool meshes = true, lists = true, stack = true, errors = true, queries = true, other_unit = true;
-  bool errors_in_lists = false;  // GetError follows each CallList then
-  bool risky = true;  // what crashes libraries: lists that call lists, queries of maps that are rejected
+  bool errors_in_lists = false;  // if true, GetError follows each CallList
+  bool risky = true;  // commands that crash some libraries: lists that call lists, rejected queries of maps
 };
 
 bool makes_vertices(GLenum map) {
@@ -36,7 +36,8 @@ bool makes_vertices(GLenum map) {
          map == GL_MAP2_VERTEX_4;
 }
 
-// Distributions are made by hand: those of the standard library differ from machine to machine.
+// A source of random numbers. It does not use the distributions of the standard library, which differ from
+// machine to machine.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : random_(seed) {}
@@ -93,8 +94,8 @@ class ProgramWriter {
       *part = !dice_.one_in(3);
   }
 
-  // --- numbers: doubles that a float holds. One draw a statement: in which order the arguments of a function
-  // are evaluated is up to the compiler.
+  // --- numbers: doubles that are floats. Each statement draws only one number, because the order of
+  // evaluation of function arguments depends on the compiler.
 
   double simple() { return (dice_.below(65) - 32) / 16.0; }
   double number() {
@@ -117,7 +118,7 @@ class ProgramWriter {
     for (double& value : values) value = number();
     return values;
   }
-  // Calls it with so many of them, or with arguments of evaluation.
+  // Call `call` with kCount numbers, or with two arguments of evaluation.
   template <std::size_t kCount, class Call>
   void with_numbers(Call call) {
     std::array<double, kCount> values;
@@ -134,14 +135,14 @@ class ProgramWriter {
     return {values.begin(), values.end()};
   }
 
-  // Two ends that differ as floats.
+  // Returns two ends that differ as floats.
   std::pair<double, double> domain() {
     constexpr std::pair<double, double> kUsual[] = {{0, 1}, {0, 1}, {1, 0}, {-1, 1}, {0, 4}, {0.25, 0.75}};
     constexpr std::pair<double, double> kAwkward[] = {{1000, 1001},      {3, -5},          {0, 0x1p-10},
                                                       {-0x1p20, 0x1p20}, {1, 1 + 0x1p-12}, {-7, -6.5}};
     return hostile_ && dice_.one_in(3) ? dice_.pick(kAwkward) : dice_.pick(kUsual);
   }
-  // An argument: mostly inside a usual domain, now and then outside.
+  // Returns an argument, which is mostly inside the usual domains.
   double argument() {
     constexpr double kEnds[] = {0, 1, 0.5, 0.25, 0.75, -1, 4, 1000, 1000.5};
     return dice_.one_in(2) ? dice_.pick(kEnds) : dice_.below(257) / 256.0;
@@ -159,7 +160,7 @@ class ProgramWriter {
 
   // --- commands
 
-  // Issues the maps without which later commands show nothing.
+  // Defines maps that make the effects of later commands visible.
   void supply() { supply(in_surfaces() ? 2 : 1); }
   void supply(int dimension) {
     const GLenum target = vertex_target(dimension);
@@ -388,7 +389,7 @@ class ProgramWriter {
   void primitive(int count = 0) {
     if (count == 0) count = dice_.one_in(60) ? 200 : 1 + dice_.below(6);
     c_.Begin(mode());
-    // Complete lines and triangles only.
+    // Six vertices make only complete lines and triangles.
     if (kind_ != Kind::kPoints) count = 6;
     for (int i = 0; i < count; ++i) {
       if (has_.current_values && dice_.one_in(4)) current_value();
@@ -409,7 +410,7 @@ class ProgramWriter {
       c_.EvalMesh1(how, i1, i2);
   }
 
-  // A command with one mistake, and the question for its error.
+  // Issues a command with one mistake, and GetError.
   void refused() {
     const std::vector<GLfloat> points(64, 0.5f);
     const GLenum target1 = map1_target(), target2 = map2_target();
@@ -490,7 +491,7 @@ class ProgramWriter {
     c_.GetError();
   }
 
-  // Queries flush, which hides defects: they are few.
+  // Issues a query. Programs have few queries, because they flush and so hide bugs.
   void query() {
     switch (dice_.below(14)) {
       case 0:
@@ -577,7 +578,7 @@ class ProgramWriter {
         case 5:
           if (has_.meshes) mesh();
           break;
-        case 6:  // never itself
+        case 6:  // calls an earlier list, never itself
           if (has_.risky && name > kFirstList)
             call(kFirstList + static_cast<GLuint>(dice_.below(static_cast<int>(name - kFirstList))));
           break;
@@ -592,7 +593,7 @@ class ProgramWriter {
     if (dice_.one_in(2)) call(name);
   }
 
-  // Map commands are rejected while another unit is active.
+  // Issues commands while another texture unit is active, which makes map commands fail.
   void other_unit() {
     c_.ActiveTexture(GL_TEXTURE1);
     switch (dice_.below(3)) {
@@ -620,7 +621,8 @@ class ProgramWriter {
 
 SpecifiedProgram write_program(std::uint32_t seed, std::uint32_t number, int length, int max_eval_order,
                                bool past) {
-  // If chance makes something that is undefined (a list that was replaced, say), the next attempt counts.
+  // If the outcome of a random program is undefined (for example because of a replaced list), another
+  // one is made.
   for (std::uint64_t attempt = 0;; ++attempt) {
     Dice dice((std::uint64_t{seed} << 32 | number) + attempt * 0x9E3779B97F4A7C15u);
     gl::Case program(fmt::format("program {} of seed {}", number, seed));

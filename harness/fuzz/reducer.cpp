@@ -14,7 +14,7 @@
 namespace evalcts::fuzz {
 namespace {
 
-constexpr int kInShared = 5;  // attempts for one in a fresh context
+constexpr int kInShared = 5;  // attempts in the shared context for each attempt in a fresh context
 
 }  // namespace
 
@@ -27,13 +27,13 @@ Reducer::Reducer(const Subject& subject, SharedContext* shared, std::vector<std:
       causes_(std::move(causes)),
       most_attempts_(most_attempts),
       hooks_(std::move(hooks)) {
-  // A cause that needs fewer commands comes first: where both show, it is the one.
+  // Causes with fewer commands come first, because they take precedence if several apply.
   std::ranges::stable_sort(causes_, {}, &std::string::size);
 }
 
 Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful) {
   const std::string kind = kind_of(finding.failure.what);
-  // Either an answer or a vertex differs: only that is looked at again.
+  // Either an answer or a vertex differs. Repetitions compare only these.
   const Look look = kind.starts_with("gl") ? Look::kAnswers : Look::kVertices;
   std::string wanted = kind;
   const auto look_at = [&](const gl::Case& candidate, const auto& judge) -> std::optional<Finding> {
@@ -65,15 +65,16 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful)
     if (hooks_.landed) hooks_.landed();
     return finding;
   };
-  // Most differences are of a cause that has been seen: the commands of that alone show it then. Which one it
-  // can be, is soon known in the shared context.
+  // Most differences have a known cause, so the commands of known causes are tried first. The shared context
+  // quickly shows which cause it may be.
   const std::vector<gl::Case> forms = forms_of(program);
   const auto is_known = [&](bool in_shared) {
     for (const gl::Case& form : forms) {
       const std::optional<Specified> of_form = specify_if_defined(form, max_order_);
       for (const std::string& cause : causes_) {
         if (!of_form || !cause.ends_with(": " + wanted)) continue;
-        // The shared context has told that each word is needed, so that one look in a fresh one is enough.
+        // The shared context has shown that each word is necessary, so one repetition in a
+        // fresh context suffices.
         const std::optional<gl::Case> reduced = in_shared ? reduced_to(cause, form, *of_form, still_in_shared)
                                                           : reduced_to(cause, form, *of_form, still);
         if (!reduced || (in_shared && !still(*reduced))) continue;
@@ -83,12 +84,13 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful)
     }
     return false;
   };
-  // Each look at a program that draws very much takes so long that it gets few of them.
+  // Each run of a program that draws very much takes long, so it gets fewer attempts.
   const std::int64_t size = std::max<std::int64_t>(vertices_of(program) / kMostVertices, 1);
   const bool is_cheap_in_shared = shared_ && size == 1;
   bool known = (is_cheap_in_shared && is_known(true)) || is_known(false);
   if (!known && look == Look::kVertices && kind != kPrimitives) {
-    // If vertices are lost and others come twice, their number is right and nothing else of them.
+    // If some vertices are lost and others are drawn twice, the difference may show as a wrong attribute,
+    // although the cause is a known one of the kind `primitives`.
     wanted = kPrimitives;
     known = is_known(false);
     wanted = kind;
@@ -97,8 +99,8 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful)
   const auto smaller = [&](const gl::Case&) {
     if (hooks_.smaller) hooks_.smaller(finding);
   };
-  // If the control goes wrong as well, it stands for the program: its cause names no evaluation and so hides
-  // no finding that only evaluations show.
+  // If the control fails as well, it replaces the program. Its cause contains no evaluation, so it does not
+  // hide bugs that only evaluation shows.
   gl::Case shown = program;
   const auto shows_outside = [&](const gl::Case& control) {
     outside = true;
@@ -107,13 +109,13 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful)
   int most = most_attempts_ / static_cast<int>(std::min<std::int64_t>(size, most_attempts_));
   if (shows_outside(gl::with_explicit_vertices(program))) {
     shown = finding.program;
-    most /= 4;  // nobody has to debug that
+    most /= 4;  // a bug outside of evaluators need not be minimal
   }
-  smaller(shown);  // so that it is not lost where the library dies on the way
+  smaller(shown);  // reports the program now, in case the library dies during the reduction
   for (const std::string& word : words_of(shown))
     if (still(without_word(shown, word))) shown = finding.program;
-  // All the way in the shared context first, where a program costs little: from there it is short in fresh
-  // ones.
+  // The program is first shrunk in the shared context, where runs are cheap, so that few runs in fresh
+  // contexts remain.
   if (is_cheap_in_shared && !careful && still_in_shared(shown)) {
     const gl::Case small = shrink(shown, still_in_shared, kInShared * most);
     if (still(small)) shown = small;

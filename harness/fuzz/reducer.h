@@ -14,20 +14,24 @@ class Reducer {
  public:
   // Functions of the caller that run around each program. Each may be empty.
   struct Hooks {
-    std::function<void()> alive = {};    // before each program
-    std::function<bool()> is_over = {};  // true: the time is over, no program is run any more
-    // Before a program is run; false: it is left out, because the library has died in it before.
+    std::function<void()> alive = {};    // called before each program
+    std::function<bool()> is_over = {};  // returns true if the time is over; no more programs are run then
+    // Called before a program runs. If it returns false, the program is not run, for example because the
+    // library has died in it before.
     std::function<bool(const gl::Case&)> takes_off = {};
-    std::function<void()> landed = {};                         // after the last program of a reduction
-    std::function<void(const Finding& finding)> smaller = {};  // the smallest program so far
+    std::function<void()> landed = {};                         // called after the last program of a reduction
+    std::function<void(const Finding& finding)> smaller = {};  // called with the smallest program so far
   };
 
-  // `causes`: those that have been seen. `shared`: a context in which programs are tried first; may be null.
+  // `causes`: the known causes. `shared`: a context in which programs are tried first; may be null.
+  // `most_attempts`: approximate maximum number of programs for a reduction. `subject` and `shared` must
+  // outlive the object.
   Reducer(const Subject& subject, SharedContext* shared, std::vector<std::string> causes, int most_attempts,
           Hooks hooks);
 
-  // Returns the cause of the difference, with a program that is as small as it can be if the cause is new.
-  // `careful`: not by way of the shared context, because the library has died on the way.
+  // Returns the finding with its cause. If the cause is new, the program is minimal, and the cause becomes
+  // known. If `careful`, the shared context is not used to shrink the program, because the library has died
+  // in an earlier attempt.
   Finding explain(const gl::Case& program, Finding finding, bool careful = false);
 
  private:

@@ -21,11 +21,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kMostAttempts = 150;          // to make one program smaller
-constexpr double kShareOfLargeCase = 0.05;  // of the time, for one case that draws very much
+constexpr int kMostAttempts = 150;          // maximum number of candidates for one program
+constexpr double kShareOfLargeCase = 0.05;  // share of the time for one case that draws very much
 constexpr auto kReportReductionEvery = std::chrono::milliseconds(500);
 
-// The causes of programs that random search found: most failures are of one of them.
+// Returns the causes of the programs that random search has found, which explain most failures.
 std::vector<std::string> known_causes() {
   std::set<std::string> causes;
   for (const KnownFinding& finding : known_findings()) causes.insert(cause_of(finding.program, finding.what));
@@ -92,7 +92,8 @@ class CaseReducer {
     const std::string key = kind + ": " + gl::to_text(plain);
     if (const auto same = reduced_.find(key); same != reduced_.end()) return {failing.test, same->second, ""};
     Finding minimal = reducer_.explain(program, *found);
-    // A wrong answer in it, such as a missing error, tells more than what comes of it.
+    // If the minimal program also gives a wrong answer, such as a missing error, this answer becomes the
+    // finding, because it is closer to the root cause than its effects on vertices.
     if (!kind.starts_with("gl") && !without_answers_.contains(minimal.cause)) {
       if (const std::optional<Finding> answer = difference_of(minimal.program, Look::kAnswers)) {
         minimal = reducer_.explain(gl::Case(minimal.program), *answer);
@@ -117,8 +118,8 @@ class CaseReducer {
     });
   }
 
-  // Returns the minimal program of a smaller case if its commands, as this program has them, differ in the
-  // same way; otherwise null. Each further look at such a program takes long.
+  // Returns the minimal program of an earlier case if the same commands of this program differ in the same
+  // way; otherwise null. This saves the reduction of the large program.
   const Finding* known_of_large(const gl::Case& program, Look look) {
     for (const auto& [cause, minimal] : by_cause_) {
       const std::set<std::string> words = words_of(minimal.program);
@@ -133,8 +134,8 @@ class CaseReducer {
     return nullptr;
   }
 
-  // False for a mesh over the initial grid if the case has one of its own: what differs there may be another
-  // bug.
+  // Returns false if the candidate draws a mesh or grid point over the initial grid although the case defines
+  // a grid, because the difference may then be another bug.
   bool keeps_its_grid(const gl::Case& candidate) const {
     return !has_grid_ || has(candidate, "glMapGrid") ||
            (!has(candidate, "glEvalMesh") && !has(candidate, "glEvalPoint"));
@@ -154,7 +155,7 @@ class CaseReducer {
                             (is_large_ && seconds_since(case_begin_) >= kShareOfLargeCase * seconds_));
   }
 
-  // The case alone does not differ from the executable specification.
+  // Returns the reason why the case alone does not differ from the executable specification.
   static std::string why_it_does_not_show(const gl::Case& script, const gl::Case& program) {
     for (const gl::Command& command : script.commands()) {
       const auto is_same = [&](const gl::Command& other) { return other.entry == command.entry; };
@@ -169,7 +170,7 @@ class CaseReducer {
     return specified ? judge_program(subject_, program, *specified, look).finding : std::nullopt;
   }
 
-  // Looks in the shared context, if there is one.
+  // True if the program has this kind of difference. Runs in the shared context, if there is one.
   bool fails_alike(const gl::Case& program, const std::string& kind) {
     const Look look = kind.starts_with("gl") ? Look::kAnswers : Look::kVertices;
     const std::optional<Specified> specified = specify_if_defined(program, max_order_);
@@ -185,15 +186,15 @@ class CaseReducer {
   const Clock::time_point begin_ = Clock::now();
   Clock::time_point reported_ = begin_;
   Clock::time_point case_begin_ = begin_;
-  bool is_large_ = false;  // the case that is reduced draws very much
+  bool is_large_ = false;  // the current case draws very much
   const gl::Table table_;
   const int max_order_;
   std::unique_ptr<SharedContext> shared_;  // may be null
   Reducer reducer_;
-  bool has_grid_ = false;                   // of the case that is reduced
+  bool has_grid_ = false;                   // the current case defines a grid
   std::map<std::string, Finding> reduced_;  // by kind of difference and plain form
   std::map<std::string, Finding> by_cause_;
-  std::set<std::string> without_answers_;  // causes whose minimal programs give no wrong answer
+  std::set<std::string> without_answers_;  // causes whose minimal programs give only correct answers
 };
 
 }  // namespace

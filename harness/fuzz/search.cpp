@@ -27,12 +27,12 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kLook = 0.02;
-constexpr int kMostAttemptsAlone = 400;  // to make a crash smaller: each is a process
-constexpr int kMostHangs = 60;           // to make a hang smaller: each costs kShortPatience
-constexpr double kSecondsAlone = 30;     // for both
-constexpr std::size_t kMostDeaths = 10;  // while one program is made smaller
-constexpr double kShortPatience = 2;     // with a program that has hung before
-constexpr double kPatience = 60;         // beyond the time limit, for a program that is being made smaller
+constexpr int kMostAttemptsAlone = 400;  // candidates for the reduction of a crash; each needs a process
+constexpr int kMostHangs = 60;           // candidates for the reduction of a hang; each takes kShortPatience
+constexpr double kSecondsAlone = 30;     // time limit for the reduction of a crash or hang
+constexpr std::size_t kMostDeaths = 10;  // deaths of the library during the reduction of one program
+constexpr double kShortPatience = 2;     // time limit, in seconds, of a program that has hung before
+constexpr double kPatience = 60;         // seconds that a reduction may take after the end of the search
 constexpr int kMostEmptyStarts = 3;
 
 double seconds_since(Clock::time_point start) {
@@ -64,12 +64,12 @@ class Searcher {
     std::unique_ptr<SuiteChild> child;
     std::uint32_t first = 0;
     std::optional<std::uint32_t> programs;
-    CampaignProgress played;          // as the child last said
-    std::optional<Finding> smaller;   // the smallest so far of what it works on
-    std::vector<std::string> deadly;  // programs it died in on the way there
+    CampaignProgress played;          // the latest totals of the child
+    std::optional<Finding> smaller;   // the smallest program so far of the current reduction
+    std::vector<std::string> deadly;  // programs of this reduction in which the library has died
   };
 
-  // The programs K, K + jobs, K + 2 jobs, ... of one lane.
+  // Returns the number of programs of lane k, which are k, k + jobs, k + 2 jobs, ...; none: no limit.
   std::optional<std::uint32_t> programs_of(int k) const {
     if (!request_.programs) return {};
     const auto jobs = static_cast<std::uint32_t>(request_.jobs), own = static_cast<std::uint32_t>(k);
@@ -170,7 +170,8 @@ class Searcher {
     }
   }
 
-  // A child has ended: at its end, or by a death, which is a finding; another one goes on behind it.
+  // Handles the end of a child. If the child has died, which is a finding, another child continues with the
+  // next program.
   void finish(int k) {
     Lane& lane = lanes_[static_cast<std::size_t>(k)];
     const ChildRun run = lane.child->run();
@@ -194,7 +195,7 @@ class Searcher {
     const std::string in_flight = read_file(scratch(k, "in-flight"));
     died(run, number, in_flight);
     if (!in_flight.empty() && last.deadly.size() < kMostDeaths) {
-      // It died on the way to the cause of another difference, which is looked for once more.
+      // The child died during the reduction of another difference, so this reduction is repeated.
       std::vector<std::string> deadly = number == last.first ? last.deadly : std::vector<std::string>();
       deadly.push_back(in_flight);
       found_.programs += done - 1 - last.played.programs;
@@ -213,15 +214,15 @@ class Searcher {
     return last;
   }
 
-  // The death of the child in a program, or in a smaller one on the way to the cause of a difference, made
-  // small by running candidates in processes of their own.
+  // Adds the finding for a death of a child. The program in which it died, or the candidate of a reduction
+  // (`in_flight`), is reduced by running smaller candidates in separate processes.
   void died(const ChildRun& run, std::uint32_t number, const std::string& in_flight) {
     const std::string how = run.hung ? "timeout" : "crash";
     gl::Case program = in_flight.empty()
                            ? random_program(request_.seed, number, request_.length, max_eval_order_)
                            : gl::parse_case(in_flight);
     int at = 0;
-    // On a busy machine anything takes long now and then.
+    // On a busy machine, any program may exceed the time limit occasionally.
     if (run.hung && ends_alone(program, ++at, request_.seconds_per_program)) {
       ++found_.slow;
       return;
@@ -233,7 +234,7 @@ class Searcher {
       return !interrupted && seconds_since(begin) < kSecondsAlone &&
              specify_if_defined(candidate, max_eval_order_) && !ends_alone(candidate, ++at, patience);
     };
-    // Most deaths are of a cause that has been seen: the commands of that alone show it then.
+    // Most deaths have a known cause, so the commands of known causes are tried first.
     std::string cause;
     for (const gl::Case& form : forms_of(program)) {
       const std::optional<Specified> specified = specify_if_defined(form, max_eval_order_);
@@ -251,7 +252,7 @@ class Searcher {
     } else if (cause.empty()) {
       program = shrink(program, dies, run.hung ? kMostHangs : kMostAttemptsAlone);
       outside = dies(gl::with_explicit_vertices(program));
-      if (outside) program = gl::with_explicit_vertices(program);  // its cause names no evaluation, then
+      if (outside) program = gl::with_explicit_vertices(program);  // so that the cause contains no evaluation
       cause = cause_of(program, how);
     }
     Finding finding;
@@ -267,7 +268,7 @@ class Searcher {
     found(fmt::format("program {}", number), finding);
   }
 
-  // The causes of deaths of this kind; all causes if `how` is empty.
+  // Returns the causes of deaths of the kind `how` ("crash", "timeout"); all causes if `how` is empty.
   std::vector<std::string> causes_seen(const std::string& how) const {
     std::vector<std::string> seen;
     for (const Cause& cause : found_.causes) seen.push_back(cause.cause);
@@ -277,7 +278,7 @@ class Searcher {
     return seen;
   }
 
-  // Returns true if the program ends normally in a process of its own.
+  // Returns true if the program runs to its end in a separate process. `at` makes the file name unique.
   bool ends_alone(const gl::Case& program, int at, double patience) const {
     const fs::path file = scratch_ / "alone.json", events = scratch_ / fmt::format("alone-{}.jsonl", at);
     write_atomically(file, gl::to_text(program));
@@ -318,7 +319,7 @@ class Searcher {
     const gl::Case& program = cause.finding.program;
     text += fmt::format("{}\n", fmt::join(gl::all_calls(program, 1000, 0), "\n"));
     write_atomically(fs::path(cause.file).replace_extension(".txt"), text);
-    // The C program, as far as there is one for this implementation.
+    // Writes the C program, if the implementation supports it.
     const fs::path replay = scratch_ / "write.json", events = scratch_ / "write.jsonl";
     write_atomically(replay, gl::to_text(program));
     std::vector<std::string> command = shared_options();
@@ -336,7 +337,7 @@ class Searcher {
   std::vector<Lane> lanes_;
   SearchResult found_;
   int empty_starts_ = 0;
-  int max_eval_order_ = 8;  // as the children know it
+  int max_eval_order_ = 8;  // as reported by the children
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// One context for many programs, beside the fresh ones of others. Private to harness/fuzz.
+// A context that many programs share, while other programs use fresh contexts. Private to harness/fuzz.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,8 @@ inline constexpr std::size_t kMostHistory = 8;  // programs that a shared contex
 
 class SharedContext {
  public:
-  // Null where the implementation makes no such contexts, or none is needed: a sink is as fast without.
+  // Returns null if the implementation cannot create a context beside others, or has a sink, for which a
+  // shared context is not faster.
   static std::unique_ptr<SharedContext> of(const Subject& fresh) {
     const std::unique_ptr<Context> one = fresh.implementation->create_beside();
     return one && !one->has_sink() ? std::make_unique<SharedContext>(fresh) : nullptr;
@@ -28,7 +29,8 @@ class SharedContext {
     return judge_program(subject_, program, specified, look);
   }
 
-  // The program that was judged last, behind so many that were run before it; empty where there were less.
+  // Returns a case of the last `count` programs before the latest one, followed by the latest one; empty if
+  // there were fewer.
   gl::Case behind(std::size_t count) const {
     gl::Case joint(history_.back().identity());
     if (count >= history_.size()) return joint;
@@ -44,7 +46,7 @@ class SharedContext {
   }
 
  private:
-  // Current again whenever something is run: the first of each case is what restores its state.
+  // A context that becomes current again before each case.
   class BesideContext final : public Context {
    public:
     explicit BesideContext(std::unique_ptr<Context> inner) : inner_(std::move(inner)) {}

@@ -14,15 +14,15 @@
 namespace evalcts::fuzz {
 namespace {
 
-constexpr std::size_t kMostElements = 24;  // of an array whose elements are tried one by one
+constexpr std::size_t kMostElements = 24;  // elements of larger arrays are not changed one by one
 
 using gl::Command;
 using gl::EntryPoint;
 
-// The same cause shows in many forms: the plainest one tells that it is the same. Each of these makes a
-// command plainer, or leaves it.
+// A cause shows in many forms of a program, which the plainest form identifies. Each function
+// `Command(Command)` below returns a plainer form of the command, or the command itself.
 
-// Element i of an array, or the number itself.
+// Returns element i of an array of floats or doubles, or the number itself.
 double number(const gl::Value& argument, std::size_t i = 0) {
   if (const auto* single = std::get_if<float>(&argument)) return *single;
   if (const auto* real = std::get_if<double>(&argument)) return *real;
@@ -84,7 +84,7 @@ Command in_one_dimension(Command command) {
   }
 }
 
-// EvalCoord1f and EvalCoord2f alone.
+// Replaces commands that evaluate at a point by EvalCoord1f and EvalCoord2f.
 Command as_coordinate(Command command) {
   const std::vector<gl::Value>& a = command.arguments;
   switch (command.entry) {
@@ -152,8 +152,8 @@ class Shrinker {
     return true;
   }
 
-  // Runs of commands; then pairs that only go together (Begin and End, PushAttrib and PopAttrib, NewList and
-  // EndList, a command and the question for its error).
+  // Removes runs of commands, then pairs that can only be removed together (Begin and End, PushAttrib and
+  // PopAttrib, NewList and EndList, a command and its GetError).
   bool remove_commands() {
     const std::size_t before = size();
     std::vector<Command> all = best_.commands();
@@ -204,7 +204,7 @@ class Shrinker {
     return attempt(std::move(commands));
   }
 
-  // A vertex between Begin and End in the place of each mesh.
+  // Replaces each mesh by a vertex between Begin and End.
   bool primitives_instead() {
     bool any = false;
     for (std::size_t i = 0; i < size() && left_ > 0; ++i) {
@@ -221,7 +221,8 @@ class Shrinker {
     return any;
   }
 
-  // Many commands do nothing to a cause but make an implementation draw what it has: Flush does that, too.
+  // Replaces commands by Flush. Many commands contribute to a cause only because they make an implementation
+  // draw its pending vertices, as Flush does.
   bool flush_instead() {
     bool any = false;
     for (const std::size_t count : {2u, 1u})
@@ -236,7 +237,8 @@ class Shrinker {
     return any;
   }
 
-  // All commands that the function changes, or else all from one on, or else one after the other.
+  // Replaces all commands that the function changes; if that fails, all from one command on; if that fails,
+  // each command alone.
   bool replace_all(Command (*plainer)(Command)) {
     const std::vector<Command> before = best_.commands();
     std::vector<Command> after;
@@ -259,7 +261,7 @@ class Shrinker {
     return any;
   }
 
-  // Map1 with one point less.
+  // Removes the last control point of a Map1 as often as possible.
   bool lower_order(std::size_t i) {
     bool any = false;
     for (;;) {
@@ -321,7 +323,7 @@ class Shrinker {
     return false;
   }
 
-  // All elements at once, then one by one.
+  // Simplifies all elements at once, then one by one.
   template <class Real, class With>
   bool simplify_elements(std::size_t i, std::size_t k, const gl::Input& input, const With& with) {
     std::vector<Real> values(input.bytes.size() / sizeof(Real));

@@ -400,7 +400,7 @@ class Writer {
         count, index);
   }
 
-  // Writes the decision for a test that compares answers by itself: the failure shows if the answers equal
+  // Writes the decision for a test that compares answers by itself: the program fails if all answers equal
   // the recorded ones.
   void decide_unlike(const Check& check) {
     std::string same;

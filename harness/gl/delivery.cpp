@@ -108,7 +108,7 @@ class OnGrids {
     ++next_;
   }
   void copy() { put(commands()[next_]); }
-  // Omits the next command of the case.
+  // Omits the next command of the case. Its position is that of the last command so far.
   void drop() {
     delivered_.positions.push_back(static_cast<int>(delivered_.script.commands().size()) - 1);
     ++next_;
@@ -291,13 +291,13 @@ DeliveredCase unchanged(const Case& script) {
   return delivered;
 }
 
-// Returns the deliveries of one dimension or of both, and each form of display lists with some of them, such
-// that every evaluation command is compiled and every form contains floats and doubles.
+// Returns the given deliveries and, for each form of display lists, some of them through this form, chosen
+// such that every evaluation command is compiled and every form contains floats and doubles.
 std::vector<Delivery> with_lists(const std::vector<Delivery>& deliveries) {
   struct Way {
     Lists lists;
     const char* name;
-    std::vector<std::string> evaluated;  // the ends of the names of the commands
+    std::vector<std::string> evaluated;  // suffixes of the names of the deliveries
   };
   static const std::vector<Way> ways = {
       {Lists::kCompiled, "Compiled", {"1fv", "1d", "Point1", "Mesh1", "2dv", "2f"}},

@@ -95,7 +95,7 @@ class ThroughLists {
   void compile() {
     struct Step {
       Run run;
-      std::vector<std::int64_t> calls;  // empty: the commands themselves
+      std::vector<std::int64_t> calls;  // lists to call; empty: issue the commands themselves
     };
     std::vector<Step> steps;
     for (const auto& [run, compiled] : runs()) {
@@ -155,10 +155,10 @@ class ThroughLists {
     return !open;
   }
 
-  // --- execute: one list for as much as it can hold -------------------------------------------------------
+  // --- execute: lists that are as long as possible ---------------------------------------------------------
 
   // Queries keep their position, because they are executed at once and see the effects of the list. A list
-  // ends before a list of the case begins, and after the last End.
+  // ends before a NewList of the case, and outside Begin and End.
   void execute() {
     std::size_t i = 0;
     while (i < commands().size()) {
@@ -179,8 +179,8 @@ class ThroughLists {
     }
   }
 
-  // Returns the end of the longest list that begins at `begin`, outside Begin and End, and ends outside as
-  // well.
+  // Returns the end of the longest list that begins at `begin`, which is outside Begin and End, and that also
+  // ends outside Begin and End.
   std::size_t end_of_list(std::size_t begin) const {
     std::size_t end = begin;
     bool open = false;

@@ -18,7 +18,7 @@ void vertex(Case& c, int number) {
 constexpr std::int64_t kMostIndices = 16;
 constexpr GLuint kNoList = 0x7fff1234;  // a list that no test defines
 
-// The enabled maps, as far as the commands tell in the order in which they are written.
+// The capabilities that the commands enable, in the order in which they are written.
 class EnabledMaps {
  public:
   void follow(const Command& command) {
@@ -111,7 +111,7 @@ bool is_of_evaluators(GLenum cap) {
   return cap == GL_AUTO_NORMAL || components_of(cap) > 0 || is_attribute_map;
 }
 
-// True if the command defines, enables or asks for maps or grids.
+// True if the command defines, enables or queries maps or grids.
 bool is_about_maps(const Command& command) {
   const std::string_view name = name_of(command.entry);
   for (const char* prefix : {"glMap1", "glMap2", "glMapGrid", "glGetMap"})
@@ -121,7 +121,7 @@ bool is_about_maps(const Command& command) {
   return cap && is_of_evaluators(static_cast<GLenum>(*cap));
 }
 
-// Enables and disables the capability in turn.
+// Alternately enables and disables the capability, if there is one.
 class IdleChanges {
  public:
   explicit IdleChanges(IdleCapability capability) : capability_(capability) {}
@@ -136,9 +136,10 @@ class IdleChanges {
   bool enabled_ = false;
 };
 
-// Returns the case without evaluators. `evaluate(control, command, number)` issues the commands that stand
-// for an EvalCoord or EvalPoint, `mesh(control, command, number)` those for an EvalMesh outside of Begin and
-// End; `follow(command)` sees each command before.
+// Returns the case without evaluators. `evaluate(control, command, number)` issues the commands that replace
+// an EvalCoord or EvalPoint, `mesh(control, command, number)` the commands that replace an EvalMesh outside
+// of Begin and End. `number` is the index of the command in the case. `follow(command)` is called first for
+// each command.
 template <class Follow, class Evaluate, class Mesh>
 Case with_replaced(const Case& script, IdleCapability idle, const Follow& follow, const Evaluate& evaluate,
                    const Mesh& mesh) {

@@ -20,7 +20,7 @@ std::int64_t other_dimension(std::int64_t token) {
 
 std::int64_t integer(const Value& value) { return std::get<std::int64_t>(value); }
 
-// Returns a Map2 command whose net repeats the order*stride values `copies` times.
+// Returns a Map2 command whose control points are `copies` copies of the order*stride values of the Map1.
 Command map2(const Command& map1, std::int64_t copies, bool along_v) {
   const auto& [target, u1, u2, stride, order, points] =
       std::tie(map1.arguments[0], map1.arguments[1], map1.arguments[2], map1.arguments[3], map1.arguments[4],

@@ -17,7 +17,7 @@ namespace {
 constexpr std::byte kFiller{0xA5};
 constexpr int kMostErrors = 16;
 
-constexpr std::byte kUnlikely{0x4B};  // four or eight of them: a large finite number
+constexpr std::byte kUnlikely{0x4B};  // a float or double of these bytes is a large finite number
 
 // Pages between two inaccessible pages. A few are kept for reuse, because mapping them costs more than most
 // calls.
@@ -194,7 +194,7 @@ class Player {
 
   template <class Result, class... Parameters, std::size_t... I>
   void invoke_with(Result (*function)(Parameters...), const Command& command, std::index_sequence<I...>) {
-    // Braces fix the order of evaluation: memory for the pointers is set up first argument first.
+    // Braces fix the order of evaluation: memory for pointers is set up from the first argument to the last.
     [[maybe_unused]] const std::tuple<Parameters...> arguments{
         argument<Parameters>(command.arguments[I], I)...};
     if constexpr (std::is_void_v<Result>) {
@@ -274,7 +274,7 @@ class Player {
   const Table& table_;
   Trace trace_;
   std::size_t index_ = 0;
-  std::list<ClientArray> inputs_;  // all arrays live until the case is over
+  std::list<ClientArray> inputs_;  // all arrays exist until the case ends
   std::map<std::pair<int, std::size_t>, ClientArray*> slots_;
   std::list<std::vector<const char*>> strings_;
   std::array<ClientArray*, 16> inputs_of_call_{};

@@ -22,7 +22,7 @@ constexpr std::array<Description, kEntryPointCount> kDescriptions = {{
 
 // Commands of an extension that became part of a GL version.
 struct Promotion {
-  std::string_view beginning;  // of the names of the commands
+  std::string_view beginning;  // common beginning of the names of the commands
   int since;                   // 10 * major + minor
   std::string_view extension;
   std::string_view suffix;

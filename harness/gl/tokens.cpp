@@ -10,7 +10,8 @@
 namespace evalcts::gl {
 namespace {
 
-// One name for each value; GL_ZERO, GL_NO_ERROR and GL_POINTS share 0 and are told apart by the caller.
+// One name for each value. GL_ZERO, GL_NO_ERROR and GL_POINTS share the value 0, so the caller has to choose
+// a function by the meaning of the value.
 #define TOKENS(...)                           \
   constexpr GLenum kValues[] = {__VA_ARGS__}; \
   constexpr std::string_view kSpelled = #__VA_ARGS__;

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr const char* kNotTraced = "not traced to a clause yet";
 constexpr std::uint32_t kSeedOfSignatures = 1;
 
-// The word of a baseline for a verdict; null if a baseline cannot expect it.
+// Returns the status of an entry that expects the verdict; null if a baseline cannot expect it.
 const char* status_of(Verdict verdict) {
   return verdict == Verdict::kFail      ? "Fail"
          : verdict == Verdict::kCrash   ? "Crash"
@@ -27,8 +27,7 @@ const char* status_of(Verdict verdict) {
                                         : nullptr;
 }
 
-// The lines of a file that are entries, each with the comment above it as its reason. Throws BadBaseline
-// where there is none, or where the file cannot be read.
+// An entry of a file, with the comment above it as its reason.
 struct Line {
   std::string text, reason;
   fs::path file;
@@ -39,7 +38,8 @@ struct Line {
   }
 };
 
-// `in_header(text)` gets each comment line before the first entry.
+// Returns the entries of a file. Calls in_header(line) for each comment line before the first entry. Throws
+// BadBaseline if an entry has no reason, or the file cannot be read.
 template <class InHeader>
 std::vector<Line> entry_lines(const fs::path& path, InHeader in_header) {
   std::ifstream file(path);
@@ -88,7 +88,7 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
 }
 
-// "key: value" at the top of NAME-fails.txt; other comments there are part of the first reason.
+// Reads "key: value" at the top of NAME-fails.txt. Any other comment there belongs to the first reason.
 void read_header_line(const Line& line, BaselineFiles::Header& header) {
   const std::size_t colon = line.text.find(": ");
   if (colon == std::string::npos) return;
@@ -134,8 +134,8 @@ const BaselineFiles* find(const std::vector<BaselineFiles>& all, const std::stri
   return found == all.end() ? nullptr : &*found;
 }
 
-// Appends "# text", wrapped at 100 columns, with "bug: ID." on a line of its own; reading joins the lines
-// again.
+// Appends "# text", wrapped at 100 columns, with "bug: ID." on a separate line. Reading joins
+// the lines again.
 void append_comment(const std::string& text, std::string& out) {
   std::string line = "#";
   std::istringstream words(text);
@@ -301,7 +301,7 @@ Baseline Baseline::composed(std::vector<BaselineFiles> parts) {
         baseline.entries_.erase(test);
       } else {
         Entry& composed = baseline.entries_[test];
-        if (composed.status != entry.status) composed.signatures.clear();  // those of the other status
+        if (composed.status != entry.status) composed.signatures.clear();  // they belong to the old status
         composed.status = entry.status;
         composed.reason = entry.reason;
       }
@@ -364,7 +364,7 @@ void Baseline::apply(RunResult& result) const {
     if (found == entries_.end()) continue;
     const Entry& entry = found->second;
     if (!status) {
-      // Only a pass is news: a test that could not be judged says nothing about the entry.
+      // Only a pass contradicts the entry; a test that could not be judged does not.
       if (test.verdict == Verdict::kPass) test.baseline_reason = entry.reason;
     } else if (entry.status != status) {
       test.message = fmt::format("the baseline expects {}, not {}: {}", entry.status, status, test.message);

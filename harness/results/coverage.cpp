@@ -74,7 +74,7 @@ std::string to_text(const std::vector<Coverage>& coverage, const std::vector<std
 std::vector<std::string> lint(const Catalogue& catalogue, const std::vector<ListedTest>& tests) {
   std::vector<std::string> problems;
   std::set<std::string> names;
-  std::map<std::string, std::string> decided;  // by half: one of the tests
+  std::map<std::string, std::string> decided;  // one of the tests that decide a half, by "ID/half"
   for (const auto& [name, requirements, level, from] : tests) {
     if (!names.insert(name).second) problems.push_back(fmt::format("two tests are called {}", name));
     if (name.find(',') != std::string::npos) problems.push_back(fmt::format("the name {} has a comma", name));

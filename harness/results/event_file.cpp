@@ -31,7 +31,8 @@ void EventFile::open() {
   inode_ = file.st_ino;
 }
 
-// True if the descriptor still stands for this file: a library may have closed it and opened another one.
+// True if the descriptor still refers to this file. A library may have closed it, and another file may have
+// been opened under the same number.
 bool EventFile::is_open() const {
   struct stat file {};
   return descriptor_ >= 0 && fstat(descriptor_, &file) == 0 && file.st_dev == device_ &&

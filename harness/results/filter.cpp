@@ -23,7 +23,7 @@ bool is_chosen(const std::string& name, const std::string& filter) {
       return fnmatch(pattern.c_str(), name.c_str(), FNM_NOESCAPE) == 0;
     });
   };
-  // The first '-' at the beginning of a pattern starts the negative ones, as in GoogleTest.
+  // The first '-' at the beginning of a pattern starts the excluding patterns, as in GoogleTest.
   const std::size_t dash = filter.starts_with('-') ? 0 : filter.find(":-");
   const std::string positive = dash == std::string::npos ? filter : filter.substr(0, dash);
   const std::string negative =

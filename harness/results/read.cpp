@@ -13,9 +13,9 @@ namespace {
 using nlohmann::json;
 
 constexpr std::string_view kFormat = "evalcts-results-1";
-constexpr std::size_t kMostDepth = 100;  // of brackets; copies of a JSON value need stack for each
+constexpr std::size_t kMostDepth = 100;  // nested brackets; copying a JSON value needs stack for each
 
-// Returns how deep brackets are nested in a JSON text.
+// Returns the depth of nested brackets in a JSON text.
 std::size_t depth_of(const std::string& text) {
   std::size_t depth = 0, deepest = 0;
   bool in_string = false;
@@ -222,8 +222,8 @@ void read_tests(const JsonObject& in, RunResult& out) {
   });
 }
 
-// Calls `read` on the object that the text holds; none if it holds none, or one that does not follow the
-// format.
+// Returns read(object) for the JSON object in the text; none if the text is not an object or does not follow
+// the format.
 template <class Read>
 auto parse_object(const std::string& text, Read read) -> decltype(read(json())) {
   const json value = json::parse(text, nullptr, false);

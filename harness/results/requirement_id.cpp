@@ -5,7 +5,7 @@
 namespace evalcts {
 namespace {
 
-constexpr std::string_view kSuffixes[] = {"", "/1-D", "/2-D"};  // by dimension
+constexpr std::string_view kSuffixes[] = {"", "/1-D", "/2-D"};  // indexed by dimension
 
 }  // namespace
 

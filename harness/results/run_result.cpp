@@ -36,7 +36,7 @@ int TestRecord::severity() const {
 std::string Crash::group() const {
   constexpr std::size_t kFramesOfGroup = 3;
   if (frames.empty()) return call;
-  // A copy of bytes crashes in many places of one function of the C library: its caller tells.
+  // A function of the C library that copies bytes crashes in many places, so the group begins at its caller.
   std::size_t first = 0;
   while (first + 1 < frames.size() && frames[first].starts_with("libc.so")) ++first;
   std::string group;

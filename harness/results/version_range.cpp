@@ -11,7 +11,7 @@ namespace {
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-// Reads "22.3.6" at the start of the text; what follows the numbers ("-devel", " (git-...)") is ignored.
+// Reads "22.3.6" at the start of the text; text after the numbers ("-devel", " (git-...)") is ignored.
 std::vector<unsigned> leading_numbers(std::string_view text) {
   constexpr std::size_t kMostDigits = 9;
   std::vector<unsigned> numbers;
@@ -27,8 +27,8 @@ std::vector<unsigned> leading_numbers(std::string_view text) {
   return numbers;
 }
 
-// Negative, zero or positive, as the version is older than the bound, equal in the bound's components, or
-// newer.
+// Returns a negative number, zero or a positive number if the version is older than the bound, equal in the
+// bound's components, or newer.
 int compare(const std::vector<unsigned>& version, const std::vector<unsigned>& bound) {
   for (std::size_t i = 0; i < bound.size(); ++i) {
     const unsigned component = i < version.size() ? version[i] : 0;

@@ -117,7 +117,7 @@ json to_json(const TestRecord& test) {
   if (!test.left_out.empty()) out["left_out"] = test.left_out;
   if (test.crash) out["crash"] = to_json(*test.crash);
   if (!test.failures.empty()) {
-    // The first failing case stands for the test.
+    // The fields of the first failing case are repeated at the level of the test.
     const Failure& first = test.failures.front();
     out["calls"] = first.calls;
     out["expected"] = first.expected;

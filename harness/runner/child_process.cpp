@@ -28,14 +28,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kPollSeconds = 0.02;  // seconds between two looks, on a kernel before 5.3
+constexpr double kPollSeconds = 0.02;  // interval of polling on kernels without pidfd_open (before 5.3)
 
-// The children that are in somebody's care.
+// The children that a ChildProcess waits for.
 std::mutex children_mutex;
 std::set<pid_t> children_in_care;
 bool adopting = false;
 
-// Kills what a child left behind, and what that leaves behind. `children_mutex` is held.
+// Kills adopted orphans until no new ones appear. The caller must hold `children_mutex`.
 void kill_orphans() {
   for (bool found = true; found;) {
     found = false;
@@ -95,8 +95,8 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::s
   }
   posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
 
-  // A group of its own: Ctrl-C reaches the runner, which decides what becomes of the child. What the runner
-  // ignores, the child need not.
+  // The child gets its own process group, so that Ctrl-C reaches only the runner, which decides when to kill
+  // the child. Signals that the runner ignores get their default action back.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes,
@@ -147,7 +147,7 @@ std::optional<Ending> ChildProcess::wait(double seconds) {
   return ending_;
 }
 
-// Until it has printed something or ended, or the time is over.
+// Waits until the process prints or ends, for at most `seconds`.
 void ChildProcess::wait_for_news(double seconds) const {
   pollfd events[] = {{descriptor_, POLLIN, 0}, {output_ ? output_->reader() : -1, POLLIN, 0}};
   poll(events, 2, static_cast<int>((descriptor_ < 0 ? std::min(seconds, kPollSeconds) : seconds) * 1000));
@@ -158,7 +158,7 @@ bool ChildProcess::has_ended() const {
   return waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == id_;
 }
 
-// Its group goes before its id can belong to somebody else.
+// Collects the exit status. The group is killed first, because its id may be reused after waitpid().
 void ChildProcess::reap() {
   const std::lock_guard lock(children_mutex);
   ::kill(-id_, SIGKILL);
@@ -172,7 +172,7 @@ void ChildProcess::reap() {
 void ChildProcess::kill() {
   if (ending_) return;
   ::kill(-id_, SIGKILL);
-  ::kill(id_, SIGKILL);  // in whatever group it is by now
+  ::kill(id_, SIGKILL);  // the process may have moved to another group
 }
 
 std::uint64_t ChildProcess::memory() const {

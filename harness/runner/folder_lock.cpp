@@ -15,7 +15,8 @@
 namespace evalcts {
 namespace {
 
-// Returns true if the descriptor's file is still the one of that name. Its owner removes it in the end.
+// Returns true if the descriptor still refers to the file at `path`, which the previous owner
+// may have removed.
 bool is_file_of(int descriptor, const std::filesystem::path& path) {
   struct stat mine {};
   struct stat there {};
@@ -39,7 +40,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& o
     if (descriptor_ < 0)
       throw CannotWrite(fmt::format("cannot write '{}': {}", file_.string(), std::strerror(errno)));
     if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
-      continue;  // or there are no locks here
+      continue;  // locked, or the file system does not support locks
     const std::string other = content_of(descriptor_);
     close(descriptor_);
     throw FolderInUse(fmt::format("another command is writing into '{}' ({})", folder.string(), other));

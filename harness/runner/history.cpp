@@ -16,7 +16,7 @@ Tests last(const Tests& tests, std::size_t count) {
 History without_needless(Tests tests, const HappensAfter& happens_after) {
   bool is_in_time = true;
   const auto still_happens = [&](const Tests& rest) {
-    if (!is_in_time || rest.empty()) return false;  // without any it does not happen
+    if (!is_in_time || rest.empty()) return false;  // the failure does not happen if its test runs alone
     const std::optional<bool> happens = happens_after(rest);
     is_in_time = happens.has_value();
     return happens.value_or(false);

@@ -1,4 +1,4 @@
-// History of a failure: the tests before it that it depends on.
+// Finds the history of a failure: the earlier tests in the same process that it depends on.
 #pragma once
 
 #include <functional>
@@ -8,29 +8,30 @@
 
 namespace evalcts {
 
-// The tests that have to come before a failing one, as far as they were found.
+// The tests that must run before a failing test to make it fail, as far as a search has found them.
 struct History {
   enum class Found {
-    kShortest,       // `tests` is as short as single tests can make it
-    kShortened,      // time ran out: `tests` shows the failure, and may be longer than it has to be
-    kNotReproduced,  // not even all predecessors in their order show it: it does not always happen
-    kOutOfTime,      // nothing was found in the time given
+    kShortest,       // no single test of `tests` can be removed
+    kShortened,      // time ran out: `tests` reproduces the failure, but may be longer than necessary
+    kNotReproduced,  // even all predecessors in their order do not reproduce it: it is not deterministic
+    kOutOfTime,      // time ran out before anything was found
   };
   Found found = Found::kOutOfTime;
   std::vector<std::string> tests;
 };
 
-// Returns true if the failure shows after these tests, in this order; empty if time ran out first.
+// Returns true if the failure happens after these tests in this order; empty if time ran out first.
 using HappensAfter = std::function<std::optional<bool>(const std::vector<std::string>&)>;
 
-// The shortest history of a failure that does not happen alone: the last predecessors, doubled in number
-// until they show it, then halved, then freed of what is not needed, piece by piece and at last test by test
-// (as in Zeller's delta debugging). `first_guess`, where not empty, is tried before all that.
+// Returns the shortest history of a failure that does not happen if its test runs alone. The search
+// first tries `first_guess`, unless that is empty; then it doubles the number of last predecessors
+// until the failure happens, finds the least number by bisection, and removes unnecessary tests by
+// delta debugging (delta_debugging.h).
 History shortest_history(const std::vector<std::string>& predecessors,
                          const std::vector<std::string>& first_guess, const HappensAfter& happens_after);
 
-// The least number in [1, most] for which `happens` holds, which it does for `most`; empty where time ran
-// out.
+// Returns the least number in [1, most] for which `happens` returns true, by bisection; empty if time ran
+// out. `happens` must be monotonic, and is assumed to return true for `most`.
 std::optional<std::size_t> least(std::size_t most,
                                  const std::function<std::optional<bool>(std::size_t)>& happens);
 

@@ -16,8 +16,8 @@ namespace evalcts {
 namespace {
 
 constexpr char kTestBegins[] = "[ RUN      ] ", kOwnWords[] = "evalcts: ";
-constexpr std::size_t kLongestLine = 4096;    // longer ones are taken in pieces
-constexpr std::size_t kMostAtOnce = 1 << 20;  // bytes, so that a flood does not keep its reader
+constexpr std::size_t kLongestLine = 4096;    // longer lines are split
+constexpr std::size_t kMostAtOnce = 1 << 20;  // bytes per call of take(), so that it returns
 
 }  // namespace
 
@@ -72,7 +72,8 @@ void OutputLog::finish() {
 }
 
 void OutputLog::take_line(const std::string& line) {
-  // The library need not have ended its last line.
+  // GoogleTest's text need not be at the start of the line, because a library may print an
+  // incomplete line before.
   if (const std::size_t test = line.find(kTestBegins); test != std::string::npos) {
     say_what_is_left_out();
     kept_ = 0;

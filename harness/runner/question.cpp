@@ -16,12 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kSecondsBetweenLooks = 0.02;  // seconds between two looks at the process
-constexpr double kPatience = 60;               // seconds
+constexpr double kSecondsBetweenLooks = 0.02;  // interval at which the process is checked
+constexpr double kPatience = 60;               // maximum time for an answer, in seconds
 constexpr std::size_t kMostQuotedLines = 3;
-constexpr char kCannotStartLine[] = "cannot start: ";  // the reason itself, as suite_main prints it
+constexpr char kCannotStartLine[] = "cannot start: ";  // suite_main prints the reason in such a line, too
 
-// An empty file in the folder for temporary files.
+// Creates an empty file in the folder for temporary files.
 fs::path temporary_file() {
   std::string name = (fs::temp_directory_path() / "evalcts-answer-XXXXXX").string();
   const int descriptor = mkstemp(name.data());

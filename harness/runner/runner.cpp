@@ -29,11 +29,11 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kLookSeconds = 0.02;    // seconds between two looks at a child
-constexpr double kSearchBudget = 30;     // seconds spent on finding what one failure depends on
-constexpr double kSearchesBudget = 120;  // ... and all of them
-constexpr int kMostEmptyStarts = 2;      // children that end without having begun a test
-constexpr std::size_t kSameCrashes = 3;  // tests that crash alike until others are taken to do so, too
+constexpr double kLookSeconds = 0.02;    // interval at which a child is checked
+constexpr double kSearchBudget = 30;     // seconds for the search for the history of one failure
+constexpr double kSearchesBudget = 120;  // seconds for all these searches
+constexpr int kMostEmptyStarts = 2;      // attempts that may end without a result before the run gives up
+constexpr std::size_t kSameCrashes = 3;  // tests with one crash, after which others need no confirmation
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -53,8 +53,8 @@ std::string machine() {
                      std::thread::hardware_concurrency());
 }
 
-// In a command that people type where this one was typed: what lies below by its short name, anything else by
-// its whole.
+// Returns `path` relative to the working directory if it lies below it, otherwise the absolute path. Used in
+// commands that the user is meant to paste.
 std::string seen_from_here(const fs::path& path) {
   std::error_code unknown;
   const fs::path near = fs::proximate(path, unknown);
@@ -146,9 +146,9 @@ class Run {
     return command;
   }
 
-  // Adds the commands for a failure: judge this test alone, open it in a debugger, make a C program of it.
+  // Adds shell commands to a failure: run this test alone, run it in a debugger, and write it as a C program.
   void add_commands(TestRecord& record) const {
-    // Over a shared context, with the tests that have to come before.
+    // A failure over a shared context also needs the tests of its history.
     std::string filter = record.name;
     for (const std::string& before : record.history.value_or(std::vector<std::string>()))
       filter += ":" + before;
@@ -170,11 +170,11 @@ class Run {
     debug.front() = seen_from_here(debug.front());
     debug.insert(debug.begin(), {"gdb", "--args"});
     if (second_pass()) debug.push_back("--reuse-context");
-    std::replace(filter.begin(), filter.end(), '-', '?');  // GoogleTest takes what follows '-' as negative
+    std::replace(filter.begin(), filter.end(), '-', '?');  // in GoogleTest's filters, '-' starts exclusions
     debug.push_back("--gtest_filter=" + filter);
     record.debug = shell_line(debug);
 
-    if (second_pass()) return;  // a C program holds one case, not its history
+    if (second_pass()) return;  // a C program contains only one case, without its history
     std::vector<std::string> reproduce = {request_.program, "reproduce", request_.name + ":" + record.name};
     if (request_.own_output)
       reproduce.insert(reproduce.end(), {"--results", seen_from_here(request_.output)});
@@ -212,7 +212,8 @@ class Run {
 
   // --- running tests -------------------------------------------------------------------------------------
 
-  // `tests`: lines of the file that --tests takes.
+  // Writes `tests` (lines of a file for --tests) to `list` and returns the command that runs them and writes
+  // its events to `events`. Throws CannotWrite.
   std::vector<std::string> command_for(const std::vector<std::string>& tests, const fs::path& list,
                                        const fs::path& events) const {
     std::ofstream stream(list);
@@ -228,8 +229,8 @@ class Run {
     return command;
   }
 
-  // Some tests once more, one process after the other: what they do is not a result. `option` is one of the
-  // suite program, or empty.
+  // Runs some tests again in one process, without adding to the results. `option` is an option of the suite
+  // program, or empty.
   ChildRun run_scratch(const std::vector<std::string>& tests, const std::string& option) const {
     const fs::path events = scratch_ / "again.jsonl";
     std::vector<std::string> command = command_for(tests, scratch_ / "again.txt", events);
@@ -240,7 +241,7 @@ class Run {
     return child.run();
   }
 
-  // Each of the tests in a process of its own, side by side: not results either.
+  // Runs each of the tests again in its own process, all in parallel, without adding to the results.
   std::vector<ChildRun> run_alone(const std::vector<std::string>& tests, bool trace_cases) const {
     std::vector<std::unique_ptr<SuiteChild>> children;
     const auto of_test = [this](std::size_t i, const char* extension) {
@@ -266,7 +267,7 @@ class Run {
     return runs;
   }
 
-  // If the disk is full, the end of a child says nothing of the library.
+  // Ends the run if the disk is full, because the end of a child is then not the fault of the library.
   void throw_if_it_cannot_write(const ChildRun& run) const {
     if (!run.cannot_write.empty())
       throw CannotWrite(fmt::format("cannot write into '{}': {}", request_.output.string(),
@@ -296,9 +297,10 @@ class Run {
     }
   }
 
-  // Runs the tests in several processes, each of which takes the next one that none has taken. A process
-  // that dies is replaced. Their results are in records_; the return value is how each of them ended, but for
-  // those that an interruption killed in a test, and those that died in a test that is to be run again.
+  // Runs the tests in parallel processes, each of which takes the next free test. A process that dies is
+  // replaced. Results are added to records_. Returns the processes that have ended. `in_flight` is
+  // cleared if an interruption killed the process, or if the test is to be run again without the command
+  // in which it crashed.
   std::vector<ChildRun> run_side_by_side(const std::vector<std::string>& tests) {
     Claims::create(scratch_ / "claims", tests.size());
     const Claims claims(scratch_ / "claims");
@@ -307,7 +309,7 @@ class Run {
     const auto of_job = [this](std::size_t job, const char* extension) {
       return scratch_ / fmt::format("job-{}.{}", job + 1, extension);
     };
-    std::vector<std::size_t> calls_left_out(jobs.size()), left_out_by_ended;  // by each process
+    std::vector<std::size_t> calls_left_out(jobs.size()), left_out_by_ended;  // numbers of commands
     const auto start = [&](std::size_t job) {
       calls_left_out[job] = crashing_calls_.size();
       std::vector<std::string> command = command_for(tests, of_job(job, "txt"), of_job(job, "jsonl"));
@@ -346,8 +348,8 @@ class Run {
     return ended;
   }
 
-  // Counts the crash of a test. Once three tests have crashed in the same command, the processes that are
-  // started from then on leave it out of tests that can do without it.
+  // Counts the crash of a test. Once kSameCrashes tests have crashed in the same command, processes that
+  // start later omit this command from tests in which it is optional.
   void count_crash(const ChildRun& run) {
     if (run.in_flight.empty() || !run.crash || run.crash->call.empty()) return;
     std::set<std::string>& tests = tests_that_crash_in_[run.crash->call];
@@ -356,7 +358,8 @@ class Run {
       crashing_calls_.push_back(run.crash->call);
   }
 
-  // True if the test crashed in a command that its process, which knew of so many, did not leave out yet.
+  // True if the test crashed in a command that new processes omit, but its process did not: it omitted only
+  // the first `calls_left_out` of crashing_calls_.
   bool may_survive_now(const ChildRun& run, std::size_t calls_left_out) const {
     if (run.in_flight.empty() || !run.crash) return false;
     const auto call = std::ranges::find(crashing_calls_, run.crash->call);
@@ -364,7 +367,7 @@ class Run {
            call != crashing_calls_.end();
   }
 
-  // Takes in what a process of run_side_by_side reports.
+  // Handles an event of a process of run_side_by_side().
   void note(const Event& event) {
     if (const auto* start = std::get_if<TestStarted>(&event)) {
       progress_({"test", records_.size(), request_.tests.size(), start->name});
@@ -391,7 +394,7 @@ class Run {
     fs::remove(part);
   }
 
-  // Adds a record of a test that the suite program made none of.
+  // Adds the record of a test for which the suite program did not write one.
   TestRecord& add_record(const std::string& name, Verdict verdict, const std::string& message,
                          const std::optional<CaseStarted>& last_case = {},
                          const std::optional<Crash>& crash = {}) {
@@ -412,7 +415,8 @@ class Run {
       if (!last_case->commands.empty()) result_.failing_cases[name] = last_case->commands;
       record.failures.push_back(failure);
     }
-    // The file of records is complete without the result file: append what the child could not.
+    // The file of records must be complete without the result file, so it gets the records of
+    // dead tests, too.
     append_to_records(TestFinished{record});
     return records_[name] = std::move(record);
   }
@@ -421,14 +425,14 @@ class Run {
     return run.hung ? Verdict::kTimeout : Verdict::kCrash;
   }
 
-  // Crashes in one command with the same innermost frames.
+  // Statistics of crashes in one command with the same innermost frames.
   struct SameCrashes {
-    std::size_t confirmed = 0;  // crashed alone, too, in the same way
-    std::size_t others = 0;     // did something else alone
+    std::size_t confirmed = 0;  // tests that crashed in the same way when they ran alone
+    std::size_t others = 0;     // tests with another outcome when they ran alone
   };
 
-  // A crash in a command that defines or queries a map: the control with explicit vertices has no such
-  // command, so that the crash is that of evaluators.
+  // True for a crash in a command that defines or queries a map. No control is needed to blame evaluators for
+  // it, because a control has no such commands.
   static bool is_in_map_command(const ChildRun& run) {
     if (!run.crash || run.hung || run.over_memory) return false;
     return std::ranges::any_of(std::array{"glMap", "glGetMap", "glGetnMap"},
@@ -439,8 +443,8 @@ class Run {
     return same_crashes_[run.crash->call + "\n" + run.crash->group()];
   }
 
-  // Records the tests that children died in. Each is run alone, but for crashes in a map command of which
-  // several have been confirmed, and none has turned out to be something else.
+  // Records the tests that children died in. Each test is run again alone, unless it crashed in a map command
+  // and kSameCrashes tests with the same crash have been confirmed and none had another outcome.
   void record_deaths(const std::vector<ChildRun>& ended) {
     std::vector<const ChildRun*> first, like_others, rest;
     std::map<const SameCrashes*, std::size_t> chosen;
@@ -465,8 +469,8 @@ class Run {
     confirm_deaths(rest);
   }
 
-  // Alone in a new child, with its cases traced, each test shows the calls; if it passes alone, the tests
-  // before it are cut down to those that matter.
+  // Runs each of these tests alone in a new process, with its cases traced to get the calls, and records it.
+  // If a test passes alone, its history is searched for.
   void confirm_deaths(const std::vector<const ChildRun*>& dead) {
     const auto jobs = static_cast<std::size_t>(request_.jobs);
     for (std::size_t begin = 0; begin < dead.size(); begin += jobs) {
@@ -480,7 +484,7 @@ class Run {
     }
   }
 
-  // True if the case in which the test died alone also ends the process without evaluators.
+  // True if the control of the case in which the test died alone, without evaluators, also ends the process.
   bool dies_with_explicit_vertices(const std::string& name, const ChildRun& alone) const {
     const auto cases = alone.cases.find(name);
     if (is_in_map_command(alone) || cases == alone.cases.end() || cases->second.empty()) return false;
@@ -526,9 +530,9 @@ class Run {
     if (record.flake && has_record) record.again = {result->second.verdict, result->second.message};
   }
 
-  // --- what does not come out the same ---------------------------------------------------------------------
+  // --- repetition of failures ------------------------------------------------------------------------------
 
-  // The outcome of the test in a process of its own, if that is not the outcome in the record.
+  // Returns the outcome of the test when it ran alone, if it differs from the outcome in the record.
   std::optional<Repetition> other_outcome(const TestRecord& record, const ChildRun& again) const {
     if (again.in_flight == record.name)
       return Repetition{verdict_of_death(again), describe(again, request_.limits)};
@@ -539,7 +543,7 @@ class Run {
     return Repetition{other.verdict, other.message};
   }
 
-  // Fails that the baseline does not know, once more. (Deaths have been.)
+  // Repeats fails that the baseline does not know. (Crashes and timeouts have already been repeated.)
   void play_failures_again() {
     std::vector<std::string> names;
     for (const ListedTest& test : request_.tests) {
@@ -549,7 +553,7 @@ class Run {
         names.push_back(test.name);
     }
     if (request_.retries == 0) return;
-    std::map<std::string, std::vector<std::string>> rest_of_group;  // by the one that is run again for all
+    std::map<std::string, std::vector<std::string>> rest_of_group;  // by the test that represents the group
     if (names.size() > kMostPlayedAgain) rest_of_group = keep_one_of_each_group(names);
     for (int round = 0; round < request_.retries; ++round) {
       std::vector<std::string> same;
@@ -567,7 +571,7 @@ class Run {
             continue;
           }
           explain_difference(records_[some[i]], *other);
-          // The others of its group are not confirmed by it.
+          // A flake does not represent its group, so the others are repeated, too.
           const auto rest = rest_of_group.extract(some[i]);
           if (!rest.empty()) names.insert(names.end(), rest.mapped().begin(), rest.mapped().end());
         }
@@ -577,8 +581,8 @@ class Run {
     for (const auto& [name, rest] : rest_of_group) result_.confirmed_by_group += rest.size();
   }
 
-  // Keeps the first of each group of failures that look alike: the same test function, the same thing looked
-  // at, whatever its index. Returns the others.
+  // Keeps the first failure of each group, and returns the others by this first one. Failures with the same
+  // test function and the same compared value, apart from numbers, form a group.
   std::map<std::string, std::vector<std::string>> keep_one_of_each_group(std::vector<std::string>& names) {
     std::map<std::string, std::string> first_of_group;
     std::map<std::string, std::vector<std::string>> rest;
@@ -595,7 +599,7 @@ class Run {
     return rest;
   }
 
-  // A failure that did not come out the same alone: it needs other tests before it, or it is a flake.
+  // Explains a failure with another outcome when it ran alone: it depends on earlier tests, or it is a flake.
   void explain_difference(TestRecord& record, const Repetition& again) {
     const TestRecord before = record;
     progress_({"searching a history", records_.size(), request_.tests.size(), record.name});
@@ -608,9 +612,9 @@ class Run {
                                  record.message, text_of(again.verdict).word);
   }
 
-  // --- what a failure depends on -------------------------------------------------------------------------
+  // --- histories of failures -----------------------------------------------------------------------------
 
-  // True if the test failed in the same way in the pass with fresh contexts, with all that is wrong here.
+  // True if the test failed in the first pass with the same verdict and at least the same mismatches.
   bool is_no_news(const TestRecord& record) const {
     if (!second_pass()) return false;
     const auto fresh = std::ranges::find(request_.first_pass->tests, record.name, &TestRecord::name);
@@ -618,7 +622,8 @@ class Run {
            std::ranges::includes(fresh->mismatches, record.mismatches);
   }
 
-  // Second pass: marks what fails with fresh contexts as well, and looks for the history of the rest.
+  // In the second pass, marks tests that also fail in fresh contexts, and searches for the histories of the
+  // other failures.
   void explain_by_history() {
     for (const ListedTest& test : request_.tests) {
       const auto found = records_.find(test.name);
@@ -637,7 +642,7 @@ class Run {
     }
   }
 
-  // The tests that ran before it in the same process.
+  // Returns the tests that ran before the test in the same process.
   std::vector<std::string> predecessors_of(const std::string& name) const {
     for (const std::vector<std::string>& sequence : sequences_) {
       const auto position = std::find(sequence.begin(), sequence.end(), name);
@@ -646,7 +651,7 @@ class Run {
     return {};
   }
 
-  // Returns true if the same happens to the test when it comes after these; empty if time runs out first.
+  // Returns true if the test fails again when it runs after these tests; empty if time runs out first.
   std::optional<bool> happens_again(const TestRecord& record, std::vector<std::string> tests) {
     const std::string& name = record.name;
     tests.push_back(name);
@@ -657,13 +662,13 @@ class Run {
     return again != child.records.end() && is_failure(again->second.verdict) && !is_no_news(again->second);
   }
 
-  // Finds the shortest history in new processes and puts it into the record.
+  // Searches for the shortest history by running tests in new processes, and adds it to the record.
   void add_history(TestRecord& record, const std::vector<std::string>& predecessors) {
     const auto begin = Clock::now();
     searched_.insert(record.name);
     double seconds = std::min(kSearchBudget, searches_left_);
     if (record.verdict == Verdict::kTimeout)
-      seconds += 4 * request_.limits.seconds_per_test;  // to see it hang again
+      seconds += 4 * request_.limits.seconds_per_test;  // each repetition takes until the time limit
     deadline_ = begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     const std::optional<bool> alone = happens_again(record, {});
     History history;
@@ -690,8 +695,8 @@ class Run {
     record.history_case = only_case;
   }
 
-  // Returns the case of the one test that has to come before without which (and those after it) the failure
-  // does not happen.
+  // For a history of one test, returns the last of the cases of this test that the failure depends on; empty
+  // if it was not found.
   std::string case_of_history(const TestRecord& record, const std::string& test) {
     const ChildRun traced = run_scratch({test, record.name}, "--trace-cases");
     const auto cases = traced.cases.find(test);
@@ -752,19 +757,19 @@ class Run {
   const RunRequest& request_;
   const std::function<void(const Progress&)>& progress_;
   RunResult result_;
-  const fs::path scratch_;  // folder for what goes between the runner and its children
+  const fs::path scratch_;  // folder of files that the runner and its children exchange
   std::vector<std::string> captures_;
   std::map<std::string, TestRecord> records_;
   fs::path records_file_;
   Baseline baseline_;
   std::vector<std::vector<std::string>> sequences_;  // the tests that each child finished, in order
-  SuiteChild::Deadline deadline_;                    // of the search in progress
+  SuiteChild::Deadline deadline_;                    // the end of the search in progress
   double searches_left_ = kSearchesBudget;
-  std::set<std::string> searched_;                                    // tests whose history was looked for
+  std::set<std::string> searched_;                                    // tests whose history was searched for
   std::map<std::string, std::set<std::string>> tests_that_crash_in_;  // by command
-  std::vector<std::string> crashing_calls_;  // in the order in which they became known
+  std::vector<std::string> crashing_calls_;  // commands that new processes omit, see count_crash()
   std::map<std::string, SameCrashes> same_crashes_;
-  std::vector<std::string> guess_;  // the latest history: what one test does to the next, it does to others
+  std::vector<std::string> guess_;  // the latest history, which often explains the next failure, too
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace evalcts {
 
 namespace {
 using Clock = std::chrono::steady_clock;
-constexpr double kMostToEnd = 2;  // seconds, once all tests are over: what it does then decides nothing
+constexpr double kMostToEnd = 2;  // seconds that the process may take to exit after its last test
 }  // namespace
 
 std::string describe(const ChildRun& run, const Limits& limits) {

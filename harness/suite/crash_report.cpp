@@ -19,24 +19,24 @@ namespace evalcts {
 namespace {
 
 constexpr std::array kSignals = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
-constexpr std::size_t kMostFrames = 8;      // that are reported
-constexpr std::size_t kMostUnwound = 64;    // the handler's own among them
-constexpr std::size_t kStack = 128 * 1024;  // bytes for the handler, after an overflow of the stack
-constexpr std::size_t kMostOfLine = 4096;   // bytes
+constexpr std::size_t kMostFrames = 8;      // number of reported frames
+constexpr std::size_t kMostUnwound = 64;    // number of unwound frames, including those of the handler
+constexpr std::size_t kStack = 128 * 1024;  // bytes of the handler's own stack, for stack overflows
+constexpr std::size_t kMostOfLine = 4096;   // maximum length of an event, in bytes
 constexpr std::string_view kLibraryOfRaise = "libc.so";
 
 const EventFile* events_of_process = nullptr;
 std::array<struct sigaction, kSignals.size()> earlier_actions;
 alignas(16) std::array<std::byte, kStack> handler_stack;
 
-// A line of JSON, made without allocations.
+// A line of JSON that is built without allocating memory.
 class Line {
  public:
   void add(std::string_view text) {
     for (const char c : text)
       if (length_ < text_.size()) text_[length_++] = c;
   }
-  // Text from elsewhere: characters that a JSON string cannot hold are left out.
+  // Adds text of unknown origin, without characters that need escapes in JSON.
   void add_text(std::string_view text) {
     for (const char c : text)
       if (c >= ' ' && c < 0x7F && c != '"' && c != '\\') add({&c, 1});
@@ -68,7 +68,7 @@ std::uintptr_t interrupted_address(const ucontext_t& context) {
 #endif
 }
 
-// The address that a call has pushed, if the processor does so.
+// Returns the return address of a call that has just been executed.
 std::uintptr_t return_address(const ucontext_t& context) {
 #if defined(__x86_64__)
   return *reinterpret_cast<const std::uintptr_t*>(context.uc_mcontext.gregs[REG_RSP]);
@@ -79,7 +79,7 @@ std::uintptr_t return_address(const ucontext_t& context) {
 #endif
 }
 
-// "libGL.so.1 glGetMapiv+0x2c", or "libGL.so.1+0x5d2c" in a function that is not exported.
+// Adds "libGL.so.1 glGetMapiv+0x2c", or "libGL.so.1+0x5d2c" in a function that is not exported.
 void add_frame(Line& line, std::uintptr_t address, const Dl_info& info) {
   const std::string_view module = file_name(info.dli_fname);
   line.add_text(module.empty() ? "code of no file" : module);
@@ -101,7 +101,7 @@ void add_frames(Line& line, const siginfo_t& signal, const ucontext_t& context) 
   while (at < count && reinterpret_cast<std::uintptr_t>(unwound[at]) != interrupted) ++at;
   Dl_info info{};
   if (at == count || dladdr(unwound[at], &info) == 0) {
-    // A call of an address without code: its caller is the innermost frame that means something.
+    // The library called an address without code, so the caller is the innermost meaningful frame.
     unwound[0] = reinterpret_cast<void*>(return_address(context));  // NOLINT(performance-no-int-to-ptr)
     at = 0;
     count = 1;
@@ -112,13 +112,13 @@ void add_frames(Line& line, const siginfo_t& signal, const ucontext_t& context) 
   std::size_t written = 0;
   bool left_library = false;
   for (const std::size_t innermost = at; at < count && written < kMostFrames && !left_library; ++at) {
-    // A return address may lie behind the function that has called.
+    // If a call is the last instruction of a function, the return address lies after the function.
     const auto address = reinterpret_cast<std::uintptr_t>(unwound[at]) - (at == innermost ? 0 : 1);
     info = {};
     dladdr(reinterpret_cast<void*>(address), &info);  // NOLINT(performance-no-int-to-ptr)
     if (was_raised && written == 0 && at + 1 < count &&
         file_name(info.dli_fname).starts_with(kLibraryOfRaise))
-      continue;  // raise() and abort() say nothing about the cause
+      continue;  // frames of raise() and abort() do not show the root cause
     left_library = written > 0 && info.dli_fbase == own.dli_fbase;
     if (left_library) break;
     line.add(written++ > 0 ? R"(",")" : R"(")");
@@ -142,7 +142,8 @@ void handle(int signal, siginfo_t* details, void* context) {
   add_frames(line, *details, *static_cast<const ucontext_t*>(context));
   line.add("]}}\n");
   events_of_process->write_in_handler(line.text());
-  // The instruction that caused the signal is executed again, or the signal is sent again.
+  // The earlier action runs when the handler returns: the faulting instruction is executed again, or raise()
+  // sends the signal again.
   for (std::size_t i = 0; i < kSignals.size(); ++i)
     if (kSignals[i] == signal) sigaction(signal, &earlier_actions[i], nullptr);
   if (details->si_code <= 0) raise(signal);
@@ -152,7 +153,8 @@ void handle(int signal, siginfo_t* details, void* context) {
 
 void report_crashes(const EventFile& events) {
   events_of_process = &events;
-  // These load a library and build a table at their first call, which a signal handler must not do.
+  // The first calls of these functions load a library and build a table, which is not allowed in
+  // a signal handler.
   void* unused = nullptr;
   backtrace(&unused, 1);
   gl::call_text({gl::EntryPoint::Begin, {std::int64_t{0}}});

@@ -42,7 +42,8 @@
 namespace evalcts {
 namespace {
 
-// Exit codes as of the command line (README): 2 wrong use or cannot be started, 3 a fault of evalcts.
+// Exit codes, as in the command line (README): 2 for wrong use or an implementation that does not start, 3
+// for an internal error of evalcts.
 constexpr int kCannotStart = 2;
 constexpr int kOwnFault = 3;
 
@@ -55,35 +56,35 @@ struct Options {
   std::string records, tests, claims, answer, prove, reproduce;
   fuzz::Campaign campaign;
   std::string known, deadly, replay, reduce;
-  double reduce_seconds = 0;  // 0: no limit
+  double reduce_seconds = 0;  // time limit; 0: none
   std::vector<std::string> left_out;
   bool fuzz = false, describe = false, list = false, trace_cases = false, crash_control = false,
        die_with_parent = false, reuse_context = false;
 };
 
-// A test to run, all of it or its first cases only.
+// A test to run, completely or only its first cases.
 struct Chosen {
   TestInfo info;
-  std::size_t position = 0;  // in the list of tests
+  std::size_t position = 0;  // index in the list of tests
   std::size_t most_cases = std::numeric_limits<std::size_t>::max();
 };
 
 struct Program {
   Options options;
   std::unique_ptr<Implementation> implementation;
-  std::unique_ptr<Implementation> reused;  // where all tests share a context
-  std::size_t cases_left = 0;              // of the test in flight
-  const TestRecord* record = nullptr;      // of the test in flight
-  gl::Case latest_case;                    // of the test in flight
+  std::unique_ptr<Implementation> reused;  // set if all tests share a context
+  std::size_t cases_left = 0;              // number of cases that the running test may still run
+  const TestRecord* record = nullptr;      // the record of the running test
+  gl::Case latest_case;                    // the latest case of the running test
   std::string failing_case;                // its first failing case as JSON text; empty: none yet
   std::unique_ptr<Captures> captures;
   std::unique_ptr<Reproduction> reproduction;
   Subject subject;
   std::unique_ptr<EventFile> records;
-  std::unique_ptr<Claims> claims;  // where several processes share the list of tests
+  std::unique_ptr<Claims> claims;  // set if several processes share the list of tests
 };
 
-// Keeps the latest case of the test in flight if it is the first that failed.
+// Keeps the latest case of the running test if it is the first that failed.
 void keep_failing_case(Program& program) {
   if (!program.record || !program.failing_case.empty() || program.record->failures.empty() ||
       program.record->failures.front().case_identity != program.latest_case.identity())
@@ -91,7 +92,7 @@ void keep_failing_case(Program& program) {
   program.failing_case = gl::to_text_if_possible(program.latest_case);
 }
 
-// Shows a test to GoogleTest: failures fail, and a test that was not judged is skipped with its reason.
+// Adapts a test to GoogleTest: a failure fails, and a test that was not judged is skipped with the reason.
 class GoogleTestAdapter : public testing::Test {
  public:
   GoogleTestAdapter(const Chosen& chosen, Program& program) : chosen_(chosen), program_(program) {}
@@ -100,7 +101,7 @@ class GoogleTestAdapter : public testing::Test {
     const TestInfo& info = chosen_.info;
     if (program_.claims) {
       if (!program_.claims->take(chosen_.position)) return;
-      std::cout << "[ RUN      ] " << info.full_name() << std::endl;  // GoogleTest is told to be brief
+      std::cout << "[ RUN      ] " << info.full_name() << std::endl;  // not printed by GoogleTest if brief
     }
     TestRecord record;
     record.name = info.full_name();
@@ -126,7 +127,8 @@ class GoogleTestAdapter : public testing::Test {
     if (!changed.empty())
       std::cout << fmt::format("evalcts: the library has changed {}; put back", fmt::join(changed, ", "))
                 << std::endl;
-    // The library may have closed other files, too: the rest is for a new process, which the runner starts.
+    // The library may have closed other files, too, so the remaining tests run in a new process
+    // of the runner.
     if (program_.records->was_closed()) _exit(0);
   }
 
@@ -170,7 +172,8 @@ std::vector<ListedTest> listed_tests() {
   return tests;
 }
 
-// A sink and the implementations in this process have no driver; a layer hides the renderer below it.
+// Returns a warning if another driver than requested was loaded; otherwise an empty string. Sinks and
+// built-in implementations have no driver, and a layer hides the renderer below it.
 std::string note_on_driver(const ImplementationInfo& info, const ImplementationOptions& options) {
   const bool is_layer = !options.context.empty() && !options.library.empty();
   if (is_layer || info.name == "sink" || info.name == "production" || info.name == "reference") return {};
@@ -219,8 +222,9 @@ CaptureRecord prove_one(Program& program) {
   throw std::runtime_error("unknown capture '" + program.options.prove + "'");
 }
 
-// The tests of the depth and those whose exact names are in the filter, from which GoogleTest chooses; or
-// those that the file at `path` names, in its order. (GoogleTest keeps the tests of one suite together.)
+// Returns the tests in the file at `path`, in its order. If `path` is empty, returns the tests of the depth
+// and those whose exact names are in the filter, among which GoogleTest chooses. (GoogleTest keeps the tests
+// of a suite together.)
 std::vector<Chosen> tests_to_register(const std::string& path, Depth depth, const std::string& filter) {
   std::vector<Chosen> tests;
   if (path.empty()) {
@@ -313,8 +317,9 @@ void parse(int argc, char** argv, Options& options) {
     options.implementation.name = "reference";
 }
 
-// To GoogleTest the first '-' of a filter begins what is left out, but some tests have one in their names:
-// other runners hand these over as they are listed. In names it becomes '?', which stands for any character.
+// Returns the filter with each '-' in the name of a test replaced by '?', which matches any
+// character. Otherwise GoogleTest would read it as the start of exclusions. Other runners pass such
+// names as they are listed.
 std::string with_names_taken_literally(const std::string& filter) {
   std::set<std::string> names;
   for (const TestInfo& info : all_tests())
@@ -330,7 +335,8 @@ std::string with_names_taken_literally(const std::string& filter) {
   return taken;
 }
 
-// Random programs, failing cases to reduce, or one program from a file: 1 where that shows a difference.
+// Runs random programs, reduces failing cases, or runs one program from a file. Returns the exit code, which
+// is 1 if the program from the file differs from the specification.
 int play_programs(const Program& program) {
   if (!program.options.reduce.empty()) {
     fuzz::reduce(program.subject, fuzz::parse_failing_cases(read_file(program.options.reduce)),
@@ -366,8 +372,8 @@ int play_programs(const Program& program) {
   return finding ? 1 : 0;
 }
 
-// Queries of grids that leave an error behind. The tests of these queries fail; in a snapshot of all state
-// the error would be taken for that of another command.
+// Returns the queries of grids that raise an error. Their own tests fail; other tests leave these queries out
+// when they query all state, because the error would be taken for that of another command.
 std::set<std::string> rejected_queries(Implementation& implementation) {
   std::set<std::string> rejected;
   for (const GLenum name :
@@ -385,9 +391,9 @@ std::set<std::string> rejected_queries(Implementation& implementation) {
   return rejected;
 }
 
-// Runs the controls of a case that ends the process: explicit commands stand where it evaluates, and maps
-// and grids are left out. If the case draws no vertices, the first control leaves its evaluations out
-// instead. Throws NotObservable if the library survives all of them.
+// Runs the controls of a case that ends the process: explicit commands replace evaluation, and maps and grids
+// are left out. If the case draws no vertices, the first control omits evaluation instead. Throws
+// NotObservable if the library survives all controls.
 void play_without_evaluators(const Program& program, const gl::Case& script) {
   std::vector<gl::Case> controls = fuzz::controls_without_evaluators(script);
   if (predict(script, program.subject.info.max_order()).vertex_count() == 0) {
@@ -404,13 +410,14 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
   testing::InitGoogleTest(&argc, argv);
   const std::string filter = testing::GTEST_FLAG(filter);
   testing::GTEST_FLAG(filter) = with_names_taken_literally(filter);
-  // Never destroyed: a library that calls exit() inside a test is not to meet its context's destructor.
+  // Never destroyed, because a library that calls exit() inside a test must not run the destructor
+  // of its context.
   static Program& program = *new Program;
   parse(argc, argv, program.options);
   const Options& options = program.options;
   if (options.die_with_parent) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    std::ofstream("/proc/self/oom_score_adj") << 1000;  // where memory runs out it is this process that goes
+    std::ofstream("/proc/self/oom_score_adj") << 1000;  // if memory runs out, this process is killed first
   }
   if (options.list) {
     answer(options, to_text(listed_tests()));
@@ -492,7 +499,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
         chosen.info.suite.c_str(), chosen.info.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
         [chosen]() -> GoogleTestAdapter* { return new GoogleTestAdapter(*new Chosen(chosen), program); });
   const int status = RUN_ALL_TESTS();
-  // Contexts go while the library is whole; Mesa hangs in a static destructor.
+  // Contexts must be destroyed before static destructors run, because Mesa would hang.
   program.reused.reset();
   program.captures.reset();
   program.records->write(to_line(RunEnded{}));
@@ -503,8 +510,8 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
 
 int suite_main(int argc, char** argv, const Wrapping& wrapping) {
   const rlimit no_core{0, 0};
-  setrlimit(RLIMIT_CORE, &no_core);  // crashes of the library under test are recorded, not kept
-  std::signal(SIGXFSZ, SIG_IGN);     // a result that is too large for its file is no crash of the library
+  setrlimit(RLIMIT_CORE, &no_core);  // crashes of the library under test leave no core dumps
+  std::signal(SIGXFSZ, SIG_IGN);     // a file that becomes too large must not count as a crash of the library
   try {
     return run(argc, argv, wrapping);
   } catch (const CannotStart& error) {

@@ -1,4 +1,4 @@
-// State that all code in a process shares and a library must leave alone: remembered, and put back.
+// Saves and restores state of the process that a library must not change.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@ namespace evalcts {
 
 class Surroundings {
  public:
-  // Remembers the present state.
+  // Saves the current state.
   Surroundings();
 
-  // Puts back what has changed since, and says what that was: "the working directory", "the locale", "a
-  // timer". (The floating-point environment is put back after each case, see gl::play.)
+  // Restores the saved state. Returns the names of the parts that had changed: "the working directory", "the
+  // locale", "a timer". (The floating-point environment is restored after each case, see gl::play.)
   std::vector<std::string> put_back() const;
 
  private:

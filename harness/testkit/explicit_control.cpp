@@ -13,7 +13,7 @@
 namespace evalcts {
 namespace {
 
-// "color" of "color.R of vertex 3"; empty if `what` names no attribute.
+// Returns "color" for "color.R of vertex 3"; empty if `what` names no attribute.
 std::string attribute_in(const std::string& what) {
   for (const char* attribute : {"position", "color", "normal", "texture coordinate"})
     if (what.starts_with(attribute)) return what.substr(0, what.find('.'));
@@ -26,8 +26,9 @@ bool explains(const Mismatch& mismatch, const std::string& what) {
   return failed.empty() || mismatch.of == Mismatch::Of::kVertices || wrong == "position" || wrong == failed;
 }
 
-// Returns the first capability without effect on vertices that the library accepts: with the initial LogicOp
-// and PolygonOffset these have no effect at all. A layer over OpenGL ES may know only the last.
+// Returns the first capability without effect on vertices that the library accepts; none if it accepts none.
+// With the initial LogicOp and PolygonOffset, these capabilities have no effect at all. A layer over OpenGL
+// ES may support only the last.
 gl::IdleCapability idle_capability(Implementation& implementation) {
   const std::unique_ptr<Context> context = implementation.create_context();
   const gl::Table& table = context->table();
@@ -49,9 +50,9 @@ gl::IdleCapability idle_capability(Implementation& implementation) {
 }  // namespace
 
 void ExplicitControl::set_observed(const gl::Case& script, const Capture& capture, Attributes judged) {
-  // A reproduction shows a failure whose control is known to be right, and the control is not its case.
+  // For a reproduction, the control is known to pass, and must not be recorded in place of the case.
   if (subject_.reproduction) return;
-  // If vertices are out of place, no other attribute of them is right.
+  // Positions are always judged, because wrong positions make other attributes of vertices meaningless.
   observed_ = {script, &capture, (judged | kPosition) & capture.shown()};
 }
 
@@ -73,7 +74,7 @@ void ExplicitControl::play_controls(const Observed& observed) {
     try {
       seen = observe_control(control(observed.script, idle), *observed.capture, observed.judged);
     } catch (const gl::MissingEntryPoint&) {
-      // A sink may lack the explicit commands: it has no pipeline that they could show to be wrong.
+      // A sink need not support explicit commands. It has no further pipeline that could be at fault.
     }
     if (seen) std::ranges::move(mismatches(*seen, observed.judged), std::back_inserter(wrong_));
   }

@@ -13,10 +13,11 @@
 namespace evalcts {
 namespace {
 
-// Returns as many digits as tell the value, which may be a float, from all others of its type.
+// Returns the shortest text that distinguishes the value from all other floats, or doubles if it is
+// not a float.
 std::string shortest(double value) {
   const auto single = static_cast<float>(value);
-  // Integers to the last digit; their shortest form as floats would end in zeros.
+  // Integers are printed with all digits; the shortest form of a large float would end in zeros.
   if (value == std::trunc(value) && std::abs(value) < 0x1p53) return fmt::format("{:.0f}", value + 0.0);
   return static_cast<double>(single) == value ? fmt::format("{}", single) : fmt::format("{}", value);
 }
@@ -66,7 +67,7 @@ void Played::fail(gl::Check check, const std::string& message, const std::string
   failure.case_identity = script.identity();
   failure.message = message;
   failure.what = std::string(gl::name_of(command(check.answer.command).entry));
-  // From here on as the C program counts.
+  // The C program contains the delivered case, so the check must refer to its commands.
   check.answer.command = as_delivered(check.answer.command);
   if (check.other.index >= 0) check.other = as_delivered(check.other);
   for (gl::Ref& recorded : check.recorded) recorded = as_delivered(recorded);
@@ -85,7 +86,7 @@ void Played::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allow
   std::string expected;
   for (const GLenum error : allowed) expected += (expected.empty() ? "" : " or ") + gl::error_name(error);
   const std::string captured = gl::error_name(got);
-  // The command that the question was about is the one before GetError.
+  // The error is expected from the command before GetError.
   const gl::Command& subject = command({std::max(get_error.index - 1, 0)});
   const bool none_allowed = *allowed.begin() == GL_NO_ERROR;
   const char* kind = none_allowed ? "spurious error" : got == GL_NO_ERROR ? "missing error" : "wrong error";
@@ -128,7 +129,7 @@ void Played::check_values(gl::Ref query, const std::vector<double>& expected, do
   const std::size_t written = trace_.written(query);
   const std::string call = gl::to_c(command(query), 4);
   const std::size_t compared = std::min(all.size(), expected.size());
-  std::size_t i = 0;  // the first that is wrong
+  std::size_t i = 0;  // index of the first wrong value
   while (i < compared &&
          (all[i] == expected[i] || std::abs(all[i] - expected[i]) <= relative * std::abs(expected[i])))
     ++i;

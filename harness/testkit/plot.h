@@ -1,4 +1,4 @@
-// Positions of a failing case for the picture in the report.
+// Collects the positions of a failing case for the picture in the report.
 #pragma once
 
 #include <evalcts/gl/observation.h>

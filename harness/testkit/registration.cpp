@@ -12,10 +12,10 @@
 namespace evalcts {
 namespace {
 
-// A test with one combination of its parameters, through each of several deliveries. The tests are made when
-// all_tests() is asked for, because most processes of a run have no use for thousands.
+// A test with one combination of its parameters, and its deliveries. all_tests() makes a test for each
+// delivery when it is called, because most processes of a run do not need thousands of tests.
 struct Registered {
-  TestInfo info;  // without the names of parameters
+  TestInfo info;  // its name does not contain the parameters
   std::array<std::string, 2> parameters;
   std::shared_ptr<const std::vector<gl::Delivery>> deliveries;  // may be empty
 };
@@ -30,7 +30,7 @@ std::map<std::string, std::string>& lifted_suites() {
   return suites;
 }
 
-// The requirements of two dimensions that tests of these decide when they are lifted.
+// Requirements for one dimension, and the requirement that lifted tests decide instead.
 constexpr std::pair<const char*, const char*> kInTwoDimensions[] = {
     {"EV-MAP1-BEZIER", "EV-MAP2-BEZIER"},       {"EV-MAP1-COMPORDER", "EV-MAP2-BEZIER"},
     {"EV-MAP1-DOMAIN", "EV-MAP2-DOMAIN"},       {"EV-MAP1-EXTRAPOLATE", "EV-MAP2-EXTRAPOLATE"},
@@ -38,7 +38,7 @@ constexpr std::pair<const char*, const char*> kInTwoDimensions[] = {
     {"EV-MAP1-REVERSED", "EV-MAP2-REVERSED"},   {"EV-MAP1-STRIDE", "EV-MAP2-ADDRESS"},
     {"EV-MAP1-ZEROPOW", "EV-MAP2-BEZIER"}};
 
-// The requirements that a test decides when it is lifted to two dimensions.
+// Returns the requirements that a test decides if it is lifted to two dimensions.
 std::vector<RequirementId> in_two_dimensions(const std::vector<RequirementId>& of_one) {
   std::vector<RequirementId> of_two;
   for (RequirementId requirement : of_one) {
@@ -79,7 +79,7 @@ std::string joined(std::initializer_list<std::string> parts) {
   return name;
 }
 
-// The test through the delivery.
+// Returns the test through the delivery.
 TestInfo delivered(const Registered& test, const gl::Delivery& delivery) {
   TestInfo info = test.info;
   info.name = joined({info.name, test.parameters[delivery.lifted ? 1 : 0], delivery.name});

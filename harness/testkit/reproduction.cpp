@@ -11,7 +11,7 @@
 namespace evalcts {
 namespace {
 
-// A case as it was run, and what came of it.
+// An executed case and its results.
 struct Pass {
   gl::Case script;
   gl::Trace trace;
@@ -24,7 +24,7 @@ const gl::Table& no_commands() {
   return table;
 }
 
-// Gives the recorded answers again, whatever is run.
+// An implementation that returns the recorded answers, regardless of the case.
 class Replay final : public Implementation {
  public:
   explicit Replay(std::vector<Pass> passes) : passes_(std::move(passes)) {}
@@ -51,7 +51,7 @@ class Replay final : public Implementation {
   std::size_t next_ = 0;
 };
 
-// The vertex's values in the order of gl::Check.
+// Returns value `index` of the vertex, in the order of gl::kEmittedValues.
 float* value_of(ObservedVertex& vertex, std::size_t index) {
   if (index < 4) return &vertex.position[index];
   if (index < 8) return &vertex.color[index - 4];
@@ -67,11 +67,11 @@ std::size_t vertices_in(const std::vector<ObservedPrimitive>& primitives) {
 
 bool same_bits(float a, float b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-// Finds the answer that a mismatch rests on: changes one recorded answer after the other, until the mismatch
-// is gone.
+// Finds the answer that a mismatch depends on, by changing one recorded answer after the other until the
+// mismatch disappears.
 class Experiment {
  public:
-  // `still_fails` judges what an implementation shows of the case.
+  // `still_fails` returns true if the mismatch occurs when the case is observed on the given implementation.
   Experiment(const std::vector<Pass>& passes, const Mismatch& mismatch,
              std::function<bool(Implementation&)> still_fails)
       : passes_(passes), mismatch_(mismatch), still_fails_(std::move(still_fails)) {
@@ -80,7 +80,7 @@ class Experiment {
     check_.expected = mismatch.expected;
   }
 
-  // None if the mismatch rests on no single answer.
+  // Returns none if the mismatch does not depend on a single answer.
   std::optional<gl::Check> find_check() {
     for (check_.pass = 0; check_.pass < passes_.size(); ++check_.pass)
       if (find_in_pass()) return check_;
@@ -145,9 +145,9 @@ class Experiment {
     return false;
   }
 
-  // The number of vertices: counted here, or something that the capture asked for after the case. How many
-  // values a correct library would answer is the capture's business, so the check asks for a different
-  // answer.
+  // Finds the answer that determines the number of vertices: the emitted vertices, or an answer to the
+  // capture's own commands after the case. Only the capture knows the correct answer, so the check only
+  // demands another one.
   bool find_count() {
     if (!pass().emitted.empty() && mismatch_.got != mismatch_.lowest) {
       check_.answer = {Of::kEmittedVertices};
@@ -176,7 +176,7 @@ class Experiment {
   gl::Ref last_command() const { return {static_cast<int>(pass().trace.size()) - 1}; }
   float got() const { return static_cast<float>(mismatch_.got); }
 
-  // A value for which the mismatch would not be there.
+  // Returns a value that would not be a mismatch.
   float other_value() const {
     const double middle = mismatch_.lowest + (mismatch_.highest - mismatch_.lowest) / 2;
     if (std::isfinite(middle) && !same_bits(static_cast<float>(middle), got()))
@@ -184,7 +184,8 @@ class Experiment {
     return got() == 0.0f ? 1.0f : 0.0f;
   }
 
-  // True if the mismatch is gone with the answer changed: then it is that of the check.
+  // Returns true if the mismatch disappears when the answer is changed. Then the answer becomes that
+  // of the check.
   template <class Change>
   bool decides(const gl::Answer& answer, const Change& change) {
     std::vector<Pass> changed = passes_;
@@ -193,7 +194,7 @@ class Experiment {
     try {
       if (still_fails_(replay)) return false;
     } catch (const std::exception&) {
-      // The capture cannot decode the changed answers.
+      // If the capture cannot decode the changed answers, the mismatch has disappeared, too.
     }
     check_.answer = answer;
     return true;
@@ -294,7 +295,7 @@ void Reproduction::begin_case() {
 std::optional<gl::Check> Reproduction::check_of(const Mismatch& mismatch, const std::vector<Mismatch>& all,
                                                 const Rejudge& rejudge) const {
   if (recorder_->frozen()) return std::nullopt;
-  // A vertex may come out several times.
+  // The same mismatch may occur several times, because a vertex may be drawn several times.
   const auto times = [&](const std::vector<Mismatch>& mismatches) {
     return std::ranges::count_if(mismatches, [&](const Mismatch& other) {
       return other.what == mismatch.what && other.captured == mismatch.captured;
@@ -313,7 +314,7 @@ void Reproduction::failed(const Failure& failure, const std::optional<gl::Check>
   } else if (last.missing_command) {
     check.rule = gl::Check::Rule::kHasCommands;
   } else {
-    // A comparison of the test's own: whatever the commands wrote or returned.
+    // The test compared the answers by itself, so the check records all of them.
     check.rule = gl::Check::Rule::kUnlike;
     check.pass = recorder_->passes().size() - 1;
     check.what = failure.what;

@@ -5,10 +5,11 @@
 namespace evalcts {
 namespace {
 
-// One of so many tests goes through display lists at that depth.
+// At quick and full depth, one of this number of tests goes through display lists.
 constexpr std::size_t kListsAtQuick = 9, kListsAtFull = 3;
 
-// The most parameters of a test at quick depth: without deliveries, with them, and with sparing ones.
+// Maximum number of parameters of a test at quick depth: without deliveries, with deliveries, and with
+// sparing ones.
 constexpr std::size_t kParametersAtQuick = 3, kDeliveredAtQuick = 2, kSparingAtQuick = 1;
 
 bool uses_lists(const gl::Delivery& delivery) { return delivery.lists != gl::Lists::kNone; }

@@ -1,5 +1,5 @@
-// The parts of a test that each depth leaves out, chosen by the test's name, so that the choice is the same
-// in every run.
+// Chooses the parameters and deliveries that each depth runs. The choice depends only on the test's name, so
+// that it is the same in every run.
 #pragma once
 
 #include <cstddef>
@@ -17,16 +17,17 @@ class Schedule {
  public:
   explicit Schedule(std::string_view test) : turn_(fnv1a<std::uint32_t>(test)) {}
 
-  // The least depth of each of `count` tests that differ in a parameter: quick for a few of them, full for
-  // the rest. The more deliveries each goes through, and the more expensive they are, the fewer.
+  // Returns the least depth of each of `count` tests that differ in a parameter: quick for a few of them,
+  // full for the rest. Fewer are quick if there are deliveries, and even fewer if these are sparing.
   std::vector<Depth> of_parameters(std::size_t count, const std::vector<gl::Delivery>& deliveries) const;
 
-  // The least depth of the test through each of the deliveries; `from` is that of the test itself.
+  // Returns the least depth of the test through each of the deliveries; `from` is the least depth of
+  // the test itself.
   std::vector<Depth> of_deliveries(Depth from, const std::vector<gl::Delivery>& deliveries) const;
 
-  // True if further captures check what the first one shows of a case with so many primitives: in every test
-  // at thorough depth, otherwise in one of 32, and not with many primitives, because another capture of the
-  // same case costs a library far more than the case.
+  // True if further captures check the observation of the first capture of a case with this number of
+  // primitives: in every test at thorough depth, otherwise in one of 32 tests and only for at most 64
+  // primitives, because a capture costs a library far more than the case itself.
   bool is_cross_checked(Depth depth, std::size_t primitives) const;
 
  private:

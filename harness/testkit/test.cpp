@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kFailuresInFull = 8;
 
-// Vertices of a case whose accuracy is recorded. With more, it takes longer than the verdict.
+// The accuracy of cases with more vertices is not recorded, because this takes longer than judging.
 constexpr std::size_t kMostMeasured = 2000;
 
 Mismatch wrong_error(GLenum got, GLenum expected) {
@@ -81,7 +81,8 @@ std::vector<gl::Ref> Test::append_optional(gl::Case& c, const gl::Case& optional
   return places;
 }
 
-// Counts the case and returns it as it is delivered.
+// Counts the case and returns it after delivery. Throws NotObservable or NotSupported if the case cannot be
+// judged on this implementation.
 gl::DeliveredCase Test::begin_case(const gl::Case& script) {
   ++cases_;
   control_.clear();
@@ -176,7 +177,7 @@ JudgeOptions Test::options_for(const gl::Case& script, const Capture& capture, A
           .where = script.identity()};
 }
 
-// Observes the case through one capture, or through several that have to agree. Throws NotObservable.
+// Observes the case through one capture, or through several captures that must agree. Throws NotObservable.
 std::vector<Test::Look> Test::look_at(const gl::Case& script, const Prediction& prediction,
                                       Attributes required, std::size_t most_vertices) {
   const PrimitiveKinds kinds = kinds_of(prediction);
@@ -185,10 +186,10 @@ std::vector<Test::Look> Test::look_at(const gl::Case& script, const Prediction& 
   std::vector<Look> looks;
   for (const Capture* capture : subject_.captures->showing_most(
            required, kinds, prediction.has_nonpositive_w(), cross_checked ? subject_.captures->size() : 1)) {
-    // The first shows all it can; the others cross-check what the test is about.
+    // The first capture shows all attributes that it can; the others check the required attributes.
     const Attributes wanted = looks.empty() ? capture->shown() : capture->shown_of(required);
     Topology topology = subject_.topologies->find(prediction, *capture, *subject_.implementation);
-    // The explicit primitives are not the case.
+    // The explicit primitives, from which the topology was learned, are not part of the case.
     if (looks.empty() && subject_.reproduction) subject_.reproduction->begin_case();
     Observation observation =
         capture->observe(*subject_.implementation, script, {wanted, most_vertices, kinds});
@@ -202,7 +203,7 @@ std::vector<Test::Look> Test::look_at(const gl::Case& script, const Prediction& 
   const Look& first = looks.front();
   for (std::size_t i = 1; i < looks.size(); ++i) {
     Observation other = looks[i].observation;
-    // A vertex shader changes automatic normals (EV-AUTON-SHADER).
+    // Automatic normals differ between captures with and without a vertex shader (EV-AUTON-SHADER).
     if (prediction.has_automatic_normals() &&
         (other.attributes & kShaderNormal) != (first.observation.attributes & kShaderNormal))
       other.attributes &= ~static_cast<Attributes>(kNormal);
@@ -216,10 +217,10 @@ std::vector<Test::Look> Test::look_at(const gl::Case& script, const Prediction& 
 
 void Test::judge_emission(const gl::Case& script, const Prediction& prediction, Attributes required,
                           bool measured) {
-  // Some room beyond what is right, so that the message can say how many came.
+  // There is room for some surplus vertices, so that a message can state their number.
   const std::size_t room = most_vertices_of(prediction) + 8;
   const std::vector<Look> looks = look_at(script, prediction, required, room);
-  const auto& [capture, topology, observation] = looks.front();  // the others agree with it
+  const auto& [capture, topology, observation] = looks.front();  // the other captures agree
   JudgeOptions options = options_for(script, *capture, required);
   if (measured && prediction.vertex_count() <= kMostMeasured) options.measured = required;
   const auto judged = [&, &topology = topology](const Observation& seen) {
@@ -229,7 +230,8 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
     return judgement;
   };
   if (capture->is_last_resort() && !subject_.reproduction && !judged(observation).mismatches.empty()) {
-    // Its own control is of vertices that set every attribute.
+    // The vertices in the capture's own proof set every attribute, so attributes may still be lost
+    // in this case.
     const Attributes lost = control_.lost_attributes(script, *capture);
     if (!(required & kAllAttributes & ~lost))
       throw NotObservable(fmt::format("pipeline: {} of explicit vertices goes wrong, too", describe(lost)));

@@ -1,4 +1,4 @@
-// The judge: what it accepts, what it rejects, and that a pass means something.
+// Tests the judge: values that it must accept, and values that it must reject.
 #include <gtest/gtest.h>
 #include <reference/rounding.h>
 
@@ -10,7 +10,8 @@
 namespace evalcts {
 namespace {
 
-// Order 4 map of vertices evaluated at a few arguments, and what an implementation would be seen to emit.
+// A vertex map of order 4 that is evaluated at a few arguments, and the observation of a perfect
+// implementation.
 struct Scene {
   gl::Case script;
   Prediction prediction;
@@ -56,7 +57,7 @@ TEST(Judge, AcceptsCorrectlyRoundedValues) {
 }
 
 TEST(Judge, ValuesAreTheFormula) {
-  // Independent of the oracle: the Bernstein sum in long double.
+  // The expected value is the Bernstein sum in long double, computed independently of the oracle.
   const Scene scene;
   const long double t = 0.75L, s = 0.25L;
   const long double x = s * s * s * 1 + 3 * t * s * s * 0.5L + 3 * t * t * s * 2 + t * t * t * -3;
@@ -70,7 +71,7 @@ TEST(Judge, AcceptsUpToTheBoundAndNotBeyond) {
     const reference::Rational bound =
         level == Level::kMust ? reference::acceptance_bound(component) : reference::quality_bound(component);
     const reference::Rational exact = reference::exact(component);
-    // The largest float within, and the one after it.
+    // `inside` is the largest float within the bound; the next float is outside.
     float inside = reference::round_to_float(exact + bound);
     if (!reference::is_within(inside, exact, bound)) inside = std::nextafterf(inside, -HUGE_VALF);
     const float outside = std::nextafterf(inside, HUGE_VALF);
@@ -125,9 +126,9 @@ TEST(Judge, ClampedColors) {
   for (ObservedVertex& vertex : scene.exact.primitives[0].vertices)
     for (float& value : vertex.color) value = std::fmin(std::fmax(value, 0.0f), 1.0f);
   EXPECT_TRUE(judge(scene.prediction, scene.exact, {}).mismatches.empty());
-  scene.vertex(1).color[0] = 0.9f;  // is 0.2
+  scene.vertex(1).color[0] = 0.9f;  // the correct value is 0.2
   EXPECT_EQ(judge(scene.prediction, scene.exact, {}).mismatches.size(), 1u);
-  scene.vertex(1).color[0] = 1.0f;  // an end of the interval is no excuse
+  scene.vertex(1).color[0] = 1.0f;  // also wrong, although 1 could be the result of clamping
   EXPECT_EQ(judge(scene.prediction, scene.exact, {}).mismatches.size(), 1u);
 }
 
@@ -174,8 +175,8 @@ TEST(Accuracy, KeepsTheWorst) {
 
 // --- Automatic normals -----------------------------------------------------------------------------------
 
-// A plane of 10 by 10 whose normal is (0,0,1), of length 100 before normalisation; over [1,0] in u if
-// reversed, in v if v_reversed.
+// A plane of 10 by 10 whose normal is (0,0,1), with length 100 before normalisation. Its domain in u is [1,0]
+// if `reversed`, its domain in v is [1,0] if `v_reversed`.
 struct Plane {
   Prediction prediction;
   Observation seen;
@@ -229,16 +230,16 @@ TEST(JudgeNormals, HaveEitherSignWhereOneDirectionIsReversed) {
   EXPECT_EQ(Plane(true, kUnitNormal, {0, 0, -1}).mismatches(), 0u);
   EXPECT_EQ(Plane(false, kUnitNormal, {0, 0, 1}, true).mismatches(), 0u);
   EXPECT_EQ(Plane(false, kUnitNormal, {0, 0, -1}, true).mismatches(), 0u);
-  // The readings agree where both are.
+  // If both directions are reversed, all readings agree.
   EXPECT_EQ(Plane(true, kUnitNormal, {0, 0, 1}, true).mismatches(), 0u);
   EXPECT_EQ(Plane(true, kUnitNormal, {0, 0, -1}, true).mismatches(), 1u);
   EXPECT_EQ(Plane(true, kShaderNormal, {0, 0, -3}, true).mismatches(), 1u);
   EXPECT_EQ(Plane(true, kUnitNormal, {0, 1, 0}).mismatches(), 1u);
 }
 
-// --- What went through a matrix --------------------------------------------------------------------------
+// --- Transformed vectors ---------------------------------------------------------------------------------
 
-// Infinity in one component leaves no number in the others.
+// A transformation turns infinity in one component into NaN in the others.
 TEST(JudgeVectors, CountAsAWholeWhereTheyWereTransformed) {
   const auto mismatches = [](float most, const JudgeOptions& options) {
     gl::Case c;
@@ -261,7 +262,7 @@ TEST(JudgeVectors, CountAsAWholeWhereTheyWereTransformed) {
     return judge(predict(c, 8), seen, options).mismatches.size();
   };
   EXPECT_EQ(mismatches(3e38f, {.vectors_as_a_whole = true}), 0u);
-  EXPECT_EQ(mismatches(3e38f, {}), 4u);  // y, z, t and r
+  EXPECT_EQ(mismatches(3e38f, {}), 4u);  // mismatches of y, z, t and r
   EXPECT_EQ(mismatches(1, {.vectors_as_a_whole = true}), 6u);
 }
 

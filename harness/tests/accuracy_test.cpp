@@ -1,5 +1,5 @@
-// Counts of errors, the textbook algorithms, and rows of the table from subjects whose errors are
-// known.
+// Tests the statistics of errors, the textbook algorithms, and rows of the accuracy table for subjects with
+// known errors.
 #include <gtest/gtest.h>
 
 #include <glevaluator.h>
@@ -29,7 +29,7 @@ Errors errors_of(std::initializer_list<std::pair<float, Evaluation>> results) {
 }
 
 TEST(Errors, AreCountedInUlpAndBesideTheCondition) {
-  // 1.75 and 4.25 ULP above 1.25, whose terms' magnitudes sum up to 5.
+  // The results are 1.75 and 4.25 ULP above 1.25. The magnitudes of the terms sum up to 5.
   const Rational x = 1.25;
   const Errors errors = errors_of({{1.25F, {x, 5}},
                                    {1.25F + 0x1p-22F, {x + Rational(0x1p-25), 5}},
@@ -88,13 +88,13 @@ TEST(Errors, WhatIsNotFiniteIsNotInTheMeans) {
   EXPECT_EQ(errors.mean_ulp(), 0);
   EXPECT_TRUE(std::isinf(errors.ulp.error));
   EXPECT_EQ(std::accumulate(errors.histogram.begin(), errors.histogram.end(), std::uint64_t{0}), 1u);
-  // Beyond the range infinity is right.
+  // If the exact value is out of range, infinity is correct.
   const Errors large = errors_of({{INFINITY, {Rational::power_of_two(130), Rational::power_of_two(130)}}});
   EXPECT_EQ(large.not_finite, 0u);
   EXPECT_EQ(large.not_correctly_rounded, 0u);
 }
 
-// The right results, plus so many floats.
+// A subject whose results are `floats` floats above the correctly rounded results.
 class Shifted final : public Subject {
  public:
   explicit Shifted(int floats) : floats_(floats) {}
@@ -167,7 +167,7 @@ TEST(AccuracyTable, WorstInputsGiveTheSameAgain) {
   }
 }
 
-// Small integers at halves: nothing is rounded, whatever the algorithm.
+// For small integers as control points and arguments with few bits, no algorithm rounds.
 TEST(Textbook, IsExactWhereNothingIsRounded) {
   const Map map{3, 4, 1, true, {0, 1, 0, 1}, {1, -2, 3, 5, -7, 11, 2, 0, 6, -1, 4, 8}};
   const std::vector<float> u = {0, 0.5F, 1, 0.25F}, v = {0.5F, 0.5F, 1, 0.75F};
@@ -183,8 +183,8 @@ TEST(Textbook, IsExactWhereNothingIsRounded) {
   }
 }
 
-// Bounds from the number of rounded operations on the way of each term: those of float algorithms are sharp
-// enough to tell them from double ones.
+// The bounds follow from the number of rounded operations for each term. They are tight enough to distinguish
+// algorithms in float from algorithms in double.
 TEST(Textbook, ErrorsAreThoseOfTheirPrecision) {
   const Class what = {10, 0, "ordinary"};
   for (const char* name : {"casteljau", "horner", "sum"}) {
@@ -204,8 +204,8 @@ std::uint64_t digest_of(const StreamSource& source, std::uint64_t values, int th
   return digest(source, {values, seed, threads}, never);
 }
 
-// A short form of what is published. Correctly rounded results are the same everywhere: this number may
-// change with the generator alone.
+// Correctly rounded results are the same everywhere, so this number may change only if the generator of
+// inputs changes. A longer digest of this kind is published.
 TEST(Digest, IsTheSameOnEveryInstructionSet) {
   for (std::size_t i = 0; glevGetTargetName(i) != nullptr; ++i)
     EXPECT_EQ(digest_of(production_source(glevGetTargetName(i)), 100'000), 2974708037908367321u)

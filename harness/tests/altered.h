@@ -19,7 +19,7 @@ class Altered final : public Implementation {
   std::unique_ptr<Context> create_context() override {
     return std::make_unique<AlteredContext>(inner_->create_context(), alter_);
   }
-  // The unmodified entry points, for those that replace them.
+  // The unmodified entry points, which the replacing functions may call.
   static inline gl::Table original;
 
  private:

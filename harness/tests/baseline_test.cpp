@@ -30,7 +30,7 @@ class Baselines : public testing::Test {
                 const std::string& chosen = {}) const {
     return Baseline::best_fit(BaselineFiles::read_all(folder_), implementation, pass, chosen);
   }
-  // The baseline in the files called `name`, for whatever implementation.
+  // Returns the baseline in the files called `name`, regardless of its header.
   Baseline read(const std::string& name) const {
     return find(record({}).implementation, Pass::kFreshContexts, name);
   }
@@ -113,7 +113,7 @@ TEST_F(Baselines, OneMoreFailingValueIsUnexpected) {
   EXPECT_FALSE(more.tests[0].expected_by_baseline);
   EXPECT_TRUE(contains(more.tests[0].message, "other cases"));
 
-  RunResult deeper = more;  // a depth without a signature is not compared
+  RunResult deeper = more;  // there is no signature for this depth, so the failing cases are not compared
   deeper.depth = Depth::kThorough;
   baseline.apply(deeper);
   EXPECT_TRUE(deeper.tests[0].expected_by_baseline);
@@ -174,7 +174,7 @@ TEST_F(Baselines, SkipsAndFlakesAreRegularExpressionsWithReasons) {
   const std::vector<ListedTest> tests = listed({"A.B", "C.D"});
   EXPECT_EQ(baseline.stale_entries(tests), std::vector<std::string>{"B/x$ (in the skips)"});
 
-  // Renewing leaves both alone and gives flaky tests no entry.
+  // Renewing changes neither skips nor flakes, and gives flaky tests no entry.
   baseline.renewed(result, "", "ignored").write(folder_);
   const Baseline after = read("m");
   EXPECT_EQ(after.entries().count("A.B"), 0u);
@@ -201,7 +201,7 @@ TEST_F(Baselines, BadPatternsAreRefusedWithFileAndLine) {
     fs::remove(folder_ / file);
   }
   write("other-skips.txt", "# reason\nA\n");
-  EXPECT_THROW(BaselineFiles::read_all(folder_), BadBaseline);  // for what?
+  EXPECT_THROW(BaselineFiles::read_all(folder_), BadBaseline);  // no field names an implementation
 }
 
 TEST_F(Baselines, TheMoreSpecificHeaderIsMeant) {
@@ -232,7 +232,7 @@ TEST_F(Baselines, SignaturesBelongToTheFirstSeed) {
   EXPECT_TRUE(contains(read_file(folder_ / "m-signatures.txt"), "seed 1"));
 }
 
-// A test that fails with fresh contexts belongs into the other baseline.
+// A test that also fails in fresh contexts belongs into the baseline of the first pass.
 TEST_F(Baselines, OfTheSecondPassHoldOnlyWhatIsNews) {
   RunResult result = record({test("A.B", Verdict::kFail, {"x"}), test("A.C", Verdict::kFail, {"y"})});
   result.pass = Pass::kReuseContext;
@@ -301,12 +301,12 @@ TEST_F(Overlays, AreAddedToTheBaseThatTheyExtend) {
   const Baseline softpipe = find(mesa("softpipe", "4.5 Mesa 25.0.7"));
   EXPECT_EQ(softpipe.name(), "mesa with mesa.softpipe");
   EXPECT_EQ(softpipe.entries().at("A.C").status, "Crash");
-  EXPECT_TRUE(softpipe.entries().at("A.C").signatures.empty());  // the base's are those of a failure
+  EXPECT_TRUE(softpipe.entries().at("A.C").signatures.empty());  // those of the base belong to a fail
   EXPECT_EQ(softpipe.entries().count("A.S"), 1u);
-  EXPECT_EQ(softpipe.entries().count("A.B"), 0u);  // withdrawn
+  EXPECT_EQ(softpipe.entries().count("A.B"), 0u);  // withdrawn by the overlay
   EXPECT_NE(softpipe.flake("F.x"), nullptr);
 
-  // Overlays come in the order of their specificity: the longer header is the last.
+  // Overlays are sorted by specificity, and the longest header is the most specific.
   EXPECT_EQ(find(mesa("softpipe", "3.1 Mesa 20.3.5")).name(), "mesa with mesa.softpipe, mesa.old");
 
   EXPECT_EQ(find(mesa("llvmpipe", "4.5 Mesa 25.0.7", "dropin")).name(), "");
@@ -327,7 +327,7 @@ TEST_F(Overlays, BadOverlaysAreRejected) {
   EXPECT_THROW(BaselineFiles::read_all(folder_), BadBaseline);
   write("m-fails.txt", "# extends: mesa.old\n# renderer: x\n");
   EXPECT_THROW(BaselineFiles::read_all(folder_), BadBaseline);
-  write("m-fails.txt", "# extends: mesa\n");  // for which implementations?
+  write("m-fails.txt", "# extends: mesa\n");  // no field names an implementation
   EXPECT_THROW(BaselineFiles::read_all(folder_), BadBaseline);
   write("m-fails.txt", "# version: Mesa or newer\n");
   EXPECT_THROW(BaselineFiles::read_all(folder_), BadBaseline);
@@ -348,21 +348,21 @@ TEST_F(Overlays, SignaturesOfWithdrawnEntriesAreNotStale) {
   EXPECT_EQ(find(mesa("softpipe", "4.5 Mesa 25.0.7")).stale_entries(tests), std::vector<std::string>{});
 }
 
-// Writing an overlay leaves in it exactly what its base does not say.
+// A renewed overlay contains exactly the differences from its base.
 TEST_F(Overlays, RenewedOnesHoldTheDifferences) {
   RunResult result = record({test("A.B", Verdict::kFail, {"x"}), test("A.C", Verdict::kPass),
                              test("A.N", Verdict::kFail, {"y"}), test("A.S", Verdict::kPass),
                              test("A.U", Verdict::kNotObservable)});
   result.implementation = mesa("softpipe", "4.5 Mesa 25.0.7");
   const Baseline before = find(result.implementation);
-  EXPECT_THROW(before.renewed(result, "", ""), BadBaseline);          // which of the two?
-  EXPECT_THROW(before.renewed(result, "mesa.old", ""), BadBaseline);  // no part of this baseline
+  EXPECT_THROW(before.renewed(result, "", ""), BadBaseline);          // no target, but two parts
+  EXPECT_THROW(before.renewed(result, "mesa.old", ""), BadBaseline);  // not a part of this baseline
   before.renewed(result, "mesa.softpipe", "").write(folder_);
   const BaselineFiles files = BaselineFiles::read(folder_, "mesa.softpipe");
   ASSERT_EQ(files.entries.size(), 2u);
   EXPECT_EQ(files.entries.at("A.C").status, "Pass");
   EXPECT_EQ(files.entries.at("A.N").status, "Fail");
-  EXPECT_EQ(files.signatures.count("A.B"), 1u);  // the failure that the base knows, in another case
+  EXPECT_EQ(files.signatures.count("A.B"), 1u);  // the base has an entry, but with other failing cases
   EXPECT_EQ(files.header.renderer, "softpipe");
   EXPECT_EQ(files.header.extends, "mesa");
 
@@ -386,7 +386,7 @@ TEST(VersionRanges, CompareTheComponentsOfTheirBounds) {
            {"Mesa 20.3 to 24.3", "3.1 Mesa 20.3.5", true},
            {"Mesa 20.3 to 24.3", "4.5 Mesa 25.0.0", false},
            {"Mesa 20.3 to 24.3", "4.5 Mesa 20.2.6", false},
-           {"Mesa 20.3 to 24.3", "4.5 Mesa 9.0", false},  // as numbers, not as text
+           {"Mesa 20.3 to 24.3", "4.5 Mesa 9.0", false},  // compared as numbers
            {"Mesa 25.0 or newer", "4.6 (Compatibility Profile) Mesa 26.3.0-devel (git-0123456789)", true},
            {"Mesa 25.0 or newer", "4.6 Mesa 24.99", false},
            {"Mesa 25.0 or newer", "4.6.0 NVIDIA 580.159.04", false},

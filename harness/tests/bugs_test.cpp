@@ -1,4 +1,4 @@
-// Failing tests become distinct bugs: minimal programs, their normal form, grouping.
+// Tests that failing tests become distinct bugs: minimal programs, their normal form, grouping.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -37,7 +37,8 @@ std::string cause_of_program(const std::string& program, const std::string& what
   return normal_form(finding(program, what, message), kMaxOrder).cause;
 }
 
-// Maps of a position and of a colour or normal, and one evaluated point in between.
+// Returns a program with maps of a position and of `attribute`, which has `values` components, and with
+// commands before Begin, between Begin and End, and after End.
 std::string curve(const std::string& attribute, int values, const std::string& before,
                   const std::string& evaluation, const std::string& behind) {
   std::string points;
@@ -50,8 +51,8 @@ std::string curve(const std::string& attribute, int values, const std::string& b
 
 TEST(NormalForm, LeavesOutHowAWrongCurrentValueWasNoticed) {
   const std::string cause = "current values after an evaluation";
-  // The cause shows in a query; in the next vertex; in the next evaluated vertex, whose map is off; in two
-  // dimensions.
+  // The wrong value is noticed by a query, by the next vertex, by the next evaluated vertex, whose map is
+  // off, and in two dimensions.
   EXPECT_EQ(cause_of_program(curve("GL_MAP1_COLOR_4", 4, "", R"(["EvalCoord1f", 0])",
                                    R"(, ["GetFloatv", "GL_CURRENT_COLOR", {"out": "f32", "count": 4}])"),
                              "glGetFloatv"),
@@ -84,7 +85,7 @@ TEST(NormalForm, KeepsWhatMakesAnotherBug) {
   const std::string vertex = R"(["EvalCoord1f", 0], ["Vertex3f", 0, 0, 0])";
   add(curve("GL_MAP1_NORMAL", 3, "", vertex, ""), "normal.z of vertex 1");
   add(curve("GL_MAP1_NORMAL", 3, "", R"(["EvalCoord1f", 0])", ""),
-      "color.R of vertex 0");  // no evaluation before
+      "color.R of vertex 0");  // without an earlier evaluation
   add(curve("GL_MAP1_NORMAL", 3, "", R"(["EvalCoord1f", 0])", ""),
       "normal.x of vertex 0");  // an evaluated value
   add(curve("GL_MAP1_NORMAL", 3, "", R"(["EvalCoord1f", 0])", ""), "position.x of vertex 0");
@@ -109,7 +110,7 @@ TEST(NormalForm, KeepsWhatMakesAnotherBug) {
   add(R"([["GetMapiv", "GL_MAP1_INDEX", "GL_COEFF", {"out": "i32", "count": 1}]])", "glGetMapiv");
 }
 
-// Random search has found some 60 programs on Mesa, which has some 20 bugs.
+// Random search has found about 60 programs on Mesa, which show about 20 bugs.
 TEST(NormalForm, PutsTheFindingsOfRandomSearchIntoFewGroups) {
   std::set<std::string> causes;
   for (const KnownFinding& known : known_findings()) {
@@ -206,8 +207,8 @@ TEST(Bugs, WhatIsNotReducedIsGroupedByLikeness) {
   EXPECT_EQ(bugs[0].why_not_reduced, "a picture");
   EXPECT_EQ(bugs[0].failure.what, "position.x of vertex 3");
 
-  // Failures for which no time was left, or whose reduction the library did not survive, join one that was
-  // reduced and is alike.
+  // Failures that were not reduced because time was over, or because the library died, join the bug of a
+  // reduced failure with the same likeness_of().
   reductions["Mesh1.Last/LINE"] = {"Mesh1.Last/LINE",
                                    finding(kMeshOverTheInitialGrid, "position.x of vertex 1"), ""};
   bugs = bugs_of(run, reductions, kMaxOrder);
@@ -236,7 +237,7 @@ TEST(Bugs, KnownOnesAreNamedAndNothingIsExcused) {
   EXPECT_EQ(bugs[0].title, initial->title);
   EXPECT_TRUE(bugs[0].known_in.starts_with("Mesa")) << bugs[0].known_in;
   EXPECT_EQ(bugs[0].verdict, Verdict::kFail);
-  // On another product it may have another root cause.
+  // On another product, the same sign may have another root cause.
   run.implementation.version = "another";
   bugs = bugs_of(run, {}, kMaxOrder);
   EXPECT_EQ(bugs.at(0).known, "");
@@ -300,7 +301,7 @@ TEST(KnownBugs, AreWhole) {
   }
 }
 
-// Baseline entries name them in the comments above: "bug: ID."
+// Comments above baseline entries name known bugs: "bug: ID."
 TEST(KnownBugs, AreNamedByBaselines) {
   std::set<std::string> named;
   for (const BaselineFiles& files : BaselineFiles::read_all(BASELINES))
@@ -331,7 +332,7 @@ TEST(KnownBugs, MistakesAreNamed) {
 
 // --- from tests to bugs ------------------------------------------------------------------------------------
 
-// The bugs of production with this fault, seen by these tests.
+// Runs these tests on production with the fault, and returns the result with its bugs.
 RunResult run_with_fault(const std::string& fault, const std::vector<std::string>& tests) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::path(testing::TempDir()) / fmt::format("evalcts-bugs-{}", getpid());
@@ -359,12 +360,12 @@ RunResult run_with_fault(const std::string& fault, const std::vector<std::string
   return run;
 }
 
-// Few bugs stand for one mistake, however many tests see it, in whatever dimension and through whatever
-// command.
+// One mistake becomes few bugs, regardless of the number of tests that detect it, their dimensions
+// and their commands.
 TEST(FaultyImplementation, HasFewBugs) {
   struct Injected {
     std::string fault;
-    std::size_t most;  // bugs
+    std::size_t most;  // maximum number of bugs
     std::vector<std::string> tests;
   };
   // The second fault shows with a vertex map and without one, which are two minimal programs.
@@ -387,7 +388,7 @@ TEST(FaultyImplementation, HasFewBugs) {
       causes += bug.cause + "\n";
       explained += bug.tests.size();
       EXPECT_TRUE(bug.is_reduced()) << bug.why_not_reduced;
-      EXPECT_LE(bug.failure.calls.size(), 24u);  // a screen
+      EXPECT_LE(bug.failure.calls.size(), 24u);  // the program fits on a screen
       EXPECT_EQ(bug.known, "");
     }
     EXPECT_EQ(run.bugs.size(), most) << causes;

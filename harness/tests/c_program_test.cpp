@@ -1,4 +1,4 @@
-// Stand-alone C programs: they build with one line, and their exit code is the verdict.
+// Tests stand-alone C programs: they build with one line, and their exit code is the verdict.
 #include <evalcts/gl/c_program.h>
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 class CProgram : public ProgramTest {
  protected:
-  // Builds the program of the text and starts it; the argument is the library.
+  // Builds the program `text` and starts it with `library` as its argument.
   Outcome build_and_start(const std::string& text, const std::string& library = {}) {
     const std::string source = (folder_ / "program.c").string(), program = (folder_ / "program").string();
     std::ofstream(source) << text;
@@ -36,7 +36,7 @@ class CProgram : public ProgramTest {
   }
 };
 
-// A straight line from (0,0,0) to (1,2,3).
+// Returns a case that draws a straight line from (0,0,0) to (1,2,3).
 gl::Case line() {
   gl::Case c("a line");
   c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, gl::array<float>({0, 0, 0, 1, 2, 3}, gl::AfterCall::kUnmap));
@@ -101,7 +101,7 @@ TEST_F(CProgram, AnswersOfEveryKind) {
   EXPECT_EQ(outcome({.answer = {Of::kReturned, enabled}, .accepted = {{1, 1}}}).code, 1);
   EXPECT_EQ(outcome({.rule = Rule::kSame, .answer = {.command = again}, .other = values}).code, 0);
   EXPECT_EQ(outcome({.rule = Rule::kSame, .answer = {.command = later}, .other = values}).code, 1);
-  // The recorded answers come again: that is the failure.
+  // The program fails because its answers are equal to the recorded ones.
   EXPECT_EQ(outcome({.rule = Rule::kUnlike, .recorded = {values, order}}).code, 1);
   gl::Trace another = trace;
   another.replace_element(values, 0, 6);
@@ -114,7 +114,8 @@ TEST_F(CProgram, AnswersOfEveryKind) {
       0);
 }
 
-// State that a case set in its first context is still there after another one; state of that one is not.
+// A case with two contexts: the first keeps its state while the second is used, and does not see
+// the second's state.
 TEST_F(CProgram, OtherContexts) {
   gl::Case c("two contexts");
   c.MapGrid1f(3, 0, 1);
@@ -144,7 +145,7 @@ TEST_F(CProgram, OtherContexts) {
 #endif
 }
 
-// A provider, and a library in front of the one that makes the contexts.
+// Contexts from a provider, and commands from another library than the contexts.
 TEST_F(CProgram, ContextsFromAProviderAndFromAnotherLibrary) {
 #ifndef __SANITIZE_ADDRESS__
   gl::Case c("grid");
@@ -179,7 +180,7 @@ TEST_F(CProgram, ThereIsNoneOfWhatOnlyEvalctsCanOpen) {
   EXPECT_THROW(gl::to_c({.context = "provider.so", .library = {}, .script = &c}), gl::NoCProgram);
 }
 
-// The production evaluator with one wrong value.
+// The production evaluator, but with one wrong value.
 class Bent final : public Implementation {
  public:
   std::string name() const override { return "production"; }
@@ -206,7 +207,7 @@ class Bent final : public Implementation {
   std::unique_ptr<Implementation> inner_ = open_implementation({.name = "production"});
 };
 
-// The value that is wrong is found among many equal ones, and the right library does not show the failure.
+// The check refers to the wrong value, although other values are equal to it, and a correct library passes.
 TEST_F(CProgram, FindsTheAnswerThatAMismatchRestsOn) {
   Bent bent;
   const std::string file = (folder_ / "written.c").string();

@@ -1,4 +1,4 @@
-// The choice among the captures of an implementation.
+// Tests the choice among the captures of an implementation.
 #include <gtest/gtest.h>
 
 #include <initializer_list>
@@ -21,7 +21,8 @@ class CapturesTest : public testing::Test {
     }
     return Captures(implementation_, info_, std::move(owned));
   }
-  // Counts how often each capture was proved. Must not be called after a capture that is not available.
+  // Returns the number of proofs of each capture. Must not be called if a capture was found
+  // to be unavailable.
   std::vector<int> proofs() const {
     std::vector<int> proofs;
     for (const SyntheticCapture* capture : all_) proofs.push_back(capture->proofs);

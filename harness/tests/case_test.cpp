@@ -1,4 +1,4 @@
-// Recording and running cases, against a table of functions written for the purpose.
+// Tests that cases are recorded and run correctly, on a table of functions written for this test.
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -52,7 +52,7 @@ TEST(Case, PassesArgumentsAndCopiesOfArrays) {
   EXPECT_EQ(read_points, kPoints);
 }
 
-// A library that changes the arithmetic of its process does not disturb the judge.
+// The judge must not be affected if a library changes the floating-point environment.
 TEST(Case, LeavesTheUsualArithmetic) {
   Table disturbing = table();
   disturbing.Begin = [](GLenum) { std::fesetround(FE_UPWARD); };
@@ -70,7 +70,7 @@ TEST(Case, ArraysEndBeforeAnInaccessiblePage) {
 
 using CaseDeathTest = testing::TestWithParam<AfterCall>;
 
-// A library that keeps the pointer, as one that does not copy on call would.
+// Reads the points of an earlier call, as a library does that keeps the pointer instead of copying.
 void late_reader(GLfloat) { read_points.assign(seen_points, seen_points + 4); }
 
 Case read_later(AfterCall after) {
@@ -126,7 +126,7 @@ TEST(Case, QueriesFillArraysAndShowHowMuchTheyWrote) {
   const Trace trace = play(c, table());
   EXPECT_EQ(trace.written(roomy), 2u);
   EXPECT_EQ(trace.values<GLfloat>(roomy)[1], 2.0f);
-  EXPECT_EQ(trace.written(narrow), 2u);  // past its end: seen in the guard elements
+  EXPECT_EQ(trace.written(narrow), 2u);  // the write past the end of the array shows in the guard elements
   EXPECT_TRUE(trace.same(roomy, trace, roomy));
   EXPECT_FALSE(trace.same(roomy, trace, narrow));
 }

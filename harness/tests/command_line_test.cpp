@@ -1,4 +1,4 @@
-// The program as its users start it: exit codes, files, and libraries that misbehave.
+// Tests the program as its users start it: exit codes, files, and libraries that misbehave.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -103,7 +103,7 @@ TEST_F(CommandLine, RunWritesEverything) {
   EXPECT_TRUE(fs::exists(folder_ / "index.html"));
 }
 
-// The drill library lacks most commands.
+// The drill library does not provide most commands.
 TEST_F(CommandLine, LittleThatIsObservedIsNoPass) {
   std::vector<std::string> arguments = drill_arguments("nothing");
   std::erase(arguments, "--allow-unobserved");
@@ -118,7 +118,7 @@ TEST_F(CommandLine, SoundLibraryHasNoDeaths) {
   EXPECT_EQ(as_text(test_named(results("drill"), kVictim)["verdict"]), "pass");
 }
 
-// A library that breaks one rule: the verdict, the record and the summary say which, and with which calls.
+// If a library violates one requirement, the record and the summary name the requirement and the calls.
 TEST_F(CommandLine, FailureSaysWhatWasExpectedAndWhatCame) {
   const Outcome outcome = drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*_f"});
   EXPECT_EQ(outcome.code, 1);
@@ -135,12 +135,12 @@ TEST_F(CommandLine, FailureSaysWhatWasExpectedAndWhatCame) {
   const std::vector<std::string> calls = test["calls"];
   EXPECT_EQ(calls.back(), "glGetError();");
   EXPECT_TRUE(contains(calls[calls.size() - 2], "glMap1f(GL_MAP1_VERTEX_3, 0.0f, 1.0f, 2, 3"));
-  // The map itself changed, too: that is a failure of its own.
+  // The map itself has changed, too, which is another failure.
   EXPECT_TRUE(contains(test["mismatches"].dump(), "glGetMapdv"));
   EXPECT_TRUE(contains(outcome.text, "EV-MAP1-ERR-STRIDE"));
 }
 
-// However many processes share the tests, each is run once, and the result is the same but for the times.
+// Regardless of the number of processes, each test runs once, and the results differ only in times.
 TEST_F(CommandLine, JobsDecideTheSame) {
   const auto run = [&](const std::string& jobs) {
     const Outcome outcome =
@@ -171,7 +171,7 @@ TEST_F(CommandLine, JobsDecideTheSame) {
   EXPECT_EQ(run("3"), one);
 }
 
-// The parts are the whole, and decide the same.
+// All shards together run each test once, with the same verdicts.
 TEST_F(CommandLine, ShardsDecideTheSame) {
   const std::vector<std::string> common = {"--filter", "Map1Errors.StrideBelowK/*:InitialState.*"};
   const auto verdicts = [](const json& result) {
@@ -197,7 +197,7 @@ TEST_F(CommandLine, ShardsDecideTheSame) {
     EXPECT_EQ(drill("lenient", {"--shard", wrong}).code, 2) << wrong;
 }
 
-// Quick depth keeps a test of every name and of every requirement that is decided.
+// Quick depth runs at least one test of each test function and of each decided requirement.
 TEST_F(CommandLine, QuickDepthKeepsEveryRule) {
   const json tests = json::parse(evalcts({"list", "tests", "--json"}).text, nullptr, false);
   std::map<std::string, bool> names, requirements;
@@ -219,7 +219,8 @@ TEST_F(CommandLine, QuickDepthKeepsEveryRule) {
   for (const auto& [id, decided] : requirements) EXPECT_TRUE(decided) << id;
 }
 
-// The reading that an implementation follows is recorded, and another is a failure where it is asked for.
+// The reading that an implementation follows is recorded. If the user chooses another reading,
+// the test fails.
 TEST_F(CommandLine, Readings) {
   const auto judge = [&](const std::vector<std::string>& more) {
     std::vector<std::string> arguments = {
@@ -254,7 +255,7 @@ TEST_F(CommandLine, WhatGoesWrongInAControlIsNotTheEvaluators) {
 }
 
 TEST_F(CommandLine, DeathThatDependsOnAnEarlierTestNamesIt) {
-  // Orders above 5 come up in the tests of the other targets' largest orders, before INDEX gets to order 5.
+  // The tests of the other targets define a map of order 7, before the last test defines INDEX with order 5.
   const Outcome outcome = drill("second", {"--filter",
                                            "Map1State.EveryOrderAccepted/MAP1_COLOR_4_*:"
                                            "Map1State.EveryOrderAccepted/MAP1_NORMAL_d:"
@@ -268,8 +269,8 @@ TEST_F(CommandLine, DeathThatDependsOnAnEarlierTestNamesIt) {
   EXPECT_TRUE(contains(message, "Map1State.EveryOrderAccepted/MAP1_COLOR_4_f"));
 }
 
-// A defect that fresh contexts hide: the second pass finds it and names what has to come before, down to the
-// case.
+// The second pass finds a bug that fresh contexts hide, and names the earlier test and case that
+// it depends on.
 TEST_F(CommandLine, SecondPassNamesTheShortestHistory) {
   const char* const guilty = "Map1State.Stride/MAP1_INDEX_f";
   const char* const victim = "Map1State.Stride/MAP1_VERTEX_3_f";
@@ -309,8 +310,8 @@ TEST_F(CommandLine, SecondPassOfASoundLibraryFindsNothing) {
   }
 }
 
-// A test that fails with fresh contexts is no news in the second pass, and a baseline of that pass covers the
-// rest.
+// In the second pass, a failure that also occurs in fresh contexts is expected; other failures need an entry
+// in the baseline of this pass.
 TEST_F(CommandLine, SecondPassKnowsWhatFailsAnyway) {
   const std::vector<std::string> tests = {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f",
                                           "--reuse-context"};
@@ -333,7 +334,7 @@ TEST_F(CommandLine, SecondPassKnowsWhatFailsAnyway) {
   EXPECT_EQ(drill("nothing", history).code, 1);  // an unexpected pass
 }
 
-// The baseline as CI uses it: what is skipped is not run, flaky tests are never red, and what changes is.
+// Uses the baseline as CI does: skipped tests do not run, flaky tests never fail the run, and changes do.
 TEST_F(CommandLine, BaselineDecidesWhatIsRed) {
   const fs::path baseline = folder_ / "baseline";
   const auto run = [&](const std::string& what, std::vector<std::string> more = {}) {
@@ -349,7 +350,7 @@ TEST_F(CommandLine, BaselineDecidesWhatIsRed) {
   EXPECT_EQ(run("lenient").code, 0);
   EXPECT_EQ(run("lenient", {"--strict"}).code, 0);
 
-  // A value more or less goes wrong: the signature of a run that failed otherwise.
+  // Replaces the signature by that of a run in which other cases failed.
   const fs::path signatures = baseline / "drill-signatures.txt";
   const std::string right = read_file(signatures), test = "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f";
   ASSERT_TRUE(contains(right, "seed 1"));
@@ -493,7 +494,7 @@ TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
             0);
 }
 
-// A library that has a context of its own and makes none.
+// A library with its own context, which cannot create any.
 TEST_F(CommandLine, ContextNone) {
   const std::vector<std::string> arguments = {"run",
                                               "--library",
@@ -516,7 +517,7 @@ TEST_F(CommandLine, ContextNone) {
   EXPECT_GT(results("own")["summary"].value("pass", 0), 10) << outcome.text;
 }
 
-// An evaluator that is not a GL: what it declares is judged, the rest is not supported.
+// The declared features of a sink are judged; tests of other features are not-supported.
 TEST_F(CommandLine, SinkIsJudgedByWhatItDeclares) {
   const Outcome outcome =
       evalcts({"run", "--library", BEZIER_SINK, "--name", "bezier", "--depth", "thorough", "--output",
@@ -556,13 +557,13 @@ TEST_F(CommandLine, NamedImplementationsThatStartAreStillJudged) {
   const Outcome outcome = evalcts({"run", "--implementation", "reference", "--filter", "InitialState.Grid1",
                                    "--output", folder_.string()});
   EXPECT_EQ(outcome.code, 0);
-  // Stale files of an earlier run of the same name go first.
+  // A run first removes stale files of an earlier run with the same name.
   drill("start");
   EXPECT_FALSE(fs::exists(folder_ / "records-drill.jsonl"));
   EXPECT_TRUE(fs::exists(folder_ / "results-reference.json"));
 }
 
-// A child of any of the process's threads; 0 if there is none.
+// Returns a child of any thread of the process; 0 if there is none.
 pid_t child_of(pid_t parent) {
   for (const auto& task : fs::directory_iterator("/proc/" + std::to_string(parent) + "/task")) {
     std::ifstream children(task.path() / "children");
@@ -571,7 +572,7 @@ pid_t child_of(pid_t parent) {
   return 0;
 }
 
-// kill -9 of the child from outside: the test in flight gets its verdict, the rest is run.
+// If a child is killed from outside, the running test gets a verdict, and the remaining tests run.
 TEST_F(CommandLine, KilledChildIsReplaced) {
   setenv("EVALCTS_DRILL", "hang", 1);
   const std::vector<std::string> arguments = {
@@ -581,7 +582,7 @@ TEST_F(CommandLine, KilledChildIsReplaced) {
       folder_.string(), "--filter",  "Map1State.Stride/*:InitialState.O*",
       "--jobs",         "1",         "--no-bugs"};
   ChildProcess run(arguments, (folder_ / "command.log").string());
-  // Twice: the first child hangs in the test, the second confirms.
+  // Two children are killed: the first one hangs in the test, the second one is to confirm that.
   pid_t killed = 0;
   for (int round = 0; round < 2; ++round) {
     for (int i = 0; i < 1000; ++i) {
@@ -592,7 +593,7 @@ TEST_F(CommandLine, KilledChildIsReplaced) {
       for (std::string line; std::getline(records, line);) last = line;
       if (child > 0 && child != killed && last.find(round ? "\"case\"" : "\"start\"") != std::string::npos &&
           last.find(round ? "GL_MAP1_INDEX" : "MAP1_INDEX_f") != std::string::npos) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(200));  // it has reached the call that hangs
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));  // until it has reached the hanging call
         kill(child, SIGKILL);
         killed = child;
         break;
@@ -609,8 +610,8 @@ TEST_F(CommandLine, KilledChildIsReplaced) {
   EXPECT_EQ(result["summary"]["crash"], 1);
 }
 
-// Results obtained before the signal are kept: with three processes all but the test that hangs, and the
-// crash of another that there was no time to confirm.
+// Results before the signal are kept. With three processes, these are all but the hanging test, and include a
+// crash that has not been confirmed.
 TEST_F(CommandLine, InterruptedRunKeepsWhatItHas) {
   for (const std::string jobs : {"1", "3"})
     for (const int signal : {SIGINT, SIGTERM}) {

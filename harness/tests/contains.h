@@ -1,4 +1,5 @@
-// Tests if a text, or a JSON string, contains another one; the message of a failure shows both.
+// Defines the assertion contains(): a text or JSON string contains another one. The failure
+// message shows both.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Deliveries: the same case through other commands, what else it holds as it was written.
+// Tests deliveries, which replace evaluation commands of a case by others and keep the other commands.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,8 @@ TEST(Delivery, ReplacesMapsAndEvaluations) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(delivered(c, i), expected[i]) << curve_deliveries()[i].name;
 }
 
-// Also from what is not written in the f form, and with the after_call of the points.
+// Deliveries also convert commands that are not in the f form, and keep the treatment of arrays
+// after the call.
 TEST(Delivery, WorksFromEveryForm) {
   Case c;
   c.Map1d(GL_MAP1_INDEX, 0.0, 1.0, 1, 1, array({1.0 / 3}, AfterCall::kProtect));
@@ -151,7 +152,7 @@ TEST(Delivery, EvalMeshForWholePrimitives) {
   EXPECT_THROW(by("EvalPoint1").apply(triangles), std::logic_error);
 }
 
-// A command that takes a result of an earlier one still takes it from that.
+// A command that uses the result of an earlier command still uses the result of the same command.
 TEST(Delivery, ResultsKeepTheirCommands) {
   Case c;
   c.Begin(GL_POINTS);

@@ -31,7 +31,7 @@ TEST(Reduce, LeavesWhatIsNeededInItsOrder) {
 }
 
 TEST(Reduce, SaysIfAnotherRoundMayRemoveMore) {
-  // An item can go once the one behind it is gone.
+  // An item can be removed only after the item that follows it.
   const auto is_prefix = [](const std::vector<int>& left) {
     return left == first_numbers(static_cast<int>(left.size())) && left.size() != 2;
   };

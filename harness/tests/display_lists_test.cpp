@@ -1,4 +1,4 @@
-// Cases through display lists: the commands, where they end up, and that they do the same.
+// Tests cases through display lists: the resulting commands, their positions, and that they emit the same.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using Lines = std::vector<std::string>;
 Lines lines_of(const Case& script) { return all_calls(script); }
 Lines through(const Case& script, Lists lists) { return lines_of(through_lists(script, lists).script); }
 
-// Five commands that are compiled, one that is not, one that is.
+// Returns five commands that are compiled, one command that is not, and one that is.
 Case mixed() {
   Case c("mixed");
   c.Enable(GL_MAP1_VERTEX_3);
@@ -71,7 +71,7 @@ TEST(DisplayLists, Nested) {
                                                      "glCallList(19461);"}));
 }
 
-// Not twice where that would leave a Begin without its End.
+// A list is not called twice if it contains a Begin without its End.
 TEST(DisplayLists, Repeated) {
   Case c = mixed();
   c.Begin(GL_POINTS);
@@ -93,7 +93,7 @@ TEST(DisplayLists, Split) {
                    "glIndexf(6.0f);", "glIndexf(7.0f);"}));
 }
 
-// A list of the case's own stays what it is.
+// A list that the case itself makes is not changed.
 TEST(DisplayLists, ListsOfTheCase) {
   Case c;
   c.Indexf(1.0f);
@@ -121,7 +121,7 @@ TEST(DisplayLists, PositionsLeadToTheCommands) {
   }
 }
 
-// The executable specification emits the same whichever way a case takes.
+// The executable specification emits the same for all forms of display lists.
 TEST(DisplayLists, SameEmission) {
   Case c("maps, grids, primitives, meshes, queries and errors");
   c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, std::vector<float>{1, 2, 3, 4, 5, 6});

@@ -1,4 +1,4 @@
-// Runs of evalcts on a library that misbehaves on command.
+// Runs evalcts on the drill library, which misbehaves on command (drills/drill_library.cpp).
 #pragma once
 
 #include <cstdlib>
@@ -14,7 +14,7 @@ class DrillTest : public ProgramTest {
 
   std::filesystem::path drill_file() const { return folder_ / "drill-file"; }
 
-  // The arguments of `evalcts run` on the drill library.
+  // Sets the misbehaviour `what` and returns the arguments of `evalcts run` on the drill library.
   std::vector<std::string> drill_arguments(const std::string& what,
                                            std::vector<std::string> more = {}) const {
     setenv("EVALCTS_DRILL", what.c_str(), 1);
@@ -30,7 +30,8 @@ class DrillTest : public ProgramTest {
   }
 };
 
-// The test that defines INDEX with order 5; some without display lists, which the drill libraries have not.
+// The test that defines INDEX with order 5, and the part of a filter that excludes display lists, which the
+// drill libraries do not support.
 inline constexpr char kVictim[] = "Map1State.Stride/MAP1_INDEX_f";
 inline constexpr char kWithoutLists[] = ":-*/Compiled:*/Executed:*/Nested:*/Repeated:*/Split";
 

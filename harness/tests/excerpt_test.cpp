@@ -1,4 +1,4 @@
-// Excerpts of programs that draw very much.
+// Tests excerpts of programs that draw very much.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 using gl::EntryPoint;
 
-// Points at 0, 1, and so on, each in a primitive of its own: three commands.
+// Returns a program with points at 0, 1, and so on, each in its own primitive of three commands.
 gl::Case many_points(int count) {
   gl::Case c;
   c.Enable(GL_MAP1_VERTEX_3);

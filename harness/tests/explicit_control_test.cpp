@@ -1,4 +1,4 @@
-// The control of a failing case: the same case with explicit commands in the place of evaluation.
+// Tests the control of a failing case: the same case with explicit commands instead of evaluation.
 #include <evalcts/testkit/explicit_control.h>
 
 #include <gtest/gtest.h>
@@ -32,10 +32,10 @@ gl::Case in_lists(GLenum mode = GL_POINTS) {
 void lose_positions(Observation& seen, const gl::Case&) { seen.primitives[0].vertices[1].position[0] = 99; }
 void lose_colors(Observation& seen, const gl::Case&) { seen.primitives[0].vertices[1].color = {}; }
 
-// Contexts with the commands that tell which capabilities are known.
+// An implementation that accepts Enable and Disable of all capabilities from `first_known` on.
 class WithCapabilities final : public Implementation {
  public:
-  static inline GLenum first_known = GL_INDEX_LOGIC_OP;  // in the order of their tokens
+  static inline GLenum first_known = GL_INDEX_LOGIC_OP;  // the accepted capability with the least token
 
   std::string name() const override { return "with capabilities"; }
   std::unique_ptr<Context> create_context() override { return std::make_unique<WithEnable>(); }
@@ -64,8 +64,7 @@ class ExplicitControlTest : public testing::Test {
     WithCapabilities::first_known = GL_INDEX_LOGIC_OP;
   }
 
-  // The number of controls that are run when the case, which was judged by these attributes, has failed
-  // twice.
+  // Returns the number of controls that run if a case that is judged by these attributes fails twice.
   int controls(const gl::Case& script, const SyntheticCapture& capture, Attributes judged = kAllAttributes,
                const std::string& what = "point 1") {
     control_.set_observed(script, capture, judged);
@@ -96,7 +95,7 @@ TEST_F(ExplicitControlTest, ListsThatLoseExplicitVerticesAre) {
                                  "position.x of vertex 1 "))
         << reason.what();
   }
-  // Later failures of the case have the same root cause, and the controls are not run again.
+  // For later failures of the same case, the controls do not run again.
   const int played = capture.observations;
   EXPECT_THROW(control_.require_explicit_vertices("normal.x of vertex 0"), NotObservable);
   EXPECT_EQ(capture.observations, played);
@@ -149,10 +148,11 @@ TEST_F(ExplicitControlTest, LinesAreTakenApartAsTheCaptureDoesIt) {
   const SyntheticCapture backwards(traits(), [](Observation& seen, const gl::Case&) {
     for (ObservedPrimitive& primitive : seen.primitives) std::ranges::reverse(primitive.vertices);
   });
-  EXPECT_EQ(controls(in_lists(GL_LINES), backwards), 3);  // with the explicit primitives
+  EXPECT_EQ(controls(in_lists(GL_LINES), backwards), 3);  // the third one learns the topology
 }
 
-// The capability whose Enable and Disable take the place of Map1f and Enable in the control.
+// Returns the capability whose Enable and Disable replace Map1f and Enable in the control; 0 if
+// there is none.
 GLenum changed_in(const gl::Case& control) {
   for (const gl::Command& command : control.commands())
     if (command.entry == gl::EntryPoint::Enable)
@@ -160,7 +160,8 @@ GLenum changed_in(const gl::Case& control) {
   return 0;
 }
 
-// A library that loses values behind any change of state is excused, whatever state it knows.
+// If a library loses values after any change of state, the control must show it, regardless of the
+// capabilities that the library supports.
 TEST_F(ExplicitControlTest, StateThatTheLibraryKnowsIsChanged) {
   for (const GLenum known : {GL_INDEX_LOGIC_OP, GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL}) {
     WithCapabilities::first_known = known;
@@ -169,7 +170,7 @@ TEST_F(ExplicitControlTest, StateThatTheLibraryKnowsIsChanged) {
     });
     EXPECT_THROW(controls(evaluated(), loses_behind_changes), NotObservable) << known;
   }
-  WithCapabilities::first_known = GL_POLYGON_OFFSET_FILL + 1;  // none is known
+  WithCapabilities::first_known = GL_POLYGON_OFFSET_FILL + 1;  // no candidate is accepted
   GLenum changed = 0;
   const SyntheticCapture capture(traits(), [&](Observation&, const gl::Case& control) {
     changed = std::max(changed, changed_in(control));

@@ -1,5 +1,5 @@
-// The controls of a case: explicit commands in the place of evaluation, no commands of evaluators, everything
-// else unchanged.
+// Tests the controls of a case: explicit commands replace evaluation, other commands of evaluators are left
+// out, and everything else is unchanged.
 #include <evalcts/gl/explicit_vertices.h>
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ TEST(ExplicitVertices, MakeThePrimitivesOfAMesh) {
             (Lines{"LINE_STRIP 16"}));
 }
 
-// There a mesh is an error, which must not end the primitive.
+// Between Begin and End, a mesh is an error, which must not end the primitive.
 TEST(ExplicitVertices, LeaveOutAMeshBetweenBeginAndEnd) {
   Case c("mesh in a primitive");
   c.Begin(GL_POINTS);
@@ -86,7 +86,7 @@ TEST(ExplicitVertices, LeaveOutAMeshBetweenBeginAndEnd) {
   EXPECT_EQ(lines[3], "glEnd();");
 }
 
-// References to results of earlier commands move with these.
+// References to results still refer to the same commands, whose positions have changed.
 TEST(ExplicitVertices, KeepReferencesToEarlierCommands) {
   Case c("buffer");
   c.EvalMesh1(GL_POINT, 0, 1);
@@ -100,14 +100,15 @@ TEST(ExplicitVertices, KeepReferencesToEarlierCommands) {
   EXPECT_EQ(control.commands().at(static_cast<std::size_t>(from)).entry, EntryPoint::GenBuffers);
 }
 
-// The names of the commands, without their arguments.
+// Returns the names of the commands, without their arguments.
 Lines names_of(const Case& script) {
   Lines names;
   for (const Command& command : script.commands()) names.emplace_back(name_of(command.entry).substr(2));
   return names;
 }
 
-// A fault of the commands that define, enable or ask for maps and grids is not to excuse itself.
+// The control must not contain commands that define, enable or query maps and grids, because their bugs would
+// make the control fail, too.
 TEST(ExplicitVertices, StandWithoutCommandsOfEvaluators) {
   Case c("state");
   c.PushAttrib(GL_EVAL_BIT | GL_ENABLE_BIT);

@@ -1,4 +1,4 @@
-// The table of faults, on the suite program with faults.
+// Tests the table of faults, with the suite program with faults.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -49,7 +49,7 @@ TEST_F(Faults, OneIsCaughtByATestOfItsRequirement) {
   EXPECT_EQ(result.detections.at(0).test_level, Level::kMust);
 }
 
-// Detected by tests of other requirements only: the one that it is said to break does not notice.
+// The tests of one of the requirements do not detect the fault.
 TEST_F(Faults, OneThatNoTestOfItsRequirementNoticesSurvives) {
   const TriedFault result = try_one(fault("OrderZeroTaken", {"EV-MAP1-ERR-ORDER-LOW", "EV-GRID1-ERR-N"}));
   EXPECT_EQ(result.outcome, FaultOutcome::kSurvives);
@@ -57,7 +57,7 @@ TEST_F(Faults, OneThatNoTestOfItsRequirementNoticesSurvives) {
   EXPECT_FALSE(result.detections.at(1).detected);
 }
 
-// The tests whose names begin with one of these, against one variation, with one fault behind it.
+// Tries one variation with one fault behind it, on the tests whose names begin with one of `beginnings`.
 TriedVariation try_variation(const fs::path& scratch, const char* name,
                              const std::vector<std::string>& violates,
                              const std::vector<std::string>& beginnings, const ListedFault& behind) {
@@ -93,7 +93,7 @@ TEST_F(Faults, VariationWithoutColoursPassesInPart) {
       << tried.detections.at(0).reason;
 }
 
-// Positions alone show it, in tests that pass in part.
+// Only positions are observed, so the tests pass only in part, but positions show the fault.
 TEST_F(Faults, FaultIsDetectedInThePartThatIsSeen) {
   const TriedVariation tried = try_variation(scratch_, "PositionOnly", {}, {"Map1Values.Domain"},
                                              fault("SymmetricDomainTakenForUnit", {"EV-MAP1-DOMAIN"}));

@@ -1,4 +1,4 @@
-// Filters of names, and which tests of a depth they choose.
+// Tests filters of names, and the tests that they select at a depth.
 #include <evalcts/results/filter.h>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Random programs: made, judged, made small, kept.
+// Tests random programs: how they are made, judged, reduced and stored.
 #include <gtest/gtest.h>
 
 #include <evalcts/fuzz/events.h>
@@ -70,7 +70,8 @@ TEST(RandomProgram, GoesEverywhereAndIsDefined) {
     EXPECT_GT(times[entry], 5) << gl::name_of(entry);
 }
 
-// If everything comes together, the defect that shows most easily hides the others.
+// Programs must leave out kinds of commands, because otherwise the bug that shows most easily
+// hides the others.
 TEST(RandomProgram, LeavesPartsOut) {
   using gl::EntryPoint;
   int without_lists = 0, without_surfaces = 0, errors_from_lists = 0;
@@ -148,7 +149,7 @@ TEST(IsDefined, TellsWhatTheSpecificationLeavesOpen) {
   EXPECT_FALSE(specify_if_defined(nameless, kMaxOrder));
 }
 
-// --- as data ----------------------------------------------------------------------------------------------
+// --- JSON -------------------------------------------------------------------------------------------------
 
 TEST(CaseJson, ComesBackTheSame) {
   for (std::uint32_t number = 0; number < 50; ++number) {
@@ -174,7 +175,7 @@ TEST(CaseJson, SaysWhatIsWrong) {
   EXPECT_THROW(gl::to_json(strings), std::invalid_argument);
 }
 
-// --- making small -----------------------------------------------------------------------------------------
+// --- reduction --------------------------------------------------------------------------------------------
 
 TEST(Shrink, LeavesWhatMatters) {
   int asked = 0;
@@ -198,7 +199,7 @@ TEST(Shrink, StopsWhenItMayNotAskAnyMore) {
   EXPECT_EQ(asked, 40);
 }
 
-// EvalCoord2 without vertices and a vertex of EvalCoord1 or EvalCoord2: which, tells one cause from another.
+// The dimension of an evaluated vertex after an EvalCoord2 without vertices distinguishes causes.
 TEST(Shrink, ChangesTheDimensionOfWhatGoesTogether) {
   gl::Case c;
   c.EvalCoord2f(0, 0);
@@ -269,7 +270,7 @@ TEST(Cause, IsToldByCommandsAndWhatDiffers) {
   EXPECT_EQ(requirement_of(nested, "crash"), "EV-DL-NESTED");
 }
 
-// A known cause does not stand for one that shows in part of its commands, or in others.
+// A known cause does not explain a difference that only part of its commands, or other commands, show.
 TEST(Cause, NeedsAllItsWords) {
   gl::Case program = small_curve();
   program.NewList(1, GL_COMPILE);
@@ -321,7 +322,7 @@ TEST(Campaign, FindsNothingInASoundEvaluator) {
   for (const Finding& finding : played.findings) ADD_FAILURE() << to_text(finding);
 }
 
-// EvalCoord2d mixes up its arguments: a defect of one form.
+// EvalCoord2d exchanges its arguments, which is a bug of one form of a command.
 TEST(Campaign, FindsADefectAndMakesItSmall) {
   Altered altered([](gl::Table& table) {
     table.EvalCoord2d = [](GLdouble u, GLdouble v) { Altered::original.EvalCoord2d(v, u); };
@@ -336,8 +337,8 @@ TEST(Campaign, FindsADefectAndMakesItSmall) {
   EXPECT_FALSE(finding.outside_evaluators);
 }
 
-// Color4f goes wrong with explicit vertices as well: that is said, and its cause cannot hide one of
-// evaluation.
+// Color4f is also wrong with explicit vertices. The finding states this, and its cause does not hide a cause
+// that contains evaluation.
 TEST(Campaign, TellsDefectsOutsideEvaluatorsApart) {
   Altered altered([](gl::Table& table) {
     table.Color4f = [](GLfloat r, GLfloat g, GLfloat b, GLfloat a) { Altered::original.Color4f(g, r, b, a); };
@@ -349,7 +350,7 @@ TEST(Campaign, TellsDefectsOutsideEvaluatorsApart) {
   EXPECT_FALSE(contains(finding.cause, "Eval"));
 }
 
-// An answer, not a vertex.
+// The difference is in an answer, not in a vertex.
 TEST(Campaign, FindsAWrongAnswer) {
   Altered altered([](gl::Table& table) {
     table.MapGrid1f = [](GLint n, GLfloat u1, GLfloat u2) {
@@ -387,7 +388,7 @@ TEST_F(FuzzCommand, SaysWhatItNeeds) {
   EXPECT_EQ(fuzz({"--library", "/no/such/library.so", "--programs", "1"}).code, 2);
 }
 
-// The drill library lacks most commands.
+// The drill library does not provide most commands.
 TEST_F(FuzzCommand, LittleThatIsObservedIsNoPass) {
   setenv("EVALCTS_DRILL", "nothing", 1);
   std::vector<std::string> arguments = {"--implementation", "osmesa",     "--library",
@@ -401,7 +402,7 @@ TEST_F(FuzzCommand, LittleThatIsObservedIsNoPass) {
 }
 
 TEST_F(FuzzCommand, ProductionHoldsOut) {
-  // Findings of an earlier call go; files with similar names stay.
+  // Files of an earlier search are removed; files with similar names are kept.
   for (const char* file : {"fuzz-production-1.json", "fuzz-production-1.c", "fuzz-production-old-1.json"})
     std::ofstream(folder_ / file) << "{}";
   const Outcome outcome = fuzz({"--implementation", "production", "--programs", "40", "--seed", "5"});
@@ -412,7 +413,7 @@ TEST_F(FuzzCommand, ProductionHoldsOut) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "fuzz-production-old-1.json"));
 }
 
-// Programs consist of what a sink declares.
+// Programs for a sink contain only commands and targets that it declares.
 TEST_F(FuzzCommand, SinkOfOneTargetIsSearched) {
   const Outcome right = fuzz({"--library", SMALLEST_SINK, "--programs", "300"});
   EXPECT_EQ(right.code, 0) << right.text;
@@ -432,7 +433,8 @@ TEST_F(FuzzCommand, ACrashIsMadeSmall) {
   EXPECT_TRUE(program) << "a C program";
 }
 
-// The reduction of a wrong answer crashes: both are found, the crash by the version it happens in.
+// The library crashes during the reduction of a wrong answer. Both the crash and the wrong
+// answer become findings.
 TEST_F(FuzzCommand, ACrashOnTheWayToAWrongAnswerIsAFinding) {
   const Outcome outcome = fuzz_drill("fragile");
   EXPECT_EQ(outcome.code, 1) << outcome.text;
@@ -453,7 +455,8 @@ TEST_F(FuzzCommand, AWrongAnswerIsMadeSmall) {
   EXPECT_EQ(finding()["program"].size(), 2u) << finding()["program"];
 }
 
-// Most programs share a context: what several together show is found, and made small in a fresh one.
+// Most programs share a context. A difference that depends on several programs is found, and reduced in a
+// fresh context.
 TEST_F(FuzzCommand, WhatDependsOnHistoryIsFound) {
   const Outcome outcome = fuzz_drill("worn", {"--jobs", "1"});
   EXPECT_EQ(outcome.code, 1) << outcome.text;
@@ -464,7 +467,7 @@ TEST_F(FuzzCommand, WhatDependsOnHistoryIsFound) {
   EXPECT_EQ(fuzz_drill("worn", {"--fresh-contexts"}).code, 0);
 }
 
-// A difference that only hundreds of primitives show is not repeated by nine programs: no finding.
+// A difference that needs hundreds of primitives is not reproduced by nine programs, so it is not a finding.
 TEST_F(FuzzCommand, WhatAFreshContextDoesNotRepeatIsNoFinding) {
   const Outcome outcome = fuzz_drill("worn-out", {"--jobs", "1"});
   EXPECT_EQ(outcome.code, 0) << outcome.text;

@@ -1,4 +1,4 @@
-// Contexts of real GL libraries, where these are installed.
+// Tests contexts of real GL libraries, if they are installed.
 #include <malloc.h>
 
 #include <csignal>
@@ -41,7 +41,7 @@ class GlLibrary : public ProgramTest {
     return false;
   }
 
-  // All passed, and vertices were captured in both ways that GL offers.
+  // Checks that all tests passed, and that all captures but the sink are available.
   void expect_judged(const Outcome& outcome, const std::string& name) {
     EXPECT_EQ(outcome.code, 0) << outcome.text;
     const json result = results(name);
@@ -58,14 +58,13 @@ TEST_F(GlLibrary, OSMesaContexts) {
   expect_judged(run({"--context", "osmesa"}), "library");
   expect_judged(run({"--context", OSMESA_PROVIDER}), "library");
   expect_judged(run({"--context", "osmesa", "--library", "libOSMesa.so.8", "--name", "same"}), "same");
-  // Commands of libraries that it depends on are not its own.
+  // Commands of the dependencies of a library do not count as its own.
   const Outcome outcome = run({"--context", "osmesa", "--library", "libGLU.so.1"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_TRUE(contains(outcome.text, "glGetString"));
 }
 
-// Values measured through captures are those of single calls: replays give the same bits.
-// The real libraries here that draw without a window system.
+// Tests of real libraries that draw without a window system.
 class OffScreenLibraries : public GlLibrary, public testing::WithParamInterface<const char*> {
  protected:
   void SetUp() override {
@@ -76,6 +75,7 @@ class OffScreenLibraries : public GlLibrary, public testing::WithParamInterface<
 INSTANTIATE_TEST_SUITE_P(, OffScreenLibraries, testing::Values("osmesa", "egl"),
                          [](const auto& tested) { return std::string(tested.param); });
 
+// Values measured through captures are equal, bit for bit, to those of a replay.
 TEST_P(OffScreenLibraries, ErrorsAreMeasuredAndReplayed) {
   const Outcome outcome =
       evalcts({"ulp", "--implementation", GetParam(), "--values", "700", "--target", "vertex_4", "--target",
@@ -96,7 +96,7 @@ TEST_P(OffScreenLibraries, ErrorsAreMeasuredAndReplayed) {
   }
 }
 
-// A sweep calls the library without a case in between: it sees what a case sees.
+// A sweep, which calls the library without cases, measures the same values as a case.
 TEST_P(OffScreenLibraries, EveryFloatOfAnIntervalIsMeasured) {
   const fs::path file = folder_ / "sweep.json";
   const std::vector<std::string> map = {"--implementation", GetParam(),  "--orders", "4",
@@ -125,7 +125,7 @@ TEST_F(GlLibrary, EglContexts) {
   expect_judged(run({"--library", "libEGL.so.1"}), "library");
 }
 
-// Features that an EGL may do without, and one that it may not: EVALCTS_DRILL of drill_egl.cpp.
+// Features that an EGL may leave out, and features that are required: EVALCTS_DRILL of drill_egl.cpp.
 TEST_F(GlLibrary, EglThatOffersLess) {
   if (!available("egl")) GTEST_SKIP() << "no EGL here";
   for (const char* lacking : {"surfaceless", "pbuffers", "profile", "commands"}) {
@@ -193,7 +193,7 @@ TEST_F(GlLibrary, LibraryThatCannotBeLoaded) {
   says("libabsent.so.1", "the dynamic loader finds no library of this name");
   std::ofstream(folder_ / "text.so") << "GROUP ( /usr/lib/libGL.so.1 ) is a script of the linker\n";
   says(folder_ / "text.so", "it does not begin with an ELF header");
-  // The beginning of a library for the big-endian SPARC.
+  // The beginning of a library for SPARC, which is big-endian.
   std::string head("\177ELF\2\2\1\0\0\0\0\0\0\0\0\0\0\3\0\53", 20);
   std::ofstream(folder_ / "sparc.so") << head << std::string(100, '\0');
   says(folder_ / "sparc.so", "it is built for ELF machine 43 (64-bit), but this evalcts is built for ");
@@ -209,7 +209,7 @@ TEST_F(GlLibrary, LibraryThatCannotBeLoaded) {
   says(folder_ / "two.so", "it depends on libone.so, which the dynamic loader does not find");
 }
 
-// A driver that is not what the environment asks for is named in the summary and in the results.
+// If another driver is loaded than the environment requests, the summary and the results state it.
 TEST_F(GlLibrary, OtherDriverThanAskedFor) {
   const std::string llvmpipe = "llvmpipe (LLVM 15.0.6, 256 bits)";
   EXPECT_EQ(describe_other_driver(llvmpipe), "");
@@ -300,7 +300,7 @@ TEST_F(GlLibrary, DriverThatCannotBeLoaded) {
   }
 }
 
-// A layer over OpenGL ES: its commands, loaded once an ES context is current. There is one context in it.
+// A layer over OpenGL ES is loaded while an ES context is current, and has one context.
 TEST_F(GlLibrary, LayerOverGles2) {
   if (!available("egl")) GTEST_SKIP() << "no EGL here";
   const std::vector<std::string> arguments = {"run",           "--library", DRILL_LAYER,          "--depth",
@@ -314,16 +314,16 @@ TEST_F(GlLibrary, LayerOverGles2) {
   const Outcome outcome = with_context("egl-gles2");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_GT(results("library")["summary"].value("pass", 0), 10) << outcome.text;
-  EXPECT_EQ(with_context("egl-surfaceless").code, 2);  // desktop GL is current
+  EXPECT_EQ(with_context("egl-surfaceless").code, 2);  // a context of desktop GL is current
 
-  setenv("EVALCTS_DRILL", "terminate", 1);  // the display that the contexts come from
+  setenv("EVALCTS_DRILL", "terminate", 1);  // the layer terminates the display of the contexts
   const Outcome terminated = with_context("egl-gles2");
   unsetenv("EVALCTS_DRILL");
   EXPECT_EQ(terminated.code, 0) << terminated.text;
   EXPECT_GT(results("library")["summary"].value("pass", 0), 10) << terminated.text;
   EXPECT_FALSE(results("library")["summary"].contains("internal-error")) << terminated.text;
 
-  // ES itself has no evaluators.
+  // OpenGL ES itself has no evaluators.
   try {
     const SharedLibrary library("libGLESv2.so.2");
   } catch (const CannotStart& error) {
@@ -334,9 +334,8 @@ TEST_F(GlLibrary, LayerOverGles2) {
   EXPECT_TRUE(contains(es.text, "no evaluators"));
 }
 
-// Each process has an X server of its own: there is no DISPLAY.
-// Maps of vertex attributes, which no library at hand has: each of the tests passes on a stand-in for one and
-// fails where that is wrong, EVALCTS_DRILL of nv_vertex_program.cpp.
+// No available library supports maps of vertex attributes. The tests pass on a provider that stands in for
+// one, and fail if it makes a mistake (EVALCTS_DRILL of nv_vertex_program.cpp).
 TEST_F(GlLibrary, MapsOfVertexAttributes) {
   if (!available("osmesa")) GTEST_SKIP() << "no OSMesa here";
   const std::map<std::string, std::set<std::string>> wrong = {
@@ -368,8 +367,8 @@ TEST_F(GlLibrary, MapsOfVertexAttributes) {
   unsetenv("EVALCTS_DRILL");
 }
 
-// INDEX maps, which show in colour-index contexts only, are judged in those of a provider: EVALCTS_DRILL of
-// color_index.cpp.
+// INDEX maps, which have an effect only in colour-index contexts, are judged in contexts of a provider
+// (EVALCTS_DRILL of color_index.cpp).
 TEST_F(GlLibrary, IndexMapsInColorIndexContexts) {
   if (!available("osmesa")) GTEST_SKIP() << "no OSMesa here";
   const std::pair<const char*, const char*> drills[] = {{"", "pass"},       {"coarse", "pass"},
@@ -389,7 +388,7 @@ TEST_F(GlLibrary, IndexMapsInColorIndexContexts) {
   unsetenv("EVALCTS_DRILL");
 }
 
-// However bad a library is: EVALCTS_DRILL of degraded_osmesa.cpp.
+// The run is completed even for extremely bad libraries (EVALCTS_DRILL of degraded_osmesa.cpp).
 TEST_F(GlLibrary, DegradedLibrariesAreJudgedToTheEnd) {
   if (!available("osmesa")) GTEST_SKIP() << "no OSMesa here";
   for (const char* how : {"half", "low", "high", "silent", "noisy", "crashes"}) {
@@ -409,8 +408,8 @@ TEST_F(GlLibrary, DegradedLibrariesAreJudgedToTheEnd) {
   unsetenv("EVALCTS_DRILL");
 }
 
-// Evaluators are to blame where explicit vertices come right out of the same lists, and nowhere else: for
-// each way in which tests judge what they observe.
+// Evaluators are at fault only if explicit vertices in the same lists are correct. The filter names a test
+// for each way in which tests judge observations.
 TEST_F(GlLibrary, ListsInWhichAllVerticesGoWrong) {
   if (!available("osmesa")) GTEST_SKIP() << "no OSMesa here";
   const std::pair<const char*, const char*> drills[] = {
@@ -434,6 +433,7 @@ TEST_F(GlLibrary, ListsInWhichAllVerticesGoWrong) {
   }
 }
 
+// Tests of GLX. DISPLAY is not set, so each process starts its own X server.
 class GlxLibrary : public GlLibrary {
  protected:
   GlxLibrary() {
@@ -442,7 +442,7 @@ class GlxLibrary : public GlLibrary {
   }
   ~GlxLibrary() override { setenv("PATH", path_.c_str(), 1); }
 
-  // Found before the real Xvfb; `lines` go before `exec Xvfb arguments`.
+  // Makes a script that PATH finds before the real Xvfb. It contains `lines`, then `exec Xvfb arguments`.
   void put_before_xvfb(const std::string& lines, const std::string& arguments = "\"$@\"") {
     std::ofstream(folder_ / "Xvfb") << "#!/bin/sh\nPATH='" << path_ << "'\n"
                                     << lines << "\nexec Xvfb " << arguments << "\n";
@@ -456,7 +456,7 @@ class GlxLibrary : public GlLibrary {
 TEST_F(GlxLibrary, Direct) {
   if (!available("glx")) GTEST_SKIP() << "no GLX or no Xvfb here";
   expect_judged(run({"--implementation", "glx"}), "glx");
-  setenv("DISPLAY", ":54321", 1);  // nothing answers there
+  setenv("DISPLAY", ":54321", 1);  // no server has this display
   expect_judged(run({"--library", "libGL.so.1"}), "library");
   unsetenv("DISPLAY");
 }
@@ -472,7 +472,7 @@ TEST_F(GlxLibrary, Indirect) {
     EXPECT_EQ(capture["available"], as_text(capture["name"]) == "FeedbackBuffer") << capture;
 }
 
-// Requests of the client are seen on their way to the server.
+// The requests of the client are recorded on their way to the server.
 TEST_F(GlxLibrary, RequestsAreRecorded) {
   if (!available("glx-indirect")) GTEST_SKIP() << "no indirect rendering here";
   const Outcome outcome = evalcts({"run", "--implementation", "glx-indirect", "--output", folder_.string(),
@@ -480,7 +480,7 @@ TEST_F(GlxLibrary, RequestsAreRecorded) {
   const json result = results("glx-indirect");
   EXPECT_EQ(as_text(result["status"]), "complete") << outcome.text;
   EXPECT_GT(result["summary"].value("pass", 0), 50) << outcome.text;
-  // On a busy machine Mesa's protocol code fails now and then, never twice in the same place.
+  // On a busy machine, Mesa's protocol code fails occasionally, but never twice in the same test.
   for (const json& test : result["tests"])
     EXPECT_TRUE(as_text(test["verdict"]) == "pass" || test.value("/again/verdict"_json_pointer, "") == "pass")
         << outcome.text;
@@ -504,14 +504,14 @@ TEST_F(GlxLibrary, SaysWhyItDoesNotStart) {
   fails("glx", "Xvfb is not installed (package xvfb)");
 }
 
-// However the suite ends, its X server does, even one that is deaf.
+// The X server ends in whatever way the suite ends, even if the server ignores signals.
 TEST_F(GlxLibrary, LeavesNoServerBehind) {
   if (!available("glx")) GTEST_SKIP() << "no GLX or no Xvfb here";
   const fs::path noted = folder_ / "server";
   put_before_xvfb("echo $$ >'" + noted.string() + ".new' && mv '" + noted.string() + ".new' '" +
                   noted.string() + "'");
   const std::string suite = fs::path(EVALCTS_PROGRAM).parent_path() / "evalcts-suite";
-  // The file that clients connect to.
+  // Returns the path of the socket that clients connect to.
   const auto socket_of = [](pid_t server) {
     std::error_code gone;
     std::set<std::string> inodes;
@@ -542,7 +542,7 @@ TEST_F(GlxLibrary, LeavesNoServerBehind) {
     fs::path socket;
     if (killed) {
       ASSERT_TRUE(within_a_minute([&] { return !(socket = socket_of(server)).empty(); }));
-      sleep(3);  // it has a client by now
+      sleep(3);  // until the server has a client
       kill(server, SIGSTOP);
       kill(child.id(), SIGKILL);
     }
@@ -552,11 +552,12 @@ TEST_F(GlxLibrary, LeavesNoServerBehind) {
   }
 }
 
-// A context that is not freed costs megabytes, and a run makes tens of thousands.
+// A context that is not freed takes megabytes, and a run creates tens of thousands.
 class GlLibraryLeaks : public GlLibrary, public testing::WithParamInterface<const char*> {};
 
 TEST_P(GlLibraryLeaks, ContextsAreFreed) {
-  // Asked in another process: an Xvfb that cannot render indirectly ends its clients.
+  // Availability is determined in another process, because an Xvfb without indirect rendering
+  // ends its clients.
   if (!available(GetParam())) GTEST_SKIP() << GetParam() << " is not available";
   ImplementationOptions options;
   options.name = GetParam();

@@ -15,7 +15,7 @@ Tests numbered(int count) {
   return tests;
 }
 
-// Happens after all of `needed`, in their order.
+// A failure that happens if the history contains all of `needed` in this order.
 struct Needs {
   Tests needed;
   int asked = 0;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Tests the launcher `evalcts` against a stand-in for the machine: a PATH that holds nothing but the basic tools
-# and scripts that run apt, dpkg, sudo, CMake and ctest. Needs no network and changes nothing outside a
-# temporary folder. As root it drops to an ordinary user, so that it sees the same wherever it runs.
+# Tests the launcher `evalcts` on a simulated machine: a PATH that contains only basic tools, and scripts that simulate
+# apt, dpkg, sudo, CMake and ctest. Needs no network and changes nothing outside a temporary folder. If it runs as root, it
+# switches to an ordinary user, so that the result is the same everywhere.
 # usage: launcher_test.sh [LAUNCHER]
 set -u
 unset EVALCTS_ASSUME_DEPENDENCIES # of whoever runs this test
@@ -40,7 +40,7 @@ script() { # name; the text follows on standard input
   chmod +x "$bin/$1"
 }
 
-# A machine with nothing installed, lists of packages that are up to date, and sudo.
+# Sets up a machine with sudo, with up-to-date package lists, and without any installed packages.
 fresh() {
   rm -rf "${top:?}"/*
   mkdir -p "$tree" "$bin" "$machine" "$top/elsewhere"
@@ -61,8 +61,8 @@ printf '%s\n' "$@" | awk '
   FILENAME != "-" { there[$0]; next }
   $0 in there { print "installed " $0 }' "$machine/installed" -
 X
-  # Like the real one: it knows what is installed without any lists, and a name that it does not know is a regular
-  # expression.
+  # Behaves like the real apt-cache: it knows installed packages without any lists, and reads an unknown name as a
+  # regular expression.
   printf '%s\n' grep-{1..30} >"$machine/base"
   script apt-cache <<'X'
 verb=$1
@@ -155,7 +155,7 @@ check() { # what must hold, command...
 }
 scenario() { scenario=$1; fresh; }
 
-# Runs the launcher with nothing on standard input; its two outputs and exit code go to `output` and `code`.
+# Runs the launcher with empty standard input. Sets `output` to both of its outputs and `code` to its exit code.
 evalcts() {
   output=$(cd "$top/elsewhere" && PATH=$bin CI=true "$bin/env" -u DEBIAN_FRONTEND "$tree/evalcts" "$@" \
     </dev/null 2>&1)

@@ -1,5 +1,5 @@
-// Libraries, disks and people that misbehave: the test in flight gets its verdict, the rest is run, nothing
-// that was obtained is lost.
+// Tests that evalcts copes with misbehaving libraries, full disks and wrong arguments: the running test gets
+// a verdict, the remaining tests run, and no results are lost.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 #ifdef __SANITIZE_ADDRESS__
 constexpr char kMemory[] = "3000";
-constexpr char kEndedWell[] = "exit code ";  // of what then finds leaks
+constexpr char kEndedWell[] = "exit code ";  // the leak sanitizer may change the exit code
 #else
 constexpr char kMemory[] = "600";
 constexpr char kEndedWell[] = "exit code 0";
@@ -41,7 +41,7 @@ struct Misbehaviour {
 
 class Misbehaviours : public DrillTest, public testing::WithParamInterface<Misbehaviour> {
  protected:
-  // Much time, unless the test waits for its end: the machine may be busy.
+  // The time limit is long because the machine may be busy, but short if the test waits for it.
   static std::vector<std::string> options(const Misbehaviour& misbehaviour) {
     return {"--filter",  std::string("Map1State.Stride/*:InitialState.O*") + kWithoutLists,
             "--timeout", std::string(misbehaviour.verdict) == "timeout" ? "2" : "60",
@@ -49,7 +49,8 @@ class Misbehaviours : public DrillTest, public testing::WithParamInterface<Misbe
             "--jobs",    misbehaviour.jobs};
   }
 
-  // A misbehaviour in one call costs that test at most, and leaves nothing behind.
+  // Checks that a misbehaviour in one call affects at most the test that makes it, and leaves no
+  // processes or files.
   void check(const Misbehaviour& misbehaviour, int code) const {
     const bool dies = std::string(misbehaviour.verdict) != "pass";
     EXPECT_EQ(code, dies ? 1 : 0) << misbehaviour.what;
@@ -108,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-// A crash is charged to evaluators only if the same case with explicit vertices survives.
+// Evaluators are at fault for a crash only if the same case with explicit vertices does not crash.
 TEST_F(Misbehaviours, CrashOfAnyPrimitiveIsNotThatOfEvaluators) {
   const auto outcome_of = [&](const char* what) {
     drill(what, {"--filter", "Evaluation.NoArgumentIsAnError/*", "--allow-unobserved"});
@@ -123,8 +124,8 @@ TEST_F(Misbehaviours, CrashOfAnyPrimitiveIsNotThatOfEvaluators) {
   EXPECT_EQ(as_text(own.value("verdict", json())), "crash") << own;
 }
 
-// Once three tests have crashed in one query, those that query all state leave it out and are judged; those
-// that need it crash, and several are confirmed only.
+// Once three tests have crashed in one query, tests that query all state leave it out and are judged. Tests
+// that need the query crash, but only some of the crashes are confirmed.
 TEST_F(Misbehaviours, CrashOfAQueryCostsTheTestsThatNeedIt) {
   const Outcome outcome = drill(
       "query", {"--filter",
@@ -165,7 +166,7 @@ TEST_F(Misbehaviours, CrashOfAQueryCostsTheTestsThatNeedIt) {
   EXPECT_NE(text_of("summary.md").find("Crashes by place"), std::string::npos);
 }
 
-// Side by side, for they take their time.
+// The runs are parallel because each takes several seconds.
 TEST_F(Misbehaviours, ThatNeverEndAreEnded) {
   const Misbehaviour misbehaviours[] = {{"hang", "timeout", "no answer within 2 seconds", "1"},
                                         {"hang", "timeout", "no answer within 2 seconds", "3"},
@@ -191,7 +192,7 @@ TEST_F(Misbehaviours, ThatNeverEndAreEnded) {
   folder_ = whole;
 }
 
-// --- chance ------------------------------------------------------------------------------------------------
+// --- flakes ------------------------------------------------------------------------------------------------
 
 class Flakes : public DrillTest {
  protected:
@@ -202,7 +203,7 @@ class Flakes : public DrillTest {
   }
 };
 
-// A test that fails once and not again keeps its verdict, and says so everywhere.
+// A test that fails only once keeps its verdict, and all output states that it is a flake.
 TEST_F(Flakes, AreToldApart) {
   const Outcome outcome = play("now-and-then", {"--verbose"});
   EXPECT_EQ(outcome.code, 1) << outcome.text;
@@ -224,7 +225,7 @@ TEST_F(Flakes, AreToldApart) {
   EXPECT_EQ(as_text(death["again"]["verdict"]), "pass");
 }
 
-// A test that fails each time is no flake, and one that the baseline knows to be a flake is not run again.
+// A test that fails each time is not a flake, and a test that the baseline lists as flaky is not repeated.
 TEST_F(Flakes, AreNotSeenElsewhere) {
   EXPECT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f", "--retry", "3"}).code,
             1);
@@ -249,7 +250,7 @@ TEST_F(Flakes, AreNotSeenElsewhere) {
 
 class Folders : public DrillTest {
  protected:
-  // The command in a shell that may mount file systems, or skips the test.
+  // Runs the script in a shell that can mount file systems. The exit code is -1 if this is not possible.
   Outcome with_mounts(const std::string& script) {
     if (start({"/usr/bin/unshare", "-Urm", "true"}).code != 0) return {-1, "no name spaces here"};
     return start({"/usr/bin/unshare", "-Urm", "/bin/sh", "-c", script});
@@ -260,7 +261,7 @@ class Folders : public DrillTest {
   }
 };
 
-// A disk that fills up says nothing of the library: no verdict comes of it, and what fits is kept.
+// A full disk is not the fault of the library: it causes no verdict, and the results that fit are kept.
 TEST_F(Folders, AFullDiskLosesNothingThatFits) {
   const fs::path disk = folder_ / "disk", kept = folder_ / "kept";
   fs::create_directory(disk);
@@ -301,7 +302,7 @@ TEST_F(Folders, AReadOnlyFolderIsSaidAtOnce) {
 
 TEST_F(Folders, BelongToOneCommandAtATime) {
   {
-    // A file for `report` to read.
+    // A result file for `report`.
     const fs::path there = folder_ / "results-x.json";
     std::ofstream(there) << R"({"format": "evalcts-results-1", "status": "complete", "tests": []})";
     const FolderLock lock(folder_, "process 1: evalcts run, of somebody else");
@@ -325,20 +326,20 @@ TEST_F(Folders, BelongToOneCommandAtATime) {
     EXPECT_THROW(FolderLock(folder_, "again"), FolderInUse);
   }
   EXPECT_FALSE(fs::exists(folder_ / ".lock"));
-  // The lock that a killed run leaves behind locks nothing.
+  // The lock file of a killed run does not lock.
   std::ofstream(folder_ / ".lock") << "process 1";
   EXPECT_EQ(drill("nothing").code, 0);
   EXPECT_FALSE(fs::exists(folder_ / ".lock"));
 }
 
-// Nobody reads the output to its end: the results are written all the same.
+// The results are written even if nobody reads the output to its end.
 TEST_F(Folders, AClosedPipeCostsNothing) {
   start({"/bin/sh", "-c", line(drill_arguments("nothing")) + " | true"});
   EXPECT_EQ(as_text(results("drill")["status"]), "complete");
   EXPECT_TRUE(fs::exists(folder_ / "index.html"));
 }
 
-// Nothing that is named on the command line becomes a path.
+// Names on the command line must not become paths.
 TEST_F(Folders, NamesDoNotLeadOutOfThem) {
   const std::vector<std::string> names = {"../x", "/tmp/x", "..",   ".x",
                                           "a/b",  "a b",    "a\nb", std::string(101, 'x')};
@@ -408,7 +409,7 @@ TEST_F(Variables, ShardTheSameWay) {
   EXPECT_GT(together.size(), 50u);
 }
 
-// A name with a '-', as other runners hand it over, is that test, not a pattern that leaves something out.
+// A test name with a '-', as other runners pass it, selects the test and is not read as an exclusion.
 TEST_F(Variables, NamesWorkAsTheyAreListed) {
   const auto played_by = [&](const std::string& filter) {
     std::istringstream lines(start({SUITE_PROGRAM, "--implementation", "production", "--depth", "thorough",
@@ -451,11 +452,11 @@ TEST_F(Variables, ForOthersAreForgotten) {
   EXPECT_FALSE(fs::exists(folder_ / "own.xml"));
 }
 
-// --- people ------------------------------------------------------------------------------------------------
+// --- terminals ---------------------------------------------------------------------------------------------
 
 class Terminal : public DrillTest {
  protected:
-  // Returns the screen of a terminal of so many lines and 80 columns.
+  // Returns the output of evalcts on a terminal with this number of lines and 80 columns.
   std::string shown(const std::vector<std::string>& arguments, int lines,
                     const std::string& environment = {}) {
     std::vector<std::string> command = arguments;
@@ -518,7 +519,7 @@ TEST_F(Terminal, EveryCommandHasExamples) {
   int commands = 0;
   std::string line;
   for (std::getline(lines, line); std::getline(lines, line) && line.starts_with("  ");) {
-    if (line[2] == ' ') continue;  // the rest of a description
+    if (line[2] == ' ') continue;  // the line continues a description
     const std::string command = line.substr(2, line.find(' ', 2) - 2);
     const std::string help = evalcts({command, "--help"}).text;
     EXPECT_TRUE(contains(help, "Examples:\n  $ evalcts " + command));

@@ -1,6 +1,6 @@
-// Readers of files and lines that anybody may have written, under libFuzzer: whatever comes, the answer is a
-// result or the exception that is documented. The first byte says who reads the rest. `./evalcts test
-// --preset fuzz`.
+// A libFuzzer target for the parsers of files and lines of unknown origin: for any input, a parser must
+// return a result or throw its documented exception. The first byte selects the parser of the rest. Run by
+// `./evalcts test --preset fuzz`.
 #include <evalcts/accuracy_page.h>
 #include <evalcts/reports.h>
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ namespace {
 
 using nlohmann::json;
 
-// A file of vectors; what is one is emitted, and judged by its own questions.
+// Reads a file of vectors. A valid file is emitted, and its own text is judged as answers.
 void read_vectors(const std::string& text) {
   try {
     vectors::lint(text, {});
@@ -43,7 +43,7 @@ void read_vectors(const std::string& text) {
   }
 }
 
-// Answers to a small file of vectors.
+// Reads answers to a small file of vectors.
 void read_answers(const std::string& text) {
   static const json file = [] {
     const char* path = std::getenv("EVALCTS_VECTORS_SAMPLE");
@@ -72,7 +72,7 @@ void read_baseline(const std::string& text) {
     if (mkdtemp(name.data()) == nullptr) std::abort();
     return std::filesystem::path(name);
   }();
-  // The parts of the file are the files of the baseline.
+  // The input is divided into the files of a baseline.
   std::istringstream rest(text);
   std::string part;
   for (const char* kind : {"fails", "signatures", "skips", "flakes"}) {
@@ -87,8 +87,8 @@ void read_baseline(const std::string& text) {
   }
 }
 
-// A result file: as pages, on a terminal, as a shard beside another, compared with itself, and as what to
-// run again.
+// Reads a result file, and uses it in pages, terminal output, merged shards, a comparison with itself,
+// and a replay.
 void read_results(const std::string& text) {
   try {
     const RunResult result = parse_run_result(text);
@@ -122,7 +122,7 @@ void read_results(const std::string& text) {
   }
 }
 
-// Makes a page of a measurement of `ulp`: its text must not become an order to gnuplot.
+// Makes a page of a measurement of `ulp`. Its text must not become a command for gnuplot.
 void read_measurement(const std::string& text) {
   const json document = json::parse(text, nullptr, false);
   if (!document.is_object()) return;
@@ -141,7 +141,7 @@ void read_measurement(const std::string& text) {
   }
 }
 
-// A sweep's file: as it came, and as one that is of the right sweep and has the right checksum.
+// Reads the file of a sweep, unmodified and with the correct identity and checksum.
 void read_checkpoint(const std::string& text) {
   using namespace accuracy;
   static const std::filesystem::path file =
@@ -163,11 +163,11 @@ void read_checkpoint(const std::string& text) {
   try {
     read(with_checksum(checkpoint));
   } catch (const json::exception&) {
-    // what is no UTF-8 is in no file of ours
+    // Files of evalcts contain only UTF-8.
   }
 }
 
-// A command line, one argument a line: it is understood, or rejected with words.
+// Parses a command line with one argument per line. It is accepted, or rejected with a message.
 void read_command_line(const std::string& text) {
   static std::ostringstream words;
   static const bool quiet = (std::cout.rdbuf(words.rdbuf()), std::cerr.rdbuf(words.rdbuf()), true);
@@ -214,7 +214,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       evalcts::read_command_line(text);
       break;
     default:
-      return -1;  // not worth keeping
+      return -1;  // tells libFuzzer not to keep the input
   }
   return 0;
 }

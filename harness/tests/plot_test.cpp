@@ -1,4 +1,4 @@
-// Plots of failing cases: both sides, in the same coordinates, no larger than a picture needs.
+// Tests plots of failing cases: both sides have the same coordinates, and their size is limited.
 #include "testkit/plot.h"
 
 #include <gtest/gtest.h>

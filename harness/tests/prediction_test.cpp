@@ -1,4 +1,4 @@
-// Prediction: what a case must emit, state that it saves and lists that it calls included.
+// Tests predictions of the output of a case, including saved state and called lists.
 #include <gtest/gtest.h>
 
 #include <evalcts/judge/prediction.h>
@@ -63,7 +63,7 @@ TEST(Specified, SaysWhenPrimitivesAreOpenAndComplete) {
 
 TEST(Prediction, TakesNamesFromEarlierCommands) {
   gl::Case c = with_a_line();
-  c.LoadIdentity();  // left out, so that the others move
+  c.LoadIdentity();  // left out of the prediction, so that the positions of later commands change
   c.GenLists(3);
   const gl::Ref list = c.GenLists(1);
   c.LoadIdentity();
@@ -100,11 +100,12 @@ TEST(Prediction, KnowsThatFlushAndFinishAreNotForPrimitives) {
   }
 }
 
-// Cases that a no-error context must not be given: errors that are asked for in the middle, or left behind.
+// Cases that must not run in a no-error context, because they raise errors, which they query
+// or leave pending.
 TEST(Prediction, KnowsWhatMayRaiseAnError) {
   gl::Case legal("legal");
   legal.Enable(GL_MAP1_VERTEX_3);
-  legal.PixelStorei(GL_PACK_ALIGNMENT, 1);  // of no concern to the specification
+  legal.PixelStorei(GL_PACK_ALIGNMENT, 1);  // ignored by the executable specification
   legal.Begin(GL_POINTS);
   legal.EvalCoord1f(0.5f);
   legal.End();

@@ -1,4 +1,4 @@
-// The program as its users start it: for tests of the command line.
+// Starts the program as its users do, for tests of the command line.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,10 +18,10 @@ namespace evalcts {
 
 struct Outcome {
   int code;
-  std::string text;  // both outputs
+  std::string text;  // standard output and standard error
 };
 
-// A test with a folder of its own for what the program writes.
+// A test with its own folder for the files of the program.
 class ProgramTest : public testing::Test {
  protected:
   ProgramTest()
@@ -46,7 +46,7 @@ class ProgramTest : public testing::Test {
     return start(arguments);
   }
 
-  // Files in the folder.
+  // Return the content of a file in the folder.
   std::string text_of(const std::string& name) const { return read_file(folder_ / name); }
   nlohmann::json json_of(const std::string& name) const {
     return nlohmann::json::parse(text_of(name), nullptr, false);

@@ -1,4 +1,4 @@
-// Tests made of declarations: names, order, requirements, and the depth that runs them.
+// Tests the tests that declarations make: their names, order, requirements and depths.
 #include <evalcts/testkit/registration.h>
 
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ TEST(Registration, CombinesAndFilters) {
                                                        "Sizes/MAP1_NORMAL/small", "Sizes/MAP1_VERTEX_3/large",
                                                        "Sizes/MAP1_VERTEX_4/large"}));
   EXPECT_EQ(played(sizes), "large large small large large ");
-  // Three of five parameters at most.
+  // Quick depth runs at most three of the five parameters.
   const auto quick = std::ranges::count(sizes, Depth::kQuick, &TestInfo::from);
   EXPECT_GE(quick, 2);
   EXPECT_LE(quick, 3);

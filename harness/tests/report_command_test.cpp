@@ -1,4 +1,4 @@
-// evalcts report: which files it takes, what it writes, and that what it rejects costs nothing.
+// Tests `evalcts report`: the files that it accepts and writes, and that a rejected command changes nothing.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -44,7 +44,7 @@ TEST_F(Report, PutsFilesAndFoldersSideBySide) {
   write("other.json", record("mine", "pass").dump());
   const Outcome outcome = evalcts({"report", path("a"), path("b/results-osmesa.json"), path("other.json"),
                                    path("a/results-egl.json"), "--output", path("out/deep")});
-  EXPECT_EQ(outcome.code, 0) << outcome.text;  // a page is no judgement
+  EXPECT_EQ(outcome.code, 0) << outcome.text;  // failures in the results do not change the exit code
   const std::string page = text_of("out/deep/index.html");
   for (const std::string& label :
        std::vector<std::string>{"osmesa (" + path("a") + ")", "osmesa (" + path("b") + ")",
@@ -140,7 +140,7 @@ TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
   EXPECT_EQ(evalcts({"report", path("good"), "--output", path("out/index.html")}).code, 2);
 }
 
-// The schema names everything that a run records.
+// The schema describes all fields that a run records.
 TEST_F(Report, TheSchemaIsInStep) {
   setenv("EVALCTS_DRILL", "lenient", 1);
   EXPECT_EQ(evalcts({"run", "--implementation", "osmesa", "--library", DRILL_LIBRARY, "--filter",
@@ -179,7 +179,7 @@ TEST_F(Report, TheSchemaIsInStep) {
     EXPECT_GT(seen[name], 0) << name;
 }
 
-// The page is made of the same files as the one that the run made.
+// `report` makes the same page from the files of a run as the run itself.
 TEST_F(Report, OfARunIsThePageOfTheRun) {
   ASSERT_EQ(evalcts({"run", "--implementation", "production", "--filter", "InitialState.*", "--output",
                      folder_.string()})

@@ -1,4 +1,4 @@
-// `evalcts reproduce`: C programs of failures, built and run.
+// Tests `evalcts reproduce`, by building and running the C programs.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 class Reproduce : public DrillTest {
  protected:
-  // Writes and builds the program with the line that evalcts prints, without starting it.
+  // Writes the program and builds it with the command that evalcts prints, without starting it.
   void write_and_build(const std::string& failure) {
     const std::string file = (folder_ / "x.c").string();
     const Outcome written = evalcts({"reproduce", failure, "--results", folder_.string(), "--output", file});
@@ -34,8 +34,7 @@ class Reproduce : public DrillTest {
   }
 };
 
-// From the run to the C program: it shows the failure of the library that was judged, and no failure of a
-// right one.
+// The C program fails with the library that was judged, and passes with a correct library.
 TEST_F(Reproduce, AFailureBecomesACProgram) {
   ASSERT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*_f"}).code, 1);
   const json test = test_named(results("drill"), "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f");
@@ -55,7 +54,7 @@ TEST_F(Reproduce, AFailureBecomesACProgram) {
 TEST_F(Reproduce, ACrashAndAHangAsWell) {
   for (const std::string way : {"crash", "abort", "hang"}) {
 #ifdef __SANITIZE_ADDRESS__
-    if (way == "crash") continue;  // there it crashes past every handler
+    if (way == "crash") continue;  // with sanitizers, no handler can catch this crash
 #endif
     ASSERT_EQ(drill(way, {"--filter", kVictim, "--timeout", "2"}).code, 1);
     write_and_build("MAP1_INDEX_f");  // a part of the name is enough
@@ -67,12 +66,12 @@ TEST_F(Reproduce, ACrashAndAHangAsWell) {
   }
 }
 
-// The program has the capture's shader or feedback buffer: a known failure of Mesa, if that is installed.
+// The C program contains the commands of the capture. Uses a known failure of Mesa, if it is installed.
 TEST_F(Reproduce, WhatACaptureSaw) {
   const std::string test = "Evaluation.NothingWithoutVertexMap/MAP1_NORMAL/EvalCoord1f";
   const Outcome run = evalcts({"run", "--implementation", "osmesa", "--filter", test, "--depth", "quick",
                                "--output", folder_.string(), "--baseline", "none"});
-  // Nothing is judged where OSMesa is missing, or does not start under sanitizers.
+  // There is no result if OSMesa is missing, or does not start under sanitizers.
   const json known = test_named(results("osmesa"), test);
   if (known.is_null() || as_text(known["verdict"]) != "fail") GTEST_SKIP() << run.text;
   write_and_build(test);
@@ -81,7 +80,7 @@ TEST_F(Reproduce, WhatACaptureSaw) {
   EXPECT_TRUE(contains(shown.text, "normal.x of vertex 0: expected 0.6"));
 }
 
-// The commands beside a failure work as they stand there.
+// The commands that are recorded with a failure work unmodified.
 TEST_F(Reproduce, RerunIsRight) {
   ASSERT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*_f", "--seed", "7"}).code, 1);
   const json before = test_named(results("drill"), "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f");
@@ -99,8 +98,8 @@ TEST_F(Reproduce, RerunIsRight) {
   EXPECT_TRUE(contains(debugged.text, "1 FAILED TEST"));
 }
 
-// A file of results comes from anywhere: it names no file to write, no option and no path, and its text is no
-// order to the terminal.
+// A result file of unknown origin must not be able to choose files to write, options or paths, or to control
+// the terminal.
 TEST_F(Reproduce, ResultsAreNotTrusted) {
   ASSERT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*_f"}).code, 1);
   const json good = results("drill");

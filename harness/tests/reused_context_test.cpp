@@ -1,4 +1,4 @@
-// After whatever a case did, the one shared context answers as a fresh one.
+// Tests that the shared context answers like a fresh one after any case.
 #include <evalcts/backends/reused_context.h>
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 using gl::Case;
 
-// Only what the implementation has.
+// Returns the commands that the implementation provides.
 Case filtered(const Case& commands, const gl::Table& table) {
   Case c;
   for (const gl::Command& command : commands.commands())
@@ -19,7 +19,7 @@ Case filtered(const Case& commands, const gl::Table& table) {
   return c;
 }
 
-// Sets all that the harness can set to something else, and leaves a primitive open.
+// Returns commands that change all state that the harness can set, and leave a primitive open.
 Case disturbing(int units) {
   Case c;
   const std::vector<GLfloat> points(64, 0.375f);
@@ -173,7 +173,7 @@ TEST_P(ReusedContexts, AnswerAsFreshOnesDo) {
     const gl::Trace other = context->play(questions);
     bool differs = false;
     for (int i = 0; i < static_cast<int>(fresh->size()); ++i) differs |= !fresh->same({i}, other, {i});
-    EXPECT_TRUE(differs);  // the same context, not restored
+    EXPECT_TRUE(differs);  // because the context has not been restored
   }
   const std::unique_ptr<Context> context = reused->create_context();
   EXPECT_TRUE(context->take_emitted().empty());
@@ -183,7 +183,7 @@ TEST_P(ReusedContexts, AnswerAsFreshOnesDo) {
         << gl::to_c(questions.commands()[static_cast<std::size_t>(i)], 4);
 }
 
-// Buffers, shaders and programs of a case are deleted: the next one finds nothing under their names.
+// Buffers, shaders and programs of a case are deleted, so that they do not exist in the next case.
 TEST_P(ReusedContexts, HoldNoObjectsOfTheCaseBefore) {
   const std::unique_ptr<Implementation> reused = reuse_context(*implementation_, info_);
   if (!gl::has(reused->create_context()->table(), gl::EntryPoint::CreateProgram))
@@ -210,7 +210,7 @@ TEST_P(ReusedContexts, HoldNoObjectsOfTheCaseBefore) {
     EXPECT_EQ(trace.error(ref), static_cast<GLenum>(GL_INVALID_VALUE)) << ref.index;
 }
 
-// Programs that captures keep outlive the case that made them, where that is asked for.
+// Programs that captures keep exist after the case that made them, if Programs::kKept is chosen.
 TEST_P(ReusedContexts, KeepProgramsOfCaptures) {
   const std::unique_ptr<Implementation> reused = reuse_context(*implementation_, info_, Programs::kKept);
   if (!gl::has(reused->create_context()->table(), gl::EntryPoint::CreateProgram))

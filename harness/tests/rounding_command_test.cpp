@@ -1,5 +1,5 @@
-// `evalcts rounding` as its users start it: options, messages, exit codes. That it finds wrong results is
-// shown by changing the library, which no test can.
+// Tests `evalcts rounding` as its users start it: options, messages, exit codes. A test that it finds wrong
+// results would have to change the library, which is not possible here.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -17,7 +17,7 @@ class RoundingCommand : public ProgramTest {
     arguments.insert(arguments.begin(), "rounding");
     return evalcts(arguments);
   }
-  // Lines of classes, and the sum at the end.
+  // Returns the lines of the classes and the line with the sum.
   static std::vector<std::string> classes_in(const std::string& text) {
     std::vector<std::string> classes;
     const std::regex line(R"((\S+(?:, \w+(?: \w+)?)?) +\d+ values +\d+ decided exactly +\d+ wrong)");

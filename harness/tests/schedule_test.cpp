@@ -1,4 +1,4 @@
-// The parts of each depth that a test's name chooses.
+// Tests the choice of parameters and deliveries by depth and test name.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Sweeps beside the exact route, value by value; digests, shards, resumption; and the command.
+// Tests sweeps: comparison with the exact route value by value, digests, shards, resumption, and the command.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -52,7 +52,7 @@ TEST(ExactLine, RoundsAsTheExactRouteDoes) {
   Random random(20240611, 0);
   int lines = 0;
   for (int trial = 0; trial < 400; ++trial) {
-    // First and last point, and points between them where these are floats.
+    // Chooses the first and the last point, and points between them if these are floats.
     const bool integers = random.once_in(2);
     const auto end = [&] {
       return integers ? static_cast<double>(random.below(2000)) - 1000
@@ -77,7 +77,7 @@ TEST(ExactLine, RoundsAsTheExactRouteDoes) {
   EXPECT_GT(lines, 100);
 }
 
-// A value next to a tie of floats is a tie once it has been rounded to double.
+// The exact value is close to a tie of floats, and would become the tie if it were first rounded to double.
 TEST(ExactLine, IsNotRoundedTwice) {
   const std::vector<double> points = {1 + 0x1p-23, 2 - 0x1p-20 + 0x1p-23};
   const auto line = ExactLine::of(points);
@@ -99,15 +99,15 @@ TEST(ExactLine, IsOnlyOfLines) {
   EXPECT_FALSE(ExactLine::of({1, 0x1p-140})) << "no difference in double";
 }
 
-// Near zero most values of small integers are next to a tie, and so little beside it that nothing but the
-// exact value tells the side.
+// Near zero, most values for small integers as control points are so close to a tie that only the exact value
+// shows on which side they are.
 TEST(ExactLine, KnowsTheSideNearZero) {
   Random random(20240612, 0);
   int tried = 0;
   for (int trial = 0; trial < 300; ++trial) {
     std::vector<double> points(3 + random.below(4));
     for (double& point : points) point = static_cast<double>(random.below(19)) - 9;
-    if (random.once_in(3)) points[1] = points[0];  // without a slope
+    if (random.once_in(3)) points[1] = points[0];  // slope 0 at the start
     if (random.once_in(3)) points[0] = 0;
     const auto line = ExactLine::of(points);
     if (!line || std::isinf(line->reach())) continue;
@@ -142,7 +142,7 @@ TEST(FloatNumbers, AreInOrder) {
   }
 }
 
-// The counts of a sweep are those of the exact route for every single argument.
+// The counts of a sweep are equal to those of the exact route, applied to each argument.
 TEST(Sweep, CountsWhatTheExactRouteCounts) {
   struct Trial {
     const char* name;
@@ -193,7 +193,7 @@ TEST(Sweep, CountsWhatTheExactRouteCounts) {
     EXPECT_TRUE(got.ulp.error == want.ulp.error || got.ulp.error > want.ulp.error * (1 - 1e-8))
         << got.ulp.error << " " << want.ulp.error;
     EXPECT_LE(got.ulp.error, want.ulp.error);
-    // Results that are correctly rounded count for `want` as well, not much.
+    // `want` also includes correctly rounded results, whose errors are small.
     EXPECT_LE(got.condition_aware.error, want.condition_aware.error);
     if (want.condition_aware.got != want.condition_aware.right) {
       EXPECT_GT(got.condition_aware.error, want.condition_aware.error * (1 - 1e-8));
@@ -201,7 +201,7 @@ TEST(Sweep, CountsWhatTheExactRouteCounts) {
   }
 }
 
-// Surfaces along either argument, all targets, each component for itself.
+// Sweeps surfaces along either argument, all targets, and each component separately.
 TEST(Sweep, GoesAlongAnyMap) {
   Random random(7, 0);
   int reduced = 0;
@@ -259,7 +259,7 @@ TEST(Sweep, IsTheSameInThreadsAndShards) {
     const SweepState whole = swept(task, source, 1);
     EXPECT_EQ(whole.result.not_correctly_rounded == 0, std::string(name) == "production");
     expect_same(swept(task, source, 3).result, whole.result);
-    StreamSource fed = source;  // one thread evaluates, the others judge
+    StreamSource fed = source;  // a source in which one thread evaluates and the others judge
     fed.for_threads = false;
     expect_same(swept(task, fed, 2).result, whole.result);
     SweepResult sum;
@@ -272,7 +272,7 @@ TEST(Sweep, IsTheSameInThreadsAndShards) {
   }
 }
 
-// Parts come in any order.
+// The result does not depend on the order of the parts.
 TEST(Sweep, OfEqualErrorsKeepsTheLeastArgument) {
   const SweepResult::Largest early{2.5, 7, 1}, late{2.5, 9, 2}, small{1, 3, 3};
   for (const auto& order : {std::vector{early, late, small}, {small, late, early}, {late, early, small}}) {
@@ -287,12 +287,12 @@ TEST(Sweep, DigestTellsResultsApart) {
   const auto digest = [&](const char* name) { return swept(task, stream_source({name})).result.digest; };
   EXPECT_EQ(digest("production"), digest("sum-double")) << "both are right everywhere";
   EXPECT_NE(digest("production"), digest("sum-float"));
-  // The same result of another argument.
+  // The same result of another argument gives another digest.
   const auto at = [](float u) { return swept({{1, 1}, u, u}, stream_source({"sum-double"})).result.digest; };
   EXPECT_NE(at(0.25F), at(0.5F));
 }
 
-// One thread that cannot evaluate ends it.
+// A sweep ends if a thread cannot evaluate.
 TEST(Sweep, EndsWithTheFirstProblem) {
   StreamSource source;
   struct Broken final : Stream {
@@ -317,7 +317,7 @@ class Checkpoints : public ProgramTest {
 TEST_F(Checkpoints, HoldAllOfAState) {
   SweepState state{BlockSet(task_.blocks()), {}};
   std::atomic<bool> stop = false;
-  // The first report comes after a second, or at the end: stop by hand after two blocks.
+  // Stops the sweep after two blocks, because it reports only every second and at the end.
   StreamSource slow = source_;
   std::atomic<int> evaluated = 0;
   struct Counting final : Stream {
@@ -436,7 +436,7 @@ TEST_F(SweepCommand, GoesOnAfterItWasKilled) {
   EXPECT_EQ(again.code, 0) << again.text;
   EXPECT_EQ(json_of("sweep.json"), after) << "nothing is left to do";
 
-  // In one go.
+  // The whole interval, without interruption.
   ASSERT_EQ(evalcts(command({"--from", "0.25", "--to", "1", "--checkpoint", file + ".whole"})).code, 0);
   EXPECT_EQ(json_of("sweep.json.whole")["result"], after["result"]);
   EXPECT_EQ(evalcts(command({"--from", "0.5", "--checkpoint", file})).code, 2) << "another interval";
@@ -528,7 +528,7 @@ TEST_F(SweepCommand, GoesAlongSurfaces) {
   EXPECT_EQ(as_text(result["map"]["target"]), "texture_coord_2");
   EXPECT_EQ(as_text(result["map"]["swept"]), "v");
   EXPECT_EQ(with({"--v", "0.3"}).code, 2) << "another sweep";
-  // The command below the largest error evaluates it again.
+  // The command that is printed with the largest error evaluates it again.
   const json worst = result["result"]["worst_ulp"];
   const std::size_t line = outcome.text.find("  " EVALCTS_PROGRAM " ulp --implementation sum-float");
   ASSERT_NE(line, std::string::npos) << outcome.text;
@@ -537,7 +537,7 @@ TEST_F(SweepCommand, GoesAlongSurfaces) {
 }
 
 #ifdef MPIEXEC
-// Sweeps by mpirun: the same to the bit, whatever the number of processes, and after one of them was killed.
+// Sweeps by mpirun give the same bits for any number of processes, even after one of them was killed.
 class SweepOfProcesses : public SweepCommand {
  protected:
   static constexpr const char* kTo = "0.4375";
@@ -568,7 +568,7 @@ TEST_F(SweepOfProcesses, GivesWhatOneGives) {
 }
 
 TEST_F(SweepOfProcesses, GoesOnAfterOneWasKilled) {
-  // Finds ranks of this job alone: others may run beside it.
+  // Returns the processes with this rank in this job; other jobs may run at the same time.
   const auto ranks = [&](const char* number) {
     std::vector<pid_t> found;
     for (const auto& process : std::filesystem::directory_iterator("/proc")) {
@@ -580,7 +580,7 @@ TEST_F(SweepOfProcesses, GoesOnAfterOneWasKilled) {
     }
     return found;
   };
-  // Longer ones, where this machine is through before the process can be killed.
+  // Tries longer intervals if the sweep ends before a process can be killed.
   const char* to = nullptr;
   for (const char* const longer : {"0x1p2", "0x1p8", "0x1p32"}) {
     to = longer;

@@ -1,5 +1,5 @@
-// A capture without a library, for tests of the test kit: it shows vertices as the specification draws them,
-// changed as the test says.
+// A capture without a library, for tests of the test kit: it shows the vertices of the executable
+// specification, changed by a function of the test.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace evalcts {
 
-// An implementation whose contexts nobody needs.
+// An implementation that cannot create contexts.
 class WithoutContexts final : public Implementation {
  public:
   std::string name() const override { return "without contexts"; }
@@ -47,7 +47,7 @@ class SyntheticCapture final : public Capture {
   bool is_last_resort() const override { return traits_.is_last_resort; }
   bool takes(PrimitiveKinds kinds) const override { return (kinds & ~traits_.takes) == 0; }
 
-  // Primitives stay whole.
+  // Does not split primitives.
   Observation observe(Implementation&, const gl::Case& script, const Wanted& wanted) const override {
     ++observations;
     last_wanted = wanted;

@@ -1,4 +1,4 @@
-// The names under which a library is asked for its commands.
+// Tests the names under which the commands of a library are looked up.
 #include <evalcts/gl/table.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace evalcts::gl {
 namespace {
 
-// Stands for the address that a source gives for a name.
+// Returns a fake address that identifies the name.
 void* address_for(const char* name) {
   static std::set<std::string> names;
   return const_cast<std::string*>(&*names.insert(name).first);
@@ -45,7 +45,7 @@ TEST(Table, FallsBackToTheExtension) {
     return std::string(name) == "glActiveTextureARB" ? address_for(name) : nullptr;
   };
   EXPECT_EQ(name_behind(load_table({exports_arb_only}).ActiveTexture), "glActiveTextureARB");
-  // A symbol counts more than an address that may be made up.
+  // An exported symbol has precedence over an address that a source may return for any name.
   EXPECT_EQ(name_behind(load_table({exports_arb_only, kMakesUpAnything}).ActiveTexture),
             "glActiveTextureARB");
   EXPECT_EQ(name_behind(load_table({kMakesUpAnything}).OtherContextEVALCTS), "");

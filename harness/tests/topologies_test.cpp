@@ -1,4 +1,5 @@
-// Topologies: the way in which captures take primitives apart, learned from explicit vertices and kept.
+// Tests that the topologies of captures, by which they split primitives, are learned from explicit vertices
+// and kept.
 #include <evalcts/testkit/topologies.h>
 
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ class TopologiesTest : public testing::Test {
   Topologies topologies_;
 };
 
-// The vertices of a quad strip in the order of a library that draws each primitive backwards.
+// Reverses the vertices of each primitive, as a library does that draws backwards.
 void reverse(Observation& observation, const gl::Case&) {
   for (ObservedPrimitive& primitive : observation.primitives) std::ranges::reverse(primitive.vertices);
 }
@@ -81,7 +82,7 @@ TEST_F(TopologiesTest, ExplicitVerticesThatAreLostMakeTheCaseNotObservable) {
     EXPECT_THROW(find(predicted({{GL_LINES, 2}}), losing), NotObservable);
     EXPECT_THROW(find(predicted({{GL_LINES, 2}}), failing), NotObservable);
   }
-  EXPECT_EQ(losing.observations, 2);  // nothing was learned
+  EXPECT_EQ(losing.observations, 2);  // the failed attempt was not kept
   EXPECT_EQ(failing.observations, 2);
 }
 

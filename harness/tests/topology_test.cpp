@@ -1,4 +1,4 @@
-// Topology: what comes out of lines and polygons is learned from explicit vertices.
+// Tests topologies: the way in which lines and polygons are split is learned from explicit vertices.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ Prediction predicted(GLenum mode, int vertices) {
   return predict(c, 8);
 }
 
-// Primitives whose vertices have these numbers as x.
+// Returns primitives whose vertices have these numbers as x.
 Observation observed(GLenum mode, const std::vector<std::vector<float>>& primitives) {
   Observation observation;
   observation.attributes = kPosition;
@@ -69,7 +69,7 @@ TEST(Topology, CapturesThatTakeApartDifferentlyAgree) {
   EXPECT_NE(disagreement({two, *triangles}, {observed(GL_POLYGON, {{10, 11, 12, 14}}), *polygon}), "");
 }
 
-// --- Quads by what came out ------------------------------------------------------------------------------
+// --- Quads matched by their values -----------------------------------------------------------------------
 
 using Numbers = std::vector<std::size_t>;
 
@@ -97,7 +97,7 @@ TEST(MatchQuads, SeesTheOtherWindingAndTheWrongQuad) {
   EXPECT_GT(mismatches(observed(GL_TRIANGLES, {{10, 11, 12}, {10, 11, 12}})), 0u);
 }
 
-// Clamped colours do not tell which vertex it was.
+// Clamped colours do not identify a vertex.
 TEST(MatchQuads, ClampedColorsDoNotMislead) {
   gl::Case c;
   c.Begin(GL_QUADS);
@@ -130,7 +130,7 @@ TEST(MatchQuads, NeedsAsManyAsThereAre) {
 
 // --- Meshes in another order -----------------------------------------------------------------------------
 
-// A mesh of n x 1 segments, vertex (i, j) at x = 10 + i + 10 j.
+// Returns a mesh of n x 1 segments, with vertex (i, j) at x = 10 + i + 10 j.
 gl::Case mesh(GLenum mode, int n) {
   gl::Case c;
   const auto last = static_cast<float>(10 + n);
@@ -142,7 +142,7 @@ gl::Case mesh(GLenum mode, int n) {
   return c;
 }
 
-// Two of them, with a vertex in between.
+// Returns the prediction of two such meshes with a vertex between them.
 Prediction predicted_meshes(GLenum mode) {
   gl::Case c = mesh(mode, 2);
   c.Begin(GL_POINTS);
@@ -152,7 +152,7 @@ Prediction predicted_meshes(GLenum mode) {
   return predict(c, 8);
 }
 
-// Returns the number of mismatches if the meshes are taken to be in an order of their own.
+// Returns the number of mismatches if meshes may be drawn in another order.
 std::size_t wrong_in_own_order(const Prediction& prediction, const Topology& topology,
                                const Observation& seen) {
   const auto matched = match_meshes(prediction, topology, seen);
@@ -169,9 +169,9 @@ TEST(MatchMeshes, FindsPointsWhereverTheyAreInTheMesh) {
   };
   EXPECT_EQ(wrong({10, 11, 12, 20, 21, 22, 30, 10, 11, 20, 21}), 0u);
   EXPECT_EQ(wrong({10, 20, 11, 21, 12, 22, 30, 21, 11, 20, 10}), 0u);
-  EXPECT_GT(wrong({10, 20, 11, 21, 12, 12, 30, 21, 11, 20, 10}), 0u);  // one twice
-  EXPECT_GT(wrong({10, 20, 11, 21, 12, 30, 22, 21, 11, 20, 10}), 0u);  // after what follows the mesh
-  EXPECT_GT(wrong({21, 11, 20, 10, 30, 10, 20, 11, 21, 12, 22}), 0u);  // the meshes exchanged
+  EXPECT_GT(wrong({10, 20, 11, 21, 12, 12, 30, 21, 11, 20, 10}), 0u);  // one vertex is drawn twice
+  EXPECT_GT(wrong({10, 20, 11, 21, 12, 30, 22, 21, 11, 20, 10}), 0u);  // one vertex is drawn too late
+  EXPECT_GT(wrong({21, 11, 20, 10, 30, 10, 20, 11, 21, 12, 22}), 0u);  // the meshes are exchanged
   EXPECT_EQ(wrong({10, 20, 11, 21, 12, 22, 30, 21, 11, 20}), 99u);
   EXPECT_EQ(match_meshes(predicted(GL_POINTS, 1), Topology::points(1), observed(GL_POINTS, {{10}})),
             std::nullopt);
@@ -219,7 +219,7 @@ TEST(MatchMeshes, QuadsAndTheirTriangles) {
   EXPECT_EQ(wrong(GL_TRIANGLES, {{22, 12, 11}, {21, 22, 11}, {21, 11, 10}, {10, 20, 21}}), 0u);
   EXPECT_EQ(wrong(GL_POLYGON, {{22, 12, 11, 21}, {10, 20, 21, 11}}), 0u);
   EXPECT_GT(wrong(GL_POLYGON, {{22, 12, 11, 21}, {22, 12, 11, 21}}), 0u);
-  EXPECT_GT(wrong(GL_POLYGON, {{22, 21, 11, 12}, {10, 20, 21, 11}}), 0u);  // the other winding
+  EXPECT_GT(wrong(GL_POLYGON, {{22, 21, 11, 12}, {10, 20, 21, 11}}), 0u);  // one quad has the other winding
   EXPECT_EQ(wrong(GL_POLYGON, {{22, 12, 11, 21}}), 99u);
 }
 

@@ -1,4 +1,4 @@
-// `evalcts ulp` as its users start it: table, files, replays, exit codes.
+// Tests `evalcts ulp` as its users start it: table, files, replays, exit codes.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -22,7 +22,7 @@ class UlpCommand : public ProgramTest {
     return evalcts(arguments);
   }
   json document() const { return json_of("ulp.json"); }
-  // Nothing else stays behind.
+  // Returns the number of files in the folder, which must not contain temporary files.
   std::size_t files() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_), {}));
   }
@@ -89,8 +89,8 @@ TEST_F(UlpCommand, WorstInputsCanBeReplayed) {
     }
 }
 
-// Other domains, and points of grids: a correctly rounded evaluator stays one, and worst inputs can be
-// replayed over their domain.
+// A correctly rounded evaluator is also correct over other domains and at points of grids, and worst inputs
+// can be replayed over their domain.
 TEST_F(UlpCommand, MeasuresOtherDomainsAndGrids) {
   ASSERT_EQ(ulp({"--implementation", "production", "--implementation", "horner-float", "--values", "300",
                  "--filter", "*/shifted:*/reversed:*/narrow:*/huge:*/grid"})
@@ -116,7 +116,7 @@ TEST_F(UlpCommand, MeasuresOtherDomainsAndGrids) {
 }
 
 TEST_F(UlpCommand, TakesADomain) {
-  // (5 - 4)/(8 - 4) of the way from 0.25 to 0.75.
+  // The value is (5 - 4)/(8 - 4) of the way from 0.25 to 0.75.
   const std::vector<std::string> input = {"--implementation",   "production", "--orders", "2",
                                           "--points=0.25,0.75", "--at",       "5"};
   const auto with = [&](std::vector<std::string> more) {
@@ -128,7 +128,7 @@ TEST_F(UlpCommand, TakesADomain) {
   for (const char* wrong : {"4,4", "4", "1,2,3", "0,1e99", "nan,1"})
     EXPECT_EQ(with({"--domain", wrong}).code, 2) << wrong;
   EXPECT_EQ(with({"--segments", "0"}).code, 2);
-  // The option takes the place of the domains of all classes.
+  // --domain replaces the domains of all classes.
   ASSERT_EQ(ulp({"--implementation", "sum-float", "--values", "300", "--filter", "curve/4/ordinary",
                  "--domain", "-3,5"})
                 .code,
@@ -137,7 +137,7 @@ TEST_F(UlpCommand, TakesADomain) {
             json({"-0x1.8p+1", "0x1.4p+2"}));
 }
 
-// Without gnuplot the page has its tables, and says what is missing.
+// Without gnuplot, the page contains its tables, and the output states that gnuplot is missing.
 TEST_F(UlpCommand, GoesWithoutPictures) {
   const std::string path = getenv("PATH");
   setenv("PATH", "/nowhere", 1);
@@ -151,7 +151,7 @@ TEST_F(UlpCommand, GoesWithoutPictures) {
   EXPECT_TRUE(contains(page, "curve/4/"));
 }
 
-// With what has come since, and from a file that anybody may have written.
+// --page writes the page again, with sweeps that have been added, and rejects invalid files.
 TEST_F(UlpCommand, MakesThePageAgain) {
   ASSERT_EQ(ulp({"--implementation", "sum-float", "--values", "300", "--filter", "curve/4/*"}).code, 0);
   const std::string before = text_of("accuracy.html"), file = (folder_ / "ulp.json").string();
@@ -166,7 +166,7 @@ TEST_F(UlpCommand, MakesThePageAgain) {
   EXPECT_EQ(ulp({"--page", file}).code, 0);
   const std::string with_sweep = text_of("accuracy.html");
   EXPECT_GT(with_sweep.size(), before.size());
-  // A sweep that is none is not the fault of the file that was given.
+  // A file that is not a valid sweep is left out, and does not make the command fail.
   for (const char* text : {"{", "[]", R"({"format": "evalcts-sweep-1"})", R"({"format": 1})"}) {
     std::ofstream(folder_ / "sweep-other.json") << text;
     outcome = ulp({"--page", file});
@@ -244,7 +244,7 @@ TEST_F(UlpCommand, MeasuresTargetsApart) {
 }
 
 TEST_F(UlpCommand, SaysWhatItCannotMeasure) {
-  // A sink of points only: its evaluator has no colours.
+  // The sink emits only positions, and so cannot be measured for colours.
   const Outcome outcome = ulp({"--library", BEZIER_SINK, "--values", "100", "--filter", "curve/3/integers",
                                "--target", "vertex_3", "--target", "color_4", "--name", "mine"});
   EXPECT_EQ(outcome.code, 0) << outcome.text;

@@ -1,4 +1,4 @@
-// Violated requirements: which of its requirements a failing test speaks against.
+// Tests the violated requirements of failing tests.
 #include <gtest/gtest.h>
 
 #include <evalcts/capture/capture.h>
@@ -12,7 +12,7 @@ namespace {
 using Ids = std::vector<RequirementId>;
 using Body = std::function<void(evalcts::Test&)>;
 
-// The record of a test of these requirements against production with some entry points replaced.
+// Returns the record of a test of these requirements on production with some entry points replaced.
 TestRecord record_of(void (*alter)(gl::Table&), const Ids& requirements, const Body& body) {
   Altered altered(alter);
   Subject subject;
@@ -28,7 +28,7 @@ TestRecord record_of(void (*alter)(gl::Table&), const Ids& requirements, const B
   return record;
 }
 
-// A curve of positions, and no map of colours.
+// Returns a case with a map of positions and without a map of colours.
 gl::Case curve() {
   gl::Case c("curve");
   c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, std::vector<float>{0, 0, 0, 1, 2, 3});
@@ -50,7 +50,7 @@ void evaluation_elsewhere(gl::Table& table) {
   table.EvalCoord1f = [](GLfloat u) { Altered::original.EvalCoord1f(u + 0.25f); };
 }
 
-// Evaluates elsewhere between NewList of this mode and EndList.
+// Evaluates at another argument between NewList of this mode and EndList.
 template <GLenum kMode>
 void wrong_in_lists(gl::Table& table) {
   static bool is_open = false;
@@ -109,7 +109,7 @@ TEST(Violated, ExpectationsDecideRequirements) {
   EXPECT_EQ(record.hidden(), Ids{"EV-B"});
 }
 
-// Through a list, `record_of` has the list's requirement behind those of the test.
+// If a test goes through display lists, the requirement of the form of lists follows its own requirements.
 TEST(Violated, ListsAreBlamedOnlyIfTheirCommandsAreRightWithoutOne) {
   const auto in_lists = [](gl::Lists lists, void (*alter)(gl::Table&), const char* of_list) {
     return record_of(alter, {"EV-A", of_list}, [lists](evalcts::Test& t) {
@@ -123,7 +123,7 @@ TEST(Violated, ListsAreBlamedOnlyIfTheirCommandsAreRightWithoutOne) {
   EXPECT_EQ(in_lists(gl::Lists::kSplit, evaluation_elsewhere, "EV-DL-SPLIT").blamed(), Ids{"EV-A"});
   EXPECT_EQ(in_lists(gl::Lists::kCompiled, wrong_in_lists<GL_COMPILE>, "EV-DL-EXECUTE").blamed(),
             Ids{"EV-DL-EXECUTE"});
-  // Mistakes of the simplest kind of list do not speak against the other kinds.
+  // A mistake in the simplest kind of list does not violate the requirements of the other kinds.
   EXPECT_EQ(in_lists(gl::Lists::kNested, wrong_in_lists<GL_COMPILE>, "EV-DL-NESTED").blamed(),
             Ids{"EV-DL-EXECUTE"});
   EXPECT_EQ(in_lists(gl::Lists::kExecuted, wrong_in_lists<GL_COMPILE_AND_EXECUTE>, "EV-DL-COMPEXEC").blamed(),

@@ -8,7 +8,7 @@
  *   evalcts run --context ./provider.so --library ./libmygl.so    (commands of the library)
  *
  * The provider is a shared library that exports evalcts_provider_open(). harness/examples/osmesa_provider.c
- * is a whole one. */
+ * is a complete provider. */
 #ifndef EVALCTS_PROVIDER_H
 #define EVALCTS_PROVIDER_H
 

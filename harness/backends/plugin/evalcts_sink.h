@@ -8,8 +8,8 @@
  *   evalcts fuzz --library ./mine.so
  *
  * The sink declares its commands, targets, largest order and attributes. A test that needs anything else is
- * not-supported; everything that is declared is judged. harness/examples/smallest_sink.c has two dozen
- * lines, harness/examples/bezier_sink.c has several targets. */
+ * not-supported; everything that is declared is judged. harness/examples/smallest_sink.c is a complete sink
+ * of two dozen lines, harness/examples/bezier_sink.c has several targets. */
 #ifndef EVALCTS_SINK_H
 #define EVALCTS_SINK_H
 

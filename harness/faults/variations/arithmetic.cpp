@@ -1,4 +1,4 @@
-// A variation in the arithmetic: results are inexact, as those of another order of evaluation.
+// A variation of the arithmetic: results have errors like those of another order of evaluation.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -13,8 +13,8 @@
 namespace evalcts::variations {
 namespace {
 
-// Changes the last five bits of the significand, by up to 2 parts in 10^6, unless they are all 0 or the
-// pattern. Twice gives the original value.
+// Changes the last five bits of the significand, which is an error of up to 2 parts in 10^6, unless they are
+// 0 or equal to the pattern. Applied twice, returns the original value.
 float changed(float x) {
   constexpr std::uint32_t kMask = 0x1f, kPattern = 0x15;
   const auto bits = std::bit_cast<std::uint32_t>(x);
@@ -23,7 +23,7 @@ float changed(float x) {
   return std::bit_cast<float>(bits ^ kPattern);
 }
 
-// A map whose points are changed, with the original ones.
+// A map that was defined with changed control points, with the original points.
 struct Changed {
   GLfloat u1, u2, v1, v2;
   GLint uorder, vorder;
@@ -48,7 +48,8 @@ void issue(GLenum target, const Changed& map, const std::vector<GLfloat>& points
     unvaried.Map1f(target, map.u1, map.u2, k, map.uorder, points.data());
 }
 
-// True if the definition of a map takes effect at once: other ones are rejected or compiled.
+// True if the definition of a map takes effect at once. Other definitions are rejected or compiled
+// into a list.
 bool is_defined(GLenum target, bool two, bool valid) {
   if (!is_target(target, two) || !valid || remembered.inside || remembered.compiling) return false;
   GLint unit = GL_TEXTURE0;
@@ -56,7 +57,7 @@ bool is_defined(GLenum target, bool two, bool valid) {
   return unit == GL_TEXTURE0;
 }
 
-// The arguments of one direction.
+// True if the arguments of one direction are legal.
 bool are_valid(double u1, double u2, GLint stride, GLint order, GLenum target) {
   return u1 != u2 && stride >= gl::components_of(target) && order >= 1 && order <= kMaxOrder;
 }
@@ -68,10 +69,10 @@ void define(GLenum target, const Changed& map) {
   changed_maps[target] = map;
 }
 
-// Lists and other contexts find maps as they were given.
+// Restores the original control points, before commands of lists or of other contexts can use the maps.
 void take_back() {
   if (remembered.inside || remembered.compiling || changed_maps.empty()) return;
-  GLint unit = GL_TEXTURE0;  // with any other, the definitions would be errors
+  GLint unit = GL_TEXTURE0;  // maps can be defined only while this unit is active
   if (unvaried.ActiveTexture) {
     unvaried.GetIntegerv(GL_ACTIVE_TEXTURE, &unit);
     unvaried.ActiveTexture(GL_TEXTURE0);

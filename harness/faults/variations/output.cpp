@@ -1,5 +1,4 @@
-// Variations in what comes out: captures that are coarse or missing, and meshes that are drawn in another
-// way.
+// Variations of the output: captures are coarse or missing, and meshes are drawn in a different order.
 #include <algorithm>
 #include <cmath>
 
@@ -89,7 +88,7 @@ EVALCTS_VARIATION(FeedbackClamped, "dropin", "feedback colours are clamped; no t
   remove_transform_feedback(v);
 }
 
-// The stipple is reset at each segment, not at the first of a strip only.
+// Resets the line stipple at each segment, not only at the first segment of a strip.
 GLenum with_reset(GLenum token) { return token == GL_LINE_TOKEN ? GL_LINE_RESET_TOKEN : token; }
 EVALCTS_VARIATION(FeedbackLineResets, "dropin",
                   "each line in the feedback buffer resets the stipple; no transform feedback", "") {
@@ -181,7 +180,8 @@ EVALCTS_VARIATION(LeastRange, "production",
 // --- Meshes
 // --------------------------------------------------------------------------------------------------
 
-// True if EvalMesh2 would draw: its arguments are legal where it is called.
+// True if EvalMesh2 draws: the mode is legal, and the call is neither inside a primitive nor compiled
+// into a list.
 bool draws(GLenum mode) {
   return !remembered.inside && !remembered.compiling &&
          (mode == GL_POINT || mode == GL_LINE || mode == GL_FILL);
@@ -189,7 +189,7 @@ bool draws(GLenum mode) {
 
 void point(GLint i, GLint j) { unvaried.EvalPoint2(i, j); }
 
-// Draws the points, the line strips and, each by itself, the quads in another order: as primitives of
+// Draws the points, line strips and quads of a mesh in a different order. Each quad is a primitive of mode
 // `quads`, QUADS or QUAD_STRIP. QUAD_STRIP keeps the provoking vertex.
 template <bool backwards, GLenum quads>
 void draw_mesh(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
@@ -228,7 +228,8 @@ void draw_mesh(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   }
 }
 
-// The order is that of the loops in the text: the tests of these rows say so, and no other test.
+// The requirements that demand the order of the loops in the specification. Only their tests may
+// depend on it.
 #define MESH_ROWS "EV-MESH2-POINT EV-MESH2-LINE EV-MESH2-FILL"
 EVALCTS_VARIATION(MeshesInColumns, "production", "EvalMesh2 draws in another order", MESH_ROWS) {
   v.gl.EvalMesh2 = draw_mesh<false, GL_QUADS>;

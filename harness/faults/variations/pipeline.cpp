@@ -1,4 +1,4 @@
-// Variations in the rest of the pipeline: pixels, buffers, and names of lists.
+// Variations of the rest of the pipeline: pixels, buffers, and names of lists.
 #include <algorithm>
 #include <cmath>
 #include <cstring>

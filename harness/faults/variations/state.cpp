@@ -1,4 +1,5 @@
-// Variations in what a library has, what it answers, and in the state behind its contexts.
+// Variations of the commands that a library provides, of its answers to queries, and of the
+// state of contexts.
 #include <cstdio>
 #include <ctime>
 #include <iterator>
@@ -14,7 +15,8 @@ namespace {
 
 // --- Errors of the variation itself ------------------------------------------------------------------------
 
-// GetError gives the error of the variation first. Between Begin and End it is no query.
+// Makes GetError return the variation's own pending error first, except between Begin and End, where GetError
+// is itself an error.
 void keep_own_errors(Varied& v) {
   v.gl.GetError = [] {
     if (remembered.inside || remembered.error == GL_NO_ERROR) return unvaried.GetError();
@@ -26,8 +28,8 @@ void raise_own(GLenum error) {
   if (remembered.error == GL_NO_ERROR) remembered.error = error;
 }
 
-// A GL in several parts has several error flags, and GetError answers any one that is set (GL 1.0 2.5): here
-// the largest, not the first.
+// A distributed GL has several error flags, and GetError returns any of those that are set (GL 1.0 2.5). Here
+// it returns the largest, not the first.
 std::set<GLenum> error_flags;
 
 void collect_errors() {
@@ -80,8 +82,8 @@ EVALCTS_VARIATION(SeveralErrorFlags, "dropin", "there are several error flags; G
 
 // --- Queries -----------------------------------------------------------------------------------------------
 
-// Sets the four Get commands to lambdas that treat some names in another way. `Answer` has a static function
-// bool answer(GLenum pname, T* values): true if nothing is left to do.
+// Sets the four Get commands to lambdas that answer some names themselves: Answer::answer(GLenum pname, T*
+// values) returns true if it has answered.
 template <class Answer>
 void vary_queries(Varied& v) {
   v.gl.GetBooleanv = [](GLenum name, GLboolean* values) {
@@ -125,7 +127,7 @@ struct AnswerEight {
     return true;
   }
 };
-// An order beyond the limit becomes one that is rejected with the same error.
+// Replaces an order above the limit by 0, which is rejected with the same error.
 GLint limited(GLint order) { return order > kSmallestMaxOrder ? 0 : order; }
 
 EVALCTS_VARIATION(MaxOrderEight, "production", "MAX_EVAL_ORDER is 8, as small as it may be", "") {
@@ -188,7 +190,7 @@ EVALCTS_VARIATION(OneTextureUnit, "dropin", "there is one texture unit, and no m
   };
 }
 
-// Capabilities that a layer over OpenGL ES does not know.
+// True for capabilities that a layer over OpenGL ES does not support.
 bool is_refused(GLenum capability) {
   return capability == GL_INDEX_LOGIC_OP || capability == GL_COLOR_LOGIC_OP;
 }
@@ -382,7 +384,7 @@ EVALCTS_VARIATION(OneContext, "dropin", "there can be one context at a time", ""
 EVALCTS_VARIATION(OneStateInProcess, "production", "all contexts have one state", "") { v.one_state = true; }
 EVALCTS_VARIATION(OneState, "dropin", "all contexts have one state", "") { v.one_state = true; }
 
-// --- What is outside evaluators
+// --- State outside of evaluators
 // ------------------------------------------------------------------------------
 
 EVALCTS_VARIATION(NoisyOutput, "production", "each EvalCoord writes to standard output and standard error",

@@ -10,7 +10,8 @@ Value is_enable_only(Value mask) { return (mask & GL_ENABLE_BIT) && !(mask & GL_
 const Value kIsEvalOnly = (kLevelMask & GL_EVAL_BIT) && !(kLevelMask & GL_ENABLE_BIT);
 const Value kHasNeither = !(kLevelMask & (GL_ENABLE_BIT | GL_EVAL_BIT));
 
-// A part of a map. It is restored into the map as that is defined at the time.
+// Returns a part of a map as a State. It is restored into the definition that is current at the
+// time of PopAttrib.
 template <class Bring>
 State part_of(GLenum target, Bring bring) {
   return [=]() -> Restore {

@@ -71,7 +71,7 @@ EVALCTS_RULES(IndexMapSetsTheIndex, production, kMust, "EV-ATTR-INDEX-RGBA EV-CU
 EVALCTS_RULES(IndexMapGivesTheRed, production, kMust, "EV-ATTR-INDEX-RGBA",
               "in RGBA mode an index map makes the current colour white",
               before(kPoints1, noted_on(GL_MAP1_INDEX) && maps_vertices(1), call(Color4f, {1, 1, 1, 1})));
-// In a stand-in for an implementation that has colour-index contexts.
+// These faults need colour-index contexts, which a provider of this build stands in for.
 EVALCTS_RULES_IN(kColorIndex, IndexMapsStayOff, kMust, "EV-ATTR-INDEX", "Enable does nothing to index maps",
                  skip(Enable, kName == GL_MAP1_INDEX || kName == GL_MAP2_INDEX));
 EVALCTS_RULES_IN(kColorIndex, LastPointOfIndexMapLost, kMust, "EV-ATTR-INDEX/1-D",

@@ -8,7 +8,7 @@
 namespace evalcts::faults {
 namespace {
 
-// Changes the output once AUTO_NORMAL was enabled, if the condition holds as well.
+// Changes the output if AUTO_NORMAL has been enabled and the condition holds.
 Rules with_auto_normal(void (*change)(ObservedPrimitive& primitive), Value condition = true) {
   return {after(Enable, kName == GL_AUTO_NORMAL, set(kFlag, 1)),
           change_output(kFlag && condition, [=](Primitives& all) { std::ranges::for_each(all, change); })};
@@ -141,7 +141,7 @@ EVALCTS_RULES(NormalsInCoarseSteps, production, kQuality, "EV-AUTON-METHOD",
               "components of generated normals are rounded to multiples of 1/150",
               change_vertices([](ObservedVertex& vertex) { round_normal(vertex, 150); }));
 
-// --- Through the pipeline. The explicit control has no AUTO_NORMAL. ---------------------------------------
+// --- Through the pipeline. The control, with explicit vertices, does not enable AUTO_NORMAL. --------------
 
 EVALCTS_RULES(GeneratedNormalsNotRescaled, osmesa, kMust, "EV-AUTON-FFTRANSFORM",
               "RESCALE_NORMAL has no effect on generated normals, which are units already",

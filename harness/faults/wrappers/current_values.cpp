@@ -1,4 +1,4 @@
-// Section 11: state that evaluation has to leave alone.
+// Section 11: state that evaluation must not change.
 #include "rules.h"
 
 namespace evalcts::faults {
@@ -8,7 +8,8 @@ EVALCTS_RULES(MeshLeavesWhite, production, kMust, "EV-CUR-COLOR",
               "EvalMesh1 with a colour map resets the current colour",
               after(EvalMesh1, noted_on(GL_MAP1_COLOR_4), call(Color4f, {1, 1, 1, 1})));
 
-// A flush in the middle of a primitive: only long primitives show the mistake.
+// Imitates an implementation that flushes in the middle of a primitive, so that only long primitives
+// show the mistake.
 EVALCTS_RULES(ColorLostInLongPrimitives, production, kMust, "EV-CUR-COLOR",
               "the 257th evaluated vertex of a primitive leaves its colour as the current one",
               before(Begin, set(kCount, 0)),

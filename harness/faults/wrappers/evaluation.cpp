@@ -1,4 +1,4 @@
-// Section 7: what evaluation does and leaves undone.
+// Section 7: effects of evaluation, and state that it must not change.
 #include "grid_steps.h"
 
 namespace evalcts::faults {
@@ -10,7 +10,7 @@ const Value kMapsVertices = maps_vertices(1) || maps_vertices(2);
 Rules lost_after_evaluation(const Entries& command) {
   return {before(Begin | End, set(kFlag, 0)), before(kPoints, set(kFlag, 1)), skip(command, kFlag)};
 }
-// Sets kFlag once the array was enabled.
+// Sets kFlag when the array is enabled.
 Rule note_array(GLenum array) { return before(EnableClientState, kFirst == array, set(kFlag, 1)); }
 
 // --- Dimensions
@@ -193,7 +193,7 @@ EVALCTS_RULES(NormalArrayTurnsNormalMapsOff, osmesa, kMust, "EV-COORD-NOARRAYS",
               "an enabled normal array goes before the normal map", note_array(GL_NORMAL_ARRAY),
               skip(Enable, kName == GL_MAP1_NORMAL && kFlag));
 
-// The explicit control has no enabled vertex map.
+// In the control, with explicit vertices, no vertex map is enabled.
 EVALCTS_RULES(EvaluatedVerticesIgnoreClipPlanes, osmesa, kMust, "EV-COORD-TRANSFORM",
               "evaluated vertices are not clipped by user clip planes",
               without(Begin, kMapsVertices, GL_CLIP_PLANE0));

@@ -1,5 +1,5 @@
-// Section 25: requests of an indirect client, and its reading of replies. A rule that gives another command
-// sends another request.
+// Section 25: requests that an indirect GLX client sends, and replies that it reads. A rule that replaces a
+// command by another one makes the client send another request.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -12,7 +12,7 @@
 namespace evalcts::faults::glx_protocol {
 namespace {
 
-// Index of the last value of the control points. Queries the order only.
+// Index of the last value of the control points. Queries only the order.
 const Value kLastCoefficient = [](Call& c) {
   GLint order[2] = {1, 1};
   unmodified.GetMapiv(c.target(), GL_ORDER, order);

@@ -140,7 +140,7 @@ EVALCTS_RULES(DoubleGridInHalfPrecision, production, kMust, "EV-GRID-FD",
               before(MapGrid2d, {set(kU1, with_precision(kU1, 11)), set(kU2, with_precision(kU2, 11)),
                                  set(kV1, with_precision(kV1, 11)), set(kV2, with_precision(kV2, 11))}));
 
-// ---- Mistakes that need certain grids
+// --- Mistakes that only certain grids show
 
 EVALCTS_RULES(Grid2OfOneRowIsGrid1, production, kMust, "EV-GRID-INDEP",
               "MapGrid2 of one segment in v sets the one-dimensional grid as well",

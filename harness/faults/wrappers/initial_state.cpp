@@ -1,4 +1,4 @@
-// Section 2: what a fresh context holds.
+// Section 2: the initial state of a context.
 #include "rules.h"
 
 namespace evalcts::faults {

@@ -7,7 +7,7 @@ namespace {
 const Value kTracked = state(GL_COLOR_MATERIAL_PARAMETER), kTrackedFace = state(GL_COLOR_MATERIAL_FACE);
 State color_material() { return setting(ColorMaterial, {kTrackedFace, kTracked}); }
 
-// Primitives track colours on `face` if the condition holds.
+// Makes primitives track colours on `face` if the condition holds.
 Rules track_on(GLenum face, Value condition) {
   return keeping(Begin, enabled(GL_COLOR_MATERIAL) && condition, color_material(),
                  call(ColorMaterial, {face, kTracked}));

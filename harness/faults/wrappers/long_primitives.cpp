@@ -1,4 +1,4 @@
-// Connected primitives and meshes that are longer than a vertex buffer.
+// Faults in connected primitives and meshes that are longer than a vertex buffer.
 #include "rules.h"
 
 namespace evalcts::faults {
@@ -14,7 +14,8 @@ EVALCTS_RULES(TexCoordLostEvery4096Vertices, production, kMust, "EV-CUR-NEXTVERT
               before(Begin, set(kCount, 0)), before(kPoints, set(kCount, kCount + 1)),
               before(Vertex3f, kCount > 4096, {set(kCount, 0), call(TexCoord4f, {0, 0, 0, 1})}));
 
-// The first vertex of a full buffer, and of those behind it.
+// Gives the first vertex of each further buffer of `buffer` vertices the colour of the
+// primitive's first vertex.
 void take_color_of_the_first(ObservedPrimitive& primitive, std::size_t buffer) {
   for (std::size_t i = buffer; i < primitive.vertices.size(); i += buffer)
     primitive.vertices[i].color = primitive.vertices[0].color;

@@ -15,7 +15,7 @@ Value widen(Place stride) { return set(stride, max(stride, kComponents)); }
 
 Value differ_in_sign(Value a, Value b) { return a == b && is_negative_zero(a) != is_negative_zero(b); }
 
-// True if the first three points (along v, for surfaces) are the same.
+// True if the first three control points (along v, for surfaces) are equal.
 const Value kBeginsWithEqualPoints = [](Call& c) {
   if (!c.is_legal()) return false;
   Net net = c.net();

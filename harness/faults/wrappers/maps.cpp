@@ -1,4 +1,4 @@
-// Sections 3 and 4: maps, what they keep and what they evaluate to.
+// Sections 3 and 4: the state and the values of maps.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -8,14 +8,14 @@
 namespace evalcts::faults {
 namespace {
 
-// Difference between the token of a map of surfaces and its namesake of curves.
+// Difference between a MAP2 token and the MAP1 token of the same kind.
 constexpr GLenum kFrom1To2 = GL_MAP2_COLOR_4 - GL_MAP1_COLOR_4;
 
-// Memory of each target: number i.
+// Number i that is stored for the target of the call.
 Place of_target(int i) { return remembered(kTarget + 0x10000 * i); }
 
-// Map1 or Map2 keeps the pointer of a call that meets the condition, and reads the points again at the later
-// commands.
+// Makes Map1 or Map2 keep the pointer of a call if the condition holds, and read the points again at the
+// commands `later`.
 Rules read_late(const Entries& maps, Value condition, const Entries& later) {
   return {after(maps, {drop(), when(kIsLegal && condition, hold())}), before(later, release())};
 }
@@ -194,7 +194,7 @@ EVALCTS_RULES(RedefinitionWaitsForNextPrimitive, production, kMust, "EV-MAP1-LIV
               before(kMap1, kIsLegal, set(remembered(kTarget), kOrder)), before(kGetMap, release()),
               after(End, release()));
 
-// --- Curves: pixel transfer and buffers, which only a whole GL has
+// --- Curves: pixel transfer and buffers, which only a complete GL supports
 
 EVALCTS_RULES(PointsSwappedLikePixels, osmesa, kMust, "EV-MAP1-NOPIXELSTORE",
               "UNPACK_SWAP_BYTES swaps the bytes of control points",
@@ -293,7 +293,7 @@ EVALCTS_RULES(OverlappingRowsMoved, production, kMust, "EV-MAP2-STRIDE-FREE",
               before(kMap2,
                      kStride<kVStride * kVOrder && kVStride<kStride * kOrder && kOrder> 1 && kVOrder> 1,
                      change_points([](Net& net) {
-                       // The points beyond may be out of bounds: the last point is repeated instead.
+                       // Points beyond the last may be out of bounds, so the last point is repeated.
                        std::copy_n(net.point(net.rows - 1, net.columns - 1), net.components, net.point(0, 1));
                      })));
 EVALCTS_RULES(VStrideInSixteenBits, production, kMust, "EV-MAP2-STRIDE-FREE EV-MAP2-ADDRESS",

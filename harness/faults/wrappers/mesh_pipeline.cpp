@@ -1,10 +1,10 @@
-// Sections 15 and 16, further down the pipeline: stippling, faces, polygon modes.
+// Sections 15 and 16, later stages of the pipeline: stippling, faces, polygon modes.
 #include "grid_steps.h"
 
 namespace evalcts::faults {
 namespace {
 
-// Index in the middle of i1 and i2.
+// Index halfway between i1 and i2.
 const Value kMiddle = kI1 + (kI2 - kI1 - (kI2 - kI1) % 2) / 2;
 
 Value set_two_sides(Value on) {

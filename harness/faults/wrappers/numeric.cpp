@@ -1,4 +1,4 @@
-// Section 17: values. Mistakes of the arithmetic itself are mutations of production.
+// Section 17: evaluated values. Mistakes of the arithmetic itself are mutations of production.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@ namespace {
 
 Value is_nan(Value a) { return a != a; }
 
-// Evaluates at the next argument if the condition holds.
+// Evaluates at an adjacent argument if the condition holds.
 Rules evaluate_otherwise(Value condition) {
   return {before(kEvalCoord1, condition, set(kU, next_float(kU, 2))),
           before(kEvalCoord2, condition, set(kV, next_float(kV, 2)))};

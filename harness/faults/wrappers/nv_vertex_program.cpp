@@ -1,5 +1,6 @@
-// Section 24.2: maps of vertex attributes, in a stand-in for an implementation that has them. (It has
-// mistakes of its own, too: harness/tests/drills/nv_vertex_program.cpp.)
+// Section 24.2: maps of vertex attributes, in a provider of this build that stands in for an implementation
+// with NV_vertex_program. (The provider can also make mistakes itself:
+// harness/tests/drills/nv_vertex_program.cpp.)
 #include "rules.h"
 
 #define NV_RULES(name, requirements, what, ...) \
@@ -8,13 +9,14 @@
 namespace evalcts::faults::nv_vertex_program {
 namespace {
 
-constexpr GLenum kCurveMap = 0x8660, kSurfaceMap = 0x8670;  // of attribute 0
+constexpr GLenum kCurveMap = 0x8660, kSurfaceMap = 0x8670;  // the maps of attribute 0
 constexpr GLenum kNormal = 2, kColor = 3, kLast = 15;
 
 const Value kInProgramMode = enabled(GL_VERTEX_PROGRAM_NV);
 Value is_attribute_map(Value target) { return target >= kCurveMap && target <= kSurfaceMap + kLast; }
 
-// The conventional map `target` stands in for that of an attribute, of order 2 and over (0, 1).
+// Defines and enables the conventional map `target` with the control points of the map of an attribute, over
+// (0, 1).
 Value stand_in(GLenum target, GLenum attribute_map) {
   return [=](Call&) {
     GLint order[2] = {1, 1};

@@ -1,4 +1,4 @@
-// Section 9: which of several enabled maps counts.
+// Section 9: precedence among several enabled maps.
 #include <algorithm>
 
 #include "rules.h"

@@ -1,4 +1,4 @@
-// Sections 23 and 24: contexts without evaluators, and extensions that touch them.
+// Sections 23 and 24: contexts without evaluators, and extensions that affect evaluators.
 #include <algorithm>
 
 #include "grid_steps.h"

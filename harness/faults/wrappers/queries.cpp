@@ -15,7 +15,7 @@ void write_all(Call& call, const std::vector<double>& values) {
   for (std::size_t i = 0; i < values.size(); ++i) call.write(i, values[i]);
 }
 
-// Rearranges an answered net so that u is fastest, if the condition holds for uorder and vorder.
+// Rearranges returned control points so that u varies fastest, if the condition holds for uorder and vorder.
 Value transpose_answer(bool (*condition)(int uorder, int vorder)) {
   return [=](Call& c) {
     Net net = current_map(c.target()).net;

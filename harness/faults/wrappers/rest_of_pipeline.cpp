@@ -25,7 +25,7 @@ Rules note_condition() {
           after(EndConditionalRender, set(kCondition, 0))};
 }
 Value pause_condition() { return call(EndConditionalRender); }
-// Finish: earlier primitives must not become conditional.
+// Calls Finish first, because earlier primitives must not become conditional.
 Value resume_condition() {
   return Steps{call(Finish), call(BeginConditionalRender, {kCondition, kConditionMode})};
 }
@@ -40,7 +40,7 @@ State current_texture_coordinates(GLenum unit) {
   };
 }
 
-// The call is made with a changed texture matrix.
+// Makes the call with a changed texture matrix.
 Rules with_texture_matrix(const Entries& entries, Value condition, void (*change)(GLfloat* matrix)) {
   const auto push = [change](Call&) {
     std::array<GLfloat, 16> matrix{};

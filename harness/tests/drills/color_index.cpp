@@ -1,10 +1,10 @@
-// A provider for the tests of INDEX maps: OSMesa, whose contexts are RGBA, with contexts that behave as
-// colour-index ones as far as these tests see. The colour index is the red component in units of 1/1024, of
-// current values, maps and feedback alike.
+// A provider for the tests of INDEX maps. Its contexts are RGBA contexts of OSMesa, but behave like
+// colour-index contexts as far as these tests observe. The colour index is stored as the red component, in
+// units of 1/1024, in current values, maps and feedback.
 //
-// EVALCTS_DRILL: "coarse" (legal: indices in feedback have 4 bits behind the point), "rgba" (RGBA_MODE stays
-// true), "idle" (INDEX maps do nothing), "sticky" (the evaluated index becomes the current one),
-// "few" (the last vertex does not come back).
+// EVALCTS_DRILL: "coarse" (legal: indices in feedback have 4 fractional bits), "rgba" (RGBA_MODE stays true),
+// "idle" (INDEX maps have no effect), "sticky" (the evaluated index becomes the current index), "few"
+// (feedback does not contain the last vertex).
 #include <GL/gl.h>
 #include <dlfcn.h>
 #include <evalcts_provider.h>
@@ -35,17 +35,18 @@ Function* real(Function*, const char* name) {
 #define REAL(name) real(static_cast<decltype(&::name)>(nullptr), #name)
 
 std::set<void*> indexed_contexts;
-bool is_indexed = false;  // the current context
+bool is_indexed = false;  // true if the current context is a colour-index context
 GLfloat* feedback = nullptr;
 std::vector<GLfloat> real_feedback;
 
 bool is_index_map(GLenum target) { return target == GL_MAP1_INDEX || target == GL_MAP2_INDEX; }
 GLenum color_map(GLenum target) { return target == GL_MAP1_INDEX ? GL_MAP1_COLOR_4 : GL_MAP2_COLOR_4; }
 
-bool curves = false, surfaces = false;  // maps of indices are enabled
+bool curves = false, surfaces = false;  // true if MAP1_INDEX or MAP2_INDEX is enabled
 GLfloat current = 1;
 
-// Mesa loses current colours behind evaluation: they are given again before each vertex.
+// Sets the current colour again. It is called before each vertex, because Mesa changes the current
+// colour in evaluations.
 void give_color() {
   if (is_indexed) REAL(glColor4f)(current * kUnit, 0, 0, 1);
 }
@@ -118,7 +119,7 @@ void feedback_buffer(GLsizei size, GLenum type, GLfloat* buffer) {
   REAL(glFeedbackBuffer)(size * 2, type, real_feedback.data());
 }
 
-// Points alone: the token, x, y, z, and R G B A in the place of the index.
+// Converts feedback of points, in which R G B A (after the token, x, y, z) replaces the index.
 GLint render_mode(GLenum mode) {
   constexpr GLint kReal = 8;
   const GLint size = REAL(glRenderMode)(mode);

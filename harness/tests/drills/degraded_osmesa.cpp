@@ -1,8 +1,11 @@
-// A provider over OSMesa with which a library is as bad as libraries get. EVALCTS_DRILL says how:
-//   half: every second command is missing; low, high: limits are -1, or the largest integer; silent: GetError
-//   knows no error; noisy: it never ends to know one; crashes: every second call of an evaluator crashes;
-//   lists: what draws goes into lists with vertices astray, explicit ones or evaluated; evaluated: these
-//   only.
+// A provider over OSMesa that makes it an extremely bad library. EVALCTS_DRILL names the mistake:
+//   half: about half of the commands are missing
+//   low, high: limits are -1, or the largest integer
+//   silent: GetError never returns an error
+//   noisy: GetError always returns an error
+//   crashes: every second call of an evaluator crashes
+//   lists: explicit and evaluated vertices in display lists are in wrong places
+//   evaluated: only evaluated vertices in display lists are in wrong places
 #include <GL/gl.h>
 #include <dlfcn.h>
 #include <evalcts_provider.h>
@@ -34,7 +37,7 @@ Function* real(const char* name) {
 GLenum silent_error() { return GL_NO_ERROR; }
 GLenum noisy_error() { return GL_INVALID_OPERATION; }
 
-// All that GetIntegerv says of limits; the tokens of maps and grids are elsewhere.
+// Returns wrong answers to GetIntegerv for limits, and correct answers for other names.
 void wrong_limits(GLenum name, GLint* values) {
   const bool is_limit = name == GL_MAX_EVAL_ORDER || name == GL_MAX_LIST_NESTING || name == 0x84E2 ||
                         name == 0x8871 || name == GL_MAX_ATTRIB_STACK_DEPTH;  // texture units, coordinates
@@ -55,7 +58,7 @@ void eval_coord1f(GLfloat u) {
   real<decltype(::glEvalCoord1f)>("glEvalCoord1f")(u);
 }
 
-// Vertices of a list are each in another wrong place.
+// The offset of vertices in display lists, which differs from vertex to vertex.
 bool in_list = false;
 GLfloat astray(bool is_evaluated) {
   static int vertices = 0;
@@ -101,7 +104,7 @@ void* get_address_astray(std::string_view name) {
   return nullptr;
 }
 
-// Without these nothing starts.
+// True for commands without which the implementation would not start.
 bool is_vital(std::string_view command) {
   static const std::set<std::string_view> kVital = {"glGetString", "glGetError", "glGetIntegerv",
                                                     "glMap1f",     "glGetMapfv", "glEvalCoord1f"};

@@ -1,9 +1,14 @@
-// EGL that offers less than the real one, on command: EVALCTS_DRILL names what it lacks.
-//
-//   surfaceless: EGL_KHR_surfaceless_context; platforms: client extensions; opengl: desktop OpenGL;
-//   drivers: eglInitialize fails; profile: contexts come only when a profile is asked for; compatibility: a
-//   core context comes, whatever was asked for; commands: EGL 1.4 that knows no address of a command of
-//   GL 1.x; pbuffers; framebuffers: neither pbuffers nor glGenFramebuffers; configurations
+// Wraps the real EGL and does not support a feature that EVALCTS_DRILL names:
+//   surfaceless: EGL_KHR_surfaceless_context
+//   platforms: client extensions
+//   opengl: desktop OpenGL
+//   drivers: eglInitialize fails
+//   profile: contexts are created only if a profile is requested
+//   compatibility: all contexts have the core profile
+//   commands: EGL 1.4, without addresses of commands of GL 1.x
+//   pbuffers: pbuffers
+//   framebuffers: neither pbuffers nor glGenFramebuffers
+//   configurations: there is no configuration
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>

@@ -1,22 +1,30 @@
-// A library for the runner's tests: looks like OSMesa, evaluates with libglevaluator, and misbehaves on
-// command. It has no rasterizer, so no capture works on it; state and error tests run.
+// A library for the runner's tests: it exports OSMesa's functions, evaluates with libglevaluator, and
+// misbehaves on command. It has no rasterizer, so no capture works on it, but tests of state and errors run.
 //
-// With DRILL_OWN_CONTEXT it has one context from when it is loaded, and nothing that makes any. With
-// DRILL_LAYER it has it only if it is loaded where a context of OpenGL ES is current, as a layer over that
-// may need it.
+// With DRILL_OWN_CONTEXT, the library creates its only context when it is loaded. With DRILL_LAYER, it does
+// so only if a context of OpenGL ES is then current, as a layer over OpenGL ES may require.
 //
-// EVALCTS_DRILL names what happens when Map1f is called for INDEX with order 5 (most tests never do that):
-//   one of misbehaviours.h; "second": crash only if a map of order 7 was defined before in this
-//   process; "both": crash, and hang where Map1d is called so; "start": crash when a context is made;
-//   "lenient": strides below k are taken for k; "fragile": the same, and a crash where nothing was enabled
-//   before; "now-and-then": orders of INDEX are one too many, in the first process of all (EVALCTS_DRILL_FILE
-//   is then there); "crash-now-and-then": it crashes; "control": every explicit vertex crashes,
-//   "control-error": it leaves an error behind, and every evaluated one loses the current colour; "history":
-//   in a context where that happened, GetMapiv says that maps of VERTEX_3 have one point more; "worn": in a
-//   context with 45 primitives, which one random program has not, IsEnabled says the opposite; "worn-out":
-//   with 400; "query": GetMapiv of NORMAL reads from nowhere; "end": every primitive crashes at its end;
-//   "evaluation": every EvalCoord1f crashes; "terminate": DRILL_LAYER terminates the EGL display when it is
-//   loaded.
+// EVALCTS_DRILL names the misbehaviour. "The trigger" is a call of Map1f for INDEX with order 5, which few
+// tests make.
+//   a name in misbehaviours.h: happens at the trigger
+//   "second": crashes at the trigger if a map of order 7 was defined before in this process
+//   "both": crashes at the trigger, and hangs at the same call of Map1d
+//   "now-and-then": after the trigger, GetMapiv returns an order of INDEX that is too large by one, but only
+//     in the first process, which creates EVALCTS_DRILL_FILE
+//   "crash-now-and-then": crashes at the trigger, but only in the first process
+//   "history": after the trigger, GetMapiv returns an order of VERTEX_3 that is too large by one in the same
+//     context
+//   "start": crashes when a context is created
+//   "lenient": Map1f of VERTEX_3 accepts strides below 3
+//   "fragile": as "lenient", but crashes in such calls if nothing was enabled before in the context
+//   "control": each Vertex3f crashes, and each EvalCoord1f changes the current colour
+//   "control-error": each Vertex3f raises an error, and each EvalCoord1f changes the current colour
+//   "worn": after 45 primitives in a context, more than in one random program, IsEnabled returns the opposite
+//   "worn-out": as "worn", but after 400 primitives
+//   "query": GetMapiv of NORMAL reads from an invalid address
+//   "end": each End crashes
+//   "evaluation": each EvalCoord1f crashes
+//   "terminate": DRILL_LAYER terminates the EGL display when it is loaded
 #ifdef DRILL_LAYER
 #define EGL_NO_X11
 #include <EGL/egl.h>
@@ -40,9 +48,9 @@ namespace {
 glev_context* current = nullptr;
 [[maybe_unused]] bool seven_was_seen = false;
 [[maybe_unused]] bool odd_context = false, odd_answers = false, enabled_something = false;
-[[maybe_unused]] std::map<glev_context*, int> primitives;  // of each context
+[[maybe_unused]] std::map<glev_context*, int> primitives;  // number of primitives, by context
 
-// Returns true if no process has come here before: the file EVALCTS_DRILL_FILE is not there yet.
+// Returns true in the first call of all processes, which creates the file EVALCTS_DRILL_FILE.
 [[maybe_unused]] bool is_first_time() {
   const char* const file = std::getenv("EVALCTS_DRILL_FILE");
   const int descriptor = file ? open(file, O_WRONLY | O_CREAT | O_EXCL, 0644) : -1;

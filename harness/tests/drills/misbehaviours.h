@@ -1,5 +1,5 @@
-// Misbehaviours of a library against the process that it is in, by name. EVALCTS_DRILL_FILE, if it matters,
-// takes the ids of processes that are started.
+// Defines misbehaviours of a library towards its process, by name. The ids of started processes are written
+// to EVALCTS_DRILL_FILE.
 #pragma once
 
 #include <fcntl.h>
@@ -24,7 +24,7 @@ namespace misbehaviours {
 
 inline void crash() {
 #ifdef __SANITIZE_ADDRESS__
-  signal(SIGSEGV, SIG_DFL);  // sanitizers would make an exit code of it
+  signal(SIGSEGV, SIG_DFL);  // otherwise sanitizers would turn the signal into an exit code
 #endif
   raise(SIGSEGV);
 }
@@ -33,7 +33,7 @@ inline void crash() {
   for (;;) pause();
 }
 
-// 100 MB at a time, all of it in use.
+// Allocates and uses memory in pieces of 100 MB, without end.
 inline void eat_memory() {
   for (;;) {
     constexpr std::size_t kPiece = 100'000'000;
@@ -53,7 +53,7 @@ inline void close_descriptors() {
   for (int descriptor = 0; descriptor < 1024; ++descriptor) close(descriptor);
 }
 
-// ... and takes their numbers for a file of its own.
+// Closes all descriptors and reuses their numbers for another file.
 inline void close_descriptors_and_open() {
   close_descriptors();
   for (int i = 0; i < 32; ++i) {
@@ -66,7 +66,7 @@ inline void ignore_signals_and_hang() {
   wait_for_ever();
 }
 
-// A handler that comes back to what failed, for ever.
+// Installs a handler that returns to the failing instruction, so that the process never ends.
 inline void handle_crash_and_go_on() {
   std::signal(SIGSEGV, [](int) {});
   volatile std::uintptr_t nowhere = 64;

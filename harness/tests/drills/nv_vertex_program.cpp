@@ -1,10 +1,11 @@
-// A provider for the tests of NV_vertex_program: OSMesa with as much of that extension as they use, made of
-// ARB_vertex_program and the conventional maps. While a primitive is drawn in program mode, the conventional
-// map of each attribute that has a map of its own stands in for it.
+// A provider for the tests of NV_vertex_program: OSMesa with the part of this extension that the tests use,
+// which is implemented by ARB_vertex_program and conventional maps. While a primitive is drawn in program
+// mode, conventional maps stand in for the maps of attributes that have a conventional map.
 //
-// EVALCTS_DRILL names what is wrong: mode (the maps count without a program), priority (conventional maps
-// win), vertex (attribute 0 is no vertex), normal (normalized), homogeneous (the normal of xyz), current
-// (evaluated values stay), k (strides of 3 are allowed), init (order 2), stack (enables are not in EVAL_BIT).
+// EVALCTS_DRILL names a mistake: mode (attribute maps are used without a program), priority (conventional
+// maps have precedence), vertex (attribute 0 does not emit a vertex), normal (automatic normals are
+// normalised), homogeneous (automatic normals ignore w), current (evaluated values become current), k
+// (strides of 3 are accepted), init (the initial order is 2), stack (EVAL_BIT does not contain the enables).
 #include <GL/gl.h>
 #include <GL/glext.h>
 #include <dlfcn.h>
@@ -24,7 +25,7 @@ namespace {
 constexpr GLenum kFirst[] = {0x8660, 0x8670};  // the maps of attribute 0, 1-D and 2-D
 constexpr int kAttributes = 16, kSide = 64;
 
-// The conventional target of an attribute: of one dimension; the others are 0x20 higher.
+// Returns the conventional target of an attribute in one (0) or two (1) dimensions; 0 if there is none.
 GLenum conventional(int attribute, int dimension) {
   const GLenum target = attribute == 0   ? GL_MAP1_VERTEX_4
                         : attribute == 2 ? GL_MAP1_NORMAL
@@ -50,7 +51,7 @@ Function* real(Function*, const char* name) {
 struct Map {
   GLint order[2] = {1, 1};
   GLfloat domain[4] = {0, 1, 0, 1};
-  std::vector<GLfloat> points = {0, 0, 0, 1};  // 4 components, v fastest
+  std::vector<GLfloat> points = {0, 0, 0, 1};  // 4 components; v varies fastest
 };
 
 using Enables = std::array<std::array<bool, kAttributes>, 2>;
@@ -61,7 +62,7 @@ struct State {
   std::vector<std::pair<GLbitfield, Enables>> stack;
   bool program = false;
   GLenum error = GL_NO_ERROR;
-  // While a primitive is drawn:
+  // State that is valid while a primitive is drawn.
   bool drawing = false, automatic = false;
   std::vector<std::pair<GLenum, bool>> replaced;
   std::vector<std::vector<GLfloat>> replaced_points;
@@ -71,7 +72,7 @@ struct State {
 };
 State state;
 
-// Finds the map that a token names; false: none of these.
+// Determines the map that a token names. Returns false if the token is not a map of an attribute.
 bool find(GLenum token, int& dimension, int& attribute) {
   for (dimension = 0; dimension < 2; ++dimension)
     if (token >= kFirst[dimension] && token < kFirst[dimension] + kAttributes) {
@@ -279,7 +280,7 @@ void end() {
   REAL(glTexCoord4fv)(state.texture);
 }
 
-// A point and its first derivatives, by de Casteljau in u of de Casteljau in v.
+// A point and its first derivatives, computed by de Casteljau's algorithm in v, then in u.
 struct Derivatives {
   double value[4], u[4], v[4];
 };

@@ -1,4 +1,4 @@
-/* The smallest sink with a mistake: maps have the domain 0 to 1, whatever is given. */
+/* The sink of smallest_sink.c with a mistake: all maps have the domain 0 to 1. */
 #include <evalcts_sink.h>
 
 #define evalcts_sink_open open_right_sink

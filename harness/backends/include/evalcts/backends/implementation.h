@@ -29,10 +29,10 @@ class Context {
   virtual const gl::Table& table() const = 0;
   // Runs the case on this context. Every case of a test or capture is run by this function.
   virtual gl::Trace play(const gl::Case& script) { return gl::play(script, table()); }
-  // Returns the shader programs that captures keep, by their source, in a context that many cases share; null
-  // in other contexts.
+  // Returns the shader programs that captures keep, by their source, if many cases share this context; null
+  // for other contexts.
   virtual std::map<std::string, GLuint>* kept_programs() { return nullptr; }
-  // Makes a context of create_beside() current again. No other context is in use then.
+  // Makes a context of create_beside() current again. Must not be called while a case uses another context.
   virtual void make_current() {}
   // True if take_emitted() returns vertices directly from the evaluator (implementations in this process).
   virtual bool has_sink() const { return false; }
@@ -125,7 +125,7 @@ struct ImplementationInfo {
   std::set<GLenum> refused_queries;        // see refused_queries.h
   bool shares_state = false;               // state that one context sets is visible in the next one
   std::optional<Declaration> declaration;  // set for an implementation that is not a GL
-  bool no_error = false;  // a no-error context (KHR_no_error): what would raise an error is undefined
+  bool no_error = false;  // a no-error context (KHR_no_error): errors are undefined behaviour
 
   // Returns the largest order that must be accepted: MAX_EVAL_ORDER up to 64, or 8 if the implementation
   // returns less (which EV-INIT-MAXORDER tests) or does not answer.

@@ -1,4 +1,4 @@
-// Queries that an implementation rejects. They are left out, because their errors would be taken for errors
+// Finds and leaves out queries that an implementation rejects, because their errors would be taken for errors
 // of the command under test.
 #pragma once
 

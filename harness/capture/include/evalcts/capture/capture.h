@@ -70,7 +70,8 @@ std::vector<std::unique_ptr<Capture>> all_captures();
 // because a proof runs many cases and most tests need only one capture.
 class Captures {
  public:
-  // `names`: names of the captures that may be used; null: all. Both references must outlive the object.
+  // `names`: names of the captures that may be used; null: all. `implementation` and `info` must
+  // outlive the object.
   Captures(Implementation& implementation, const ImplementationInfo& info,
            const std::vector<std::string>* names = nullptr);
   Captures(Implementation& implementation, const ImplementationInfo& info,
@@ -79,9 +80,9 @@ class Captures {
   std::size_t size() const { return captures_.size(); }
   // Returns the first capture that shows all of these attributes exactly. Throws NotObservable.
   const Capture& showing_all(Attributes required, PrimitiveKinds kinds);
-  // Returns the capture that shows most of the required attributes, and up to `most` - 1 others that show at
-  // least the same attributes. `nonpositive_w` excludes captures that lose vertices with w <= 0. Throws
-  // NotObservable.
+  // Returns the capture that shows most of the required attributes, followed by up to `most` - 1 others that
+  // show at least the same attributes. If `nonpositive_w`, captures that lose vertices with w <= 0 are
+  // excluded. Throws NotObservable if no capture shows any.
   std::vector<const Capture*> showing_most(Attributes required, PrimitiveKinds kinds, bool nonpositive_w,
                                            std::size_t most);
   // Proves all captures at once, before a case leaves the implementation no memory for a proof.
@@ -105,8 +106,8 @@ std::unique_ptr<Capture> make_transform_feedback();
 std::unique_ptr<Capture> make_feedback_buffer();
 std::unique_ptr<Capture> make_pixels();
 
-// A script after a capture's prologue, with GetError between them and after the script, so that errors of the
-// capture are not taken for errors of the script. The capture appends its epilogue to `commands`.
+// A capture's prologue, GetError, the script, and GetError, so that errors of the capture are not taken for
+// errors of the script. The capture appends its epilogue to `commands`.
 struct WrappedCase {
   gl::Case commands;
   gl::Ref error_before;  // GetError after the prologue

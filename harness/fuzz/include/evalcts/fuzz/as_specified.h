@@ -1,4 +1,4 @@
-// A program on an implementation and on the executable specification, side by side.
+// Compares a program on an implementation with the same program on the executable specification.
 #pragma once
 
 #include <evalcts/judge/prediction.h>
@@ -6,12 +6,12 @@
 
 namespace evalcts::fuzz {
 
-// The outcomes of a program that are compared.
+// The outcomes of a program to compare.
 enum class Look { kAll, kAnswers, kVertices };
 
-// The body of a test: all that the commands answer, errors included, and all vertices that they emit have to
-// be what the executable specification says of it, within what the specification allows (section 0.5,
-// EV-GETMAP-FLOAT).
+// The body of a test. All answers of the commands, including errors, and all emitted vertices must agree with
+// `specified`, the outcome of the same program on the executable specification, within the permitted
+// tolerances (section 0.5, EV-GETMAP-FLOAT).
 void expect_as_specified(Test& t, const gl::Case& program, const Specified& specified,
                          Look look = Look::kAll);
 

@@ -1,4 +1,4 @@
-// The distinct bugs behind the failing tests of a run.
+// Determines the distinct bugs behind the failing tests of a run.
 #pragma once
 
 #include <filesystem>
@@ -14,31 +14,32 @@
 namespace evalcts::fuzz {
 
 struct BugRequest {
-  // Starts the suite program for the implementation, captures included.
+  // Command that starts the suite program for the implementation, with --captures.
   std::vector<std::string> suite_command;
-  int jobs = 1;                   // processes that share the failing cases
-  double seconds = 60;            // for all of it
-  std::filesystem::path scratch;  // an existing folder, for files of this step
+  int jobs = 1;                   // number of processes that share the failing cases
+  double seconds = 60;            // time limit for the whole reduction
+  std::filesystem::path scratch;  // an existing folder for temporary files
   Limits limits;
 };
 
 // Reduces the first failing case of each failing test of the run to a minimal program, and sets `bugs` and
-// `bugs_note` of the run. Failures of a second pass are not reduced, because they depend on what was run
-// before. Throws CannotWrite.
+// `bugs_note` of the run. Failures of a second pass are not reduced, because they depend on earlier tests.
+// Throws CannotWrite.
 void find_bugs(RunResult& run, const BugRequest& request,
                const std::function<void(std::size_t done, std::size_t total)>& progress);
 
-// Groups the failing tests: those whose minimal programs have the same normal form are one bug, and so are
-// those that are the same known bug. Tests that could not be reduced are grouped by requirement, by what
-// differed and by their family ("Mesh.LastIsExact" for Mesh1.LastIsExact/LINE), and join the bug of a reduced
-// test that is alike in all three if the time for reduction was over. `reductions`: by test.
+// Groups the failing tests into bugs. Tests are one bug if their minimal programs have the same normal form,
+// or match the same known bug. Tests that could not be reduced are grouped by requirement, kind of difference
+// and family ("Mesh.LastIsExact" for Mesh1.LastIsExact/LINE). If the reason was lack of time or a death of
+// the library, they join the bug of a reduced test that agrees in all three. `reductions`: by test.
 std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduction>& reductions,
                          int max_eval_order);
 
-// The text by which unreduced failures of the test are grouped.
+// Returns the text by which failures that were not reduced are grouped: family, requirement and
+// kind of difference.
 std::string likeness_of(const TestRecord& test);
 
-// The commands as C, at most a screen of them: values that are no short decimals are hexadecimal, with the
+// Returns the commands as C, at most 40 lines. Values that are not short decimals are hexadecimal, with the
 // decimal value in a comment.
 std::vector<std::string> readable_calls(const gl::Case& program);
 

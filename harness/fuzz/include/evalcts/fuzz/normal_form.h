@@ -1,4 +1,4 @@
-// The normal form of a minimal program: what it has in common with others that show the same bug.
+// Computes the normal form of a minimal program, which is the same for programs that show the same bug.
 #pragma once
 
 #include <string>
@@ -7,10 +7,11 @@
 
 namespace evalcts::fuzz {
 
-// Minimal programs with the same `cause` are one bug. The cause leaves out what does not make a bug: the
-// dimension, the type of the arguments, which attribute a map has, the command that evaluates if others do
-// the same, and how a wrong current value was noticed (a query, the next vertex, the next evaluated vertex).
-// It keeps the kind of difference, display lists, AUTO_NORMAL, a missing vertex map, meshes and grids.
+// Minimal programs with the same `cause` show one bug. The cause does not depend on properties that do not
+// distinguish bugs: the dimension, the type of the arguments, the attribute of a map, the command that
+// evaluates (if others do the same), and the way in which a wrong current value was noticed (a query, the
+// next vertex, the next evaluated vertex). The cause depends on the kind of difference, display lists,
+// AUTO_NORMAL, a missing vertex map, meshes and grids.
 struct NormalForm {
   std::string cause;  // "current values after an evaluation; in a display list"
   std::string title;  // one sentence: "An evaluation in a display list changes the current colour"

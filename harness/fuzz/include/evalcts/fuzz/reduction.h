@@ -1,4 +1,4 @@
-// The failing cases of tests, reduced to minimal programs that differ from the executable specification.
+// Reduces the failing cases of tests to minimal programs that differ from the executable specification.
 #pragma once
 
 #include <functional>
@@ -16,26 +16,27 @@ namespace evalcts::fuzz {
 // The first failing case of a test.
 struct FailingCase {
   std::string test;
-  std::string what;      // as of Failure: "color.R of vertex 1"
+  std::string what;      // as in Failure: "color.R of vertex 1"
   std::string commands;  // JSON text (gl/case_json.h); may be empty
 };
 
 // The outcome of one reduction.
 struct Reduction {
   std::string test;
-  std::optional<Finding> minimal;  // none if it could not be reduced
-  std::string why_not;             // the reason, in words
+  std::optional<Finding> minimal;  // none if the case could not be reduced
+  std::string why_not;             // the reason in this case
 };
 
-struct StillReducing {};  // now and then, so that a slow case is told from a library that hangs
+struct StillReducing {};  // reported every half second, which distinguishes a slow case from a hang
 using ReductionEvent = std::variant<TestStarted, StillReducing, Reduction>;
-// Reduces the cases that no other process with the same list has taken, and reports each, TestStarted before
-// it. A case whose plain form (one dimension, EvalCoord1f, points) was reduced before has the same result.
-// Programs that are left after `seconds` are reported as not reduced.
+// Reduces the cases that no other process with the same list has taken. Reports TestStarted before each case,
+// and its Reduction. If a case has the same plain form (one dimension, EvalCoord1f, points) as an earlier
+// case, the result is shared. Cases that remain after `seconds` are reported as not reduced.
 void reduce(const Subject& subject, const std::vector<FailingCase>& cases, Claims& claims, double seconds,
             const std::function<void(const ReductionEvent&)>& report);
 
-// Conversion to text and back: a list, throws std::invalid_argument; one line, none if it is no reduction.
+// Convert to text and back. parse_failing_cases() throws std::invalid_argument. parse_reduction() returns
+// none if the line is not a Reduction.
 std::string to_text(const std::vector<FailingCase>& cases);
 std::vector<FailingCase> parse_failing_cases(const std::string& text);
 std::string to_line(const ReductionEvent& event);

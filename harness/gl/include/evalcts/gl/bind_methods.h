@@ -6,7 +6,8 @@
 
 namespace evalcts {
 
-// Owner::current is the context of the forwarded calls; null if there is none.
+// Defines the plain function `call` that forwards to `Function`. Owner::current is the context of the call
+// and must not be null.
 template <class Owner, auto Function>
 struct Forward;
 
@@ -23,7 +24,7 @@ struct Forward<Owner, function> {
   static Result call(Parameters... parameters) { return function(Owner::current, parameters...); }
 };
 
-// Fills in every command of entry_points.def for which `Class` has a method.
+// Returns a table with every command of entry_points.def for which `Class` has a method of the same name.
 template <class Owner, class Class>
 gl::Table bind_methods() {
   gl::Table table;

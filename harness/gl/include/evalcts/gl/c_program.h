@@ -20,12 +20,12 @@ struct NoCProgram : std::runtime_error {
 
 struct CProgram {
   std::string
-      context;  // what makes the context: "osmesa", "egl", "egl-gles2", "provider", "none", "production"
+      context;  // the kind of contexts: "osmesa", "egl", "egl-gles2", "provider", "none", "production"
   std::string context_library = {};  // the file that makes the context, if the commands come from `library`
   std::string library;               // the file that was judged; empty for "production"
   const Case* script = nullptr;
-  const Check* check = nullptr;      // null: the commands alone show it, by a crash or a hang
-  const Trace* trace = nullptr;      // what was answered, for Check::Rule::kUnlike
+  const Check* check = nullptr;      // null: the failure is a crash or a hang in the commands
+  const Trace* trace = nullptr;      // the recorded answers, for Check::Rule::kUnlike
   std::size_t emitted_vertices = 0;  // when the failure was recorded, for "production"
 };
 

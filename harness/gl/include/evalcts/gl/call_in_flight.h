@@ -1,4 +1,4 @@
-// The command that the player issues, kept for the report of a crash.
+// The command that the player is issuing, kept for the report of a crash.
 #pragma once
 
 #include <atomic>
@@ -16,9 +16,10 @@ struct CallInFlight {
 };
 inline CallInFlight call_in_flight;
 
-// Writes the command by its name and its tokens, "glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)", with a null
-// behind it: calls that differ in other arguments have the same text. Returns its length. Text that is longer
-// than `room`, which is at least 1, is cut. Async-signal-safe once it has been called.
+// Writes the name of the command and its leading enumerants, "glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)", so
+// that calls that differ in other arguments have the same text. `room` (at least 1) is the size of `text`,
+// including the terminating null; longer text is cut. Returns the length without the null. Async-signal-safe
+// after its first call.
 std::size_t write_call(const Command& command, char* text, std::size_t room);
 std::string call_text(const Command& command);
 

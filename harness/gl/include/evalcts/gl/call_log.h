@@ -1,4 +1,4 @@
-// The commands of a case as C statements: for failure records and for stand-alone reproducers.
+// Formats the commands of a case as C statements, for failure records and for stand-alone reproducers.
 #pragma once
 
 #include <functional>
@@ -17,8 +17,8 @@ std::string c_constant(double value);
 // 0x1p+1f});". Arrays longer than `most_elements` are cut ("... 96 more"); 0 means no limit.
 std::string to_c(const Command& command, std::size_t most_elements = 0);
 
-// The same, but the caller can replace arguments: `own` receives the position of an argument and returns its
-// text, or an empty string for the default text.
+// Returns one command as above, but the caller can replace arguments: `own` receives the position of an
+// argument and returns its text, or an empty string for the default text.
 using OwnText = std::function<std::string(std::size_t position)>;
 std::string to_c(const Command& command, const OwnText& own, std::size_t most_elements = 0);
 
@@ -29,11 +29,11 @@ const char* c_type(Scalar type);
 // Returns a text as a C string literal.
 std::string quoted(const std::string& text);
 
-// Returns the commands first..last (inclusive, clipped) in at most `most_lines` lines. A long middle is
-// replaced by the number of omitted commands.
+// Returns the commands first..last (inclusive, clipped to the case) in at most `most_lines` lines. If there
+// are more, the number of omitted commands stands for those in the middle.
 std::vector<std::string> to_c(const Case& script, int first, int last, std::size_t most_lines = 60,
                               std::size_t most_elements = 64);
-// The same for all commands.
+// Returns all commands of the case in the same way.
 std::vector<std::string> all_calls(const Case& script, std::size_t most_lines = 60,
                                    std::size_t most_elements = 64);
 

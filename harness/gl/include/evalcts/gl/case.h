@@ -126,8 +126,9 @@ struct Identity {
   Identity(const char* name) : text(name) {}
 };
 
-// The identity of a control: explicit vertices in the place of evaluation, under the same state. An error, a
-// crash or a hang in a control is the pipeline's and not the evaluator's: the test is not-observable.
+// Returns the identity of a control, which draws explicit vertices instead of evaluating, under the
+// same state. If a control raises an error, crashes or hangs, the evaluators are not at fault, and the
+// test is not-observable.
 inline Identity control(const std::string& name) { return {"control: " + name, true}; }
 
 class Case {
@@ -152,13 +153,14 @@ class Case {
     commands_.push_back(std::move(command));
     return {static_cast<int>(commands_.size()) - 1};
   }
-  // Appends all commands of another case. Returns the offset that is added to its Refs.
+  // Appends all commands of another case. Returns the number of earlier commands, by which the indices of
+  // Refs to the appended commands grow.
   int append(const Case& other);
 
   const std::string& identity() const { return identity_.text; }
   bool is_control() const { return identity_.is_control; }
   void set_identity(Identity identity) { identity_ = std::move(identity); }
-  // A case with the identity of this one.
+  // Returns an empty case with the same identity.
   Case without_commands() const { return Case(identity_); }
   const std::vector<Command>& commands() const { return commands_; }
   bool empty() const { return commands_.empty(); }

@@ -8,19 +8,21 @@
 namespace evalcts::gl {
 
 // [["Map1f", "GL_MAP1_VERTEX_3", 0.0, 1.0, 3, 2, {"f32": [0.0, 0.5, ...]}], ["EvalCoord1f", 0.25], ...]: a
-// command is the name of its entry point without "gl" and its arguments; enumerants by name where they have
-// one, arrays that are read as {type: values}, those that are written as {"out": type, "count": n}, null
-// pointers as null. Throws std::invalid_argument for a case that uses results of earlier commands, arrays of
-// strings, or values that are not finite.
+// command is the name of its entry point without "gl", followed by its arguments. An enumerant with a known
+// name is written by name, an array that the command reads as {type: values}, an array that it writes as
+// {"out": type, "count": n}, and a null pointer as null. Slots and the treatment of arrays after the call
+// (AfterCall) are not stored. Throws std::invalid_argument for a case that uses results of earlier commands,
+// arrays of strings, or non-finite values.
 nlohmann::json to_json(const Case& script);
 
-// The inverse. Throws std::invalid_argument, with words, where the data is none of these.
+// Inverse of to_json(). Throws std::invalid_argument, with a message for the user, if the data is not a case.
 Case case_from_json(const nlohmann::json& commands);
 
-// The same as text.
+// Returns the JSON as text. Throws as to_json() does.
 std::string to_text(const Case& script);
-// Empty where to_text() throws.
+// Returns the same text, or an empty string if to_text() would throw.
 std::string to_text_if_possible(const Case& script);
+// Inverse of to_text(). Throws as case_from_json() does, also if the text is not JSON.
 Case parse_case(const std::string& text);
 
 }  // namespace evalcts::gl

@@ -14,12 +14,12 @@ namespace evalcts::gl {
 // A number that an executed case answered.
 struct Answer {
   enum class Of {
-    kReturned,         // what a command returned
+    kReturned,         // the value that a command returned
     kElement,          // an element of the array that a command wrote
-    kWritten,          // how many leading elements of its array a command wrote
+    kWritten,          // the number of leading elements of its array that a command wrote
     kLeftOver,         // the first error after the last command
     kEmittedValue,     // one of the values of the emitted vertices, in the order of EmittedLayout
-    kEmittedVertices,  // how many vertices were emitted
+    kEmittedVertices,  // the number of emitted vertices
   };
   Of of = Of::kReturned;
   Ref command = {};
@@ -33,18 +33,18 @@ inline constexpr std::size_t kEmittedValues = 4 + 4 + 3 + 8 * 4;
 struct Check {
   enum class Rule {
     kWithin,       // the answer lies in one of the intervals
-    kSame,         // two commands answer the same, bit for bit: answer.command and `other`
-    kUnlike,       // no command answers what it answered when the failure was recorded: a test's own check
-    kHasCommands,  // the library has all entry points
+    kSame,         // the commands `answer.command` and `other` give the same answer, bit for bit
+    kUnlike,       // at least one command of `recorded` no longer gives the answer recorded with the failure
+    kHasCommands,  // the library provides all entry points
   };
   Rule rule = Rule::kWithin;
   Answer answer = {};
   std::vector<std::pair<double, double>> accepted = {};  // closed
   Ref other = {};
-  std::vector<Ref> recorded = {};  // for unlike: the commands that count
-  std::size_t pass = 0;            // which of the executed cases, where a capture needs several
+  std::vector<Ref> recorded = {};  // for kUnlike: the commands whose answers are compared
+  std::size_t pass = 0;            // index of the executed case, if a capture needs several
   std::string what = {};           // "position.x of vertex 3", for people; empty: named after the command
-  std::string expected = {};       // in words, where no interval says it
+  std::string expected = {};       // the expectation in words, if no interval states it
 };
 
 }  // namespace evalcts::gl

@@ -10,13 +10,14 @@ extern "C" {
 // case ends; the player then returns to context 0. Must not be called between Begin and End.
 void glOtherContextEVALCTS(GLuint context);
 
-// The same, but a new context shares objects (display lists, textures) with context 0.
+// Like glOtherContextEVALCTS, but a new context shares objects (display lists, textures) with context 0.
 void glSharingContextEVALCTS(GLuint context);
 
-// The same, but a new context is of this kind. An implementation need not support every kind.
+// Like glOtherContextEVALCTS, but a new context is of this kind. An implementation need not
+// support every kind.
 enum {
-  EVALCTS_CORE_PROFILE = 1,    // 3.2 at least
-  EVALCTS_FORWARD_COMPATIBLE,  // 3.1, without the deprecated features of 3.0
+  EVALCTS_CORE_PROFILE = 1,    // core profile of GL 3.2 or newer
+  EVALCTS_FORWARD_COMPATIBLE,  // GL 3.1, without the deprecated features of GL 3.0
   EVALCTS_DEBUG,               // compatibility profile, debug context
   EVALCTS_NO_ERROR,            // compatibility profile, KHR_no_error
   EVALCTS_COLOR_INDEX          // RGBA_MODE is false

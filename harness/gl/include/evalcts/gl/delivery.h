@@ -17,9 +17,9 @@ struct Delivery {
   Evaluation evaluation = Evaluation::kAsWritten;
   bool doubles = false;        // Map1d and EvalCoord1d instead of Map1f and EvalCoord1f
   bool lifted = false;         // a one-dimensional case becomes a two-dimensional one, see lift.h
-  bool along_v = false;        // ... in which the curve runs along v
-  Lists lists = Lists::kNone;  // the form of display lists, through which the resulting case goes
-  bool sparing = false;        // for expensive tests: below thorough depth, one of these runs in turn
+  bool along_v = false;        // if lifted: the curve runs along v instead of u
+  Lists lists = Lists::kNone;  // the form of display lists through which the resulting case goes
+  bool sparing = false;        // for expensive tests: full depth runs as few as quick depth does
 
   // Returns the delivered case.
   //
@@ -27,7 +27,7 @@ struct Delivery {
   // floats if the delivery uses floats.
   //
   // point: a primitive whose arguments lie on a grid gets that grid (MapGrid), and EvalPoint replaces
-  // EvalCoord. Other points become primitives of their own, each with a grid whose first end is the point.
+  // EvalCoord. Other points become separate primitives, each with a grid whose first end is the point.
   //
   // mesh: EvalMesh replaces whole primitives: a POINT mesh for each point or run of points on a grid, and a
   // LINE mesh for line strips along a grid.
@@ -36,7 +36,7 @@ struct Delivery {
   // no grid of less than 2^16 segments, and in meshes for primitives other than points and line strips.
   DeliveredCase apply(const Case& script) const;
 
-  // Returns true for EvalCoord1f and EvalCoord2f, with which cases are written, and for the unmodified case.
+  // Returns true for the unmodified case, and for EvalCoord1f and EvalCoord2f, which cases are written with.
   bool is_plain() const;
 };
 

@@ -7,14 +7,15 @@ namespace evalcts::gl {
 
 enum class Lists {
   kNone,
-  kCompiled,  // COMPILE before everything else; CallList where the commands were
-  kExecuted,  // COMPILE_AND_EXECUTE around the commands where they are
-  kNested,    // compiled in two halves, called by a third list
-  kRepeated,  // compiled, and called twice wherever that leaves no Begin or End without the other
-  kSplit      // compiled three commands at a time; every third piece stays as it is
+  kCompiled,  // lists are compiled (COMPILE) before everything else; CallList replaces the commands
+  kExecuted,  // the commands keep their place, enclosed by NewList(COMPILE_AND_EXECUTE) and EndList
+  kNested,    // as kCompiled, but in two halves, which a third list calls
+  kRepeated,  // as kCompiled, but a list whose Begin and End commands match is called twice
+  kSplit      // as kCompiled, but three commands at a time; every third piece is not compiled
 };
 
-// A rewritten case. Command i of the original case is command positions[i]; other commands prepare it.
+// A rewritten case. Command i of the original case is command positions[i] of `script`, whose other commands
+// prepare it. If a delivery omits command i, positions[i] is the command before its place, or -1.
 struct DeliveredCase {
   Case script;
   std::vector<int> positions;
@@ -26,7 +27,7 @@ struct DeliveredCase {
 // forms have the same effect.
 DeliveredCase through_lists(const Case& script, Lists lists);
 
-// True if the case makes a display list.
+// Returns true if the case itself contains NewList.
 bool uses_lists(const Case& script);
 
 }  // namespace evalcts::gl

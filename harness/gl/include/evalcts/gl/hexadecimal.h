@@ -1,4 +1,4 @@
-// Numbers in the notation of C.
+// Formats numbers as hexadecimal floating-point constants of C.
 #pragma once
 
 #include <string>

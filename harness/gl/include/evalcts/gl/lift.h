@@ -1,4 +1,4 @@
-// Rewrites a one-dimensional case in two dimensions. Its drawing stays the same in exact arithmetic.
+// Rewrites a one-dimensional case in two dimensions. In exact arithmetic, both draw the same.
 #pragma once
 
 #include <evalcts/gl/case.h>
@@ -6,10 +6,10 @@
 namespace evalcts::gl {
 
 // Replaces each command by one command, so that Refs stay valid:
-// - Map1 by Map2: the curve runs along u, or along v; in the other direction the net is constant, of order 1,
-//   2 or 3 in turn, over [0,1];
-// - EvalCoord1 by EvalCoord2, the other argument being kAcross;
-// - the names of MAP1 targets by those of MAP2 targets and the reverse, wherever one is an argument.
+// - Map1 by Map2: the curve runs along u, or along v if `along_v`; in the other direction, the control points
+//   are constant, over [0,1], with order 1, 2, 3, 1, ... for successive maps;
+// - EvalCoord1 by EvalCoord2, with kAcross as the other argument;
+// - in Enable, Disable and IsEnabled, MAP1 targets by MAP2 targets and the reverse.
 // Commands without a counterpart (grids, queries of maps) are not changed.
 Case lift(const Case& script, bool along_v);
 

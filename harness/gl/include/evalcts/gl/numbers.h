@@ -9,11 +9,13 @@
 
 namespace evalcts::gl {
 
+// Returns a float or double argument. Throws std::bad_variant_access for any other argument.
 inline double number(const Value& value) {
   if (const auto* single = std::get_if<float>(&value)) return *single;
   return std::get<double>(value);
 }
 
+// Returns the value as a double argument, or rounded to a float argument.
 inline Value real(double value, bool as_double) {
   if (as_double) return value;
   return static_cast<float>(value);
@@ -35,6 +37,7 @@ inline std::vector<double> elements(const Input& input) {
   return values;
 }
 
+// Returns a client array of doubles, or of floats.
 inline Input reals(const std::vector<double>& values, bool as_double) {
   return as_double ? array(values) : array(std::vector<float>(values.begin(), values.end()));
 }

@@ -1,4 +1,4 @@
-// Observations: the captured vertices of a case, with the attributes that the capture can observe.
+// Defines observations: the captured vertices of a case, with the attributes that the capture can observe.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ enum Attribute : std::uint32_t {
   kNormal = 1u << 2,
   kTextureCoordinate0 = 1u << 3,
   kTextureCoordinatesOther = 1u << 4,  // units 1 and up
-  // The kind of automatic normals, which depends on an active vertex shader (EV-AUTON-UNIT, EV-AUTON-SHADER).
-  // A capture that has kNormal has one of these as well.
+  // The length of automatic normals: they are normalised unless a vertex shader is active (EV-AUTON-UNIT,
+  // EV-AUTON-SHADER). A capture with kNormal also has one of these two.
   kUnitNormal = 1u << 5,
   kShaderNormal = 1u << 6,
 };
@@ -64,13 +64,13 @@ struct ObservedPrimitive {
 };
 
 struct Observation {
-  Attributes attributes = 0;    // those that hold observed values
+  Attributes attributes = 0;    // the attributes that hold observed values
   bool clamped_colors = false;  // colours were clamped to [0,1] on the way
   double color_error = 0;       // largest absolute error that the capture itself may add to a colour
   std::size_t units = 1;        // texture units observed
   GLenum error = GL_NO_ERROR;   // error that the case itself raised
   bool error_observed = true;   // false: the implementation has no GetError
-  bool overflow = false;        // more vertices came than there was room for
+  bool overflow = false;        // there was no room for some of the vertices
   std::vector<ObservedPrimitive> primitives;
 
   std::size_t vertex_count() const;

@@ -16,7 +16,7 @@ namespace evalcts::gl {
 // Number of guard elements after each array that a command fills. They must not change.
 inline constexpr std::size_t kGuardElements = 16;
 
-// Thrown if the implementation under test lacks a command, so that its effects cannot be observed.
+// Thrown if the implementation under test does not provide a command, so that its effects cannot be observed.
 struct MissingEntryPoint : std::runtime_error {
   explicit MissingEntryPoint(EntryPoint missing);
   EntryPoint entry;
@@ -31,8 +31,8 @@ class Trace {
   // Returns the result of GetString; empty if it was null.
   const std::string& text(Ref get_string) const;
 
-  // Returns the whole array that the command was given to fill, without guard elements. T must be the element
-  // type.
+  // Returns the whole array that was passed to the command to be filled, without guard elements. T must be
+  // the element type. Throws std::logic_error if the command writes no array.
   template <class T>
   std::vector<T> values(Ref command) const {
     const Written& written = output(command);
@@ -57,7 +57,7 @@ class Trace {
 
   std::size_t size() const { return results_.size(); }
 
-  // Returns the answers of these commands, which are renumbered from 0.
+  // Returns a trace with the answers of these commands only, renumbered from 0 in the given order.
   Trace of(const std::vector<int>& commands) const;
 
   // Replace an answer. Judging the changed trace shows whether a failure depends on this answer.
@@ -84,9 +84,9 @@ class Trace {
 
 // Runs all commands of the case in order on the current context. No other commands are issued, except
 // GetError after the last one; inside Begin/End, GetError would itself raise an error. Throws
-// MissingEntryPoint before the first command if the table lacks one of them. `after_each` is called after
-// each command with its position. The default floating-point environment is restored afterwards, because the
-// judge needs it.
+// MissingEntryPoint before the first command if an entry point of the case is null in the table. `after_each`
+// is called after each command with its position. The default floating-point environment is restored
+// afterwards, because the judge needs it.
 Trace play(const Case& script, const Table& table,
            const std::function<void(std::size_t position)>& after_each = {});
 

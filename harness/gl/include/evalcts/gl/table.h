@@ -29,7 +29,8 @@ inline constexpr std::size_t kEntryPointCount = 0
 #undef GL_ENTRY
     ;
 
-// Function pointers with the types of the Khronos headers; null if the implementation lacks the command.
+// Function pointers with the types of the Khronos headers; null if the implementation does not
+// provide the command.
 struct Table {
 #define GL_ENTRY(name, kinds) decltype(&::gl##name) name = nullptr;
 #include <evalcts/gl/entry_points.def>
@@ -42,12 +43,13 @@ std::string_view name_of(EntryPoint entry);
 // Returns one letter for each parameter, see entry_points.def.
 std::string_view parameter_kinds(EntryPoint entry);
 
-// Returns true for commands of the harness (contexts.h, requests.h), which no GL has.
+// Returns true for commands of the harness (contexts.h, requests.h), which are not part of any GL.
 bool is_of_harness(EntryPoint entry);
 
 // Returns true if the table has an address for the command.
 bool has(const Table& table, EntryPoint entry);
 
+// Returns the address of a command, such as "glMap1f", or null.
 using AddressOf = std::function<void*(const char* name)>;
 
 // The version (10 * major + minor; 0: unknown) and the extensions that a GL advertises.
@@ -58,12 +60,12 @@ struct Advertised {
 // Parses the answers to GetString(GL_VERSION) and GetString(GL_EXTENSIONS).
 Advertised parse_advertised(const std::string& version, const std::string& extensions);
 
-// Fills a table by name ("glMap1f" -> address or null) from the first source that has the command, under its
-// own name or that of the extension that it comes from. If the version is too low for the command and the
+// Returns a table in which each address comes from the first source that provides the command, under its core
+// name or its name in the extension that introduced it. If the version is too low for the command and the
 // extension is advertised, the extension's name is tried first: a get-proc-address function may return an
-// address for any name, so that the core name would be found without any effect. Sources that return only
-// existing commands (symbols that a library exports) must come first for the same reason, and implementations
-// are probed for effects afterwards.
+// address for any name, so that the core name would yield a function without effect. For the same reason,
+// sources that return only existing commands (symbols that a library exports) must come first, and callers
+// probe implementations for effects afterwards.
 Table load_table(std::initializer_list<AddressOf> sources, const Advertised& advertised = {});
 
 }  // namespace evalcts::gl

@@ -10,12 +10,13 @@ namespace evalcts::gl {
 
 // Returns a name such as "GL_MAP1_VERTEX_3", or "0x1234" for a token without a known name.
 std::string token_name(GLenum token);
-// "GL_POINTS" ... "GL_POLYGON".
+// Returns "GL_POINTS" ... "GL_POLYGON", or "0x1234" for other values.
 std::string primitive_name(GLenum mode);
-// The same names, or null for a value that has none. Allocate nothing once they have been called.
+// Return the same names, but null for a value without a name. After their first call, these functions
+// allocate no memory.
 const char* known_token(GLenum token);
 const char* known_primitive(GLenum mode);
-// "GL_NO_ERROR", "GL_INVALID_ENUM", ...
+// Returns "GL_NO_ERROR", "GL_INVALID_ENUM", ...
 std::string error_name(GLenum error);
 
 inline constexpr std::array<GLenum, 9> kMap1Targets = {

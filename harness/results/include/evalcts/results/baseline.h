@@ -8,7 +8,7 @@
 // header, which states the implementations that the files are for:
 //   # vendor: TEXT            part of GL_VENDOR
 //   # renderer: TEXT          part of GL_RENDERER
-//   # version: RANGE          GL_VERSION, see version_range.h
+//   # version: RANGE          range of GL_VERSION, see version_range.h
 //   # implementation: A, B    names of implementations, see `evalcts list implementations`
 //   # pass: reuse-context     the second pass, over one shared context, instead of the first
 //   # extends: BASE           makes the files an overlay
@@ -45,7 +45,7 @@ struct BadBaseline : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The content of the four files of one NAME.
+// The content of the four files with one NAME.
 struct BaselineFiles {
   struct Header {
     std::string vendor, renderer;
@@ -54,7 +54,7 @@ struct BaselineFiles {
     Pass pass = Pass::kFreshContexts;
     std::string extends;  // empty: not an overlay
 
-    // Number of fields, then length of their texts: the larger of two is the more specific header.
+    // The larger of two values belongs to the more specific header: it has more fields, or longer ones.
     struct Specificity {
       std::size_t fields = 0, length = 0;
       auto operator<=>(const Specificity&) const = default;
@@ -93,13 +93,14 @@ struct BaselineFiles {
   void write(const std::filesystem::path& folder) const;
 };
 
-// The known failures of one implementation, composed of a base and its overlays. Default-constructed: none.
+// The known failures of one implementation, composed of a base and its overlays. A default-constructed
+// baseline expects no failures.
 class Baseline {
  public:
   struct Entry {
     std::string status;  // Fail, Crash, Timeout
     std::string reason;
-    std::map<std::string, std::string> signatures;  // by depth; a depth that is missing is not compared
+    std::map<std::string, std::string> signatures;  // by depth; not compared at a missing depth
   };
   using Pattern = BaselineFiles::Pattern;
 
@@ -115,7 +116,7 @@ class Baseline {
 
   // Returns the name of the baseline, such as "mesa" or "mesa with mesa.softpipe"; empty if there is none.
   std::string name() const;
-  // True if the base or an overlay of it has this name.
+  // True if the base or one of the overlays has this name.
   bool has_part(const std::string& name) const;
   const std::map<std::string, Entry>& entries() const { return entries_; }
 
@@ -123,8 +124,8 @@ class Baseline {
   const Pattern* skip(const std::string& test) const { return matching(&BaselineFiles::skips, test); }
   const Pattern* flake(const std::string& test) const { return matching(&BaselineFiles::flakes, test); }
 
-  // True if a test record is a fail, crash or timeout that is known, with the same failing cases if the
-  // record was made at the depth and seed of a signature.
+  // True if the test record is a known fail, crash or timeout. If there is a signature for the depth and the
+  // seed is 1, the failing cases must be the same, too.
   bool knows(const TestRecord& test, Depth depth, std::uint64_t seed) const;
 
   // Sets `baseline` of the result, and `expected_by_baseline` and `baseline_reason` of its tests. A known
@@ -136,11 +137,12 @@ class Baseline {
   // overlay that withdraw nothing (`tests`: all tests of the suite).
   std::vector<std::string> stale_entries(const std::vector<ListedTest>& tests) const;
 
-  // The files that make this baseline expect exactly what fails in the record: those called `target`, which
-  // are a part of this baseline, with entries for what the other parts do not expect. If `target` is empty,
-  // the only part, or new files called `new_name` if there is none. Existing reasons are kept; new entries
-  // state that they have not been traced. Skips and flakes are kept, and flaky tests get no entry. Throws
-  // BadBaseline if there are several parts and no target.
+  // Returns files with which this baseline expects exactly the failures of the result. They replace the
+  // part called `target`; an empty `target` stands for the only part, or, if there is none, for new files
+  // called `new_name`. Their entries are the differences from the other parts. Existing reasons are kept;
+  // new entries state that their cause has not been traced. Skips and flakes are kept, and flaky tests
+  // get no entry. Throws BadBaseline if no part is called `target`, or if there are several parts and
+  // `target` is empty.
   BaselineFiles renewed(const RunResult& result, const std::string& target,
                         const std::string& new_name) const;
 

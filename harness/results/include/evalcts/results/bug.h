@@ -9,15 +9,16 @@
 namespace evalcts {
 
 struct Bug {
-  // The requirement, and a hash of the cause: "EV-COORD-CURRENT-5f3c". The same in every run that finds it.
+  // The requirement and a hash of the cause: "EV-COORD-CURRENT-5f3c". Every run that finds the bug gives it
+  // the same ID.
   std::string id;
   std::string title;  // one sentence
-  // The common ground of the failures: the normalised minimal program and what differs, or, if it was not
-  // reduced, the requirement, what differed and the family of the tests.
+  // The property that the failures share: the normalised minimal program and the kind of difference, or, if
+  // the bug was not reduced, the requirement, the kind of difference and the family of the tests.
   std::string cause;
 
-  std::vector<RequirementId> requirements;  // that the minimal program violates, the decisive one first
-  std::string clause;                       // where the specification says so: "GL 2.1 5.1; P-glEvalCoord"
+  std::vector<RequirementId> requirements;  // violated by the minimal program, the decisive one first
+  std::string clause;                       // the violated passage: "GL 2.1 5.1; P-glEvalCoord"
   Level level = Level::kMust;
   Verdict verdict = Verdict::kFail;  // crash, timeout, fail or quality warning
 
@@ -28,13 +29,13 @@ struct Bug {
   // reduced.
   std::string commands;
   std::string why_not_reduced;      // empty if it was reduced
-  bool outside_evaluators = false;  // explicit vertices in the place of evaluation show it as well
+  bool outside_evaluators = false;  // the bug also shows with explicit vertices instead of evaluation
 
-  std::vector<std::string> tests;       // names of the failing tests that it explains, sorted
+  std::vector<std::string> tests;       // names of the failing tests that the bug explains, sorted
   std::vector<RequirementId> explains;  // requirements of these tests, sorted
 
-  std::string known;                  // ID of the known bug that it is (suites/bugs); empty: new
-  std::string known_in;               // "Mesa 22.3": for the label "known in Mesa 22.3"
+  std::string known;                  // ID of this bug in suites/bugs; empty if it is not a known bug
+  std::string known_in;               // "Mesa 22.3" in the label "known in Mesa 22.3"
   bool breaks_real_programs = false;  // a program of the theme RealPrograms fails because of it
 
   bool is_reduced() const { return why_not_reduced.empty(); }

@@ -9,12 +9,12 @@
 
 namespace evalcts {
 
-// Coverage of one requirement. A test may decide one half of it, "/1-D" or "/2-D".
+// Coverage of one requirement. A test may decide only one half of a requirement, "/1-D" or "/2-D".
 struct Coverage {
   enum class State { kDecided, kInPart, kUndecidable, kUndecided };
   std::string id, section;
   State state = State::kUndecided;
-  std::string lacks = {};   // in part: the half that no test decides, "1-D" or "2-D"
+  std::string lacks = {};   // for kInPart: the half that no test decides, "1-D" or "2-D"
   std::string reason = {};  // why the requirement, or the missing half, cannot be decided; may be empty
   std::vector<std::string> tests = {};
 };
@@ -27,8 +27,9 @@ std::vector<Coverage> coverage_of(const Catalogue& catalogue, const std::vector<
 // Returns JSON: {"requirements": [{"id", "section", "state", "lacks", "reason", "tests"}], "problems": [...]}
 std::string to_text(const std::vector<Coverage>& coverage, const std::vector<std::string>& problems);
 
-// Returns contradictions between catalogue and tests: tests without a requirement, requirement IDs that do
-// not exist, and "undecidable" although a test decides, for a half that does not exist, or without a reason.
+// Returns descriptions of the contradictions between catalogue and tests: duplicate names of tests, names
+// with a comma, tests without a requirement, requirement IDs that do not exist, and halves that are
+// undecidable although a test decides them, without a reason, or with an unknown name.
 std::vector<std::string> lint(const Catalogue& catalogue, const std::vector<ListedTest>& tests);
 
 }  // namespace evalcts

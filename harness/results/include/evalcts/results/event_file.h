@@ -1,5 +1,5 @@
-// The file in which the suite program reports its events, one line each. It is the only channel between the
-// suite program and the runner, so it survives what a library does to the process.
+// The file to which the suite program writes its events, one line each. It is the only channel from the suite
+// program to the runner while tests run, so it stays usable if a library closes descriptors or forks.
 #pragma once
 
 #include <sys/types.h>
@@ -17,20 +17,21 @@ inline constexpr char kCannotWriteEvent[] = "evalcts: cannot write the result of
 
 class EventFile {
  public:
-  // Appends to the file; an empty path keeps nothing. Throws CannotWrite.
+  // Appends to the file. If the path is empty, events are discarded. Throws CannotWrite.
   explicit EventFile(const std::filesystem::path& path);
   ~EventFile();
   EventFile(const EventFile&) = delete;
   EventFile& operator=(const EventFile&) = delete;
 
-  // Writes a line, which ends with a newline, at once: no result is lost when the process dies. A process
-  // that a library has forked off ends here. If the file cannot be written the process ends as above.
+  // Writes a line, which must end with a newline, without buffering, so that no result is lost if the process
+  // dies. In a process that a library has forked off, ends that process. If the file cannot be written, ends
+  // the process with kExitCannotWrite. Throws CannotWrite if the file cannot be opened again.
   void write(const std::string& line);
-  // The same in a signal handler (async-signal-safe). Writes nothing in a process that a library has forked
-  // off, or if the file cannot be written: the process is about to end anyway.
+  // Writes a line in a signal handler (async-signal-safe). Does nothing in a process that a library has
+  // forked off, or if the file cannot be written, because the process is about to end anyway.
   void write_in_handler(std::string_view line) const noexcept;
 
-  // True if somebody else closed the descriptor and the file had to be opened again.
+  // True if a library closed the descriptor and the file had to be opened again.
   bool was_closed() const { return was_closed_; }
 
  private:

@@ -1,4 +1,4 @@
-// Files that are read as a whole, and written as a whole or not at all.
+// Reads and writes whole files.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace evalcts {
 
-// A file that has to be kept cannot be written: the disk is full, the folder is read-only. The message names
-// the file.
+// Thrown if a file cannot be written, for example because the disk is full or the folder is read-only. The
+// message names the file.
 struct CannotWrite : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -16,7 +16,7 @@ struct CannotWrite : std::runtime_error {
 // Returns the content of the file; empty if it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
-// Writes the whole file or leaves the old one. Throws CannotWrite.
+// Writes the whole file. If this fails, the old file stays unchanged. Throws CannotWrite.
 void write_atomically(const std::filesystem::path& path, const std::string& content);
 
 }  // namespace evalcts

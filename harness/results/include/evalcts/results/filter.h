@@ -1,4 +1,4 @@
-// Filters: which of several names a user chooses, and which tests a run runs.
+// Selects names and tests by the filters that a user gives.
 #pragma once
 
 #include <string>
@@ -9,11 +9,12 @@
 
 namespace evalcts {
 
-// True if the name matches a GoogleTest-like filter: patterns with * and ?, separated by ':', those after a
-// '-' excluded. An empty filter matches every name.
+// True if the name matches a filter like GoogleTest's: patterns with * and ?, separated by ':'. The first
+// pattern that begins with '-', and all after it, exclude names. If there are no other patterns, every other
+// name matches.
 bool is_chosen(const std::string& name, const std::string& filter);
 
-// The items whose names match the filter.
+// Returns the items whose names match the filter.
 template <class Named>
 std::vector<Named> matching(std::vector<Named> items, const std::string& filter) {
   std::erase_if(items, [&](const Named& item) { return !is_chosen(item.name, filter); });

@@ -1,4 +1,5 @@
-// FNV-1a, the hash of names: for seeds that do not depend on what else runs, and for signatures.
+// FNV-1a, the hash of names. It gives each test a seed that is independent of other tests,
+// and makes signatures.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,7 @@
 
 namespace evalcts {
 
-// 32 or 64 bits. `hash`: of the text before this one.
+// Returns the hash, of 32 or 64 bits. To hash a text in parts, pass the hash of the parts so far as `hash`.
 template <class Bits>
 constexpr Bits fnv1a(std::string_view text,
                      Bits hash = static_cast<Bits>(sizeof(Bits) == 4 ? 2166136261u : 14695981039346656037u)) {

@@ -1,4 +1,4 @@
-// A JSON object that is read field by field, with error messages that name the place. Private to the files
+// A JSON object that is read field by field, with error messages that name the place. Used only by the files
 // that read formats.
 #pragma once
 
@@ -17,7 +17,8 @@
 
 namespace evalcts {
 
-// A field that is missing or null is empty. Every function throws FormatError if the field has another type.
+// A field that is missing or null is empty: the functions return an empty or false value, or none. They throw
+// FormatError if the field has another type.
 class JsonObject {
  public:
   JsonObject(const nlohmann::json& value, std::string path) : value_(value), path_(std::move(path)) {
@@ -35,13 +36,13 @@ class JsonObject {
     return value ? text(*value, path(key)) : std::string();
   }
 
-  // Any value as JSON text in ASCII; empty if the field is empty.
+  // Returns any value as JSON text in ASCII; empty if the field is empty.
   std::string json_text(const std::string& key) const {
     const auto* value = find(key);
     return value ? value->dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) : std::string();
   }
 
-  // The value that `parse` makes of the text, which returns an optional; none if the field is empty.
+  // Returns parse(text), an optional; none if the field is empty. Throws FormatError if `parse` returns none.
   template <class Parse>
   auto word(const std::string& key, Parse parse) const -> decltype(parse(std::string())) {
     const std::string found = text(key);
@@ -57,7 +58,7 @@ class JsonObject {
     return value && value->get<bool>();
   }
 
-  // A number that may be infinite, which JSON writers spell as null; none if the field is missing.
+  // Returns a number that may be infinite, which JSON stores as null; none if the field is missing.
   std::optional<double> distance(const std::string& key) const {
     const auto found = value_.find(key);
     if (found != value_.end() && found->is_null()) return std::numeric_limits<double>::infinity();
@@ -86,7 +87,7 @@ class JsonObject {
     return value->get<std::uint64_t>();
   }
 
-  // The object in the field; none if it is empty.
+  // Returns the object in the field; none if the field is empty.
   std::optional<JsonObject> object(const std::string& key) const {
     const auto* value = find(key);
     if (!value) return std::nullopt;
@@ -99,7 +100,7 @@ class JsonObject {
     return out;
   }
 
-  // Numbers that may be infinite or NaN, which JSON writers spell as null: they become NaN.
+  // Returns an array of numbers. Null, which JSON stores for infinities and NaN, becomes NaN.
   std::vector<double> reals(const std::string& key) const {
     std::vector<double> out;
     each(key, [&](const auto& item, const std::string& where) {
@@ -124,7 +125,7 @@ class JsonObject {
     each(key, [&](const auto& item, const std::string& where) { use(JsonObject(item, where)); });
   }
 
-  // Calls use(name, clean name) for each field.
+  // Calls use(name, clean name) for each field; see text.h for the latter.
   template <class Use>
   void each_key(Use use) const {
     for (const auto& item : value_.items()) use(item.key(), clean(item.key()));

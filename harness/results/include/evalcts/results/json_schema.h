@@ -12,8 +12,8 @@ class JsonSchema {
   explicit JsonSchema(const nlohmann::json& text);
   ~JsonSchema();
 
-  // The first violation, with its place as a JSON pointer, as in "/map/points/0: ..."; empty if there is
-  // none.
+  // Returns the first violation, preceded by its place as a JSON pointer, as in "/map/points/0: ..."; empty
+  // if there is none.
   std::string complaint(const nlohmann::json& value) const;
 
  private:

@@ -1,4 +1,4 @@
-// The name of a requirement, as tests and faults give it.
+// Defines the IDs by which tests and faults name requirements.
 #pragma once
 
 #include <compare>
@@ -8,7 +8,8 @@
 
 namespace evalcts {
 
-// A requirement, or the half of it that is about maps of one dimension: "EV-MAP1-COPY", "EV-API-ENTRY/1-D".
+// The ID of a requirement ("EV-MAP1-COPY"), or of the half of it that is about one-dimensional or
+// two-dimensional maps ("EV-API-ENTRY/1-D").
 struct RequirementId {
   std::string id;
   int dimension = 0;  // 1 or 2 for one half; 0 for the whole requirement
@@ -20,7 +21,8 @@ struct RequirementId {
   RequirementId(const char* text) : RequirementId(std::string_view(text)) {}
 
   std::string text() const;
-  // True if a test of this requirement decides `wanted`: the same requirement, or one that this is a half of.
+  // True if a test of this requirement decides `wanted`, that is, if `wanted` is the same ID, or the whole
+  // requirement of which this ID is a half.
   bool decides(const RequirementId& wanted) const;
 
   auto operator<=>(const RequirementId&) const = default;

@@ -1,4 +1,5 @@
-// The requirements and the ambiguous texts of the specification, as data (suites/requirements.json).
+// The requirements and the ambiguous passages of the specification, which are stored as
+// data in suites/requirements.json.
 #pragma once
 
 #include <map>
@@ -12,20 +13,21 @@ namespace evalcts {
 struct Requirement {
   std::string id, section, text, source, since, observation, severity, level;
   bool inferred = false;  // no single sentence states it
-  // Reasons why no test can decide the halves "1-D" and "2-D". Halves that are not listed can be decided.
+  // Reasons why no test can decide the half "1-D" or "2-D", by half. A half that is not listed
+  // can be decided.
   std::map<std::string, std::string> undecidable;
-  std::size_t place = 0;  // in the catalogue
+  std::size_t place = 0;  // position in the catalogue
 };
 
-// A passage that has several readings, or leaves something undefined.
+// A passage of the specification that has several readings, or leaves something undefined.
 struct Ambiguity {
   enum class Kind { kContradiction, kUndefined };
   Kind kind = Kind::kContradiction;
   std::string id, section;
-  std::string where;                                   // the documents
-  std::string conflict, change, slip, take, why;       // contradictions: what differs, what is taken, why
-  std::string situation, may_assert, must_not_assert;  // undefined: when, and what a test may do
-  std::map<std::string, std::string> readings;         // accepted ones, with their meanings
+  std::string where;                                   // the documents that contain the passage
+  std::string conflict, change, slip, take, why;       // contradiction: the difference, choice and reason
+  std::string situation, may_assert, must_not_assert;  // undefined: the condition, and limits of assertions
+  std::map<std::string, std::string> readings;         // the accepted readings, with their meanings
 
   // Returns the description of the ambiguity.
   const std::string& text() const;
@@ -35,7 +37,7 @@ struct Catalogue {
   std::vector<Requirement> requirements;
   std::vector<Ambiguity> ambiguities;  // contradictions first
 
-  // Returns the requirement with this ID, or the one that `id` is a half of; null if there is none.
+  // Returns the requirement that `id` names, or a half of which it names; null if there is none.
   const Requirement* find(const RequirementId& id) const;
   const Ambiguity* find_ambiguity(const std::string& id) const;
   // Returns the ambiguities with more than one accepted reading.
@@ -48,7 +50,7 @@ struct Catalogue {
 // Return the catalogue of this build, as types and as JSON text.
 const Catalogue& catalogue();
 std::string catalogue_as_json();
-// Returns JSON, {"interpretations": [...]}: the entries of the catalogue that have readings.
+// Returns the ambiguities with more than one accepted reading as JSON, {"interpretations": [...]}.
 std::string interpretations_as_json();
 
 }  // namespace evalcts

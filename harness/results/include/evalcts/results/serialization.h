@@ -1,7 +1,6 @@
-// Results as JSON text, and back: the one place that knows the formats "evalcts-results-1"
-// (reports/schema/results-1.schema.json describes it field by field), of the events of the suite program, and
-// of its answers. All text that was read is clean (see text.h), so that writers only have to escape for their
-// own syntax.
+// Reads and writes JSON: result files ("evalcts-results-1", described field by field in
+// reports/schema/results-1.schema.json), the events of the suite program, and its answers. All text that was
+// read is clean (see text.h), so that writers only have to escape for their own syntax.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,16 +15,16 @@ namespace evalcts {
 
 // --- result files
 
-// Reads a result file that anybody may have written. Throws FormatError if the text is not JSON or was cut
-// off, is nested as no result is, has another format, or does not follow it.
+// Reads a result file of unknown origin. Throws FormatError if the text is not complete JSON, is nested too
+// deeply, has another format, or does not follow the format.
 RunResult parse_run_result(const std::string& text);
 
-// The same for JSON that was parsed. A field that is missing or null is tolerated; a field of the wrong type,
-// an unknown format, verdict, level or status, or the same test twice throws FormatError. Counts come from
-// "tests"; "summary" is used only for a record without tests.
+// Reads a parsed result file. A field that is missing or null is tolerated. Throws FormatError for a field of
+// the wrong type, an unknown format, verdict, level or status, or a duplicate test. Counts come from "tests";
+// "summary" is used only for a record without tests.
 RunResult read_run_result(const nlohmann::json& json);
 
-// The text of results-NAME.json.
+// Returns the text of results-NAME.json.
 std::string to_text(const RunResult& result);
 
 // --- events of the suite program, one line each
@@ -33,17 +32,17 @@ std::string to_text(const RunResult& result);
 struct TestStarted {
   std::string name;
 };
-// Only if cases are traced, before each case.
+// Written before each case, only if cases are traced.
 struct CaseStarted {
   std::string identity;
-  bool is_control;                 // explicit vertices in the place of evaluation
+  bool is_control;                 // explicit vertices are drawn instead of evaluating
   std::vector<std::string> calls;  // as C
-  std::string commands;            // to replay: JSON text (gl/case_json.h); empty if there is no such form
+  std::string commands;            // for a replay: JSON text (gl/case_json.h); empty if there is none
 };
-// The first failing case of a test, before TestFinished.
+// The first failing case of a test, written before TestFinished.
 struct CaseFailed {
   std::string test;
-  std::string commands;  // as of CaseStarted
+  std::string commands;  // as in CaseStarted
 };
 struct TestFinished {
   TestRecord record;
@@ -53,14 +52,14 @@ struct Crashed {
   Crash crash;
 };
 struct RunEnded {};
-// An event of another kind, for a reader that knows it.
+// An event of a kind that parse_event() does not know, such as those of fuzzing; `line` is its JSON.
 struct OtherEvent {
   std::string line;
 };
 using Event = std::variant<TestStarted, CaseStarted, CaseFailed, TestFinished, Crashed, RunEnded, OtherEvent>;
 
 std::string to_line(const Event& event);
-// None if the line is not an event, such as a line that was cut off.
+// Returns none if the line is not an event, for example because it was cut off.
 std::optional<Event> parse_event(const std::string& line);
 
 // --- answers of the suite program
@@ -68,15 +67,15 @@ std::optional<Event> parse_event(const std::string& line);
 // Properties of the implementation that the suite program knows before a test runs.
 struct Description {
   ImplementationRecord implementation;
-  std::vector<std::string> captures;  // names of all that can be tried
+  std::vector<std::string> captures;  // names of all captures that can be tried
 };
 std::string to_text(const Description& description);
 std::string to_text(const CaptureRecord& capture);
 std::string to_text(const std::vector<ListedTest>& tests);
-// The answer to any question if the implementation does not start.
+// Returns the answer to any question if the implementation does not start.
 std::string cannot_start_text(const std::string& reason);
 
-// None if the text is not such an answer.
+// Return none if the text is not an answer of this kind.
 std::optional<Description> parse_description(const std::string& text);
 std::optional<CaptureRecord> parse_capture(const std::string& text);
 std::optional<std::vector<ListedTest>> parse_tests(const std::string& text);

@@ -1,4 +1,4 @@
-// The record of one test: its verdict, and what it rests on.
+// The record of one test: its verdict, and the observations that led to it.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct ListedTest {
   std::string name;  // "Map1Errors.StrideBelowK/MAP1_VERTEX_3"
   std::vector<RequirementId> requirements;
   Level level = Level::kMust;
-  Depth from = Depth::kQuick;  // the least depth that runs it unless its exact name is asked for
+  Depth from = Depth::kQuick;  // the least depth that runs the test, unless a filter has its exact name
 };
 
 // Vertices of a primitive, for a plot.
@@ -57,14 +57,14 @@ struct Plot {
 struct Failure {
   std::string case_identity;
   std::string message;
-  std::string what;  // what was looked at: "texcoord[0].s of vertex 3"
+  std::string what;  // the compared value: "texcoord[0].s of vertex 3"
   std::string expected;
   std::string captured;
   std::string exact;                           // the exact value; empty if nothing was evaluated
-  std::string capture;                         // the capture that saw it
+  std::string capture;                         // the name of the capture that observed the value
   std::optional<double> ulp, condition_aware;  // infinite for an infinite error
   std::vector<std::string> calls;              // the GL commands of the case, as C
-  std::optional<Plot> plot;                    // of the first failure of a test in positions, vertices or pixels
+  std::optional<Plot> plot;                    // only for a test's first failure in positions, vertices or pixels
 
   bool operator==(const Failure&) const = default;
 };
@@ -73,10 +73,11 @@ struct Failure {
 struct Crash {
   std::string
       call;  // the GL command in flight, "glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)"; empty if none was
-  std::uint64_t commands_before = 0;  // of the case that it is in
+  std::uint64_t commands_before = 0;  // number of commands of the case before `call`
   std::vector<std::string> frames;    // the innermost first, "libGL.so.1 glGetMapiv+0x2c"; empty if unknown
 
-  // The same for crashes with the same innermost frames; crashes without frames are told apart by their call.
+  // Returns a text that is equal for crashes with the same innermost frames: "frame < caller < its caller",
+  // or the call if there are no frames.
   std::string group() const;
 };
 
@@ -92,39 +93,39 @@ struct TestRecord {
   Level level = Level::kMust;
   Verdict verdict = Verdict::kInternalError;
   std::string message;  // the verdict in one line
-  // The requirements in whose subject a fail found something wrong. They need not be requirements of the
-  // test: a value that no map supplies is wrong by EV-COORD-CURRENT in any test. Empty if they were not told
-  // apart.
+  // The requirements that a fail violates. They need not be requirements of the test: in any test, a
+  // wrong value that no map supplies violates EV-COORD-CURRENT. Empty if the violated requirements
+  // were not determined.
   std::vector<RequirementId> violated;
   std::optional<std::uint64_t> cases, failed_cases, seed;
   std::optional<double> seconds;
-  std::vector<std::string> mismatches;  // sorted identities of all that is wrong, "case: what"
+  std::vector<std::string> mismatches;  // sorted identities of all mismatches, "case: what"
   std::vector<Failure> failures;        // the first few, in full
-  std::string capture;                  // the first that was used; empty if none was
+  std::string capture;                  // the first capture that was used; empty if none was
   std::string unobserved;               // attributes that the test is about, but no capture shows
-  std::vector<std::string> left_out;    // commands that the test can do without, because they crash
+  std::vector<std::string> left_out;    // optional commands that the test omitted because they crash
   std::optional<Crash> crash;           // for a crash, if the process could report it
   std::optional<Accuracy> accuracy;
-  std::map<std::string, std::string> readings;  // of ambiguous texts, that the implementation follows
+  std::map<std::string, std::string> readings;  // the implementation's reading of ambiguous passages, by ID
 
   bool expected_by_baseline = false;
   std::string baseline_reason;         // empty without an entry in the baseline
-  bool also_in_fresh_context = false;  // second pass: it fails in the same way with fresh contexts
-  // The tests that have to come before it in the same process for it to fail. Empty: its own earlier cases.
-  // Missing: not looked for, or not found.
+  bool also_in_fresh_context = false;  // second pass: the test fails in the same way in fresh contexts
+  // The tests that must run before this test in the same process to make it fail. Empty: the test's own
+  // earlier cases suffice. Missing: not searched for, or not found.
   std::optional<std::vector<std::string>> history;
   std::string history_case;         // the case of the only test of the history that is needed; may be empty
-  bool flake = false;               // it did not come out the same when it was repeated
-  std::optional<Repetition> again;  // what came of the flake when it was repeated
+  bool flake = false;               // a repetition had another outcome
+  std::optional<Repetition> again;  // for a flake: the outcome of the repetition
   std::string rerun, debug, reproducer;  // shell commands; for failures
 
   bool is_bad() const { return evalcts::is_bad(verdict); }
-  // Requirements that a bad test speaks against: `violated`, or all of its own if they were not told apart.
-  // None if it is not bad.
+  // Returns the requirements that a bad test contradicts: `violated`, or if that is empty, all requirements
+  // of the test. Empty for a test that is not bad.
   std::vector<RequirementId> blamed() const;
-  // Requirements that a bad test leaves undecided, because only others are violated.
+  // Returns the requirements of a bad test that it leaves undecided, because it violates only others.
   std::vector<RequirementId> hidden() const;
-  // An internal error is a defect of evalcts: no baseline can expect it.
+  // An internal error is a bug of evalcts, so no baseline can expect it.
   bool is_expected_failure() const { return is_failure(verdict) && expected_by_baseline; }
   // Only a baseline entry has a reason, so a pass with a reason that was not expected contradicts its entry.
   bool is_unexpected_pass() const {
@@ -134,7 +135,7 @@ struct TestRecord {
   // Order of reporting, smallest first: unexpected failures by verdict, expected failures by verdict,
   // unexpected passes, the rest by verdict.
   int severity() const;
-  // A short text for the sorted mismatches: their number and a hash.
+  // Returns a short text that identifies the sorted mismatches: their number and a hash.
   std::string signature() const;
 };
 

@@ -1,4 +1,4 @@
-// The versions of a GL that a baseline is for, as its header names them.
+// Parses the range of GL versions in the header of a baseline.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,13 @@
 
 namespace evalcts {
 
-// Four forms, after a word that stands before the number in GL_VERSION (here "Mesa"):
+// A range has one of four forms. The first three begin with the text before the number in GL_VERSION (here
+// "Mesa"):
 //   "Mesa 20.3 to 24.3"     both ends included
 //   "Mesa 25.0 or newer"
 //   "Mesa 22.3 or older"
-//   "Mesa 22.3"             any text: the version has to contain it
-// A bound is compared in as many components as it has: 24.3.9 is not newer than 24.3.
+//   "Mesa 22.3"             any text: contains the versions in which it occurs
+// A version is compared in as many components as the bound has: 24.3.9 is not newer than 24.3.
 class VersionRange {
  public:
   VersionRange() = default;  // contains every version

@@ -1,4 +1,4 @@
-// A child process: started by fork and exec (never fork alone once a context may exist), its output in a log.
+// Starts a child process that runs another program and writes its output to a log.
 #pragma once
 
 #include <sys/types.h>
@@ -12,46 +12,45 @@
 
 namespace evalcts {
 
-// The end of a process, by exit or by signal.
+// The exit status of a process, or the signal that ended it.
 struct Ending {
   bool signalled = false;
   int value = 0;  // exit status or signal
 };
-// "exit code 3", "signal 11 (SIGSEGV, segmentation fault)".
+// Returns "exit code 3", "signal 11 (SIGSEGV, segmentation fault)".
 std::string describe(const Ending& ending);
 
-// A command as one line for a POSIX shell.
+// Returns a command as one line for a POSIX shell.
 std::string shell_line(const std::vector<std::string>& command);
 
-// From now on this process is the parent of whatever its children leave behind, in whatever session: that is
-// killed when the child ends.
+// Makes this process adopt the orphans of its children, in any session, and kill them when a child ends.
 void adopt_what_children_leave();
 
 class ChildProcess {
  public:
-  // Keeps all that the process prints, or no more than kMostPrinted.
+  // Amount of output that the log keeps: everything, or at most kMostPrinted bytes per test (output_log.h).
   enum class Prints { kUnlimited, kLimited };
 
-  // Standard input is empty; standard output and error are appended to `log` (empty: thrown away). Throws
-  // std::runtime_error.
+  // Starts the program command[0], a path, with empty standard input. Standard output and error are appended
+  // to `log` (empty: discarded). Throws std::runtime_error.
   ChildProcess(const std::vector<std::string>& command, const std::string& log,
                Prints prints = Prints::kUnlimited);
-  // Kills it if it still runs.
+  // Kills the process if it is still running.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   pid_t id() const { return id_; }
-  // Waits up to `seconds`; empty if it still runs then. Processes of its group that it leaves behind are
-  // killed.
+  // Waits up to `seconds` for the end of the process; empty if it is still running then. When the process has
+  // ended, the remaining processes of its group are killed.
   std::optional<Ending> wait(double seconds);
   void kill();
 
-  // Bytes of memory that are its own or shared, and in use; 0 where that is not known.
+  // Returns the resident memory in bytes; 0 if it is not known.
   std::uint64_t memory() const;
-  // The latest line of a limited output that begins with "evalcts: ".
+  // Returns the latest line of limited output that begins with "evalcts: ".
   std::string own_words() const { return output_ ? output_->own_words() : std::string(); }
-  // The first lines of limited output, see OutputLog::beginning.
+  // Returns the first lines of limited output, see OutputLog::beginning.
   std::string printed() const { return output_ ? output_->beginning() : std::string(); }
 
  private:
@@ -60,8 +59,8 @@ class ChildProcess {
   void reap();
 
   pid_t id_ = -1;
-  int descriptor_ = -1;              // readable once the process has ended
-  std::optional<OutputLog> output_;  // where it is limited
+  int descriptor_ = -1;              // becomes readable when the process ends (pidfd_open)
+  std::optional<OutputLog> output_;  // only if the output is limited
   std::optional<Ending> ending_;
 };
 

@@ -1,4 +1,4 @@
-// Claims to the tests of a list: processes that work through it side by side take each test once.
+// Distributes a list of tests over parallel processes, so that each test is taken exactly once.
 #pragma once
 
 #include <atomic>
@@ -7,19 +7,20 @@
 
 namespace evalcts {
 
-// A file of one byte for each test of the list, mapped by all who share it.
+// A file with one byte for each test of the list, which all these processes map into memory.
 class Claims {
  public:
-  // Writes the file for a list of `count` tests, none of them taken. Throws CannotWrite.
+  // Writes the file for a list of `count` tests that nobody has taken. Throws CannotWrite.
   static void create(const std::filesystem::path& path, std::size_t count);
 
-  // Opens it. Throws std::runtime_error.
+  // Opens the file. Throws std::runtime_error.
   explicit Claims(const std::filesystem::path& path);
   ~Claims();
   Claims(const Claims&) = delete;
   Claims& operator=(const Claims&) = delete;
 
-  // Takes the test; false if somebody has. Nobody gives one back, not even by dying.
+  // Takes the test with this index; returns false if it is already taken. A test stays taken even if the
+  // process dies. Throws std::out_of_range.
   bool take(std::size_t test);
   bool all_taken() const;
 

@@ -1,5 +1,5 @@
-// Delta debugging (Zeller and Hildebrandt 2002): reduces a list that shows a failure to the items that it
-// needs.
+// Delta debugging (Zeller and Hildebrandt 2002): reduces a list that causes a failure to the items that are
+// necessary for it.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@ namespace evalcts {
 
 enum class Direction { kForwards, kBackwards };
 
-// Removes each run of `length` items (the last one may be shorter) without which `still_fails` holds for the
-// list that is left; returns true if it removed any. `still_fails` may be asked about an empty list.
+// Divides the list into runs of `length` items (the last run may be shorter), and removes each run if
+// still_fails() returns true for the remaining list, which may be empty. Returns true if any run was removed.
 template <class Item, class StillFails>
 bool remove_runs(std::vector<Item>& items, std::size_t length, Direction direction,
                  const StillFails& still_fails) {
@@ -33,8 +33,8 @@ bool remove_runs(std::vector<Item>& items, std::size_t length, Direction directi
   return removed;
 }
 
-// Removes runs of half of the items, of a quarter, and so on down to single items. Returns true if it removed
-// a single item at last: then another round may remove more.
+// Removes runs of half of the items, of a quarter, and so on down to single items. Returns true if the last
+// step removed a single item, so that another call may remove more.
 template <class Item, class StillFails>
 bool reduce(std::vector<Item>& items, Direction direction, const StillFails& still_fails) {
   bool removed = false;

@@ -1,4 +1,4 @@
-// One run at a time writes into an output folder.
+// Locks an output folder, so that only one run at a time writes into it.
 #pragma once
 
 #include <filesystem>
@@ -7,16 +7,18 @@
 
 namespace evalcts {
 
-// Another process is at work in the folder; the message says which.
+// Thrown if another process has locked the folder. The message contains the owner of the lock.
 struct FolderInUse : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// A lock of the kernel on the file `.lock`, which holds `owner` for others to read. It ends with the process,
-// in whatever way: a file that a killed run has left behind locks nothing.
+// A kernel lock (flock) on the file `.lock`, which contains `owner` for messages of other processes.
+// The kernel releases the lock when the process ends in any way, so a file left behind by a killed run
+// does not lock.
 class FolderLock {
  public:
-  // Throws FolderInUse and CannotWrite.
+  // Locks the folder. If the file system does not support locks, does not lock. Throws
+  // FolderInUse and CannotWrite.
   FolderLock(const std::filesystem::path& folder, const std::string& owner);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

@@ -1,11 +1,11 @@
-// The request to stop, from a signal handler.
+// The flag by which a signal handler asks runs to stop.
 #pragma once
 
 #include <atomic>
 
 namespace evalcts {
 
-// If set, runs stop and keep what was obtained with the status "interrupted".
+// If set, runs stop and keep the results so far, with the status "interrupted".
 inline std::atomic<bool> interrupted = false;
 
 }  // namespace evalcts

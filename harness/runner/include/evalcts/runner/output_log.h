@@ -1,5 +1,6 @@
-// A pipe between a child process and its log, so that a library that floods its output fills no disk, and so
-// that its last words are known where the disk is full.
+// A pipe between a child process and its log. It limits the log, so that a library that prints without end
+// does not fill the disk, and remembers the last message of evalcts, which the log may not contain if the
+// disk is full.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +9,10 @@
 
 namespace evalcts {
 
-// Bytes that are kept of what comes before the first test, and of each test. A test begins with the line in
-// which GoogleTest says so.
+// Maximum number of bytes that the log keeps of the output before the first test, and of the output of each
+// test. A test begins with GoogleTest's line "[ RUN      ] ...".
 inline constexpr std::size_t kMostPrinted = 64 * 1024;
-// Bytes that are remembered for messages about a process that does not start.
+// Maximum number of bytes that are remembered for messages about a process that does not start.
 inline constexpr std::size_t kMostRemembered = 16 * 1024;
 
 class OutputLog {
@@ -22,20 +23,22 @@ class OutputLog {
   OutputLog(const OutputLog&) = delete;
   OutputLog& operator=(const OutputLog&) = delete;
 
-  // The end for the child. Close it here once the child has its own.
+  // Returns the write end, which the child inherits. Close it with close_writer() after the
+  // child has started.
   int writer() const { return writer_; }
   void close_writer();
 
-  // A descriptor to wait for; negative once nobody writes any more.
+  // Returns the read end, for poll(); negative once all writers have closed their ends.
   int reader() const { return reader_; }
-  // Takes in what has come, without waiting for more. What cannot be written is lost: nothing depends on it.
+  // Copies the available output to the log, without waiting for more. Errors of writing are ignored, because
+  // the log is only for people.
   void take();
-  // The same, for the last time: nobody is expected to write any more.
+  // Copies the rest of the output, after the last writer has ended.
   void finish();
 
-  // The latest whole line that says something about evalcts ("evalcts: ...").
+  // Returns the latest complete line that begins with "evalcts: ", a message of evalcts itself.
   const std::string& own_words() const { return own_words_; }
-  // The first kMostRemembered bytes, in whole lines.
+  // Returns up to kMostRemembered bytes from the start of the output, in complete lines.
   const std::string& beginning() const { return beginning_; }
 
  private:
@@ -44,7 +47,7 @@ class OutputLog {
   void say_what_is_left_out();
 
   int reader_ = -1, writer_ = -1, log_ = -1;
-  std::string partial_;  // the beginning of a line
+  std::string partial_;  // the beginning of a line whose end has not arrived yet
   std::size_t kept_ = 0, left_out_ = 0;
   std::string own_words_, beginning_;
 };

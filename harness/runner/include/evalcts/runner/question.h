@@ -1,4 +1,4 @@
-// A question to the suite program, answered by a process of its own, which may crash or hang in the library.
+// Asks the suite program a question, in a separate process, because the library may crash or hang.
 #pragma once
 
 #include <chrono>
@@ -15,15 +15,16 @@ namespace evalcts {
 
 class Question {
  public:
-  // Starts the suite program: `command` with what is asked. Its output goes to `log` (empty: thrown away). It
-  // is killed if it takes more than `memory` bytes (0: no limit). Throws std::runtime_error.
+  // Starts the suite program with `command`, which contains the question. Its output goes to `log` (empty:
+  // discarded). The process is killed if it uses more than `memory` bytes (0: no limit) or takes longer than
+  // a minute. Throws std::runtime_error.
   Question(std::vector<std::string> command, const std::filesystem::path& log = {}, std::uint64_t memory = 0);
   ~Question();
   Question(const Question&) = delete;
   Question& operator=(const Question&) = delete;
 
-  // Waits for the answer, as `parse` reads it, which returns an optional. If there is none, `reason` says
-  // why.
+  // Waits for the answer and returns parse(answer), an optional. If there is no answer, `reason` is set to
+  // the reason.
   template <class Parse>
   auto answer(Parse parse, std::string& reason) -> decltype(parse(std::string())) {
     const std::optional<std::string> text = wait(reason);
@@ -45,11 +46,12 @@ class Question {
   Ending ending_;
 };
 
-// Describes the implementation that the command opens; if it does not start, `reason` says why.
+// Returns the description of the implementation that the command opens. If the implementation does not start,
+// returns none and sets `reason`.
 std::optional<Description> describe_implementation(const std::vector<std::string>& suite_command,
                                                    std::string& reason);
 
-// All tests of the suite program. Throws std::runtime_error.
+// Returns all tests of the suite program. Throws std::runtime_error.
 std::vector<ListedTest> list_tests(const std::filesystem::path& suite_program);
 
 }  // namespace evalcts

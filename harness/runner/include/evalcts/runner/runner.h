@@ -1,5 +1,5 @@
-// Judges one implementation in child processes and makes its result record. A library that crashes or hangs
-// costs the test in flight, nothing else.
+// Judges one implementation in child processes and makes its result record. A crash or hang of the library
+// affects only the test that is running.
 #pragma once
 
 #include <cstdint>
@@ -20,24 +20,25 @@ namespace evalcts {
 struct RunRequest {
   std::filesystem::path suite_program;
   ImplementationOptions implementation;
-  std::string name;               // of the output: the implementation's, or the user's label
-  std::optional<Shard> shard;     // if `tests` are a part of all
-  std::vector<ListedTest> tests;  // those to run
+  std::string name;               // the user's label, or the name of the implementation; part of file names
+  std::optional<Shard> shard;     // set if `tests` are a part of all tests
+  std::vector<ListedTest> tests;  // the tests to run
   Depth depth = Depth::kFull;
-  std::vector<std::string> readings;  // NAME=READING, asked for
+  std::vector<std::string> readings;  // readings that the user chose, as NAME=READING
   std::uint32_t seed = 1;
   Limits limits;
-  int retries = 1;  // how often an unexpected fail is run again
-  int jobs = 1;     // processes that share the tests (a pass over one shared context: always one)
+  int retries = 1;  // number of times that an unexpected fail is repeated
+  int jobs = 1;     // number of processes that share the tests; a pass over one shared context uses one
   std::filesystem::path output;     // an existing folder
-  std::string command;              // as the user typed it, for the record
-  std::string program = "evalcts";  // how the user calls it, for the commands that a failure is shown with
-  bool own_output = false;          // whether the user chose the output folder
-  // The baseline that fits states the tests that are not run, and the failures that are not investigated
-  // further.
+  std::string command;              // the command that the user typed, for the record
+  std::string program = "evalcts";  // evalcts as the user types it, for the commands shown with a failure
+  bool own_output = false;          // true if the user chose the output folder
+  // The baselines to choose from. The best fit determines the tests that are not run, and the failures that
+  // are not investigated further.
   std::vector<BaselineFiles> baselines;
-  std::string baseline;  // name of the base or overlay that the user chose; empty: the one that fits
-  // The result of the pass with fresh contexts: this is the second pass, over one shared context.
+  std::string baseline;  // name of the base or overlay that the user chose; empty: the best fit
+  // The result of the first pass, with fresh contexts, if this run is the second pass; null in
+  // the first pass.
   const RunResult* first_pass = nullptr;
 };
 
@@ -48,26 +49,26 @@ struct Progress {
   std::string test;
 };
 
-// The most unexpected fails that are all run again. If there are more, one of each group of fails that
-// look alike is.
+// Maximum number of unexpected fails of which each is repeated. If there are more, they are grouped by test
+// function and compared value, and only one of each group is repeated.
 inline constexpr std::size_t kMostPlayedAgain = 100;
 
-// Runs everything and returns the content of results-NAME.json (format "evalcts-results-1"), written by
-// write_atomically. While it runs, records-NAME.jsonl grows in the output folder, one line for each test, and
-// log-NAME.txt holds what the library and the suite print. An implementation that cannot be started gives a
-// record with the status "not-started" and its reason. Where the folder cannot be written any more (disk
-// full) the run ends, "interrupted" with the reason; CannotWrite where not even what was obtained can be
-// written: it is in records-NAME.jsonl.
+// Runs the tests, writes results-NAME.json (format "evalcts-results-1") and returns its content. During the
+// run, records-NAME.jsonl in the output folder grows by one line for each event, and log-NAME.txt contains
+// the output of the library and the suite. If the implementation cannot be started, the result has the status
+// "not-started" and the reason. If the folder becomes unwritable (disk full), the run ends with the status
+// "interrupted" and the reason. Throws CannotWrite if results-NAME.json cannot be written; the results are
+// then in records-NAME.jsonl.
 //
-// A fail that no baseline knows is run again, alone in a new process, up to `retries` times (see
-// kMostPlayedAgain); a crash or timeout always once. What does not come out the same either shows
-// again behind tests that came before it, which the message and "history" then name, or it is a flake:
-// "flake" is true and "again" what came. It keeps its verdict, for that is what the library did.
+// A fail that the baseline does not know is repeated alone in a new process, up to `retries` times (see
+// kMostPlayedAgain), a crash or timeout once. If the outcome differs, the failure either happens again after
+// tests that ran before it, which the message and "history" then name, or the test is a flake: "flake" is
+// true, and "again" is the other outcome. The test keeps its verdict, because the library did fail.
 //
-// A second pass has files of its own and "pass": "reuse-context" in its record. What fails in it as it failed
-// in the first is marked as expected and as "also_in_fresh_context"; for anything else that fails, the
-// shortest history found stands in the message and, as data, in "history" (names of tests, in order; none:
-// its own earlier cases) and "history_case" (the one case of the one test that it takes).
+// A second pass has its own files, and "pass": "reuse-context" in its record. A test that fails in the same
+// way as in the first pass is marked as expected and as "also_in_fresh_context". For any other failure, the
+// message and "history" state the shortest history that was found (names of tests in order; none: the test's
+// own earlier cases), and "history_case" the last necessary case if the history is one test.
 RunResult run_implementation(const RunRequest& request, const std::function<void(const Progress&)>& progress);
 
 }  // namespace evalcts

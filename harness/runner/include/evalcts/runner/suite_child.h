@@ -1,4 +1,4 @@
-// The suite program as a child that runs a list of tests: what it reports while it runs, and how it ends.
+// Runs a list of tests in a child process, which is the suite program, and collects its events and its end.
 #pragma once
 
 #include <chrono>
@@ -15,46 +15,47 @@
 
 namespace evalcts {
 
-// The tests of one child, and their records.
+// The results of one child process so far.
 struct ChildRun {
   std::map<std::string, TestRecord> records;
   std::vector<std::string> finished;                      // in the order in which they ran
-  std::string in_flight;                                  // the test that the child died in
-  std::optional<CaseStarted> last_case;                   // of that test, where cases were traced
-  std::optional<Crash> crash;                             // of that test, as the child could report it
-  std::map<std::string, std::vector<std::string>> cases;  // the identities of each test's, where traced
+  std::string in_flight;                                  // the test that runs, or that the child died in
+  std::optional<CaseStarted> last_case;                   // latest case of that test, if cases are traced
+  std::optional<Crash> crash;                             // crash of that test, if the child could report it
+  std::map<std::string, std::vector<std::string>> cases;  // identities of cases by test, if they are traced
   bool hung = false;
-  bool over_memory = false;  // it took more memory than it may
-  bool cut_short = false;    // by the end of the time for a search
-  bool complete = false;
-  std::string cannot_write;  // why it could not report what it had found; empty if it could
+  bool over_memory = false;  // the process was killed because it exceeded Limits::memory
+  bool cut_short = false;    // the process was killed at the deadline
+  bool complete = false;     // all tests have ended
+  std::string cannot_write;  // the reason if the child could not write its events, otherwise empty
   Ending ending;
 };
 
-// Time and memory after which a library counts as one that never stops: far more than any GL needs for a
-// test.
+// Time and memory beyond which a library is assumed never to stop. They are far more than any GL needs
+// for a test.
 struct Limits {
   double seconds_per_test = 60;
-  std::uint64_t memory = std::uint64_t{4096} << 20;  // bytes of a process
+  std::uint64_t memory = std::uint64_t{4096} << 20;  // resident memory of a process, in bytes
 };
 
-// Returns how the child ended: "no answer within 60 seconds", "it took more than 4096 MiB of memory", "the
-// process ended with ... in glEnd(), after 12 commands, at libGL.so.1 glEnd+0x2c".
+// Returns a description of the end of the child: "no answer within 60 seconds", "it used more than 4096 MiB
+// of memory", "the process ended with ... in glEnd(), after 12 commands, at libGL.so.1 glEnd+0x2c".
 std::string describe(const ChildRun& run, const Limits& limits);
 
 class SuiteChild {
  public:
   using Deadline = std::optional<std::chrono::steady_clock::time_point>;
 
-  // `command` writes its events to the file `events`, which grows from nothing, and all else to `log`, which
-  // keeps kMostPrinted of each test. Without an event for so many seconds it counts as hung; then, and beyond
-  // its memory, it is killed. Throws std::runtime_error.
+  // Starts `command`, which writes its events to the file `events`, which must not exist, and all
+  // other output to `log`, which keeps kMostPrinted bytes of each test. The process is killed if it
+  // reports no event for limits.seconds_per_test (it then counts as hung), or exceeds
+  // limits.memory. Throws std::runtime_error.
   SuiteChild(const std::vector<std::string>& command, const std::filesystem::path& events,
              const std::filesystem::path& log, const Limits& limits);
 
-  // Waits up to `seconds` and takes in what was reported since; `each` is called with each event,
-  // once it is in run(). The child is killed when a signal has interrupted the run, and at the deadline. True
-  // once it has ended, all events taken in.
+  // Waits up to `seconds` for the end of the child, then adds the new events to run() and calls `each` with
+  // each of them. Kills the child if a signal has interrupted the run, or the deadline has passed. Returns
+  // true once the child has ended and all events have been read.
   bool look(double seconds, const Deadline& deadline = {},
             const std::function<void(const Event& event)>& each = {});
 

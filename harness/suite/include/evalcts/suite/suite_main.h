@@ -1,5 +1,5 @@
-// The suite program: a plain GoogleTest program that judges one implementation. The runner starts it as a
-// child; any other GoogleTest runner can, too.
+// The suite program: an ordinary GoogleTest program that judges one implementation. The runner starts it as a
+// child process; other runners for GoogleTest can start it, too.
 #pragma once
 
 #include <functional>
@@ -9,10 +9,10 @@
 
 namespace evalcts {
 
-// Puts something around an implementation once it is open; may throw CannotStart.
+// Returns an implementation that wraps the opened one. May throw CannotStart.
 using Wrapping = std::function<std::unique_ptr<Implementation>(std::unique_ptr<Implementation>)>;
 
-// The whole program: the exit code. Tests are those that are linked to it.
+// Runs the program with the tests that are linked to it, and returns the exit code.
 int suite_main(int argc, char** argv, const Wrapping& wrapping = {});
 
 }  // namespace evalcts

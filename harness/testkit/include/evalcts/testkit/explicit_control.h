@@ -1,5 +1,5 @@
-// The control of failing cases: the same case with explicit commands in the place of evaluation has to come
-// out right. Otherwise the rest of the pipeline is the root cause, not the evaluators.
+// Runs the controls of failing cases. A control is the same case with explicit commands instead of
+// evaluation. If it fails as well, the root cause is in the rest of the pipeline, not in the evaluators.
 #pragma once
 
 #include <optional>
@@ -17,21 +17,22 @@ class ExplicitControl {
  public:
   explicit ExplicitControl(const Subject& subject) : subject_(subject) {}
 
-  // `script` was observed through the capture and is judged by these attributes.
+  // Must be called after `script` has been observed through the capture, before these attributes are judged.
   void set_observed(const gl::Case& script, const Capture& capture, Attributes judged);
-  // Another case begins.
+  // Must be called when another case begins.
   void clear() {
     observed_.reset();
     wrong_.clear();
   }
 
-  // Returns the attributes of explicit vertices that come out wrong in place of those that the case
-  // evaluates: what the capture or the rest of the pipeline loses.
+  // Returns the attributes that are wrong in the control of the case, because the capture or the rest of the
+  // pipeline loses them.
   Attributes lost_attributes(const gl::Case& script, const Capture& capture) const;
 
-  // The observed case, if there is one, has failed in `what` ("color.R of vertex 3"). Throws NotObservable if
-  // explicit commands go wrong in the same attribute, in positions, or in the number of vertices. If `what`
-  // names no attribute, any mismatch of the controls counts. Runs the controls of a case once only.
+  // Must be called when the observed case, if there is one, has failed in `what` ("color.R of vertex 3").
+  // Throws NotObservable if the controls fail in the same attribute, in positions, or in the number of
+  // vertices. If `what` names no attribute, any mismatch of the controls counts. The controls of a case run
+  // only once.
   void require_explicit_vertices(const std::string& what);
 
  private:
@@ -54,7 +55,7 @@ class ExplicitControl {
 
   const Subject& subject_;
   std::optional<Observed> observed_;
-  std::vector<Mismatch> wrong_;  // of the controls, once they were run
+  std::vector<Mismatch> wrong_;  // the mismatches of the controls, after they have run
 };
 
 }  // namespace evalcts

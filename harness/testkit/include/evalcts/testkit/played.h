@@ -1,4 +1,4 @@
-// A case that was run without a capture, and the checks on what it answered.
+// The result of a case that was run without a capture, and the checks on its answers.
 #pragma once
 
 #include <cstdint>
@@ -17,35 +17,39 @@ namespace evalcts {
 
 class Test;
 
-// Each check that does not hold is recorded with the case's calls and does not stop the test.
+// A failed check is recorded with the calls of the case and does not stop the test.
 class Played {
  public:
-  // `trace` is that of the case as it was delivered.
+  // `trace`: the answers of the delivered case.
   Played(Test& test, gl::DeliveredCase delivered, const gl::Trace& trace);
 
-  // The answers to the commands of the case as it was written.
+  // Returns the answers to the commands of the case before delivery.
   const gl::Trace& trace() const { return trace_; }
 
-  // GetError gave one of these. The message says "missing error" or "spurious error".
+  // Checks that GetError returned one of these errors. The message says "missing error", "spurious error" or
+  // "wrong error".
   void expect_error(gl::Ref get_error, std::initializer_list<GLenum> allowed);
   void expect_no_error(gl::Ref get_error) { expect_error(get_error, {GL_NO_ERROR}); }
-  // A returned value (IsEnabled, ...).
+  // Checks the value that a command (IsEnabled, ...) returned.
   void expect_result(gl::Ref command, std::int64_t expected);
-  // The query wrote exactly these values (as numbers, -0 equal to +0) and nothing behind them.
+  // Checks that the query wrote exactly these values (compared as numbers, so that -0 equals +0) and nothing
+  // after them.
   template <class T>
   void expect_values(gl::Ref query, const std::vector<T>& expected) {
     check_values(query, {expected.begin(), expected.end()}, 0);
   }
-  // The same with a relative tolerance: what a query may lose in conversion.
+  // Checks the values with a relative tolerance, for queries that may lose precision in conversions.
   template <class T>
   void expect_values_near(gl::Ref query, const std::vector<T>& expected, double relative) {
     check_values(query, {expected.begin(), expected.end()}, relative);
   }
-  // The query left its array alone.
+  // Checks that the query did not write to its array.
   void expect_nothing_written(gl::Ref query);
-  // Two queries gave the same answer, bit for bit. Nothing is expected if one of them was left out.
+  // Checks that two queries gave the same answer, bit for bit. Succeeds if one of them was left
+  // out (index -1).
   void expect_same(gl::Ref before, gl::Ref after);
-  // Anything else: `captured` and `expected` are for the reader.
+  // Checks any other condition on the answer of the command. `captured` and `expected` are texts
+  // for the reader.
   void expect(bool holds, gl::Ref command, const std::string& message, const std::string& expected,
               const std::string& captured);
 
@@ -55,7 +59,7 @@ class Played {
  private:
   void check_values(gl::Ref query, const std::vector<double>& expected, double relative);
   std::vector<double> written_values(gl::Ref query) const;
-  // `check`: what a C program can decide.
+  // `check`: the condition that a C program can decide.
   void fail(gl::Check check, const std::string& message, const std::string& expected,
             const std::string& captured);
 

@@ -2,7 +2,7 @@
 //
 //   EVALCTS_TEST(Map1State, Copy, kMust, "EV-MAP1-COPY")(Test& t) { t.play(...); };
 //
-//   // "Map1Errors.StrideBelowK/MAP1_VERTEX_3", and so on; each as it is and through display lists
+//   // "Map1Errors.StrideBelowK/MAP1_VERTEX_3" and so on, each unmodified and through display lists
 //   EVALCTS_TEST(Map1Errors, StrideBelowK, kMust, "EV-MAP1-ERR-STRIDE",
 //                combine(gl::kMap1Targets).by(gl::list_deliveries()))
 //   (Test& t, GLenum target) { ... };
@@ -22,23 +22,23 @@
 
 namespace evalcts {
 
-// A test as it is registered, known without a run.
+// The properties of a registered test, which are known without a run.
 struct TestInfo {
   std::string suite;
   std::string name;
   std::vector<RequirementId> requirements;
   Level level;
   std::function<void(Test&)> body;
-  Depth from = Depth::kQuick;  // the least depth that runs it unless its exact name is asked for
+  Depth from = Depth::kQuick;  // the least depth that runs the test, unless a filter has its exact name
 
   std::string full_name() const { return suite + "." + name; }
 };
 
-// All tests, in the order of their names.
+// Returns all tests, sorted by suite and name.
 const std::vector<TestInfo>& all_tests();
 
-// The name of a parameter in the names of tests about maps of this dimension: "MAP1_VERTEX_3" for a token,
-// which in two dimensions becomes "MAP2_VERTEX_3", otherwise its member `name`.
+// Returns the name of a parameter in the names of tests about maps of this dimension: "MAP1_VERTEX_3" for a
+// token, which becomes "MAP2_VERTEX_3" in two dimensions; otherwise the member `name` of the parameter.
 std::string parameter_name(GLenum token, int dimension);
 template <class Parameter>
 requires requires(const Parameter& p) { p.name; }
@@ -56,12 +56,12 @@ class Parameters {
       : combinations_(std::move(combinations)) {}
   Parameters() requires(sizeof...(P) == 0) : combinations_(1) {}
 
-  // Each combination with each of these values.
+  // Returns each combination with each of these values.
   template <class Range>
   auto combine(const Range& values) const {
     return expand([&](const P&...) -> const Range& { return values; });
   }
-  // Each combination with each of the values that `values_of` returns for it.
+  // Returns each combination with each of the values that `values_of` returns for the combination.
   template <class Function>
   auto expand(Function values_of) const {
     using Value = std::decay_t<decltype(*std::begin(std::apply(values_of, combinations_.front())))>;
@@ -73,17 +73,18 @@ class Parameters {
     Parameters<P..., Value> expanded(std::move(all));
     return std::move(expanded).by(deliveries_);
   }
-  // Without the combinations for which `holds` is false.
+  // Returns the combinations for which `holds` returns true.
   template <class Function>
   Parameters filter(Function holds) const {
     Parameters kept = *this;
     std::erase_if(kept.combinations_, [&](const Combination& each) { return !std::apply(holds, each); });
     return kept;
   }
-  // One test for each delivery. Of what the parameters leave to it, quick depth takes the plain deliveries
-  // and one of the others in turn; full depth all without display lists (those that are `sparing` as quick
-  // depth does). One with display lists, in turn, is taken for every ninth test at quick, every third at full
-  // depth; thorough depth takes all.
+  // Makes one test for each delivery. For the parameters that a depth runs, quick depth runs the plain
+  // deliveries and one other delivery without display lists; full depth runs all deliveries without display
+  // lists (but sparing ones as quick depth does); thorough depth runs all deliveries. Besides, one delivery
+  // through display lists runs for every ninth test at quick depth and every third at full depth. A hash of
+  // the test's name makes these choices.
   Parameters by(std::vector<gl::Delivery> deliveries) const {
     Parameters delivered = *this;
     delivered.deliveries_ = std::move(deliveries);
@@ -95,7 +96,7 @@ class Parameters {
 
  private:
   std::vector<Combination> combinations_;
-  std::vector<gl::Delivery> deliveries_;  // empty: as the case is written
+  std::vector<gl::Delivery> deliveries_;  // empty: only the unmodified case
 };
 
 template <class Range>
@@ -106,19 +107,20 @@ inline Parameters<> by(std::vector<gl::Delivery> deliveries) {
   return Parameters<>().by(std::move(deliveries));
 }
 
-// The product of EVALCTS_TEST: `declaration << body` registers the tests.
+// The type of the variables that EVALCTS_TEST defines: `declaration << body` registers the tests
+// and returns it.
 struct Registration {};
 
 // A test with one combination of its parameters.
 struct Variant {
-  std::array<std::string, 2> names;  // of the parameters, in one dimension and in two; empty: no parameters
+  std::array<std::string, 2> names;  // of the parameters in one and in two dimensions; empty: no parameters
   std::function<void(Test&)> body;
 };
 Registration register_tests(const TestInfo& info, const std::vector<gl::Delivery>& deliveries,
                             std::vector<Variant> variants);
 
-// The tests of the suite `of_one` that are lifted to two dimensions belong to the suite `of_two`. Tests of
-// any other suite stay in it.
+// Makes lifted tests (deliveries in two dimensions) of the suite `of_one` belong to the suite `of_two`.
+// Lifted tests of any other suite stay in their suite.
 Registration lift_suite(const char* of_one, const char* of_two);
 #define EVALCTS_LIFTED_SUITE(of_one, of_two)                              \
   [[maybe_unused]] static const ::evalcts::Registration of_one##_lifted = \
@@ -153,7 +155,7 @@ class TestDeclaration {
   Parameters<P...> parameters_;
 };
 
-// The arguments of EVALCTS_TEST behind the level: IDs, and parameters at the end, if there are any.
+// Takes the arguments of EVALCTS_TEST after the level: requirement IDs, optionally followed by parameters.
 template <class... P>
 TestDeclaration<P...> declare(TestInfo info, const Parameters<P...>& parameters) {
   return {std::move(info), parameters};
@@ -165,6 +167,7 @@ auto declare(TestInfo info, const char* requirement, const More&... more) {
   return declare(std::move(info), more...);
 }
 
+// Defines and registers tests:
 // EVALCTS_TEST(suite, name, level, "ID"..., parameters)(Test& t, const P& parameter...) { body };
 #define EVALCTS_TEST(suite, name, level, ...)                                                      \
   [[maybe_unused]] static const ::evalcts::Registration suite##_##name =                           \

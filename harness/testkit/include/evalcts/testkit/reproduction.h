@@ -1,5 +1,5 @@
-// Sees everything that a test runs, and writes the case that fails as a stand-alone C program: before each
-// case, so that a crash leaves the program of the case in flight, and with its check at the first failure.
+// Records the cases of a test, and writes the failing case as a stand-alone C program. The program is written
+// before each case, so that it exists if the case crashes, and again with its check at the first failure.
 #pragma once
 
 #include <functional>
@@ -17,27 +17,29 @@ namespace evalcts {
 
 class Reproduction {
  public:
-  // Writes to `file`, and only where `file` is named; throws std::runtime_error where that fails.
+  // `implementation`: the implementation under test, which must outlive the object. `file`: the C program to
+  // write. Running a case throws std::runtime_error if the file cannot be written.
   Reproduction(Implementation& implementation, std::string file);
   ~Reproduction();
 
-  // The implementation to run the test against.
+  // Returns the recording implementation, on which the test must run.
   Implementation& implementation();
 
-  // A new case of the test: what was run before has nothing to do with it.
+  // Must be called at the beginning of each case of the test. Discards the recorded commands
+  // of earlier cases.
   void begin_case();
 
-  // The check behind one of `all` mismatches that a capture showed. Which answer it rests on is found by
-  // experiment: `rejudge` observes and judges the case once more, on an implementation that gives the
-  // recorded answers with one of them changed. None if no single answer is behind it.
+  // Returns the check that decides `mismatch`, one of `all` mismatches of an observation; none if it does not
+  // depend on a single answer. The answer is found by experiment: `rejudge` observes and judges the case
+  // again on an implementation that gives the recorded answers, with one of them changed.
   using Rejudge = std::function<std::vector<Mismatch>(Implementation&)>;
   std::optional<gl::Check> check_of(const Mismatch& mismatch, const std::vector<Mismatch>& all,
                                     const Rejudge& rejudge) const;
 
-  // The first failure ends the recording.
-  // `check`: what decides it; missing if that is a comparison of the test's own.
+  // Writes the C program of the first failure and ends the recording. `check` decides the failure; none if
+  // the test compared the answers by itself.
   void failed(const Failure& failure, const std::optional<gl::Check>& check);
-  // The check of the first failure, as it was written.
+  // Returns the check in the C program; none if there was no failure.
   const std::optional<gl::Check>& check() const { return check_; }
 
  private:

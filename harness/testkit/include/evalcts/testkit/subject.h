@@ -1,4 +1,4 @@
-// The subject of all tests of a process, and the objects that they share.
+// Defines the subject of all tests of a process, and the objects that the tests share.
 #pragma once
 
 #include <cstdint>
@@ -24,10 +24,10 @@ struct Subject {
   Captures* captures = nullptr;
   Depth depth = Depth::kFull;
   std::uint32_t seed = 1;
-  std::set<std::string> crashing_calls;              // as gl::call_text writes them, see append_optional
-  std::map<std::string, std::string> readings;       // of ambiguous text that are asked for, by its name
-  std::function<void(const gl::Case&)> before_case;  // may be empty
-  Reproduction* reproduction = nullptr;              // null unless a C program of the first failure is wanted
+  std::set<std::string> crashing_calls;              // texts of gl::call_text(), see Test::append_optional
+  std::map<std::string, std::string> readings;       // the readings that the user chose, by ambiguous passage
+  std::function<void(const gl::Case&)> before_case;  // called before each case; may be empty
+  Reproduction* reproduction = nullptr;              // set if the first failure is written as a C program
   std::shared_ptr<Topologies> topologies = std::make_shared<Topologies>();
 };
 

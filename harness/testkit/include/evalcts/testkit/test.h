@@ -1,4 +1,5 @@
-// Tests: they name the requirements that they decide, run cases and report failures.
+// Defines the class Test, through which tests name the requirements that they decide, run cases
+// and report failures.
 #pragma once
 
 #include <cstdint>
@@ -22,38 +23,39 @@
 
 namespace evalcts {
 
-// The rule does not apply to this implementation: its version or extension is missing, or it is no GL and
-// does not declare what the rule is about.
+// Thrown if a requirement does not apply to the implementation, because its version or extension is not
+// supported, or because the implementation is a sink that does not declare the feature.
 struct NotSupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Handed to the body of each test.
+// The first argument of the body of each test.
 class Test {
  public:
   Test(const Subject& subject, TestRecord& record) : subject_(subject), record_(record), control_(subject) {}
 
   const ImplementationInfo& gl() const { return subject_.info; }
-  // An order that has to be accepted, as large as possible (see ImplementationInfo).
+  // Returns the largest order that the implementation must accept (see ImplementationInfo).
   int max_order() const { return gl().max_order(); }
-  // The order beyond which all are rejected. Throws NotObservable if MAX_EVAL_ORDER is not answered: then it
-  // may be any from 8 on.
+  // Returns the order above which all orders must be rejected. Throws NotObservable if MAX_EVAL_ORDER is not
+  // answered, because the limit may then be any order from 8 on.
   int order_limit() const;
-  // At full depth quick for all deliveries but the plain ones: what remains to be shown there is that they do
-  // the same.
+  // Returns the depth of the run. At full depth, returns quick for deliveries that are not plain, because
+  // these only have to show that they have the same effect.
   Depth depth() const;
-  // One of three values by depth.
+  // Returns the value for the depth.
   int by_depth(int quick, int full, int thorough) const;
-  // Random numbers of this test: the same for the same seed, whatever other tests run.
+  // Returns the random numbers of this test, which are the same for the same seed, regardless of other tests.
   std::mt19937& random() { return random_; }
 
   // Throws NotSupported below the version unless the extension is advertised.
   void require(int major, int minor, const std::string& or_extension = {}) const;
 
-  // Throws NotObservable if the state that a case begins with was restored by calls.
+  // Throws NotObservable if cases do not begin in a fresh context, but in one whose state was
+  // restored by commands.
   void require_initial_state() const;
 
-  // From now on each case goes through this delivery.
+  // Makes all following cases go through this delivery.
   void deliver_by(const gl::Delivery& delivery) {
     delivery_ = delivery;
     if (other_lists_) delivery_.lists = *other_lists_;
@@ -62,63 +64,66 @@ class Test {
   // True if the cases of this test go through display lists.
   bool is_delivered_in_lists() const { return delivery_.lists != gl::Lists::kNone; }
 
-  // From now on a failure violates these requirements only, some of those of the test or of others; without
-  // any, all of the test.
+  // Makes following failures violate only these requirements, which need not be requirements of the test. An
+  // empty list stands for all requirements of the test.
   void decide(std::vector<RequirementId> requirements) { decided_ = std::move(requirements); }
 
-  // The requirement of this test with the given ID, of the dimension that the test is about.
+  // Returns the requirement of this test with the given ID, or the half of it that the test decides. Throws
+  // std::logic_error if the test does not decide it.
   RequirementId requirement(const std::string& id) const;
 
-  // From now on values that no map supplies are not the subject of the test: a wrong one violates
-  // Mismatch::rule_of_current_values, and the test leaves its own requirements undecided.
+  // Excludes values that no map supplies from the subject of the test. A wrong value of this kind violates
+  // Mismatch::rule_of_current_values, and leaves the test's own requirements undecided.
   void leave_current_values_to_their_rules() { judges_current_values_ = false; }
 
-  // From now on the order counts in which a mesh of EvalMesh2 is drawn. Other tests find its points, lines
-  // and polygons wherever they come in it, so that what draws them in another order fails where that is said.
+  // Makes the test judge the order in which EvalMesh2 draws. Other tests accept the points, lines and
+  // polygons of a mesh in any order, so that an implementation with another order fails only in the tests of
+  // this order.
   void judge_order_of_meshes() { judges_order_of_meshes_ = true; }
 
-  // Appends commands that the test can do without, apart from those that crash the implementation; the record
-  // names these. Returns where each command has come to stand; no position (-1) if it was left out. No
-  // command uses what another one gives.
+  // Appends optional commands, except those that crash the implementation, which are noted in the record.
+  // Returns the position of each command; -1 if it was left out. No command may use the result of another.
   std::vector<gl::Ref> append_optional(gl::Case& c, const gl::Case& optional);
 
-  // Runs the case in a fresh context. Errors that the case leaves behind unasked are failures.
+  // Runs the case in a fresh context. Errors that are pending at the end of the case are failures.
   Played play(const gl::Case& script);
 
-  // Observes what the case emits through the first capture that can see it (in one test of 32, at
-  // thorough depth in all, through the others as well: they have to agree), and judges it against the
-  // executable specification at the level of the test. All attributes that the capture shows are judged.
-  // Those of the `required` ones that no capture shows are recorded as unobserved; if none is shown, the test
-  // is not-observable.
+  // Observes the output of the case through the best capture, and judges it against the executable
+  // specification at the level of the test. In one test of 32 (at thorough depth in all tests), other
+  // captures observe it, too, and must agree. All attributes that the capture shows are judged.
+  // Attributes in `required` that no capture shows are recorded as unobserved; if none of them is shown,
+  // the test is not-observable.
   void expect_emission(const gl::Case& script, Attributes required);
-  // The same with a prediction that is at hand. Not through a delivery. Unless `measured`, the accuracy of
-  // what is judged, which takes longer than the verdict, is not recorded.
+  // Like the function above, but with a given prediction, and not through a delivery. If not `measured`,
+  // accuracy is not recorded, because this takes longer than judging.
   void expect_emission(const gl::Case& script, const Prediction& prediction, Attributes required,
                        bool measured = true);
 
-  // Observes a case that draws these kinds of primitives through the first capture that sees `required`; the
-  // test judges by itself.
+  // Observes a case that draws these kinds of primitives through the first capture that shows `required`. The
+  // test judges the observation itself. `most_vertices`: see Wanted. Throws NotObservable.
   Observation observe(const gl::Case& script, Attributes required, std::size_t most_vertices,
                       PrimitiveKinds kinds = kPoints);
   // Returns the mismatches of an observation; may throw NotObservable.
   using OwnJudge = std::function<std::vector<Mismatch>(const Observation&)>;
-  // The same, and fails for each mismatch that the test's own judge finds. What it looks at may come after
-  // all lists of the case.
+  // Observes a case as observe() does, and fails for each mismatch that `judge` returns. kAfterLists states
+  // that `judge` uses only vertices that are drawn after all display lists of the case; then no controls run.
   enum class Judged { kInLists, kAfterLists };
   void expect_observation(const gl::Case& script, Attributes required, std::size_t most_vertices,
                           PrimitiveKinds kinds, const OwnJudge& judge, Judged judged = Judged::kInLists);
 
-  // Returns the outputs of a vertex shader of the test's own. Throws NotObservable.
+  // Runs the case with a vertex shader of the test, and returns the outputs of the
+  // shader. Throws NotObservable.
   RecordedVaryings record_varyings(const gl::Case& script, const VaryingShader& shader,
                                    std::size_t most_vertices);
 
-  // The implementation follows this reading of an ambiguous text: both are named in "readings" of the
-  // catalogue. A failure where another reading was asked for.
+  // Records that the implementation follows this reading of an ambiguous passage; both are named in
+  // "readings" of the catalogue. Fails if the user chose another reading.
   void follows(const std::string& text, const std::string& reading);
 
-  // `calls` is asked for those failures only that are kept in full.
+  // Adds a failure. Throws NotObservable if the control of the observed case fails in the same way.
+  // `calls`: returns the calls of the case; called only for failures that are kept in full.
   // `check`: decides the failure in a stand-alone C program.
-  // `rule`: the requirement that it violates; empty: those of decide().
+  // `rule`: the violated requirement; empty: those of decide().
   void fail(Failure failure, const std::function<std::vector<std::string>()>& calls = {},
             const std::optional<gl::Check>& check = {}, const std::string& rule = {});
   // True if a failure has a plot already: one is enough for a test.
@@ -132,8 +137,8 @@ class Test {
   const Capture& choose_capture(Attributes required, PrimitiveKinds kinds);
   void note_capture(const Capture& capture);
 
-  // Sets the violated requirements of a test that failed through display lists: the row of the list is
-  // violated only if the same commands are right without a list, or in a list of the simplest kind.
+  // Sets the violated requirements of a test that failed through display lists, by running it without a list
+  // and in a list of the simplest kind. The requirement of the form of lists is violated only if both pass.
   void blame_list_or_commands(const std::function<void(Test&)>& body);
 
   // One capture's observation of a case.
@@ -147,8 +152,8 @@ class Test {
                             std::size_t most_vertices);
   void judge_emission(const gl::Case& delivered, const Prediction& prediction, Attributes required,
                       bool measured);
-  // A failure for each mismatch that `judge` finds in what the capture saw of the case. With a prediction,
-  // the first one in positions or vertices gets a plot, otherwise the first.
+  // Adds a failure for each mismatch that `judge` finds in the observation `seen`. If there is a prediction,
+  // the first failure in positions or vertices gets a plot, otherwise the first failure.
   void fail_each(const gl::Case& script, const Capture& capture, const Wanted& wanted,
                  const Observation& seen, const OwnJudge& judge, const Prediction* prediction = nullptr);
 
@@ -156,12 +161,12 @@ class Test {
   TestRecord& record_;
   bool judges_order_of_meshes_ = false, judges_current_values_ = true;
   std::vector<RequirementId> decided_;
-  bool violates_all_ = false;  // a failure was not told apart
+  bool violates_all_ = false;  // a failure violates all requirements of the test
   gl::Delivery delivery_;
-  std::optional<gl::Lists> other_lists_;  // in the place of those of the delivery
+  std::optional<gl::Lists> other_lists_;  // replaces the form of lists of the delivery
   bool lists_used_ = false;
   ExplicitControl control_;
-  Attributes unobserved_ = 0;  // of those that the test is about
+  Attributes unobserved_ = 0;  // required attributes that no capture shows
   std::uint64_t cases_ = 0, failed_cases_ = 0, last_failed_case_ = 0;
   std::mt19937 random_;
 };

@@ -1,5 +1,5 @@
-// Topologies of captures: each takes primitives apart in a way of its own, which is learned from explicit
-// vertices and kept, because it is always the same.
+// Determines the topologies of captures. Each capture splits primitives in its own way, which is learned from
+// explicit vertices. The result is kept, because it is always the same.
 #pragma once
 
 #include <map>
@@ -15,12 +15,12 @@ namespace evalcts {
 
 class Topologies {
  public:
-  // Returns how `capture` shows the primitives of the prediction. Throws NotObservable if it does not show
-  // them with explicit vertices, either.
+  // Returns the topology in which `capture` shows the primitives of the prediction. Throws NotObservable if
+  // the capture does not show these primitives with explicit vertices, either.
   Topology find(const Prediction& prediction, const Capture& capture, Implementation& implementation);
 
  private:
-  std::map<std::pair<std::string, Shape>, Topology> known_;  // by the capture's name and what is drawn
+  std::map<std::pair<std::string, Shape>, Topology> known_;  // by the name of the capture and the primitives
 };
 
 }  // namespace evalcts
