@@ -156,8 +156,9 @@ EVALCTS_TEST(Contexts, EvaluatesAfterSwitch, kMust, "EV-CTX-SWITCH", "EV-CTX-PRI
 
 constexpr GLuint kCopy = 1;
 
-// Sets all state in the first context and copies the groups of the mask to a new context, kCopy; the first
-// context stays current. Throws NotObservable if glXCopyContext does not copy the clear colour either.
+// Sets all state in the first context and copies the groups of the mask to a new context, kCopy. The first
+// context is current afterwards. Throws NotObservable if glXCopyContext does not copy the clear colour
+// either.
 void set_and_copy(Test& t, gl::Case& c, GLbitfield mask) {
   gl::Case control(gl::control("the clear colour"));
   control.ClearColor(0.25f, 0.5f, 0.75f, 1.0f);
