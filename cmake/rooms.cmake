@@ -2,8 +2,8 @@
 # its private headers are next to its sources. docs/architecture.md says which room may use which; the test `rooms` compares
 # it with the rooms that are declared here and with the includes of the sources.
 #   evalcts_room(NAME [LIGHT] SOURCES file... USES room... LINK public-library... PRIVATE_LINK library...)
-# makes the library evalcts_NAME. With LIGHT it is compiled with evalcts_light_options and cannot reuse the precompiled header
-# of a room with other options.
+# makes the library evalcts_NAME. With LIGHT it is compiled with evalcts_light_options and cannot reuse the precompiled
+# header of a room with other options.
 function(evalcts_room name)
   cmake_parse_arguments(PARSE_ARGV 1 ROOM "LIGHT" "" "SOURCES;USES;LINK;PRIVATE_LINK")
   add_library(evalcts_${name} STATIC ${ROOM_SOURCES})

@@ -92,7 +92,7 @@ EVALCTS_TEST(Pipeline, DebugMessages, kQuality, "EV-PIPE-DEBUG")
   Answers evaluators = answers(t, "errors of evaluators", commands);
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const Answer& answer = evaluators.all[i];
-    if (answer.error == GL_NO_ERROR) continue;  // other tests say so
+    if (answer.error == GL_NO_ERROR) continue;  // other tests judge missing errors
     evaluators.played.expect(
         answer.is_reported(), answer.asked,
         fmt::format("{}: no message of type DEBUG_TYPE_ERROR from DEBUG_SOURCE_API", commands[i].name),

@@ -113,7 +113,7 @@ EVALCTS_TEST(DisplayLists, CompilingDrawsNothing, kMust, "EV-DL-COMPILED", combi
 // --- Calling ---------------------------------------------------------------------------------------------
 
 // Expects at least one of the queries to have a different answer. Throws NotObservable if all answers are the
-// same but some queries were left out.
+// same but some queries were omitted.
 void expect_changed(CheckedCase& c, const std::vector<gl::Ref>& before, const std::vector<gl::Ref>& after,
                     const char* message) {
   c.expect([=](Played& played) {

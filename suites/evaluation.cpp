@@ -339,7 +339,7 @@ EVALCTS_TEST(Evaluation, FirstArgumentIsU, kMust, "EV-COORD-ARGORDER", by(gl::su
   t.expect_emission(c, kPosition);
 };
 
-// Evaluates both dimensions in turn in one primitive, with a vertex map and one further map of each.
+// Evaluates both dimensions alternately in one primitive, with a vertex map and one other map of each.
 void expect_dimensions_in_turn(Test& t, GLenum target1, GLenum target2) {
   for (const GLenum mode : {GL_POINTS, GL_LINE_STRIP}) {
     gl::Case c(fmt::format("{}, {} and {}", gl::primitive_name(mode), label(target1), label(target2)));

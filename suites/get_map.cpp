@@ -181,7 +181,7 @@ EVALCTS_TEST_PAIR(GetMap.PackBufferIgnored, GetMap2.PackBufferIgnored, kMust,
 
 // --- One dimension, and errors ---------------------------------------------------------------------------
 
-// The array has exactly the size of the answer, so that a further value is written into the guard behind it.
+// The array has exactly the size of the answer, so that a further value is written into the guard after it.
 EVALCTS_TEST(GetMap, OrderDomainAndPoints, kMust, "EV-GETMAP-ORDER1", "EV-GETMAP-DOMAIN1", "EV-GETMAP-COEFF1",
              "EV-GETMAP-COUNT/1-D", "EV-GETMAP-FLOAT/1-D", combine(gl::kMap1Targets))
 (Test& t, GLenum target) {
@@ -274,7 +274,7 @@ EVALCTS_TEST(GetMap, KeepsTheErrorThatWaits, kMust, "EV-GETMAP-NOSIDE", combine(
 // --- Two dimensions --------------------------------------------------------------------------------------
 
 // Expects the orders, the domain and the points of a map in both forms and in several layouts. The arrays
-// have exactly the size of the answers, so that a further value is written into the guard behind them.
+// have exactly the size of the answers, so that a further value is written into the guard after them.
 void expect_answered(Test& t, GLenum target, int uorder, int vorder) {
   const int k = gl::components_of(target), max = t.max_order();
   const auto shown = [max](int order) { return order == max ? "MAX" : std::to_string(order); };

@@ -312,7 +312,7 @@ void begin_indirect(gl::Case& c) {
   recorded_requests(c);
 }
 
-// Replies of one and of several values. Behind each array lies a guard.
+// Replies of one and of several values. There is a guard after each array.
 EVALCTS_TEST(GlxProtocol, Replies, kMust, "EV-GLX-GETMAP-REPLY", combine(kGetters))
 (Test& t, const Getter& form) {
   const std::vector<double> points = {3, -5, 2, 7, 11, -13, 1, 4};

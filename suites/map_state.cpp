@@ -112,8 +112,8 @@ EVALCTS_TEST_PAIR(Map1State.ValuesPerPoint, Map2State.ValuesPerPoint, kMust, dec
   c.check();
 };
 
-// Each map is queried after its definition, so that a library that caches answers fails, whatever two maps
-// have in common.
+// Each map is queried after its definition, and two maps may have members in common, so that a library that
+// caches answers fails.
 EVALCTS_TEST_PAIR(Map1State.ReplaceAfterQuery, Map2State.ReplaceAfterQuery, kMust,
                   decide("EV-MAP1-REPLACE", "EV-MAP2-REPLACE"), kEachTarget)
 (Test& t, bool two, GLenum target) {

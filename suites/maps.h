@@ -37,7 +37,7 @@ struct Interval {
 // The arguments of Map1 or Map2: the point R_ij begins at points[ustride*i + vstride*j]. A one-dimensional
 // map has vorder 1, and Map1 takes the members of u only. make_map1() and make_map2() end `points` a whole
 // stride (the smaller one) after the beginning of the last point, because the specification does not say
-// whether an implementation may read the padding behind it (U-TAIL).
+// whether an implementation may read the padding after it (U-TAIL).
 struct Map {
   GLenum target = GL_MAP1_VERTEX_3;
   double u1 = 0, u2 = 1, v1 = 0, v2 = 1;
@@ -211,7 +211,7 @@ void evaluate_all(gl::Case& c, bool two, const std::vector<At>& arguments, bool 
 
 // Appends queries of the state that a rejected command must leave unchanged: enables, orders, domains and
 // points of the MAP1 maps, AUTO_NORMAL, both grids, the current colour, normal and texture coordinates, and
-// the MAP2 maps. The arrays have room for maps of the highest order. Queries that crash are left out
+// the MAP2 maps. The arrays have room for maps of the highest order. Queries that crash are omitted
 // (Test::append_optional).
 std::vector<gl::Ref> query_everything(Test& t, gl::Case& c);
 void expect_unchanged(Played& played, const std::vector<gl::Ref>& before, const std::vector<gl::Ref>& after);
@@ -235,7 +235,8 @@ struct MapQuery {
   gl::Ref order, domain, coefficients;
 };
 MapQuery query_map(gl::Case& c, GLenum target, int max_order, bool doubles = false);
-// Expects the answers to be the map's, to a relative error of 1e-5. `doubles` as it was for query_map().
+// Expects the answers to be the map's, to a relative error of 1e-5. `doubles` is that of the call of
+// query_map().
 void expect_map(Played& played, const MapQuery& query, const Map& map, bool doubles = false);
 
 }  // namespace evalcts

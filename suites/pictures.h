@@ -56,7 +56,7 @@ Picture feedback(Test& t, const gl::Identity& identity, const std::vector<Scene>
 Picture feedback(Test& t, const gl::Identity& identity, const gl::Case& state, const gl::Case& drawing);
 
 // A primitive in the feedback buffer. Each vertex is (x, y, z, w) in window coordinates, RGBA, (s, t, r, q).
-// The token tells LINE_RESET_TOKEN from LINE_TOKEN.
+// The token distinguishes LINE_RESET_TOKEN and LINE_TOKEN.
 struct FeedbackPrimitive {
   GLenum token;
   std::vector<std::array<double, 12>> vertices;

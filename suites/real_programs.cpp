@@ -273,7 +273,7 @@ Net net_of(const Section (&sections)[4]) {
   return net;
 }
 
-// Returns the net mirrored at the planes x = 0 and y = 0 as asked, with unchanged orientation.
+// Returns the net, mirrored at the plane x = 0 (at_x) and at y = 0 (at_y), with unchanged orientation.
 Net mirrored(const Net& net, bool at_x, bool at_y) {
   Net mirrored;
   for (std::size_t i = 0; i < 4; ++i)

@@ -1,4 +1,4 @@
-"""Enumerants and bits of the GL, which the files give by name."""
+"""Enumerants and bits of the GL, which the files have by name."""
 
 from .maps import TARGETS
 from .number import Malformed, show

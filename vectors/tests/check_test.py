@@ -101,7 +101,7 @@ class Numbers(unittest.TestCase):
 
 
 def plain_error(net, u, v, single, k_more=0):
-    """The accuracy rule as it stands in INTERPRETING.md, term by term."""
+    """The accuracy rule of INTERPRETING.md, term by term."""
     n, m = len(net) - 1, len(net[0]) - 1
 
     def form(a, b, c, d):
@@ -400,7 +400,7 @@ class Sequences(unittest.TestCase):
 
 
 def leaves(node, path=()):
-    """The places of all results, the names of steps and of targets left out."""
+    """Returns the places of all results, without the names of steps and of targets."""
     if isinstance(node, dict):
         inputs = "id", "requirements", "flags", "map", "call", "segments", "first", "last", "index"
         for name, child in node.items():

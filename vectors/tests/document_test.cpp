@@ -58,7 +58,8 @@ TEST(Theme, HasDiceOfItsOwn) {
   EXPECT_NE(Dice("grid.theme").below(1 << 30), Dice("grid.other").below(1 << 30));
 }
 
-// The C++ standard defines the sequence of std::mt19937_64; this test fixes what Dice makes of it.
+// The C++ standard defines the sequence of std::mt19937_64; this test fixes the numbers that Dice derives
+// from it.
 TEST(Dice, AreTheSameEverywhere) {
   Dice dice("vectors");
   EXPECT_EQ(dice.below(1000000), 510225);

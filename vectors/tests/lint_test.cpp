@@ -260,7 +260,7 @@ TEST(Lint, SaysWhatIsMalformed) {
                   .starts_with("grid.inside.7: no JSON: "));
 }
 
-// Returns true if the file is well-formed with another number at the place, whatever else is wrong then.
+// Returns true if the file is well-formed with another number at the place, even if it violates other rules.
 bool is_well_formed(const char* place, const json& number) {
   return !changed("map1_eval", place, number).starts_with("malformed");
 }

@@ -24,14 +24,14 @@ def _from_last_end(rounding, fused=False):
 
 
 def _orders(condition, change):
-    """`component` with other rows where condition(uorder, vorder) holds."""
+    """Returns the override of `component` that changes the rows if condition(uorder, vorder) is true."""
     def component(self, rows, t, s):
         return Evaluator.component(self, change(rows) if condition(len(rows), len(rows[0])) else rows, t, s)
     return {"component": component}
 
 
 def _components(condition, change):
-    """`values` changed where condition(target, form) holds."""
+    """Returns the override of `values` that changes the values if condition(map, arguments) is true."""
     def values(self, the_map, arguments):
         found = Evaluator.values(self, the_map, arguments)
         return change(found) if condition(the_map, arguments) else found

@@ -42,7 +42,7 @@ bool needs_gl_2(const reference::Sample& sample);
 enum class Detail { kNone, kIntermediate };
 
 // Returns {"level", "since", "map", "u", "v", "components"}, "quotients" for maps of VERTEX_4 whose w is not
-// zero, and "intermediate" if asked for.
+// zero, and "intermediate" if `detail` requests it.
 Json value_case(const Problem& problem, Detail detail = Detail::kNone);
 
 }  // namespace evalcts::vectors
