@@ -2,8 +2,8 @@
 // polynomial, or of which one is a multiple of the other plus an offset, are evaluated by the same library.
 //
 // Points, domains and arguments of both are exact in single precision, so that no input is rounded. Both
-// results may lie anywhere in their acceptance intervals (section 0.5): |a - p| <= Ea and |b - q| <= Eb with
-// q = scale*p + offset give |b - (scale*a + offset)| <= |scale|*Ea + Eb.
+// results may lie anywhere in their acceptance intervals (reference/acceptance.h): |a - p| <= Ea and
+// |b - q| <= Eb with q = scale*p + offset imply |b - (scale*a + offset)| <= |scale|*Ea + Eb.
 #include <fmt/format.h>
 #include <reference/acceptance.h>
 
