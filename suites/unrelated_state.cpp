@@ -249,7 +249,7 @@ EVALCTS_TEST_PAIR(Numeric.UnrelatedMaps1, Numeric.UnrelatedMaps2, kQuality,
     }
 };
 
-// AUTO_NORMAL must not change positions; it is evaluator state (appendix A of the requirements).
+// AUTO_NORMAL must not change positions; it is evaluator state (appendix A of GL 2.1).
 EVALCTS_TEST(Numeric, AutomaticNormals, kQuality, "EV-NUM-UNRELATEDMAPS/2-D", by(in_lists()))
 (Test& t) {
   gl::Case maps;

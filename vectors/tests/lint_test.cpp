@@ -117,7 +117,7 @@ TEST(Lint, ChecksWhatExactEndsClaim) {
     EXPECT_EQ(complaint(file),
               std::string(id) + ": claims " + requirement + ", but accepts a result that violates it");
   }
-  // On the grid from 0 to 1 with 43 segments, steps reach exactly 1 in all arithmetic.
+  // On the grid from 0 to 1 with 43 segments, the steps reach exactly 1 in every precision, fused or not.
   json file = shipped("grid", "grid.exact-last.1");
   file["cases"][0]["u"].update({{"segments", 43}, {"first", "0x0p+0"}, {"last", "0x1p+0"}, {"index", 43}});
   EXPECT_NE(complaint(file), "");
