@@ -11,7 +11,7 @@
 namespace evalcts::reports {
 namespace {
 
-constexpr std::size_t kMostMissing = 20;  // so many missing shards are listed at most
+constexpr std::size_t kMostMissing = 20;  // greatest number of missing shards that are listed
 
 // The shards of one run by number.
 using Shards = std::map<std::uint32_t, const RunResult*>;

@@ -11,7 +11,7 @@ namespace evalcts::reports {
 namespace {
 
 constexpr std::size_t kMostTests = 10;        // tests of each kind of change and of each record
-constexpr std::size_t kMostOfCommand = 2000;  // columns; so many that a command still works when it is copied
+constexpr std::size_t kMostOfCommand = 2000;  // columns; enough that a command still works when it is copied
 
 std::string counts_table(const std::vector<Column>& columns) {
   std::vector<Verdict> verdicts;

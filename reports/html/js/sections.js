@@ -56,8 +56,8 @@ function requirementCell(requirement, tests, column) {
             notes.length ? el('small', null, ` ${notes.join(', ')}`) : null);
 }
 
-// Returns true if the group is open. By default it is if its theme is chosen or if at most MOST_OPEN tests match;
-// a group in the state is the other way round.
+// Returns true if the group is open. The default is open if its theme is chosen or if at most MOST_OPEN tests match;
+// the groups in state.group are not in their default state.
 function isOpen(group, matching) {
   const open = state.theme === group || (isFiltered(state) && matching.length <= MOST_OPEN) ||
       (matching.length && matching.length === tests.length && matching.length <= MOST_OPEN);
