@@ -1,4 +1,4 @@
-"""Lists comments that cannot be understood without the code below them because they begin with a bare interrogative or
+"""Lists comments that are hard to understand without the code below them because they begin with a bare interrogative or
 preposition, such as "Whether it is set" or "Of the map." CONTRIBUTING.md has the rule.
 usage: check_comments.py CHECKOUT"""
 import pathlib
@@ -19,12 +19,12 @@ VERB = re.compile(r"\b(?:\w+s|\w+ed|have|do|can|could|may|might|must|shall|shoul
 
 
 def is_fragment(text):
-    """True if the text of a comment begins as above."""
+    """Returns true if the text of a comment begins with a bare interrogative or preposition."""
     word = re.match(r"\w+", text)
     if not word:
         return False
     if word[0] in INTERROGATIVES or AS.match(text):
-        # A question is one.
+        # A question is allowed.
         return not re.match(r"[^.:;]*\?", text)
     sentence = re.split(r"[.;:](?:\s|$)", text, 1)[0]
     return word[0] in PREPOSITIONS and not VERB.search(sentence[word.end():])

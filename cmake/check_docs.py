@@ -11,7 +11,7 @@ files which the folder lacks. Options that make a command expensive are replaced
 comment above a block changes that:
   <!-- not run: KEY -->       the block is not run; KEY is one of NOT_RUN
   <!-- needs: KEY -->         the block is skipped unless the machine has what NEEDS[KEY] looks for
-  <!-- exit code: N -->       the exit code of the block, or `any`; 0 without this comment
+  <!-- exit code: N -->       the exit code of the block, or `any` for 0 or 1; 0 without this comment
   <!-- output -->             the block shows output of a command that is not run
 EVALCTS is the built program and LAYER a GL layer over OpenGL ES. Exit code 77: there was nothing to run."""
 import concurrent.futures
@@ -60,7 +60,7 @@ def without_code(text):
 
 
 def anchors(text):
-    """The anchors that GitHub and GitLab give to the headings of a page."""
+    """Returns the anchors that GitHub and GitLab give to the headings of a page."""
     found = set()
     for heading in re.findall(r"^#+ (.*)$", without_code(text), re.M):
         heading = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).lower()
@@ -107,7 +107,7 @@ class Block:
 
 
 def blocks_of(page):
-    """The blocks of sh and console, each with the comments directly above it."""
+    """Returns the blocks of sh and console, each with the comments directly above it."""
     found, markers = [], {}
     lines = page.read_text().splitlines()
     i = 0
@@ -126,7 +126,7 @@ def blocks_of(page):
 
 
 def examples_of(page):
-    """The examples of a help text, each as a block. Their exit code is 0, or 1 if the example finds something."""
+    """Returns the examples of a help text, each as a block. Their exit codes are 0, or 1 if an example finds something."""
     found = []
     for number, line in enumerate(page.read_text().splitlines(), 1):
         if example := re.match(r"  \$ (evalcts .*)", line):
@@ -138,7 +138,7 @@ def examples_of(page):
 
 
 def missing_file(script, folder):
-    """A file that a command names and that does not exist, or None."""
+    """Returns a file that a command names and that does not exist, or None."""
     for word in script.split(" #")[0].split():
         if re.match(r"\./|.*\.json$", word) and not (folder / word).exists():
             return word
@@ -155,7 +155,7 @@ class Machine:
 
 
 def reason_to_skip(block, machine):
-    """Why the block is not run on this machine, or None. Raises KeyError for an unknown marker."""
+    """Returns the reason why the block is not run on this machine, or None. Raises KeyError for an unknown marker."""
     if "output" in block.markers:
         return ""
     if "not run" in block.markers:
@@ -169,14 +169,14 @@ def reason_to_skip(block, machine):
 
 
 def chosen(tests, pattern):
-    """The tests that a filter of GoogleTest selects."""
+    """Returns the tests that a filter in GoogleTest's syntax selects."""
     positive, _, negative = pattern.partition(":-") if not pattern.startswith("-") else ("*", "", pattern[1:])
     return [name for name in tests if any(fnmatch.fnmatchcase(name, one) for one in positive.split(":"))
             and not any(fnmatch.fnmatchcase(name, one) for one in negative.split(":") if one)]
 
 
 def cheap_arguments(arguments, tests):
-    """The same command with little to do: the options keep their meaning, and filters must still select something."""
+    """Returns a command with the same options and less to do. Ends the program if a filter selects no test."""
     if not arguments or "--help" in arguments:
         return arguments
     command, rest = arguments[0], list(arguments[1:])
@@ -249,7 +249,7 @@ def library(name):
 
 
 def make_folder(folder, root, program, layer, tests):
-    """A folder that looks like a checkout with a build, and has the libraries that the pages name."""
+    """Fills the folder so that it looks like a checkout with a build and has the libraries that the pages name."""
     for entry in root.iterdir():
         if entry.name not in ("build", "evalcts", "reports", ".git"):
             (folder / entry.name).symlink_to(entry)
@@ -268,7 +268,7 @@ def make_folder(folder, root, program, layer, tests):
 
 
 def run_block(block, folder):
-    """Runs a block; returns its time and exit code in words, and a complaint or None."""
+    """Runs a block; returns a text with its time and exit code, and a complaint or None."""
     expected = block.markers.get("exit code", "0")
     start = time.monotonic()
     try:
@@ -287,7 +287,7 @@ def run_block(block, folder):
 
 
 def check_page(page, root, program, layer, machine):
-    """Runs the blocks of a page; returns the complaints, what was done, and the number of blocks."""
+    """Runs the blocks of a page; returns the complaints, a line for each block, and the number of blocks that were run."""
     complaints, lines, ran = [], [], 0
     with tempfile.TemporaryDirectory(prefix="evalcts-docs-") as folder:
         folder = pathlib.Path(folder)

@@ -1,4 +1,4 @@
-"""Compares what the rooms include with docs/architecture.md and with the rooms that CMake knows.
+"""Compares the includes of each room with docs/architecture.md and with the rooms that are declared in CMake.
 usage: check_rooms.py CHECKOUT ROOMS, with the lines "FOLDER: ROOM..." that evalcts_write_rooms() writes"""
 import pathlib
 import re
@@ -10,7 +10,7 @@ OTHERS = {"tests", "benchmarks", "examples", "generated", "published", "subjects
 
 
 def allowed_edges(text):
-    """The table: folder -> names of rooms."""
+    """Returns the table of docs/architecture.md: folder -> names of the rooms that it may use."""
     rows = re.findall(r"^\| `([\w/]+)` \|.*\|([^|]*)\|$", text, re.M)
     return {folder: set(re.findall(r"`(\w+)`", uses)) for folder, uses in rows}
 
@@ -23,7 +23,7 @@ def declared_edges(text):
 
 
 def included_edges(root, folder, public):
-    """What the sources of a room include: names of rooms -> a place, and complaints."""
+    """Returns the rooms whose headers the sources of a room include, each with a place, and complaints."""
     edges, complaints = {}, []
     here = root / folder
     for file in sorted(here.rglob("*")):

@@ -3,19 +3,19 @@ set(check_docs python3 ${CMAKE_CURRENT_LIST_DIR}/check_docs.py)
 add_test(NAME docs.links COMMAND ${check_docs} links ${PROJECT_SOURCE_DIR})
 set_tests_properties(docs.links PROPERTIES LABELS script)
 
-# The commands on the pages start many processes, one page on each core: they get the machine for themselves.
+# The commands of several pages run at once, one page on each core, so no other test runs at the same time.
 if(TARGET drill_layer AND NOT EVALCTS_SANITIZE AND NOT EVALCTS_COVERAGE)
   add_test(NAME docs.commands COMMAND ${check_docs} commands ${PROJECT_SOURCE_DIR} $<TARGET_FILE:evalcts> $<TARGET_FILE:drill_layer>)
   set_tests_properties(docs.commands PROPERTIES LABELS gl TIMEOUT 3600 RUN_SERIAL ON SKIP_RETURN_CODE 77)
 endif()
 
-# Comments and spelling of the files that git knows: an archive of the sources has no such list.
+# Tests of the comments and the spelling of all files that git tracks. An archive of the sources has no list of these.
 find_program(EVALCTS_GIT git)
 if(EVALCTS_GIT AND EXISTS ${PROJECT_SOURCE_DIR}/.git)
   add_test(NAME docs.comments COMMAND python3 ${CMAKE_CURRENT_LIST_DIR}/check_comments.py ${PROJECT_SOURCE_DIR})
   set_tests_properties(docs.comments PROPERTIES LABELS script)
 
-  # Names that the dictionary takes for mistakes are left out.
+  # The ignored words are names that the dictionary takes for mistakes.
   find_program(EVALCTS_CODESPELL codespell)
   if(EVALCTS_CODESPELL)
     add_test(NAME docs.spelling WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} COMMAND sh -c "git -c safe.directory='*' ls-files -z \
@@ -25,7 +25,7 @@ if(EVALCTS_GIT AND EXISTS ${PROJECT_SOURCE_DIR}/.git)
   endif()
 endif()
 
-# The API reference of the C headers, without warnings.
+# The target and the test that make the API reference of the C headers; a warning is an error.
 find_program(EVALCTS_DOXYGEN doxygen)
 if(EVALCTS_DOXYGEN)
   file(READ ${PROJECT_SOURCE_DIR}/docs/Doxyfile doxyfile)

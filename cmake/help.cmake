@@ -1,7 +1,7 @@
 # The texts of --help and the manual pages.
 #
-# docs/help/evalcts*.txt holds what the program prints for --help, so that the launcher answers before anything is built.
-# A test compares the texts with the program; the target help_texts rewrites them.
+# docs/help/evalcts*.txt contain the output of --help, so that the launcher can print it before the program is built. A test
+# compares the texts with the program; the target help_texts rewrites them.
 set(help_folder ${PROJECT_SOURCE_DIR}/docs/help)
 set(write_help sh ${CMAKE_CURRENT_LIST_DIR}/write-help.sh $<TARGET_FILE:evalcts>)
 add_custom_target(help_texts COMMAND ${write_help} ${help_folder} DEPENDS evalcts VERBATIM)
@@ -13,14 +13,15 @@ add_test(NAME help.compare COMMAND sh -c "diff -ru --exclude='checkout*' '${help
 set_tests_properties(help.write PROPERTIES FIXTURES_SETUP help)
 set_tests_properties(help.compare PROPERTIES FIXTURES_REQUIRED help LABELS script)
 
-# docs/known-bugs.md, from suites/bugs.
+# docs/known-bugs.md is written from suites/bugs; a test compares it.
 set(known_bugs_page ${PROJECT_SOURCE_DIR}/docs/known-bugs.md)
 add_custom_target(known_bugs COMMAND sh -c "'$<TARGET_FILE:evalcts>' bugs --known > '${known_bugs_page}'" DEPENDS evalcts VERBATIM)
 add_test(NAME known_bugs.compare COMMAND sh -c "'$<TARGET_FILE:evalcts>' bugs --known | diff -u '${known_bugs_page}' - || \
 { echo 'The target known_bugs rewrites docs/known-bugs.md.'; false; }")
 set_tests_properties(known_bugs.compare PROPERTIES LABELS script)
 
-# A page for each command. help2man takes the name of a page from the name of a program: each command gets a script.
+# Each command has a manual page. help2man takes the name of the page from the name of the program, so each command gets a
+# script.
 find_program(EVALCTS_HELP2MAN help2man)
 if(NOT EVALCTS_HELP2MAN)
   message(STATUS "no help2man: there are no manual pages")
@@ -49,7 +50,7 @@ install(FILES ${manual_pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT
 
 find_program(EVALCTS_MAN man)
 if(EVALCTS_MAN)
-  # Every page is correct roff and has its options.
+  # Tests that man prints all pages without warnings and that the page of `run` has its options.
   add_test(NAME manual WORKING_DIRECTORY ${manual_folder} COMMAND sh -c "for page in *.1; do \
 LC_ALL=C ${EVALCTS_MAN} --warnings -l $page 2>>manual.log >$page.text; done; cat manual.log; test ! -s manual.log && \
 grep -q 'write.-baseline' evalcts-run.1; status=$?; rm -f manual.log; exit $status")

@@ -1,14 +1,15 @@
-# A room of the project: a library with the public headers in include/ (as <evalcts/NAME/...> or the like) and private
-# ones beside its sources. docs/architecture.md says which room may use which; the test `rooms` compares that with the
-# rooms declared here and with what the sources include.
+# A room is a folder with a library of the project. Its public headers are in include/, mostly as <evalcts/NAME/...>, and
+# its private headers are next to its sources. docs/architecture.md says which room may use which; the test `rooms` compares
+# it with the rooms that are declared here and with the includes of the sources.
 #   evalcts_room(NAME [LIGHT] SOURCES file... USES room... LINK public-library... PRIVATE_LINK library...)
-# makes evalcts_NAME; with LIGHT by evalcts_light_options, which needs a precompiled header of its own.
+# makes the library evalcts_NAME. With LIGHT it is compiled with evalcts_light_options and cannot reuse the precompiled
+# header of a room with other options.
 function(evalcts_room name)
   cmake_parse_arguments(PARSE_ARGV 1 ROOM "LIGHT" "" "SOURCES;USES;LINK;PRIVATE_LINK")
   add_library(evalcts_${name} STATIC ${ROOM_SOURCES})
   target_include_directories(evalcts_${name} PUBLIC include PRIVATE .)
   foreach(used ${ROOM_USES})
-    # The oracle and the evaluator have targets of their own.
+    # The targets of the oracle and the evaluator have other names; LINK or PRIVATE_LINK names them.
     if(NOT used MATCHES "^(reference|production)$")
       target_link_libraries(evalcts_${name} PUBLIC evalcts_${used})
     endif()
@@ -18,14 +19,14 @@ function(evalcts_room name)
   evalcts_declare_room(${name} ${ROOM_USES})
 endfunction()
 
-# For rooms whose targets are made otherwise.
+# Declares a room whose targets are made without evalcts_room. The other arguments are the rooms that it uses.
 function(evalcts_declare_room name)
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   string(REPLACE ";" " " uses "${ARGN}")
   set_property(GLOBAL APPEND_STRING PROPERTY EVALCTS_ROOMS "${folder}: ${uses}\n")
 endfunction()
 
-# Writes "FOLDER: ROOM..." for each room, for the test.
+# Writes a line "FOLDER: ROOM..." for each declared room into the file, for the test `rooms`.
 function(evalcts_write_rooms file)
   get_property(rooms GLOBAL PROPERTY EVALCTS_ROOMS)
   file(WRITE ${file} "${rooms}")

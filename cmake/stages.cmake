@@ -1,13 +1,14 @@
-# Tests for the stages of `./evalcts test --all` that are more than a build and its tests. Each is one test, labelled with the name
-# of its stage. `ctest --preset STAGE` selects it; without a preset ctest leaves it out, because of its configuration.
-# CMakePresets.json says which build each stage needs; `cmake --workflow --preset STAGE` does all of it.
-# (A semicolon would split an argument.)
+# The stages of `./evalcts test --all` that are more than a build and its tests. Each is one test, labelled with the name of
+# its stage. `ctest --preset STAGE` selects it; without a preset ctest omits it, because it has a configuration of its own.
+# CMakePresets.json says which build each stage needs; `cmake --workflow --preset STAGE` configures, builds and tests.
+#   evalcts_stage(NAME SECONDS COMMAND [ARGUMENT]...)
+# adds such a test with a time limit. Arguments must not contain semicolons, which would split them.
 function(evalcts_stage name seconds)
   add_test(NAME stage.${name} CONFIGURATIONS Stage WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} COMMAND ${ARGN})
   set_tests_properties(stage.${name} PROPERTIES LABELS ${name} TIMEOUT ${seconds})
 endfunction()
 
-# The build preset of a stage that needs no build has this target.
+# The target of the build presets of stages that need no build.
 add_custom_target(evalcts_nothing)
 
 evalcts_stage(format 600 sh -c [=[find . \( -path './build*' -o -path './.*' \) -prune -o -type f \
@@ -19,32 +20,33 @@ evalcts_stage(tidy 21600 run-clang-tidy-14 -quiet -p ${CMAKE_BINARY_DIR} "^(?!.*
 # Repeated runs, shuffled runs and each test alone give the same verdicts and signatures.
 evalcts_stage(stability 21600 python3 harness/tests/stability.py $<TARGET_FILE:evalcts>)
 
-# Every fault is caught by a test of each requirement that it breaks, and every requirement that tests decide has one.
+# Every injected fault is detected by a test of each requirement that it violates, and every requirement that tests decide
+# is violated by a fault.
 evalcts_stage(faults 21600 $<TARGET_FILE:evalcts> faults --complete --output ${CMAKE_BINARY_DIR}/faults)
 
-# No test fails on a conforming library that differs from those at hand, and typical faults are detected behind it.
+# No test fails on conforming libraries that differ from the available ones, and typical faults in these are detected.
 evalcts_stage(legal 21600 $<TARGET_FILE:evalcts> faults --legal --output ${CMAKE_BINARY_DIR}/legal)
 
-# The pages in the distribution's browser. Selenium is a package of the distribution's Python, which need not be the
-# first on the PATH.
+# The pages in the distribution's browser. Selenium is a package of the distribution's Python, and the first Python on the
+# PATH may be another one.
 if(TARGET evalcts_reports_write_pages)
   evalcts_stage(browser 3600 /usr/bin/python3 reports/tests/browser_test.py $<TARGET_FILE:evalcts_reports_write_pages>
     --screenshots ${CMAKE_BINARY_DIR}/browser)
 endif()
 
-# The packages, installed and used in the smallest system that has apt. Without root they are only made.
+# The packages are installed and used in the smallest system that has apt; without root the stage ends after making them.
 evalcts_stage(package 7200 sh -c [=[if [ $(id -u) != 0 ]
 then echo 'only root can make a clean root: the packages are made, not tried'
 else exec harness/packages/check.sh build/packages
 fi]=])
 
-# A minute of mutated files, or $EVALCTS_FUZZ_SECONDS.
+# The parsers read mutated files for a minute, or for $EVALCTS_FUZZ_SECONDS.
 if(TARGET parsers_fuzzer)
   evalcts_stage(fuzz 86400 harness/tests/parsers_fuzzer.sh $<TARGET_FILE:parsers_fuzzer> ${CMAKE_BINARY_DIR})
 endif()
 
-# Both commands of the README in a clean root of a Debian release. ctest does not pass on an exit code, so that the
-# launcher reads it from build/STAGE.status: 77 if the root could not be made.
+# Both commands of the README in a clean root of a Debian release. ctest does not return the exit code of a test, so the
+# launcher reads it from build/STAGE.status: it is 77 if the root could not be made.
 set(stages debian-12 debian-13 debian-unstable)
 set(suites bookworm trixie sid)
 foreach(stage suite IN ZIP_LISTS stages suites)
@@ -56,9 +58,8 @@ exit $status")
   set_tests_properties(stage.${stage} PROPERTIES SKIP_RETURN_CODE 77)
 endforeach()
 
-# The preset coverage reports the lines of the project's own code that the tests reach, without the tests themselves and
-# without the injected faults, which run in the stage faults only.
-# ctest runs these commands before and after the tests.
+# The preset coverage reports which lines of the project's own code the tests reach. It ignores the tests themselves and the
+# injected faults, which run in the stage faults only. ctest runs these commands before and after the tests.
 if(EVALCTS_COVERAGE)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/CTestCustom.cmake @ONLY CONTENT [=[
 set(CTEST_CUSTOM_PRE_TEST "find @CMAKE_BINARY_DIR@ -name *.gcda -delete")

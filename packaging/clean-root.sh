@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
-# A clean root of a Debian release: the smallest system that has apt, made with mmdebstrap from the sources of this
-# machine. Needs root.
+# Makes a clean root of a Debian release, which is the smallest system that has apt, and runs a command in it. Needs
+# mmdebstrap and root; the packages come from the sources of this machine's apt.
 #
 #   clean-root.sh SUITE [-- COMMAND [ARGUMENT]...]
 #     Copies this checkout into a clean root of SUITE (bookworm, trixie, sid) and runs COMMAND there, in the checkout.
-#     Without a command: what a new user types, `./evalcts run` and `./evalcts test`. Both have to end with exit code 0,
-#     and nothing in the run may be unexpected. Exit code 77: the root could not be made (no
-#     network, no such suite, not root).
+#     Without a command it runs what a new user types: `./evalcts run` and `./evalcts test`. Both have to end with exit
+#     code 0, and the run may have nothing unexpected. The exit code is that of the command, or 77 if the root could not
+#     be made (no network, no such suite, not root).
 #
-# Sourced by other scripts it defines make_root, inside and remove_root and runs nothing.
+# Scripts that source this file get the functions make_root, inside and remove_root; nothing is run.
 
-# Writes the Debian sources of this machine, under the name of another suite, into one file for each format of apt.
-# Unstable has neither updates nor a security archive. Other archives and an Ubuntu's own are left out; if nothing is
-# left, mmdebstrap takes Debian's default mirror.
+# Writes this machine's Debian sources with the name of the given suite into the folder, one file for each of apt's two
+# formats. Unstable has neither updates nor a security archive. Archives of other distributions are omitted; if no source
+# is left, mmdebstrap takes Debian's default mirror.
 write_sources() { # suite, folder
   local names='(bullseye|bookworm|trixie|forky|sid|stable|testing|unstable)'
   sed -nE "/^deb /{s/ $names/ $1/;/ sid-/d;/ $1/p}" /etc/apt/sources.list /etc/apt/sources.list.d/*.list 2>/dev/null >"$2/sources.list"
@@ -20,11 +20,11 @@ write_sources() { # suite, folder
     awk -v RS= -v ORS='\n\n' -v suite="$1" 'index($0, "Suites: " suite)' >"$2/sources.sources"
 }
 
-# Makes a clean root of the suite in $root, with /proc, /dev, /dev/pts and /dev/shm.
+# Makes a clean root of the suite in FOLDER/root, with /proc, /dev, /dev/pts and /dev/shm, and sets $root to it.
 make_root() { # suite, folder
   local file options=() sources=()
   root=$2/root
-  # The options with which this machine's apt reaches its sources. mmdebstrap keeps them in the root's configuration of apt.
+  # The root's apt gets the options with which this machine's apt reaches its sources.
   for file in /etc/apt/apt.conf.d/*; do grep -q '^ *Acquire::' "$file" && options+=("--aptopt=$file"); done
   write_sources "$1" "$2"
   for file in "$2"/sources.{list,sources}; do [[ -s $file ]] && sources+=("$file"); done
@@ -36,13 +36,13 @@ make_root() { # suite, folder
     mount -t tmpfs tmpfs "$root/dev/shm"
 }
 
-# Runs a command in the root. Only a proxy is taken over from this machine's environment.
+# Runs a command in $root. Of this machine's environment it gets only the settings of a proxy.
 inside() {
   chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
     ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} "$@"
 }
 
-# Undoes the mounts and removes the folder.
+# Undoes the mounts of make_root and removes its folder.
 remove_root() { # folder
   local mounted
   for mounted in dev/shm dev/pts dev proc; do umount --lazy "$1/root/$mounted" 2>/dev/null || true; done
@@ -62,7 +62,7 @@ trap 'remove_root "$work"' EXIT
 trap 'exit 130' INT TERM HUP
 make_root "$suite" "$work" || { echo "no clean root of $suite could be made: does apt-get update work on this machine?" >&2; exit 77; }
 
-# Copies the files of a fresh clone, and files that are not committed yet.
+# Copies the files that git tracks, as they are now, and new files that git does not ignore.
 mkdir "$root/root/evalcts"
 (
   cd "$checkout"

@@ -1,17 +1,17 @@
 # shellcheck shell=bash disable=SC2154
-# Installs what is missing of packages.txt. Part of the launcher, which sources this file and defines root, build,
-# no_install, say, die, is_in, logged, show_log and configure.
+# Installs the packages of packages.txt that are missing. The launcher sources this file and defines root, build, no_install,
+# say, die, is_in, logged, show_log and configure.
 
 packages=()
-declare -A least fedora arch purposes lane # of a package; only optional packages have a lane
+declare -A least fedora arch purposes lane # the columns by package; only optional packages have a lane
 while read -r name a b c d e; do
   [[ $name && $name != \#* ]] || continue
   packages+=("$name")
   least[$name]=$a fedora[$name]=$b arch[$name]=$c purposes[$name]=$d lane[$name]=$e
 done <"$root/packaging/packages.txt"
-as_root=()   # what to put before a command for it to run as root
-updated=     # set once the lists of packages have been brought up to date in this call
-lanes_off=() # optional packages that are not there
+as_root=()   # the words before a command that has to run as root: sudo or nothing
+updated=     # empty before `apt-get update` in this call, then "well" or, after problems, "yes"
+lanes_off=() # optional packages that are not installed
 
 packages_for() { # purpose...
   local name purpose
@@ -20,8 +20,8 @@ packages_for() { # purpose...
   done
 }
 
-# Prints the given packages that are not installed. Notes in a file which packages of the table are installed: when it
-# changes, CMake has to look again.
+# Prints the given packages that are not installed. A file in the build folder lists the packages of the table that are
+# installed: if it changes, `configure` runs CMake again.
 not_installed() { # package...
   local installed note=$build/packages-installed
   installed=$(dpkg-query --show --showformat '${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null |
@@ -30,15 +30,16 @@ not_installed() { # package...
   printf '%s\n' "$@" | grep -vxF -e "$installed"
 }
 
-# Prints "NAME VERSION" for each of the given packages that the distribution offers. (A name that apt does not know is a regular
-# expression to it: `g++` then stands for every package with a g.)
+# Prints "NAME VERSION" for each of the given packages that the distribution offers. (apt takes a name that it does not know
+# as a regular expression, in which `g++` matches every package with a g.)
 offered_packages() { # package...
   LC_ALL=C apt-cache policy "$@" 2>/dev/null | awk -v names=" $* " '
     /^[^ ]/ { name = substr($1, 1, length($1) - 1) }
     /^  Candidate:/ && $2 != "(none)" && index(names, " " name " ") { print name, $2 }'
 }
 
-# Prints "N packages, X MB to download, Y MB on disk": from apt's records, which need neither root nor one version's wording.
+# Prints "N packages, X MB to download, Y MB on disk". It uses apt's records, for which it needs no root and which do not
+# depend on the wording of apt's messages.
 install_size() { # package...
   local plan
   mapfile -t plan < <(LC_ALL=C apt-get install --simulate --no-install-recommends "$@" 2>/dev/null |
@@ -51,7 +52,7 @@ install_size() { # package...
     END { print count, count == 1 ? "package," : "packages,", mb(download), "to download,", mb(disk), "on disk" }'
 }
 
-apt_get() { # log, argument...; without the lock, which a service that a package starts would keep
+apt_get() { # log, argument...; the lock is closed, because services that a package starts would keep it
   logged "$1" "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -y -o DPkg::Lock::Timeout=120 "${@:2}" 9>&-
 }
 
@@ -63,27 +64,27 @@ update_lists() {
   say "apt-get update reports problems: see $build/apt-update.log"
 }
 
-stop_missing() { # "update" or nothing, words, package...
+stop_missing() { # "update" if apt's lists are incomplete or "", message, package...
   local apt="${as_root[*]}${as_root:+ }apt-get"
   say "$2"
   printf '  %s%s install --no-install-recommends %s\n' "${1:+$apt update && }" "$apt" "${*:3}" >&2
   exit 2
 }
 
-go_without() { # words, package...
+go_without() { # message, package...
   local name
   for name in "${@:2}"; do say "the package $name $1: without ${lane[$name]}"; done
   lanes_off+=("${@:2}")
 }
 
-# Installs what the purposes need, or stops.
+# Installs the packages that the purposes need, or ends the launcher with exit code 2.
 need() { # purpose...
   local name version state may_install='' old='' wanted missing=() known_absent=() to_install=() insist=() absent=() lists_lack=()
   local note=$build/packages-lacking why="packages are missing; this installs them:"
   local -A offered=()
   [[ ${EVALCTS_ASSUME_DEPENDENCIES:-} == 1 ]] && return
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then need_without_apt "$@"; return; fi
-  # Packages that the distribution lacks are not searched again until its release, its sources or the table change.
+  # Packages that the distribution does not have are not searched again until its release, its sources or the table change.
   state=$(cat /etc/os-release /etc/apt/sources.list /etc/apt/sources.list.d/* "$root/packaging/packages.txt" 2>/dev/null | cksum)
   [[ -f $note && $(head -n 1 "$note") == "$state" ]] && mapfile -t known_absent < <(tail -n +2 "$note")
   mapfile -t wanted < <(packages_for "$@")
@@ -102,7 +103,7 @@ need() { # purpose...
       to_install+=("$name")
       dpkg --compare-versions "${offered[$name]}" lt "$([[ $name == g++ ]] && echo 4:)${least[$name]/#-/0}" 2>/dev/null &&
         old+=", $name ${offered[$name]#*:} (${least[$name]} is needed)"
-      # Without an optional package `run` and `bench` still have a use; a stage that was asked for by name has not.
+      # `run`, `bench`, `plots` and `mpi` are useful without an optional package; a stage of `test` is not.
       [[ ${lane[$name]} && ,${purposes[$name]}, =~ ,(run|bench|plots|mpi), ]] || insist+=("$name")
     elif [[ ${lane[$name]} ]]; then
       absent+=("$name")
@@ -123,20 +124,20 @@ need() { # purpose...
   ((${#lists_lack[@]})) && die 2 "apt has no package ${lists_lack[*]} (no network, or a distribution without it);" \
     "see $build/apt-update.log"
   go_without "is not in this distribution" "${absent[@]}"
-  # Lists that could not be brought up to date prove nothing.
+  # Old lists do not prove that the distribution does not have a package.
   [[ $updated == well ]] && printf '%s\n' "$state" "${lanes_off[@]}" >"$note"
   ((${#to_install[@]})) || return 0
 
   say "installing ${to_install[*]}"
   say "with all that they need: $(install_size "${to_install[@]}")"
   install() { apt_get "$build/apt-install.log" install --no-install-recommends "${to_install[@]}"; }
-  # Lists that are days old name files that the mirrors have replaced since.
+  # Lists that are days old name files which the mirrors have replaced since.
   if install || { update_lists && install; }; then not_installed >/dev/null; return; fi
   show_log "$build/apt-install.log"
   stop_missing '' "apt-get could not install what is missing (no network? no rights?); the line was:" "${to_install[@]}"
 }
 
-# Distributions without apt: CMake finds what is needed, or the missing packages are listed.
+# For distributions without apt: returns if CMake finds everything, otherwise lists the packages and ends with exit code 2.
 need_without_apt() { # purpose...
   local name other distribution='' install='' names=() rest=()
   command -v cmake >/dev/null && command -v ninja >/dev/null && configure release quietly && return

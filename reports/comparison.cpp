@@ -29,12 +29,12 @@ bool judged(const TestRecord& test) {
   return test.verdict <= Verdict::kQualityWarning || test.verdict == Verdict::kPass;
 }
 
-// Returns true if the same cases were run: other depths and seeds have others.
+// Returns true if the same cases were run: they depend on the depth and the seed.
 bool same_cases(const RunResult& before, const RunResult& now) {
   return before.depth == now.depth && before.seed == now.seed;
 }
 
-// The kind of change of a test that is in both; none where there is none.
+// Returns the kind of change of a test that both records have; none if it has not changed.
 std::optional<ChangeKind> change_of(const TestRecord& before, const TestRecord& now, bool cases_comparable) {
   if (now.is_bad()) {
     if (!before.is_bad() || now.verdict < before.verdict) return ChangeKind::kRegression;

@@ -12,19 +12,19 @@ namespace evalcts::reports {
 
 // Kinds of changes, in the order of reporting.
 enum class ChangeKind {
-  kRegression,      // bad now, and before it was not, or not as bad, or not in all these cases
-  kNewFailure,      // bad, and there was no such test
-  kFix,             // bad before, and now it is not
-  kNoLongerJudged,  // judged before, and now not observable, not supported or skipped
-  kFailsOtherwise,  // bad before and now, but no worse
-  kOther,           // between pass and quality-warning, or judged for the first time
-  kNew,
-  kVanished
+  kRegression,      // bad now; before not bad, or less bad, or not in all cases that fail now
+  kNewFailure,      // bad now; the test did not exist before
+  kFix,             // bad before, not bad now
+  kNoLongerJudged,  // judged before; now not observable, not supported or skipped
+  kFailsOtherwise,  // bad before and now, differently, but no regression
+  kOther,           // another verdict, none of the above
+  kNew,             // not bad now; the test did not exist before
+  kVanished         // the test no longer exists
 };
 inline constexpr std::size_t kChangeKinds = 8;
 
-// The kind in a word ("regression"), what one and several of it are called, and the word of its filter:
-// "regression", "fix", "changed", "new", and empty for what has vanished.
+// Texts for a kind: a word for it ("regression"), the noun in singular and plural, and the word of its
+// filter: "regression", "fix", "changed", "new", or empty for a vanished test.
 struct ChangeText {
   std::string_view word, one, several, filter;
 };
@@ -32,40 +32,41 @@ const ChangeText& text_of(ChangeKind kind);
 
 struct Change {
   ChangeKind kind;
-  const TestRecord* before;  // null where the test is new
-  const TestRecord* now;     // null where it has vanished
+  const TestRecord* before;  // null if the test is new
+  const TestRecord* now;     // null if it has vanished
 };
 
-// The first thing that is wrong now and was not before, as far as the records tell; empty if there is none.
+// Returns the first of the recorded mismatches of `now` that `before` does not have; empty if there is none.
 std::string further_mismatch(const TestRecord& before, const TestRecord& now);
 
-// "pass, now fail: what the record says"; of a test that is on one side only, its verdict there.
+// Returns "pass, now fail: message of the test", or for a test on one side only its verdict and message.
 std::string words_of(const Change& change);
 
 struct Comparison {
   std::string label;
   const RunResult *before, *now;
   bool no_longer_starts = false;     // counts as a regression
-  std::vector<std::string> caveats;  // sentences: what makes the two less comparable
-  std::vector<Change> changes;       // by kind, those of a kind in the order of the tests
+  std::vector<std::string> caveats;  // sentences about what makes the two less comparable
+  std::vector<Change> changes;       // sorted by kind, within a kind in the order of the tests
 
   std::uint64_t count(ChangeKind kind) const;
   std::uint64_t regressions() const { return count(ChangeKind::kRegression) + (no_longer_starts ? 1 : 0); }
-  // "2 regressions, 1 fix, 3 new tests", "nothing has changed".
+  // Returns "2 regressions, 1 fix, 3 new tests" or "nothing has changed".
   std::string headline() const;
 };
 
-// Compares two records, whatever they are called; `label` is that of `now`.
+// Compares two records, whatever their names are. The comparison gets the label of `now` and points into the
+// records.
 Comparison compare(const Column& now, const Column& before);
 
 struct Comparisons {
   std::vector<Comparison> pairs;                   // in the order of the results
-  std::vector<std::string> only_now, only_before;  // labels of records without a counterpart
+  std::vector<std::string> only_now, only_before;  // labels of the records that are in no pair
   std::uint64_t regressions() const;
 };
 
-// Compares the records of one name, the first with the first, the second with the second and so on; a single
-// record on either side with the other whatever they are called. They point into the columns.
+// Compares the records of the same name, the first with the first, the second with the second and so on; if
+// there is one record on each side, these two whatever their names are. The result points into the records.
 Comparisons compare(const std::vector<Column>& now, const std::vector<Column>& before);
 
 }  // namespace evalcts::reports

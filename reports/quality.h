@@ -16,7 +16,7 @@ std::string single_precision_in_words(const RunResult& record);
 // tests of level quality that demand equal bits where commands are equivalent; empty if none of them warns.
 std::string equal_bits_in_words(const RunResult& record);
 
-// Both, as far as there is one.
+// Returns those of the two texts above that are not empty.
 std::vector<std::string> quality_in_words(const RunResult& record);
 
 }  // namespace evalcts::reports

@@ -11,12 +11,12 @@
 namespace evalcts::reports {
 namespace {
 
-constexpr std::size_t kMostMissing = 20;  // shards that are listed
+constexpr std::size_t kMostMissing = 20;  // greatest number of missing shards that are listed
 
-// Shards of one run, by number.
+// The shards of one run by number.
 using Shards = std::map<std::uint32_t, const RunResult*>;
 
-// The K-th shard has every N-th test from the K-th on.
+// Returns the tests in the order of an unsharded run: the K-th shard has every N-th test from the K-th on.
 std::vector<TestRecord> tests_in_order(const Shards& shards) {
   std::vector<TestRecord> tests;
   bool more = true;
@@ -31,7 +31,7 @@ std::vector<TestRecord> tests_in_order(const Shards& shards) {
   return tests;
 }
 
-// A bug that several shards found is one.
+// Returns the bugs of the shards, most important first. A bug that several shards found is listed once.
 std::vector<Bug> bugs_of(const Shards& shards) {
   std::map<std::string, Bug> by_id;
   for (const auto& [number, shard] : shards)
@@ -39,7 +39,7 @@ std::vector<Bug> bugs_of(const Shards& shards) {
       const auto [found, is_new] = by_id.try_emplace(bug.id, bug);
       if (is_new) continue;
       Bug whole = found->second;
-      // The shard that reduced it has the program.
+      // Only a shard that reduced the bug has its program.
       if (!whole.is_reduced() && bug.is_reduced()) whole = bug;
       const auto add = [](auto& all, const auto& a, const auto& b) {
         all = a;
@@ -61,7 +61,7 @@ std::vector<Bug> bugs_of(const Shards& shards) {
 }
 
 RunResult merge(const Shards& shards, std::uint32_t count) {
-  // One that has started knows the library.
+  // Only shards that have started have the facts about the library.
   const auto started = std::find_if(shards.begin(), shards.end(),
                                     [](const auto& shard) { return shard.second->has_started(); });
   const bool any_started = started != shards.end();
@@ -114,7 +114,7 @@ RunResult merge(const Shards& shards, std::uint32_t count) {
 
 std::vector<RunResult> merge_shards(const std::vector<RunResult>& results) {
   using Key = std::tuple<std::string, Pass, std::optional<Depth>, std::uint64_t, std::uint32_t>;
-  // A record that is whole is a group of its own.
+  // A record without a shard number is a group of its own.
   struct Group {
     Key key;
     std::set<std::string> origins;
@@ -130,7 +130,7 @@ std::vector<RunResult> merge_shards(const std::vector<RunResult>& results) {
     const Shard shard = *result.shard;
     const Key key{result.implementation.name, result.pass, result.depth, result.seed.value_or(0),
                   shard.count};
-    // Each shard may come from a folder of its own, but shards of one folder belong together.
+    // Shards of one folder belong together, but each shard may have a folder of its own.
     const auto find = [&](bool same_origin) {
       return std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
         return !group.whole && group.key == key && !group.shards.contains(shard.number) &&

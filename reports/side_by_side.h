@@ -1,4 +1,4 @@
-// Several records beside each other: columns are records, rows are tests.
+// Several records side by side: columns are records, rows are tests or bugs.
 #pragma once
 
 #include <string>
@@ -8,33 +8,33 @@
 
 namespace evalcts::reports {
 
-// A record, which has to live as long, with a label that no other has: its name, and if several have that,
-// its origin or its number.
+// A record, which has to outlive the column, with a unique label: its name, followed by its origin if several
+// records have this name, and by a number if that is not unique either.
 struct Column {
   const RunResult& record;
   std::string label;
 };
 std::vector<Column> label_columns(const std::vector<RunResult>& results);
 
-// One test across the records; null where a record does not have it.
+// One test across the records; the outcome is null if a record does not have the test.
 struct Row {
   std::string name;
   std::vector<const TestRecord*> outcomes;
 
   const TestRecord& worst() const;
-  // A record that lacks the test has no opinion.
+  // Returns true if the verdicts differ. Records without the test do not count.
   bool differs() const;
 };
 // Returns the rows in the order of first appearance. They point into the columns.
 std::vector<Row> read_rows(const std::vector<Column>& columns);
 
-// One bug across the records; null where a record does not have it. `bug` is the first of them, with the
-// tests of all.
+// One bug across the records; `found` is null if a record does not have the bug. `bug` is that of the first
+// record which has it, with the tests of all records.
 struct BugRow {
   Bug bug;
   std::vector<const Bug*> found;
 };
-// Most important first. They point into the columns.
+// Returns the bugs, most important first. They point into the columns.
 std::vector<BugRow> read_bugs(const std::vector<Column>& columns);
 
 }  // namespace evalcts::reports

@@ -31,7 +31,7 @@ std::string markdown_code(const std::string& text, std::size_t most) {
     longest = std::max(longest, length);
   }
   const std::string fence(longest + 1, '`');
-  // With a space at either end; GitHub and GitLab take one off each.
+  // GitHub and GitLab remove one space at either end.
   return longest || line.empty() ? fence + " " + line + " " + fence : fence + line + fence;
 }
 

@@ -1,4 +1,4 @@
-// Numbers and Markdown as all reports show them.
+// Numbers and Markdown in the style of all reports.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@
 
 namespace evalcts::reports {
 
-// Four significant digits: "0.5", "123.4", "1.234e+09"; "unknown" without a value.
+// Returns the number with four significant digits: "0.5", "123.4", "1.234e+09"; "unknown" without a value.
 std::string number(std::optional<double> value);
 
-// "123.4 ULP, condition-aware 5.6"; empty when neither is known.
+// Returns "123.4 ULP, condition-aware 5.6", or the part of it that is known; empty if neither is known.
 std::string distance(std::optional<double> ulp, std::optional<double> condition_aware);
 
-// "1 test", "3 tests".
+// Returns "1 test" or "3 tests" for the noun "test".
 std::string count(std::uint64_t n, std::string_view noun);
 
 std::string join(const std::vector<std::string>& parts, std::string_view separator);
 
-// A Markdown code span of the text, on one line, cut to `most` columns. Its fence is longer than any in the
-// text, so that nothing in it is markup, a link or a mention.
+// Returns a Markdown code span of the text, on one line, cut to `most` columns. Its fence is longer than any
+// run of backticks in the text, so that no part of the text becomes markup, a link or a mention.
 std::string markdown_code(const std::string& text, std::size_t most = 200);
 
 // The same for a cell of a table: a bar becomes a slash, because a bar ends the cell even in code, and no

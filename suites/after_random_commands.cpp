@@ -1,5 +1,5 @@
-// The rules once more, with a random past before the commands under test: state that an implementation
-// forgets to renew shows. A failure depends on the past; its case has all of it.
+// Rules of other suites, with random commands (the "past") before the commands under test, so that an
+// implementation that does not update some internal state fails. The case of a failure contains its past.
 #include <fmt/format.h>
 
 #include <evalcts/fuzz/random_program.h>
@@ -12,9 +12,10 @@ namespace {
 
 constexpr CurrentValues kCurrent = {{0.125f, 0.25f, 0.5f, 0.75f}, {0.6f, 0, -0.8f}};
 
-// Makes cases with another past each; `play` appends the commands under test and runs them.
+// Calls `play` with several cases, each with a different past. `play` appends the commands under test and
+// runs the case.
 void after_random_commands(Test& t, const std::function<void(gl::Case&)>& play) {
-  // A baseline knows one verdict for all depths: what fails at full depth has to fail at quick depth, too.
+  // A baseline has one verdict for all depths, so full depth must not find more failures than quick depth.
   const auto cases = static_cast<std::uint32_t>(t.by_depth(6, 6, 60));
   const auto seed = static_cast<std::uint32_t>(t.random()());
   for (std::uint32_t i = 0; i < cases; ++i) {
@@ -24,7 +25,7 @@ void after_random_commands(Test& t, const std::function<void(gl::Case&)>& play) 
   }
 }
 
-// Judges the points that come last, those of the commands behind `past`.
+// Judges the points that the commands after `past` draw: the last ones that are captured.
 void expect_last_points(Test& t, const gl::Case& past, const gl::Case& c) {
   t.leave_current_values_to_their_rules();
   const Prediction all = predict(c, t.max_order());
@@ -45,12 +46,12 @@ void expect_last_points(Test& t, const gl::Case& past, const gl::Case& c) {
     const Topology order = with_meshes_in_own_order(last, Topology::points(count), tail, options);
     return judge(last, order, tail, options).mismatches;
   };
-  // Room for a past of which everything is drawn twice: where the last points do not come out nothing is
-  // said.
+  // Room for an implementation that draws the whole past twice. If the last points are not captured, the test
+  // cannot judge them.
   t.expect_observation(c, kUnit0, 2 * all.vertex_count() + 8, kPoints, judge_last, Test::Judged::kAfterLists);
 }
 
-// Section 11 is about current values.
+// Returns true for queries of current values, which section 11 of the requirements is about.
 bool asks_for_current_value(const gl::Command& command) {
   const auto* name = command.arguments.empty() ? nullptr : std::get_if<std::int64_t>(&command.arguments[0]);
   return name && *name >= GL_CURRENT_COLOR && *name <= GL_CURRENT_TEXTURE_COORDS;
@@ -63,7 +64,7 @@ void draw_points(gl::Case& c) {
   c.End();
 }
 
-// Maps, enables and current values are set anew: nothing of the past is left.
+// Maps, enables and current values are set after the past, so that no state of it remains.
 EVALCTS_TEST(AfterRandomCommands, Evaluates, kMust, "EV-BE-ORDER")
 (Test& t) {
   after_random_commands(t, [&](gl::Case& c) {
@@ -79,7 +80,7 @@ EVALCTS_TEST(AfterRandomCommands, Evaluates, kMust, "EV-BE-ORDER")
   });
 };
 
-// With the maps, enables and current values of the past, but for the vertex maps.
+// Maps, enables and current values are those of the past, except which vertex maps are enabled.
 EVALCTS_TEST(AfterRandomCommands, EvaluatesWhatThePastDefined, kMust, "EV-BE-ORDER")
 (Test& t) {
   after_random_commands(t, [&](gl::Case& c) {
@@ -110,7 +111,7 @@ EVALCTS_TEST(AfterRandomCommands, Meshes, kMust, "EV-BE-ORDER")
   });
 };
 
-// Every query answers what the executable specification does.
+// All queries return what the executable specification returns.
 EVALCTS_TEST(AfterRandomCommands, State, kMust, "EV-CUR-GRIDMAPS")
 (Test& t) {
   constexpr double kTolerance = 1e-5;  // single precision (EV-GETMAP-FLOAT, EV-GETMAP-DOUBLE)

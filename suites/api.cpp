@@ -14,7 +14,7 @@
 namespace evalcts::suite_api {
 namespace {
 
-// A legal call of a command, where it may stand.
+// A legal call of a command, with Begin and End around it if it needs them.
 struct LegalCall {
   const char* name;
   void (*call)(gl::Case&);
@@ -48,7 +48,7 @@ constexpr LegalCall kLegalCalls[] = {
     {"GetMapdv", [](gl::Case& c) { c.GetMapdv(GL_MAP1_VERTEX_3, GL_DOMAIN, gl::out<GLdouble>(2)); }},
     {"GetMapiv", [](gl::Case& c) { c.GetMapiv(GL_MAP1_VERTEX_3, GL_DOMAIN, gl::out<GLint>(2)); }}};
 
-// The commands of two dimensions, and of grids of either.
+// Two-dimensional commands, and those of grids of both dimensions.
 constexpr LegalCall kLegalCalls2[] = {
     {"Map2f", [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 3, 2, 0, 1, 6, 1, kPoints); }},
     {"Map2d", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0, 1, 3, 2, 0, 1, 6, 1, kRealPoints); }},
@@ -87,12 +87,11 @@ EVALCTS_TEST_PAIR(Api.EntryPoint, Api.EntryPoint2, kMust, decide("EV-API-ENTRY/1
   }
 };
 
-// The tokens by number: nine maps that differ in order, domain and k, defined and queried by value.
+// Defines and queries nine maps, which differ in order, domain and k, by the values of the tokens.
 EVALCTS_TEST_PAIR(Api.Map1TokensByValue, Api.Map2TokensByValue, kMust,
                   decide("EV-API-ENUM-MAP1", "EV-API-ENUM-MAP2"))
 (Test& t, bool two) {
-  // COLOR_4, INDEX, NORMAL, TEXTURE_COORD_1..4, VERTEX_3, VERTEX_4. Before it is defined each map holds what
-  // its name says.
+  // Initial control points of COLOR_4, INDEX, NORMAL, TEXTURE_COORD_1 to 4, VERTEX_3 and VERTEX_4.
   const std::vector<std::vector<double>> initial = {
       {1, 1, 1, 1}, {1}, {0, 0, 1}, {0}, {0, 0}, {0, 0, 0}, {0, 0, 0, 1}, {0, 0, 0}, {0, 0, 0, 1}};
   CheckedCase c(t, two ? "0x0DB0 to 0x0DB8" : "0x0D90 to 0x0D98");
@@ -122,7 +121,7 @@ EVALCTS_TEST_PAIR(Api.Map1TokensByValue, Api.Map2TokensByValue, kMust,
   c.check();
 };
 
-// ... and each does what its name says: evaluated through its number, seen in its attribute.
+// A map of each target changes the attribute that the target is named after.
 EVALCTS_TEST_PAIR(Api.Map1TokenByEffect, Api.Map2TokenByEffect, kMust,
                   decide("EV-API-ENUM-MAP1", "EV-API-ENUM-MAP2"),
                   [](bool two) { return combine(visible_targets(two)); })
@@ -173,7 +172,7 @@ EVALCTS_TEST(Api, MeshModesByValue, kMust, "EV-API-ENUM-OTHER/2-D")
   c.check();
 };
 
-// The modes of meshes by number.
+// The values of POINT, LINE and FILL.
 constexpr GLenum kModesByValue[] = {0x1B00, 0x1B01, 0x1B02};
 
 EVALCTS_TEST_PAIR(Api.MeshModeByEffect, Api.MeshModeByEffect2, kMust,
@@ -187,7 +186,7 @@ EVALCTS_TEST_PAIR(Api.MeshModeByEffect, Api.MeshModeByEffect2, kMust,
   t.expect_emission(c, kPosition);
 };
 
-// Data given in one form is seen by the other: state ...
+// The float and the double form share state: queries of one form return maps that the other one defined.
 EVALCTS_TEST_PAIR(Api.FormsShareState, Api.FormsShareState2, kMust, decide("EV-API-FD/1-D", "EV-API-FD/2-D"),
                   [](bool two) { return combine(target_forms(two)); })
 (Test& t, bool two, const TargetForm& form) {
@@ -202,7 +201,7 @@ EVALCTS_TEST_PAIR(Api.FormsShareState, Api.FormsShareState2, kMust, decide("EV-A
   c.check();
 };
 
-// ... and values.
+// Evaluation in one form uses maps that the other one defined.
 EVALCTS_TEST_PAIR(Api.FormsShareValues, Api.FormsShareValues2, kMust,
                   decide("EV-API-FD/1-D", "EV-API-FD/2-D"), decide("EV-COORD-FD/1-D", "EV-COORD-FD/2-D"),
                   combine(visible_target_forms(kCurves)))
@@ -212,13 +211,13 @@ EVALCTS_TEST_PAIR(Api.FormsShareValues, Api.FormsShareValues2, kMust,
   enable_visibly(c, form.target);
   c.Begin(GL_POINTS);
   for (const double u : {0.0, 0.125, 0.3125, 0.9375, 1.0}) evaluate(c, u, !form.doubles);
-  for (const double u : random_values(t.random(), 3)) evaluate(c, u, !form.doubles);  // all bits of a float
+  for (const double u : random_values(t.random(), 3)) evaluate(c, u, !form.doubles);  // 24 significant bits
   c.End();
   for (const bool along_v : {true, false})
     if (two || !along_v) t.expect_emission(two ? gl::lift(c, along_v) : c, attribute_of(form.target));
 };
 
-// Each form replaces what the other defined, also where the order stays.
+// Each form replaces the map that the other one defined, also if the order is the same.
 EVALCTS_TEST_PAIR(Api.FormsReplaceEachOther, Api.FormsReplaceEachOther2, kMust,
                   decide("EV-API-FD/1-D", "EV-API-FD/2-D"),
                   [](bool two) { return combine(visible_targets(two)); })
@@ -246,7 +245,7 @@ EVALCTS_TEST_PAIR(Api.FormsReplaceEachOther, Api.FormsReplaceEachOther2, kMust,
   queried.check();
 };
 
-// The array ends before an inaccessible page: reading a second value crashes.
+// The array of arguments ends before an inaccessible page, so that reading more than the arguments crashes.
 EVALCTS_TEST_PAIR(Api.VectorForm, Api.VectorForm2, kMust, decide("EV-API-V/1-D", "EV-API-V/2-D"),
                   combine(visible_target_forms(kCurves)))
 (Test& t, bool two, const TargetForm& form) {

@@ -1,5 +1,5 @@
-// Section 21 of the requirements, the attribute stack: what PushAttrib saves of evaluators, and what it does
-// not.
+// Section 21 of the requirements, the attribute stack: the evaluator state that PushAttrib saves, and that
+// which it does not save.
 #include <fmt/format.h>
 
 #include <evalcts/testkit/registration.h>
@@ -9,13 +9,13 @@
 namespace evalcts::suite_attribute_stack {
 namespace {
 
-// All that evaluators have in the groups of the attribute stack.
+// A setting of all evaluator state that belongs to attribute groups.
 struct State {
-  bool odd_maps = false;  // every second map enabled, this half or the other
+  bool odd_maps = false;  // which half of the maps is enabled: every second one
   bool auto_normal = false;
-  GLint segments = 1;  // of the grids, and other numbers derived from it for the ends
+  GLint segments = 1;  // segments of the one-dimensional grid; all other grid values follow from this one
 };
-// Each differs from the next in everything.
+// Each state differs from the next one in all values.
 constexpr State kBefore{false, true, 3}, kAfter{true, false, 7}, kLast{false, true, 12};
 
 bool enabled(const State& state, std::size_t i) { return (i % 2 == 1) == state.odd_maps; }
@@ -59,7 +59,8 @@ void expect_all(CheckedCase& c, const State& state) {
   expect_grids(c, state);
 }
 
-// Sets, pushes, which changes nothing, sets something else, pops.
+// Returns a case that sets kBefore, pushes the groups of the mask, sets kAfter and pops. Expects the push to
+// change nothing.
 CheckedCase pushed_and_popped(Test& t, GLbitfield mask) {
   CheckedCase c(t, "set, push, set otherwise, pop");
   set(c, kBefore);
@@ -70,7 +71,7 @@ CheckedCase pushed_and_popped(Test& t, GLbitfield mask) {
   return c;
 }
 
-// Everything in one group, alone and among others.
+// Masks with the group that contains all evaluator state, alone and with others.
 constexpr Named<GLbitfield> kWithEval[] = {
     {"EVAL_BIT", GL_EVAL_BIT},
     {"EVAL_AND_ENABLE_BIT", GL_EVAL_BIT | GL_ENABLE_BIT},
@@ -99,7 +100,7 @@ constexpr Named<GLbitfield> kOthers[] = {
     {"NO_BIT", 0},
     {"ALL_OTHERS", 0x000FFFFFu & ~static_cast<GLbitfield>(GL_EVAL_BIT | GL_ENABLE_BIT)}};
 
-// The version in which AUTO_NORMAL came into the enable group.
+// Returns true if the version has AUTO_NORMAL in the enable group.
 bool enable_bit_has_auto_normal(const Test& t) { return t.gl().at_least(1, 1); }
 
 void expect_all_restored(Test& t, const Named<GLbitfield>& mask) {
@@ -125,7 +126,7 @@ EVALCTS_TEST(AttributeStack, EnableBit, kMust, "EV-ATTRIB-ENABLEBIT", by(in_list
   c.check();
 };
 
-// Each enable by itself, both ways.
+// Each enable alone is restored, both to disabled and to enabled.
 EVALCTS_TEST(AttributeStack, EachEnable, kMust, "EV-ATTRIB-ENABLEBIT", "EV-ATTRIB-EVALBIT")
 (Test& t) {
   for (const GLbitfield mask : {GL_ENABLE_BIT, GL_EVAL_BIT}) {
@@ -165,7 +166,7 @@ EVALCTS_TEST(AttributeStack, OtherBits, kMust, "EV-ATTRIB-OTHERBITS", combine(kO
   c.check();
 };
 
-// ORDER, DOMAIN and COEFF belong to no group.
+// Maps belong to no attribute group: PopAttrib does not change their ORDER, DOMAIN and COEFF.
 EVALCTS_TEST(AttributeStack, MapsStay, kMust, "EV-ATTRIB-NOMAPS",
              combine((std::vector<Named<GLbitfield>>{kWithEval[0], kWithAll[0], kWithAll[1]})).by(in_lists()))
 (Test& t, const Named<GLbitfield>& mask) {
@@ -202,7 +203,7 @@ void draw_meshes(gl::Case& c) {
   c.EvalMesh2(GL_POINT, 0, 2, 0, 1);
 }
 
-// Evaluations afterwards use the enables and grids that came back, and the new points.
+// After PopAttrib, meshes use the restored enables and grids, and the new control points.
 EVALCTS_TEST(AttributeStack, EvaluatesAsRestored, kMust, "EV-ATTRIB-EVALBIT", "EV-ATTRIB-NOMAPS",
              by(gl::list_deliveries()))
 (Test& t) {
@@ -226,7 +227,7 @@ EVALCTS_TEST(AttributeStack, EvaluatesAsRestored, kMust, "EV-ATTRIB-EVALBIT", "E
   t.expect_emission(c, kPosition | kColor | kNormal | kTextureCoordinate0);
 };
 
-// If no enable changes between push and pop, the grid comes back all the same, for meshes as for queries.
+// PopAttrib restores the grid for meshes even if no enable has changed since PushAttrib.
 EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredGrid, kMust, "EV-ATTRIB-EVALBIT", by(gl::list_deliveries()))
 (Test& t) {
   gl::Case c("points of a grid before the push, of another grid, and after the pop");
@@ -244,8 +245,8 @@ EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredGrid, kMust, "EV-ATTRIB-EVALBI
   t.expect_emission(c, kPosition);
 };
 
-// If no grid changes, the enables come back all the same: they decide which vertex map wins, and what gives
-// the normals.
+// PopAttrib restores the enables for meshes even if no grid has changed since PushAttrib. The enables decide
+// which vertex map is used, and where normals come from.
 EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredEnables, kMust, "EV-ATTRIB-EVALBIT", "EV-ATTRIB-ENABLEBIT",
              by(gl::list_deliveries()))
 (Test& t) {
@@ -300,7 +301,7 @@ EVALCTS_TEST(AttributeStack, Nested, kMust, "EV-ATTRIB-NEST", by(in_lists()))
   c.check();
 };
 
-// The same with other groups that have enables.
+// The same with other masks that contain the enables, and three levels.
 EVALCTS_TEST(
     AttributeStack, NestedEnables, kMust, "EV-ATTRIB-NEST",
     combine((std::vector<Named<GLbitfield>>{{"ENABLE_BIT", GL_ENABLE_BIT}, kWithAll[0]})).by(in_lists()))
@@ -319,7 +320,7 @@ EVALCTS_TEST(
   c.check();
 };
 
-// Each level restores its own groups only.
+// PopAttrib restores only the groups that were pushed at its level.
 EVALCTS_TEST(AttributeStack, NestedGroups, kMust, "EV-ATTRIB-NEST", "EV-ATTRIB-ENABLEBIT-NOGRID",
              by(in_lists()))
 (Test& t) {
@@ -340,7 +341,7 @@ EVALCTS_TEST(AttributeStack, NestedGroups, kMust, "EV-ATTRIB-NEST", "EV-ATTRIB-E
   c.check();
 };
 
-// Sixteen levels, the least depth of the stack.
+// Sixteen levels, the minimum depth of the stack.
 EVALCTS_TEST(AttributeStack, NestedDeeply, kMust, "EV-ATTRIB-NEST")
 (Test& t) {
   constexpr GLint kDepth = 16;

@@ -1,5 +1,5 @@
 // Section 10 of the requirements: the normals that AUTO_NORMAL generates. Their directions are judged by the
-// accuracy rule for normals, with what is allowed to any method of computing them.
+// accuracy rule for normals, which allows the errors of any usual method of computing them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace evalcts::suite_automatic_normals {
 namespace {
 
-// A net of points from a function of the indices.
+// The control points of a surface as a function of their indices.
 using Net = std::function<std::array<double, 4>(int i, int j)>;
 
 Map surface(GLenum target, int uorder, int vorder, const Net& net) {
@@ -28,7 +28,7 @@ Map surface(GLenum target, int uorder, int vorder, const Net& net) {
   return make_map2(target, uorder, vorder, points);
 }
 
-// u along +x, v along +y: the normal is (0,0,1).
+// A plane with u along +x and v along +y, whose normal is (0,0,1).
 std::array<double, 4> plane(int i, int j) { return {1.0 * i, 1.0 * j, 0, 1}; }
 std::array<double, 4> plane_flipped(int i, int j) { return {1.0 * j, 1.0 * i, 0, 1}; }
 // A plane in general position.
@@ -37,27 +37,27 @@ std::array<double, 4> tilted(int i, int j) {
 }
 // A biquadratic bump over the unit square.
 std::array<double, 4> bump(int i, int j) { return {0.5 * i, 0.5 * j, i == 1 && j == 1 ? 2.0 : 0.0, 1}; }
-// A bicubic patch, a little twisted.
+// A slightly twisted patch, for any orders.
 std::array<double, 4> wave(int i, int j) {
   return {i + 0.2 * ((i + j) % 2), j - 0.3 * (i % 2), 0.8 * ((i * j) % 3) - 0.1 * i, 1};
 }
-// The plane with w from 1 to 4: its points are those of `plane` times w.
+// The plane z = 1/2 with weights from 1 to 4 (orders 2 by 2) or more.
 std::array<double, 4> weighted_plane(int i, int j) {
   const double w = 1 + i + 2 * j;
   return {i * w, j * w, 0.5 * w, w};
 }
-// The same plane: what x/w, y/w, z/w are does not change.
+// The same with all components negated, which leaves x/w, y/w and z/w unchanged.
 std::array<double, 4> negated_plane(int i, int j) {
   std::array<double, 4> point = weighted_plane(i, j);
   for (double& value : point) value = -value;
   return point;
 }
-// A quarter of a cylinder about the z axis, exactly.
+// A quarter of a cylinder about the z axis.
 std::array<double, 4> cylinder(int i, int j) {
   const double w = i == 1 ? std::sqrt(0.5) : 1.0;
   return {(i < 2 ? 1 : 0) * w, (i > 0 ? 1 : 0) * w, 1.5 * j * w, w};
 }
-// An eighth of a sphere: circles over circles.
+// An eighth of a sphere.
 std::array<double, 4> sphere(int i, int j) {
   const double wi = i == 1 ? std::sqrt(0.5) : 1.0, wj = j == 1 ? std::sqrt(0.5) : 1.0;
   const double r = j < 2 ? 1 : 0, z = j > 0 ? 1 : 0;
@@ -71,7 +71,7 @@ struct Patch {
   std::array<double, 4> (*net)(int i, int j);
 
   Map map() const { return surface(target, uorder, vorder, net); }
-  // Positions are so many times as large, w stays.
+  // Returns the map with x, y and z multiplied by `size`.
   Map map_of_size(double size) const {
     Map map = this->map();
     for (std::size_t i = 0; i < map.points.size(); ++i)
@@ -90,7 +90,7 @@ constexpr Patch kRational[] = {{"PLANE_2X2", GL_MAP2_VERTEX_4, 2, 2, weighted_pl
                                {"SPHERE", GL_MAP2_VERTEX_4, 3, 3, sphere},
                                {"NEGATIVE_W", GL_MAP2_VERTEX_4, 2, 3, negated_plane}};
 
-// Every u with every v.
+// Returns all pairs of a `us` and a `vs`.
 std::vector<At> lattice(const std::vector<double>& us, const std::vector<double>& vs) {
   std::vector<At> all;
   for (const double u : us)
@@ -99,7 +99,7 @@ std::vector<At> lattice(const std::vector<double>& us, const std::vector<double>
 }
 const std::vector<At> kAcross = {{0, 1}, {0.25, 0.75}, {0.75, 0.25}};
 
-// A lattice that has no degenerate point of the patches above.
+// Evaluates on a lattice without v2, at which the sphere above is degenerate.
 void evaluate_inside(gl::Case& c, const Map& map, int steps = 4) {
   c.Begin(GL_POINTS);
   for (int i = 0; i <= steps; ++i)
@@ -120,7 +120,7 @@ void expect_normals(Test& t, const std::string& identity, const std::vector<Map>
   t.expect_emission(c, required);
 }
 
-// Normals with and without a vertex shader: the rule is the same but for the length.
+// Normals of unit length, and those that a vertex shader receives: the same rule, except for the length.
 constexpr Named<Attributes> kLengths[] = {{"UNIT", kNormal | kUnitNormal}, {"SHADER", kNormal}};
 
 // --- Where the normal comes from -------------------------------------------------------------------------
@@ -129,7 +129,7 @@ EVALCTS_TEST(AutomaticNormals, Used, kMust, "EV-AUTON-USED", by(gl::surface_deli
 (Test& t) {
   for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}) {
     gl::Case c = with_current_values(label(target));
-    // Before the map, or after it.
+    // AUTO_NORMAL is enabled before or after the map.
     if (target == GL_MAP2_VERTEX_3) c.Enable(GL_AUTO_NORMAL);
     define_and_enable(c, surface(target, 3, 3, bump));
     if (target == GL_MAP2_VERTEX_4) c.Enable(GL_AUTO_NORMAL);
@@ -142,7 +142,7 @@ void expect_with(Test& t, const std::string& identity, const std::vector<std::pa
   gl::Case c = with_current_values(identity);
   define_and_enable(c, surface(GL_MAP2_VERTEX_3, 4, 4, wave));
   define(c, random_map(t, GL_MAP2_NORMAL, {2, 3}));
-  // Only what changes is switched: nothing repairs what the other switch may have done.
+  // Only enables that change are set, so that redundant calls do not hide a bug.
   std::pair<bool, bool> now = {false, false};
   for (const auto& [automatic, map] : switches) {
     if (automatic != now.first) automatic ? c.Enable(GL_AUTO_NORMAL) : c.Disable(GL_AUTO_NORMAL);
@@ -267,7 +267,7 @@ EVALCTS_TEST(AutomaticNormals, Curved, kMust, "EV-AUTON-CURVED", "EV-AUTON-METHO
                  {patch.map(), over(patch.map(), {2, 5}, {-3, -1})});
 };
 
-// The demand of GL 1.0: the analytic normal, to the accuracy of the operations.
+// GL 1.0 demands the analytic normal, to the accuracy of the operations.
 EVALCTS_TEST(AutomaticNormals, Analytic, kQuality, "EV-AUTON-METHOD",
              combine(kPolynomial).by(gl::list_deliveries()))
 (Test& t, const Patch& patch) { expect_normals(t, "the analytic normal", {patch.map()}); };
@@ -276,7 +276,7 @@ EVALCTS_TEST(AutomaticNormals, Rational, kMust, "EV-AUTON-RATIONAL",
              combine(kRational).by(gl::list_deliveries()))
 (Test& t, const Patch& patch) { expect_normals(t, "derivatives of x/w, y/w, z/w", {patch.map()}); };
 
-// The sign is free where one direction is reversed (U-AUTON-REVSIGN), the rest is not.
+// If one direction of the domain is reversed, either sign is accepted (U-AUTON-REVSIGN).
 EVALCTS_TEST(AutomaticNormals, ReversedDomain, kMust, "EV-AUTON-CURVED",
              combine(kLengths).by(gl::list_deliveries()))
 (Test& t, const Named<Attributes>& lengths) {
@@ -296,7 +296,8 @@ EVALCTS_TEST(AutomaticNormals, UnitLength, kMust, "EV-AUTON-UNIT", by(gl::list_d
   expect_normals(t, "patches of size 5e-5 to 1000, and over [0,100] x [0,1/8]", maps, kNormal | kUnitNormal);
 };
 
-// A patch of 10 by 10 over [0,1] x [0,1] has a normal of length 100 there.
+// A vertex shader receives normals that are not normalised: a plane of 10 by 10 over [0,1] x [0,1] has a
+// normal of length 100.
 EVALCTS_TEST(AutomaticNormals, NotNormalisedWithShader, kMust, "EV-AUTON-SHADER", by(gl::list_deliveries()))
 (Test& t) {
   t.require(2, 0, "GL_ARB_vertex_shader");
@@ -307,7 +308,7 @@ EVALCTS_TEST(AutomaticNormals, NotNormalisedWithShader, kMust, "EV-AUTON-SHADER"
   expect_normals(t, "planes, bumps and cylinders of three sizes", maps, kNormal | kShaderNormal);
 };
 
-// --- Everything else stays -------------------------------------------------------------------------------
+// --- Other values ----------------------------------------------------------------------------------------
 
 EVALCTS_TEST(AutomaticNormals, RestOfTheVertex, kMust, "EV-AUTON-SAMEVERTEX", by(gl::surface_deliveries()))
 (Test& t) {
@@ -367,8 +368,8 @@ struct Degenerate {
   Map map;
 };
 
-// Nothing is said of the normal there (U-AUTON-ZERO, U-AUTON-W0); the position is right, and what comes later
-// works.
+// Judges positions only, because the normals of these patches are unspecified (U-AUTON-ZERO, U-AUTON-W0). A
+// later evaluation of a regular patch has to work.
 void expect_survival(Test& t, const std::vector<Degenerate>& patches) {
   for (const auto& [name, map] : patches) {
     gl::Case c(name);

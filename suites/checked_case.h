@@ -1,4 +1,4 @@
-// A case with the checks on its answers, each written where its command is.
+// A case whose checks are written next to the commands whose answers they check.
 #pragma once
 
 #include <functional>
@@ -10,33 +10,35 @@
 
 namespace evalcts {
 
-// Commands are recorded as in any case. What is expected of their answers is recorded with them; check()
-// runs the case and checks in the order of recording.
+// Records commands and, with them, checks of their answers. check() runs the case in a fresh context, then
+// the checks in the order of recording.
 class CheckedCase : public gl::Case {
  public:
   CheckedCase(Test& t, std::string identity) : gl::Case(std::move(identity)), t_(t) {}
-  // Goes on after these commands.
+  // Begins with these commands, and with their identity.
   CheckedCase(Test& t, gl::Case commands) : gl::Case(std::move(commands)), t_(t) {}
 
-  // The checks that are recorded from now on decide these requirements, see Test::decide.
+  // Failures of the checks that are recorded after this call violate these requirements, see Test::decide.
   void decide(std::vector<RequirementId> requirements) {
     expect([&t = t_, requirements = std::move(requirements)](Played&) { t.decide(requirements); });
   }
 
-  // Records GetError, which gives this, or one of both.
+  // Records GetError and expects the error, or one of the two.
   void expect_error(GLenum error);
   void expect_error(GLenum one, GLenum other);
   void expect_no_error() { expect_error(GL_NO_ERROR); }
-  // Records IsEnabled.
+  // Records IsEnabled and expects its answer.
   void expect_enabled(GLenum cap, bool on) { expect_result(IsEnabled(cap), on); }
-  // Records the queries of the map, or of its order, as many as `orders` has.
+  // Records queries of the whole map, or of its orders (one, or two for a two-dimensional target), and
+  // expects these answers.
   void expect_map(const Map& map, bool doubles = false);
   void expect_orders(GLenum target, const std::vector<GLint>& orders);
-  // Records the queries of all state; it is what it was.
+  // Records the queries of evalcts::query_everything(); expect_unchanged() expects the same answers as
+  // `before`.
   std::vector<gl::Ref> query_everything() { return evalcts::query_everything(t_, *this); }
   void expect_unchanged(const std::vector<gl::Ref>& before) { expect_same(before, query_everything()); }
 
-  // The same as for Played.
+  // Record the checks of the same names of Played.
   void expect_result(gl::Ref command, std::int64_t expected);
   template <class T>
   void expect_values(gl::Ref query, const std::vector<T>& expected) {
@@ -45,11 +47,11 @@ class CheckedCase : public gl::Case {
   void expect_values(gl::Ref query, const std::vector<double>& expected) {
     expect_values<double>(query, expected);
   }
-  // To single precision, or as far as `relative` says.
+  // `relative`: the largest accepted relative error; the default is single precision as GL promises it.
   void expect_values_near(gl::Ref query, const std::vector<double>& expected, double relative = 1e-5);
   void expect_same(gl::Ref before, gl::Ref after);
   void expect_same(const std::vector<gl::Ref>& before, const std::vector<gl::Ref>& after);
-  // Any other check.
+  // Records any other check.
   void expect(std::function<void(Played&)> check) { checks_.push_back(std::move(check)); }
 
   Played check() const;

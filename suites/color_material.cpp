@@ -9,7 +9,7 @@
 namespace evalcts::suite_color_material {
 namespace {
 
-// Every command at full depth: where a test has few parameters their turns do not show all.
+// Deliveries of all evaluation commands without display lists, for tests with few parameters; not sparing().
 std::vector<gl::Delivery> every_command() {
   return gl::without(gl::kLists | gl::kArrays, gl::curve_deliveries());
 }
@@ -22,7 +22,8 @@ constexpr std::array<float, 4> kCurrent = {0.75f, 0.25f, 0.5f, 1.0f};
 constexpr GLenum kTracked[] = {GL_EMISSION, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_AMBIENT_AND_DIFFUSE};
 constexpr GLenum kSomeTracked[] = {GL_EMISSION, GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE};
 
-// Light from the eye, and materials that leave each property room to show.
+// Enables a light from the direction of the eye and sets dark materials, so that tracking any property
+// changes the colour visibly.
 void light(gl::Case& c) {
   enable_light(c, {0, 0, 1, 0});
   c.Lightfv(GL_LIGHT0, GL_AMBIENT, std::vector<float>{0.25f, 0.25f, 0.25f, 1});
@@ -40,7 +41,7 @@ void track(gl::Case& c, GLenum property, GLenum face = GL_FRONT_AND_BACK) {
   c.Enable(GL_COLOR_MATERIAL);
 }
 
-// Lit, without tracking and with it.
+// Returns the state of lighting without and with tracking of the property by the current colour.
 std::pair<gl::Case, gl::Case> lit(GLenum property, GLenum face = GL_FRONT_AND_BACK, bool two_sided = false) {
   gl::Case untracked;
   light(untracked);
@@ -50,7 +51,7 @@ std::pair<gl::Case, gl::Case> lit(GLenum property, GLenum face = GL_FRONT_AND_BA
   return {untracked, tracked};
 }
 
-// A curve of positions and one of colours.
+// Defines and enables maps of positions and colours.
 void define_maps(gl::Case& c) {
   define(c, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.25, -0.5, 0.25, 0.75, 0.25, 0.75, -0.5, 0.5}));
   define(c, make_map1(GL_MAP1_COLOR_4, {0, 1, 0.25, 1, 1, 0.25, 0, 1, 0.5, 0, 1, 1}));
@@ -64,7 +65,8 @@ void draw_points(gl::Case& c, bool evaluated = true) {
   c.End();
 }
 
-// The evaluated picture is that of the explicit vertices, which is another under `without`.
+// Expects the picture of evaluated vertices under `state` to be like that of explicit ones. Throws
+// NotObservable if the explicit ones look the same under `without`. `name` identifies the control.
 void expect_lit_like_explicit(Test& t, const std::string& name, const gl::Case& state,
                               const gl::Case& without, const gl::Case& drawing) {
   const Part& control = drawn_once("ColorMaterial: " + name, [&] {
@@ -80,7 +82,7 @@ void expect_lit_like_explicit(Test& t, const std::string& name, const gl::Case& 
 
 constexpr GLenum kProperties[] = {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION};
 
-// Queries of all materials, and behind them of the current colour.
+// Appends queries of all materials, then of the current colour.
 std::vector<gl::Ref> query_materials(gl::Case& c) {
   std::vector<gl::Ref> refs;
   for (const GLenum face : {GL_FRONT, GL_BACK})
@@ -100,7 +102,7 @@ EVALCTS_TEST(ColorMaterial, Effect, kMust, "EV-CMAT-EFFECT/1-D", combine(kTracke
   expect_lit_like_explicit(t, "effect " + label(tracked), state, untracked, drawing);
 };
 
-// Asked at once, and after a flush.
+// Evaluated colours change neither materials nor the current colour, queried immediately and after a Flush.
 EVALCTS_TEST(ColorMaterial, MaterialUntouched, kMust, "EV-CMAT-NOSTATE/1-D", "EV-CMAT-NOCURRENT/1-D",
              combine(kSomeTracked).by(gl::curve_deliveries()))
 (Test& t, GLenum tracked) {
@@ -132,7 +134,7 @@ EVALCTS_TEST(ColorMaterial, MaterialUntouched, kMust, "EV-CMAT-NOSTATE/1-D", "EV
     if (!kept) continue;
     observed = true;
     Played played = t.play(evaluated.script);
-    // The dimension of the requirements is that of the delivery.
+    // t.requirement() chooses the dimension of the delivery.
     const auto decide = [&](const char* id) { t.decide({t.requirement(id)}); };
     for (std::size_t i = 0; i < evaluated.before.size(); ++i) {
       decide(i + 1 < evaluated.before.size() ? "EV-CMAT-NOSTATE" : "EV-CMAT-NOCURRENT");
@@ -150,8 +152,9 @@ gl::Case one_vertex() {
   return c;
 }
 
-// An explicit vertex behind these commands. Throws NotObservable if it does not show the tracked colour, as
-// in Mesa 22.3 without a Color between it and Enable(COLOR_MATERIAL) that changes the current colour.
+// Returns the picture of an explicit vertex after the commands. Throws NotObservable if its colour is not
+// tracked, as in Mesa 22.3 if no Color changes the current colour between Enable(COLOR_MATERIAL) and the
+// vertex.
 const Part& tracked_vertex(Test& t, GLenum tracked, gl::Case commands = {}) {
   const std::string what = commands.empty() ? "a vertex" : "a Color and a vertex";
   return drawn_once(fmt::format("ColorMaterial: {} {}", what, label(tracked)), [&] {
@@ -163,7 +166,8 @@ const Part& tracked_vertex(Test& t, GLenum tracked, gl::Case commands = {}) {
   });
 }
 
-// A Vertex after an evaluation is lit with the current colour again, as is an evaluation without the map.
+// Explicit vertices after an evaluation, and evaluations after the colour map is disabled, are lit with the
+// current colour.
 EVALCTS_TEST(ColorMaterial, NextVertex, kMust, "EV-CMAT-NEXT/1-D", combine(kSomeTracked).by(in_primitives()))
 (Test& t, GLenum tracked) {
   t.require(1, 1);
@@ -185,7 +189,7 @@ EVALCTS_TEST(ColorMaterial, NextVertex, kMust, "EV-CMAT-NEXT/1-D", combine(kSome
 
 constexpr GLenum kFaces[] = {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK};
 
-// A triangle seen from the front and one from behind, lit on both sides.
+// Two-sided lighting of a triangle that is seen from the front and one that is seen from the back.
 EVALCTS_TEST(ColorMaterial, Faces, kMust, "EV-CMAT-FACES/1-D", combine(kFaces).by(in_primitives()))
 (Test& t, GLenum face) {
   t.require(1, 1);
@@ -201,7 +205,7 @@ EVALCTS_TEST(ColorMaterial, Faces, kMust, "EV-CMAT-FACES/1-D", combine(kFaces).b
   expect_lit_like_explicit(t, "faces " + label(face), state, untracked, drawing);
 };
 
-// Without COLOR_MATERIAL the lit colour is the material's, whatever the map says.
+// Without COLOR_MATERIAL, vertices are lit with the material, whatever the colour map.
 EVALCTS_TEST(ColorMaterial, NotTracked, kMust, "EV-CMAT-OFF/1-D", by(every_command()))
 (Test& t) {
   const auto& [state, tracking] = lit(GL_EMISSION);
@@ -211,7 +215,7 @@ EVALCTS_TEST(ColorMaterial, NotTracked, kMust, "EV-CMAT-OFF/1-D", by(every_comma
   expect_lit_like_explicit(t, "not tracked", state, tracking, drawing);
 };
 
-// Without lighting the evaluated colour is the vertex's.
+// Without lighting, vertices have the evaluated colour.
 EVALCTS_TEST(ColorMaterial, Unlit, kMust, "EV-CMAT-UNLIT/1-D", by(every_command()))
 (Test& t) {
   const auto& [untracked, tracked] = lit(GL_EMISSION);

@@ -1,4 +1,4 @@
-// Section 21 of the requirements, contexts: each has evaluators of its own.
+// Section 21 of the requirements: each context has its own evaluator state.
 #include <fmt/format.h>
 
 #include <evalcts/testkit/registration.h>
@@ -8,7 +8,8 @@
 namespace evalcts::suite_contexts {
 namespace {
 
-// Everything of evaluators away from its initial value, in one of two ways.
+// Sets all evaluator state and the current values to something else than their initial values. The two
+// variants (0 and 1) differ in the maps and grids.
 void set_everything(Test& t, gl::Case& c, int variant) {
   for (const GLenum target : gl::kMap1Targets)
     define_and_enable(c, over(random_map(t, target, 3 + variant), {-1.5 - variant, 1}));
@@ -22,7 +23,7 @@ void set_everything(Test& t, gl::Case& c, int variant) {
   c.TexCoord4f(4, 3, 2, 5);
 }
 
-// Ways to make another context current.
+// A way to make another context current, by its number.
 struct Other {
   const char* name;
   gl::Ref (*make_current)(gl::Case&, GLuint);
@@ -31,7 +32,7 @@ constexpr Other kOthers[] = {
     {"SEPARATE", [](gl::Case& c, GLuint number) { return c.OtherContextEVALCTS(number); }},
     {"SHARING", [](gl::Case& c, GLuint number) { return c.SharingContextEVALCTS(number); }}};
 
-// A new context has the initial state, which the first one told before it was changed.
+// A new context has the initial state, which the first context had before it was changed.
 EVALCTS_TEST(Contexts, Fresh, kMust, "EV-CTX-FRESH", combine(kOthers))
 (Test& t, const Other& other) {
   CheckedCase c(t, "everything set in the first context, then another one is made");
@@ -43,8 +44,7 @@ EVALCTS_TEST(Contexts, Fresh, kMust, "EV-CTX-FRESH", combine(kOthers))
   c.check();
 };
 
-// Commands in one context change nothing in the other, in either direction, in contexts that share objects as
-// well as in others. (An implementation that shares evaluators answers the same in both.)
+// Commands in one context do not change the state of another one, whether or not the contexts share objects.
 EVALCTS_TEST(Contexts, Private, kMust, "EV-CTX-PRIVATE", combine(kOthers))
 (Test& t, const Other& other) {
   CheckedCase c(t, "two contexts set in different ways in turn");
@@ -54,7 +54,7 @@ EVALCTS_TEST(Contexts, Private, kMust, "EV-CTX-PRIVATE", combine(kOthers))
   const std::vector<gl::Ref> second = c.query_everything();
   c.OtherContextEVALCTS(0);
   c.expect_unchanged(untouched);
-  // The first context has what the other one has not.
+  // The enables of the first context differ from those of the other one.
   set_everything(t, c, 0);
   c.Disable(GL_AUTO_NORMAL);
   for (std::size_t i = 0; i < gl::kMap1Targets.size(); i += 2) {
@@ -64,7 +64,7 @@ EVALCTS_TEST(Contexts, Private, kMust, "EV-CTX-PRIVATE", combine(kOthers))
   const std::vector<gl::Ref> first = c.query_everything();
   c.OtherContextEVALCTS(1);
   c.expect_unchanged(second);
-  // The third shows what is initial.
+  // A third context has the initial state.
   c.OtherContextEVALCTS(2);
   c.expect_unchanged(untouched);
   c.OtherContextEVALCTS(0);
@@ -72,7 +72,7 @@ EVALCTS_TEST(Contexts, Private, kMust, "EV-CTX-PRIVATE", combine(kOthers))
   c.check();
 };
 
-// Maps that a list defines are those of the context that calls it; the list itself is shared.
+// A shared display list defines maps in the context that calls it.
 EVALCTS_TEST(Contexts, SharedListDefinesWhereItIsCalled, kMust, "EV-CTX-PRIVATE")
 (Test& t) {
   gl::Case c("a list made in one context, called in the other");
@@ -120,7 +120,7 @@ EVALCTS_TEST(Contexts, Switched, kMust, "EV-CTX-SWITCH", combine(kOthers))
   c.check();
 };
 
-// Evaluation itself goes on as if there had been no other context: the pictures of both in feedback mode.
+// The same evaluation gives the same feedback before and after evaluation in another context.
 EVALCTS_TEST(Contexts, EvaluatesAfterSwitch, kMust, "EV-CTX-SWITCH", "EV-CTX-PRIVATE", combine(kOthers))
 (Test& t, const Other& other) {
   constexpr std::size_t kRoom = 64;
@@ -156,8 +156,9 @@ EVALCTS_TEST(Contexts, EvaluatesAfterSwitch, kMust, "EV-CTX-SWITCH", "EV-CTX-PRI
 
 constexpr GLuint kCopy = 1;
 
-// Everything set in the first context, then copied to a fresh one by the mask. Throws NotObservable where
-// what has nothing to do with evaluators is not copied either.
+// Sets all state in the first context and copies the groups of the mask to a new context, kCopy. The first
+// context is current afterwards. Throws NotObservable if glXCopyContext does not copy the clear colour
+// either.
 void set_and_copy(Test& t, gl::Case& c, GLbitfield mask) {
   gl::Case control(gl::control("the clear colour"));
   control.ClearColor(0.25f, 0.5f, 0.75f, 1.0f);
@@ -173,7 +174,7 @@ void set_and_copy(Test& t, gl::Case& c, GLbitfield mask) {
   c.CopyContextEVALCTS(0, kCopy, mask);
 }
 
-// Queries of the state that EVAL_BIT saves.
+// Appends queries of the state in the group EVAL_BIT.
 std::vector<gl::Ref> query_pushable(gl::Case& c) {
   std::vector<gl::Ref> queries;
   for (const GLenum cap : all_caps()) queries.push_back(c.IsEnabled(cap));

@@ -1,5 +1,4 @@
-// Section 11 of the requirements for one dimension: evaluation leaves current values, maps, grids and enables
-// alone.
+// Section 11 of the requirements: evaluation does not change current values, maps, grids and enables.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +26,7 @@ constexpr Query kQueries[] = {{"COLOR", GL_CURRENT_COLOR, 4},
                               {"NORMAL", GL_CURRENT_NORMAL, 3},
                               {"TEXTURE_COORDS", GL_CURRENT_TEXTURE_COORDS, 4}};
 
-// Commands that set the current value before: with every number of components that the commands have.
+// A function that sets a current value; `variant` chooses the command by its number of components.
 using Setter = void (*)(gl::Case&, int variant);
 
 void set_color(gl::Case& c, int variant) {
@@ -41,11 +40,11 @@ void set_texture(gl::Case& c, int variant) {
                      : c.TexCoord1f(5);
 }
 
-// One vertex, evaluated or explicit.
+// Appends one vertex, evaluated or explicit.
 void emit(gl::Case& c, bool evaluated, float u) { evaluated ? c.EvalCoord1f(u) : c.Vertex3f(u, 0, 0); }
 
-// The value alone, beside others (the layout of a vertex depends on what was set, and in which order), and
-// never set.
+// Sets the current value before a primitive: alone, after others (the layout of an implementation's vertices
+// depends on which values were set, and in which order), or not at all.
 constexpr int kVariants = 6;
 void set_before(gl::Case& c, int variant, Setter set) {
   switch (variant) {
@@ -59,7 +58,7 @@ void set_before(gl::Case& c, int variant, Setter set) {
       set_color(c, 1);
       break;
     case 4:
-      return;  // the initial value
+      return;  // keeps the initial value
     case 5:
       set_color(c, 1);
       return;
@@ -69,15 +68,15 @@ void set_before(gl::Case& c, int variant, Setter set) {
   set(c, variant);
 }
 
-// A case, and the queries in it that have to give the same answer.
+// A case, and the pairs of queries in it that have to give the same answers.
 struct Written {
   gl::Case script;
   std::vector<std::pair<gl::Ref, gl::Ref>> alike;
 };
 
-// Judges the evaluated commands by the explicit ones, the control: where those lose a value as well,
-// evaluation is not to blame. Where evaluation loses none, there is nothing to compare with. False if nothing
-// can be said.
+// Expects the evaluated case to keep the current values. If it does not, the control with explicit vertices
+// runs. Returns false, without a failure, if the control loses a value as well: then evaluation is not the
+// cause.
 bool expect_kept(Test& t, const std::function<Written(bool evaluated)>& write) {
   const auto keeps = [&t](const Written& written) {
     const Played played = t.play(written.script);
@@ -88,20 +87,22 @@ bool expect_kept(Test& t, const std::function<Written(bool evaluated)>& write) {
   const Written evaluated = write(true);
   if (keeps(evaluated)) return true;
   if (!keeps(write(false))) return false;
-  Played played = t.play(evaluated.script);  // what is reported is the case run last
+  Played played = t.play(evaluated.script);  // again, because a failure reports the case that ran last
   for (const auto& [before, after] : evaluated.alike) played.expect_same(before, after);
   return true;
 }
 
-// The maps and enables of an evaluation, and one evaluation or, in its place, an explicit vertex.
+// The maps and enables of an evaluation, and a function that appends one evaluation or, for the control, an
+// explicit vertex.
 struct Evaluated {
   std::string name;
   std::function<void(gl::Case&)> prepare;
   void (*draw)(gl::Case&, bool evaluated, float u) = emit;
 };
 
-// Sets the value, evaluates (once, and often enough to make an implementation flush in the middle; at quick
-// depth one of them in turn), and compares the query before and after. `evaluated_of` is asked for each case.
+// Sets the value, evaluates, and compares the query before and after. There are cases with one evaluation and
+// with so many that an implementation flushes between them; at quick depth each variant runs one of these.
+// `evaluated_of` is called for each case. Throws NotObservable if no case can be judged.
 void expect_current_untouched(Test& t, const std::function<Evaluated()>& evaluated_of, const Query& query,
                               Setter set, bool flush) {
   bool observed = false;
@@ -123,7 +124,7 @@ void expect_current_untouched(Test& t, const std::function<Evaluated()>& evaluat
         c.End();
         if (flush) c.Flush();
         const gl::Ref after = query.ask(c);
-        // Set inside the primitive, evaluated once more: the value of the command stays, not the map's.
+        // A value that is set between Begin and End stays current after the evaluation.
         c.Begin(GL_POINTS);
         set(c, variant + 1);
         what.draw(c, evaluated, 0.5f);
@@ -137,7 +138,7 @@ void expect_current_untouched(Test& t, const std::function<Evaluated()>& evaluat
   if (!observed) throw NotObservable("explicit vertices lose the current value as well");
 }
 
-// With the map of the target, and one of vertices.
+// The same with a map of the target and a vertex map.
 void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter set, bool flush) {
   const auto evaluated = [&] {
     const Map map = random_map(t, target, 4), carrier = random_map(t, GL_MAP1_VERTEX_3, 4);
@@ -151,7 +152,7 @@ void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter
   expect_current_untouched(t, evaluated, query, set, flush);
 }
 
-// Queried at once, and after a flush: a flush hides some defects and shows others.
+// The queries come immediately or after a Flush, which hides some bugs and reveals others.
 constexpr Named<bool> kMoments[] = {{"AT_ONCE", false}, {"FLUSHED", true}};
 
 EVALCTS_TEST(CurrentValues, Color, kMust, "EV-CUR-COLOR/1-D", combine(kMoments).by(gl::curve_deliveries()))
@@ -168,7 +169,7 @@ void emit_of_surface(gl::Case& c, bool evaluated, float u) {
   evaluated ? c.EvalCoord2f(u, 0.25f) : c.Vertex3f(u, 0, 0);
 }
 
-// Generated normals, of surfaces of order 1 to 3.
+// Normals that AUTO_NORMAL generates from surfaces of orders 1 to 3 do not become current.
 EVALCTS_TEST(CurrentValues, AutomaticNormal, kMust, "EV-AUTON-CURRENT",
              combine(kMoments).by(gl::surface_deliveries()))
 (Test& t, const Named<bool>& moment) {
@@ -186,7 +187,7 @@ EVALCTS_TEST(CurrentValues, AutomaticNormal, kMust, "EV-AUTON-CURRENT",
   expect_current_untouched(t, evaluated, kQueries[1], set_normal, moment.value);
 };
 
-// Without a map of vertices an evaluation does nothing: there is no control in its place.
+// Without a vertex map an evaluation does nothing, so the control has no command in its place.
 EVALCTS_TEST(CurrentValues, AutomaticNormalWithoutVertices, kMust, "EV-AUTON-NOVERTEX",
              combine(kMoments).by(gl::surface_deliveries()))
 (Test& t, const Named<bool>& moment) {
@@ -239,8 +240,8 @@ EVALCTS_TEST(CurrentValues, TextureCoordinates, kMust, "EV-CUR-TEX/1-D",
     expect_current_untouched(t, target, kQueries[2], set_texture, moment.value);
 };
 
-// All current values, queried before a primitive of tens of thousands of vertices and after it. They are set
-// once more in its middle.
+// Current values stay the same over a primitive of tens of thousands of vertices, also if they are set in its
+// middle.
 constexpr Named<GLenum> kStrips[] = {{"LINE_STRIP", GL_LINE_STRIP}, {"TRIANGLE_STRIP", GL_TRIANGLE_STRIP}};
 
 EVALCTS_TEST(CurrentValues, LongPrimitives, kMust, "EV-CUR-COLOR/1-D", "EV-CUR-NORMAL/1-D", "EV-CUR-TEX/1-D",
@@ -303,7 +304,8 @@ EVALCTS_TEST_PAIR(CurrentValues.LongMeshes, CurrentValues.LongMeshes2, kMust, "E
   c.check();
 };
 
-// One order of Color, Normal and TexCoord, with these numbers of components.
+// An order of Color (0), Normal (1) and TexCoord (2), and the numbers of components of colour and texture
+// coordinates.
 struct Setting {
   std::array<int, 3> order;
   int color, texture;
@@ -316,7 +318,8 @@ std::vector<Setting> settings(Test& t) {
     for (const int color : {3, 4})
       for (int texture = 1; texture <= 4; ++texture) all.push_back({order, color, texture});
   } while (std::next_permutation(order.begin(), order.end()));
-  // Steps that have no factor in common with the numbers of components leave something of each.
+  // The steps have no common factor with the numbers of components, so that every number is among those
+  // chosen.
   std::vector<Setting> chosen;
   for (std::size_t i = 0; i < all.size(); i += static_cast<std::size_t>(t.by_depth(11, 5, 1)))
     chosen.push_back(all[i]);
@@ -335,8 +338,8 @@ void set_all(gl::Case& c, const Setting& setting) {
   }
 }
 
-// Implementations lay vertices out by what was set, in which order and how wide: one primitive, with every
-// map on, after every order of setting.
+// The layout of an implementation's vertices depends on which values were set, in which order, and with how
+// many components. So there is a primitive with all maps enabled after every order of setting.
 EVALCTS_TEST(CurrentValues, EveryOrderOfSetting, kMust, "EV-CUR-COLOR/1-D", "EV-CUR-NORMAL/1-D",
              "EV-CUR-TEX/1-D", combine(kQueries).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
 (Test& t, const Query& queried) {
@@ -358,7 +361,7 @@ EVALCTS_TEST(CurrentValues, EveryOrderOfSetting, kMust, "EV-CUR-COLOR/1-D", "EV-
       for (int i = 0; i < 4; ++i) emit(c, evaluated, static_cast<float>(i) / 4);
       c.End();
       const gl::Ref after = queried.ask(c);
-      // The next primitive has a smaller vertex.
+      // With fewer maps, the vertices of the next primitive are smaller.
       for (const Map& map : maps)
         if (map.target != GL_MAP1_VERTEX_3) c.Disable(map.target);
       c.Begin(GL_POINTS);
@@ -386,7 +389,7 @@ EVALCTS_TEST(CurrentValues, EdgeFlag, kMust, "EV-CUR-EDGEFLAG/1-D",
   }
 };
 
-// Meshes are primitives of their own, and have no edge flags.
+// EvalMesh does not change the current edge flag.
 EVALCTS_TEST(CurrentValues, EdgeFlagAfterMeshes, kMust, "EV-CUR-EDGEFLAG", by(gl::list_deliveries()))
 (Test& t) {
   for (const GLboolean flag : {GL_FALSE, GL_TRUE}) {
@@ -403,7 +406,7 @@ EVALCTS_TEST(CurrentValues, EdgeFlagAfterMeshes, kMust, "EV-CUR-EDGEFLAG", by(gl
   }
 };
 
-// With all maps on, everything that can be queried of the evaluators stays as it was.
+// With all maps enabled, no query of evaluator state changes its answer.
 EVALCTS_TEST_PAIR(CurrentValues.MapsGridsAndEnables, CurrentValues.MapsGridsAndEnables2, kMust,
                   decide("EV-CUR-GRIDMAPS/1-D", "EV-CUR-GRIDMAPS/2-D"))
 (Test& t, bool two) {
@@ -425,7 +428,7 @@ EVALCTS_TEST_PAIR(CurrentValues.MapsGridsAndEnables, CurrentValues.MapsGridsAndE
   c.EvalCoord1d(0.5);
   for (const GLint i : {0, 2, -1, 7}) eval_point(c, two, i, 3 - i);
   c.End();
-  // Inside the grid, beyond it, and nothing.
+  // Meshes inside the grid, beyond it, and of an empty range.
   for (const GLenum mode : {GL_POINT, GL_LINE, GL_FILL})
     for (const auto& [first, last] : {std::pair{0, 3}, {-2, 5}, {2, 1}})
       if (two || mode != GL_FILL) eval_mesh(c, two, mode, first, last, first, last);
@@ -434,7 +437,7 @@ EVALCTS_TEST_PAIR(CurrentValues.MapsGridsAndEnables, CurrentValues.MapsGridsAndE
   expect_unchanged(played, before, after);
 };
 
-// Maps of 1, 4, 2, 3 components in turn: nothing of one result gets into another vertex.
+// With texture maps of 1, 4, 2 and 3 components in turn, no component of one vertex appears in another one.
 EVALCTS_TEST(CurrentValues, NoComponentLeaks, kMust, "EV-CUR-MAXCOMP/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("texture maps of 1, 4, 2, 3, 1 components, explicit vertices between them");
@@ -461,7 +464,7 @@ EVALCTS_TEST(CurrentValues, OtherUnits, kMust, "EV-CUR-OTHERUNITS/1-D", by(gl::c
   require_texture_units(t);
   for (const GLenum active : {GL_TEXTURE0, GL_TEXTURE1}) {
     CheckedCase c(t, "every unit, TEXTURE_COORD_2 enabled, " + gl::token_name(active) + " active");
-    c.ActiveTexture(GL_TEXTURE0);  // maps are rejected elsewhere, where a list is called twice
+    c.ActiveTexture(GL_TEXTURE0);  // other units reject maps, and some deliveries run the commands twice
     define(c, random_map(t, GL_MAP1_TEXTURE_COORD_2, 3));
     enable_visibly(c, GL_MAP1_TEXTURE_COORD_2);
     const int units = std::min(t.gl().texture_units, 8);
@@ -477,8 +480,8 @@ EVALCTS_TEST(CurrentValues, OtherUnits, kMust, "EV-CUR-OTHERUNITS/1-D", by(gl::c
   }
 };
 
-// The same commands twice, with EvalCoord and, as the control, with Vertex; whatever the queries answer, it
-// has to be the same.
+// Runs the commands of `write` with EvalCoord and, as the control, with Vertex, and expects the queries that
+// it returns to have the same answers.
 void expect_same_as_explicit(Test& t, const std::string& identity,
                              const std::function<std::vector<gl::Ref>(gl::Case&, bool evaluated)>& write) {
   std::vector<gl::Ref> refs;
@@ -496,7 +499,7 @@ void expect_same_as_explicit(Test& t, const std::string& identity,
                   "the answer after explicit vertices", "another answer");
 }
 
-// Secondary colour, fog coordinate and generic attributes have no maps.
+// Secondary colour, fog coordinate and generic attributes have no maps, and evaluation does not change them.
 EVALCTS_TEST(CurrentValues, AttributesWithoutMaps, kMust, "EV-CUR-OTHERUNITS/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   t.require(2, 0);

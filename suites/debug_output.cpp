@@ -1,4 +1,5 @@
-// Section 22 of the requirements, debug output: what a debug context says of the errors of evaluators.
+// Section 22 of the requirements, debug output: messages of a debug context about errors of evaluator
+// commands.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 namespace evalcts::suite_debug_output {
 namespace {
 
-constexpr std::size_t kMessages = 8;  // that are fetched at once
+constexpr std::size_t kMessages = 8;  // messages that one call fetches
 
 std::vector<NamedCalls> mistakes() {
   const std::vector<float> points(12, 0.5f);
@@ -28,7 +29,7 @@ std::vector<NamedCalls> mistakes() {
            [](gl::Case& c) { c.GetMapfv(GL_TEXTURE_2D, GL_ORDER, gl::out<GLfloat>(4)); }}};
 }
 
-// The error of some commands, and of what sources and types the messages about it are.
+// The error of a command, and the sources and types of the messages about it.
 struct Answer {
   GLenum error;
   std::vector<GLuint> sources, types;
@@ -45,15 +46,15 @@ struct Answers {
   std::vector<Answer> all;
 };
 
-// The commands in a debug context, each twice: a command of a case writes one array, so that sources and
-// types are fetched one after the other.
+// Runs the commands in a debug context, each of them twice, because a command of a case writes one array: the
+// sources are fetched after the first call and the types after the second one.
 Answers answers(Test& t, const gl::Identity& identity, const std::vector<NamedCalls>& commands) {
   struct Fetched {
     gl::Ref error, count, array;
   };
   gl::Case c(identity);
   c.ContextOfKindEVALCTS(1, EVALCTS_DEBUG);
-  for (int i = 0; i < 2; ++i)  // whatever the context says to begin with
+  for (int i = 0; i < 2; ++i)  // discards messages about the context itself
     c.GetDebugMessageLog(64, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr);
   std::vector<Fetched> fetched;
   for (const NamedCalls& command : commands)
@@ -79,7 +80,7 @@ Answers answers(Test& t, const gl::Identity& identity, const std::vector<NamedCa
   return answers;
 }
 
-// If the error of another command is reported, those of evaluators are, too.
+// Errors of evaluator commands are reported if the error of another command is.
 EVALCTS_TEST(Pipeline, DebugMessages, kQuality, "EV-PIPE-DEBUG")
 (Test& t) {
   t.require(4, 3, "GL_KHR_debug");
@@ -91,7 +92,7 @@ EVALCTS_TEST(Pipeline, DebugMessages, kQuality, "EV-PIPE-DEBUG")
   Answers evaluators = answers(t, "errors of evaluators", commands);
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const Answer& answer = evaluators.all[i];
-    if (answer.error == GL_NO_ERROR) continue;  // other tests say so
+    if (answer.error == GL_NO_ERROR) continue;  // other tests judge missing errors
     evaluators.played.expect(
         answer.is_reported(), answer.asked,
         fmt::format("{}: no message of type DEBUG_TYPE_ERROR from DEBUG_SOURCE_API", commands[i].name),

@@ -1,11 +1,11 @@
-// Registers one body as two tests that differ in one choice: most often one for one dimension and one for
-// two, or one along u and one along v.
+// A macro that registers one body as two tests that differ in one choice, usually between one and two
+// dimensions or between u and v. The body receives the choice as a bool.
 //
 //   EVALCTS_TEST_PAIR(Metamorphic.ReversedCurve, Metamorphic.ReversedSurface, kMust,
 //                     decide("EV-NUM-SYMMETRY/1-D", "EV-NUM-SYMMETRY/2-D"), by(in_lists()))
 //   (Test& t, bool two) { ... };
 //
-// Parameters are those of both tests, or what a function returns for each:
+// The parameters are the same for both tests, or returned by a function of the choice:
 //
 //   EVALCTS_TEST_PAIR(Map1State.EnableUntouched, Map2State.EnableUntouched, kMust, ...,
 //                     [](bool two) { return combine(target_forms(two)).by(gl::list_deliveries()); })
@@ -19,8 +19,8 @@
 
 namespace evalcts {
 
-// The requirement that each of the two tests decides; null if it decides none. A requirement that is named
-// alone is decided by both.
+// The requirement that each of the two tests decides, or null. A requirement that is given to
+// EVALCTS_TEST_PAIR without decide() is decided by both tests.
 struct Decided {
   const char* one;
   const char* two;
@@ -43,7 +43,7 @@ class PairDeclaration {
   Two two_;
 };
 
-// `full_name` is "Suite.Name".
+// Returns the test info of "Suite.Name", without requirements.
 inline TestInfo test_info(std::string_view full_name, Level level) {
   const std::size_t dot = full_name.find('.');
   return {std::string(full_name.substr(0, dot)), std::string(full_name.substr(dot + 1)), {}, level, nullptr};
@@ -74,8 +74,8 @@ inline auto declare_pair(TestInfo one, TestInfo two) {
 
 #define EVALCTS_JOIN_(a, b) a##b
 #define EVALCTS_JOIN(a, b) EVALCTS_JOIN_(a, b)
-// EVALCTS_TEST_PAIR(Suite.One, Suite.Two, level, decide("ID", "ID")..., parameters)
-// (Test& t, bool two, const P& parameter...) { body };
+// Usage: EVALCTS_TEST_PAIR(Suite.One, Suite.Two, level, decide("ID", "ID")..., parameters)
+//        (Test& t, bool two, const P& parameter...) { body };
 #define EVALCTS_TEST_PAIR(one, two, level, ...)                                                 \
   [[maybe_unused]] static const ::evalcts::Registration EVALCTS_JOIN(pair_, __COUNTER__) =      \
       ::evalcts::declare_pair(::evalcts::test_info(#one, ::evalcts::Level::level),              \

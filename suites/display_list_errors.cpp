@@ -1,4 +1,4 @@
-// Section 20 of the requirements: errors of commands in display lists, which come when the list is called.
+// Section 20 of the requirements: commands in a display list raise their errors when the list is called.
 #include <fmt/format.h>
 
 #include <optional>
@@ -18,9 +18,9 @@ struct Bad {
   Calls issue;
 };
 
-// Maps that are rejected. No stride is negative: a library that compiles the command before it checks the
-// arguments reads memory before the array, and the outcome of such a read is not specified. `limit`:
-// MAX_EVAL_ORDER, if it is known.
+// Returns definitions of maps that have to be rejected. No stride is negative, because a library that copies
+// the points before it checks the arguments would read memory before the array, with an unpredictable
+// outcome. `limit`: MAX_EVAL_ORDER, if it is known.
 std::vector<Bad> bad_maps(bool doubles, const char* form, std::optional<int> limit) {
   std::vector<Bad> all;
   const auto add = [&](const std::string& what, GLenum error, const Map& map) {
@@ -100,7 +100,7 @@ constexpr Named<Kind> kKindsOfBad[] = {
     {"MAPS_f", Kind::kMapsF}, {"MAPS_d", Kind::kMapsD}, {"GRIDS_AND_MESHES", Kind::kGridsAndMeshes}};
 
 std::optional<int> known_order_limit(const Test& t) {
-  constexpr int kLargest = 64;  // the arrays of bad_maps() have room for one more
+  constexpr int kLargest = 64;  // the arrays of bad_maps() have room for order 65
   try {
     return t.order_limit() <= kLargest ? std::optional(t.order_limit()) : std::nullopt;
   } catch (const NotObservable&) {
@@ -113,7 +113,7 @@ std::vector<Bad> bad_commands(const Named<Kind>& of, const Test& t) {
   return bad_maps(of.value == Kind::kMapsD, of.value == Kind::kMapsD ? "d" : "f", known_order_limit(t));
 }
 
-// One list for each condition; each step is asked for its error.
+// There is a list for each condition, and a GetError after each step.
 EVALCTS_TEST(DisplayLists, ErrorsOfTheCall, kMust, "EV-DL-ERR-LATE", "EV-DL-ERR-ALL", combine(kKindsOfBad))
 (Test& t, const Named<Kind>& kind) {
   for (const Bad& bad : bad_commands(kind, t)) {
@@ -153,7 +153,7 @@ EVALCTS_TEST(DisplayLists, ErrorsWhileCompilingAndExecuting, kMust, "EV-DL-ERR-A
   }
 };
 
-// A good command before and behind each bad one.
+// The commands before and after a rejected one in the list take effect.
 EVALCTS_TEST(DisplayLists, ErrorDoesNotEndTheList, kMust, "EV-DL-ERR-CONTINUE", combine(kKindsOfBad))
 (Test& t, const Named<Kind>& kind) {
   for (const Bad& bad : bad_commands(kind, t)) {
@@ -175,7 +175,7 @@ EVALCTS_TEST(DisplayLists, ErrorDoesNotEndTheList, kMust, "EV-DL-ERR-CONTINUE", 
   }
 };
 
-// A list in which an error occurs may be called by others, which go on.
+// An error in an inner list ends neither this list nor the outer one.
 EVALCTS_TEST(DisplayLists, ErrorInAnInnerList, kMust, "EV-DL-ERR-CONTINUE")
 (Test& t) {
   const Bad bad[] = {

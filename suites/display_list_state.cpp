@@ -1,4 +1,5 @@
-// Section 20 of the requirements: the state at the time of the call counts, and queries are not compiled.
+// Section 20 of the requirements: a list is executed with the state at the time of its call, and queries are
+// not compiled.
 #include <fmt/format.h>
 
 #include <evalcts/testkit/registration.h>
@@ -8,7 +9,7 @@
 
 namespace evalcts::suite_display_lists {
 
-// Points, enables and what wins are those of the call.
+// Control points and enables, and so the precedence of maps, are those at the time of the call.
 EVALCTS_TEST(DisplayLists, MapsOfTheCall, kMust, "EV-DL-EXECSTATE-MAP", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   t.leave_current_values_to_their_rules();
@@ -28,7 +29,8 @@ EVALCTS_TEST(DisplayLists, MapsOfTheCall, kMust, "EV-DL-EXECSTATE-MAP", combine(
   t.expect_emission(c, kUnit0);
 };
 
-// Positions alone: the map that is drawn defined anew, then outranked by another, then off.
+// The same for positions alone: the map is redefined, then another one takes precedence, then all are
+// disabled.
 EVALCTS_TEST(DisplayLists, VertexMapsOfTheCall, kMust, "EV-DL-EXECSTATE-MAP", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   const GLenum three = target_in(dimension.two, GL_MAP1_VERTEX_3);
@@ -55,7 +57,7 @@ EVALCTS_TEST(DisplayLists, VertexMapsOfTheCall, kMust, "EV-DL-EXECSTATE-MAP", co
   t.expect_emission(c, kPosition);
 };
 
-// Compiled while no map was enabled at all.
+// No map is enabled while the list is compiled.
 EVALCTS_TEST(DisplayLists, MapsEnabledAfterwards, kMust, "EV-DL-EXECSTATE-MAP", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   gl::Case c("compiled with no map enabled");
@@ -114,7 +116,7 @@ EVALCTS_TEST(DisplayLists, ActiveTextureOfTheCall, kMust, "EV-DL-ACTIVETEX", com
   }
 };
 
-// ActiveTexture itself may be in the list.
+// ActiveTexture in the list acts on the definitions after it.
 EVALCTS_TEST(DisplayLists, ActiveTextureInTheList, kMust, "EV-DL-ACTIVETEX")
 (Test& t) {
   t.require(1, 3, "GL_ARB_multitexture");
@@ -134,7 +136,7 @@ EVALCTS_TEST(DisplayLists, ActiveTextureInTheList, kMust, "EV-DL-ACTIVETEX")
   c.check();
 };
 
-// GetMap and GetnMap write when they are issued, never when the list is called.
+// GetMap returns its values when it is issued, and writes nothing when the list is called.
 EVALCTS_TEST(DisplayLists, QueriesAreNotCompiled, kMust, "EV-DL-GETMAP", combine(kForms))
 (Test& t, const Form& form) {
   CheckedCase c(t, "GetMap and IsEnabled between compiled commands");
@@ -171,7 +173,7 @@ namespace {
 
 constexpr GLenum kModes[] = {GL_COMPILE, GL_COMPILE_AND_EXECUTE};
 
-// Each query that there is, in each of its forms.
+// Appends all queries of evaluator state in all their forms; GetnMap only if `getn`.
 std::vector<gl::Ref> ask_in_every_form(gl::Case& c, bool getn) {
   std::vector<gl::Ref> answers;
   constexpr std::size_t kRoom = 64;
@@ -197,8 +199,8 @@ std::vector<gl::Ref> ask_in_every_form(gl::Case& c, bool getn) {
   return answers;
 }
 
-// Queries while the list is open are answered as outside of it: before it, or after it if its commands are
-// executed.
+// Queries between NewList and EndList return the state of the moment, which compiled commands change only if
+// they are executed as well.
 EVALCTS_TEST(DisplayLists, EveryQueryInAnOpenList, kMust, "EV-DL-GETMAP", combine(kModes))
 (Test& t, GLenum mode) {
   const bool getn = t.gl().at_least(4, 5) || t.gl().extensions.contains("GL_ARB_robustness");

@@ -1,6 +1,5 @@
-// Section 20 of the requirements: what is special about evaluator commands in display lists. That a list does
-// what its commands do is shown by the other suites, whose cases go through lists as well
-// (gl/display_lists.h).
+// Section 20 of the requirements: rules of evaluator commands in display lists. That a list has the effects
+// of its commands is tested by the other suites, whose cases go through lists as well (gl/display_lists.h).
 #include <fmt/format.h>
 
 #include <evalcts/testkit/registration.h>
@@ -113,7 +112,8 @@ EVALCTS_TEST(DisplayLists, CompilingDrawsNothing, kMust, "EV-DL-COMPILED", combi
 
 // --- Calling ---------------------------------------------------------------------------------------------
 
-// At least one of the queries has another answer.
+// Expects at least one of the queries to have a different answer. Throws NotObservable if all answers are the
+// same but some queries were omitted.
 void expect_changed(CheckedCase& c, const std::vector<gl::Ref>& before, const std::vector<gl::Ref>& after,
                     const char* message) {
   c.expect([=](Played& played) {
@@ -129,7 +129,7 @@ void expect_changed(CheckedCase& c, const std::vector<gl::Ref>& before, const st
   });
 }
 
-// The command itself, issued once more, changes nothing then.
+// Calling the list changes the state, and issuing the commands themselves afterwards changes nothing more.
 EVALCTS_TEST(DisplayLists, CallHasLastingEffect, kMust, "EV-DL-EXECUTE", combine(settings()))
 (Test& t, const Setting& setting) {
   CheckedCase c(t, "queried before the call, after it, and after the commands themselves");
@@ -144,7 +144,7 @@ EVALCTS_TEST(DisplayLists, CallHasLastingEffect, kMust, "EV-DL-EXECUTE", combine
   c.check();
 };
 
-// Indices are signed and of 32 bits in lists, too.
+// Lists keep negative indices and indices that need more than 16 bits.
 EVALCTS_TEST(DisplayLists, IndicesKept, kMust, "EV-DL-EXECUTE", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   const bool two = dimension.two;
@@ -198,7 +198,8 @@ EVALCTS_TEST(DisplayLists, CompileAndExecuteSets, kMust, "EV-DL-COMPEXEC", "EV-D
 
 // --- Memory ----------------------------------------------------------------------------------------------
 
-// Compiles the definition and calls the list.
+// Compiles the definition of the map, calls the list, and expects queries to return the map. `after`: what
+// happens to the points after the definition.
 void expect_listed(Test& t, const std::string& identity, const Map& map, bool doubles,
                    gl::AfterCall after = gl::AfterCall::kKeep) {
   CheckedCase c(t, identity);
@@ -216,7 +217,7 @@ EVALCTS_TEST(DisplayLists, PointsReadWhileCompiling, kMust, "EV-DL-POINTS-COPIED
     expect_listed(t, form.name, random_map(t, form.target, {3, 4}, kLayouts[3]), form.doubles, fate.after);
 };
 
-// Two lists from the same memory with other contents.
+// Two lists are compiled from the same memory, with different contents.
 EVALCTS_TEST(DisplayLists, SamePointerNewPoints, kMust, "EV-DL-POINTS-COPIED", combine(kForms))
 (Test& t, const Form& form) {
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP1_TEXTURE_COORD_1}) {
@@ -247,7 +248,7 @@ EVALCTS_TEST(DisplayLists, StrideKept2, kMust, "EV-DL-STRIDE-KEPT", combine(targ
     expect_listed(t, layout.name, random_map(t, form.target, {3, 5}, layout), form.doubles);
 };
 
-// Over domains where single precision would tell another argument.
+// The commands in doubles are judged over domains whose ends are not representable in single precision.
 EVALCTS_TEST(DisplayLists, DoubleForms, kMust, "EV-DL-DOUBLE", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   for (const auto& [u1, u2] : {std::pair{0.1, 0.7}, {1.0 / 3, -2.0}}) {
@@ -292,7 +293,8 @@ EVALCTS_TEST(DisplayLists, CalledBetweenBeginAndEnd, kMust, "EV-DL-INBEGIN", com
   }
 };
 
-// The list is called between two points; a further command of it is legal there.
+// A list whose first command is an error between Begin and End and whose second one is legal is called there:
+// the second one still draws its point.
 EVALCTS_TEST(DisplayLists, ForbiddenBetweenBeginAndEnd, kMust, "EV-DL-INBEGIN",
              combine(forbidden_in_primitives()))
 (Test& t, const NamedCalls& command) {
@@ -381,7 +383,7 @@ EVALCTS_TEST(DisplayLists, CalledTwiceSameBits, kMust, "EV-DL-REPEAT", combine(k
   });
 };
 
-// The definitions of the inner list apply from its call on.
+// The state that an inner list sets is used by the commands after its call in the outer list.
 EVALCTS_TEST(DisplayLists, MapsOfAnInnerList, kMust, "EV-DL-NESTED", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   gl::Case c = with_maps(t, "a list that evaluates calls one that defines and enables, between evaluations",
@@ -402,7 +404,7 @@ EVALCTS_TEST(DisplayLists, MapsOfAnInnerList, kMust, "EV-DL-NESTED", combine(kDi
   t.expect_emission(c, kUnit0);
 };
 
-// The inner list is looked up at the call: defined later, and defined anew.
+// The outer list calls whatever inner list is defined at the time of its own call.
 EVALCTS_TEST(DisplayLists, InnerListOfTheCall, kMust, "EV-DL-NESTED")
 (Test& t) {
   gl::Case c("an inner list that is defined after the outer one, and once more");
@@ -431,7 +433,8 @@ EVALCTS_TEST(DisplayLists, NestedDeeply, kMust, "EV-DL-NESTED", combine(kDimensi
 
 // --- Current values --------------------------------------------------------------------------------------
 
-// Texture maps of fewer components than the last TexCoord, and vertices that take the current values.
+// Texture maps with one to four components after TexCoord4, and explicit vertices, which have the current
+// values.
 EVALCTS_TEST(DisplayLists, CurrentValuesUntouched, kMust, "EV-DL-CURRENT", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   for (const int components : {1, 2, 3, 4}) {
@@ -471,7 +474,7 @@ EVALCTS_TEST(DisplayLists, CurrentValuesUntouched, kMust, "EV-DL-CURRENT", combi
   }
 };
 
-// Current values are kept by meshes and by points between Begin and End.
+// Meshes and points between Begin and End do not change the current values that the list set before them.
 EVALCTS_TEST(DisplayLists, CurrentValuesAfterTheCall, kMust, "EV-DL-CURRENT", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   for (const bool mesh : {true, false}) {

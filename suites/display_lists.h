@@ -1,4 +1,4 @@
-// Helpers of the tests of display lists (display_lists.cpp, display_list_errors.cpp, display_list_state.cpp).
+// Helpers of display_lists.cpp, display_list_errors.cpp and display_list_state.cpp.
 #pragma once
 
 #include <vector>
@@ -12,21 +12,21 @@ inline constexpr GLuint kList = 3, kOther = 4, kThird = 5;
 
 void compile(gl::Case& c, GLuint list, const Calls& calls, GLenum mode = GL_COMPILE);
 
-// Commands that change state, away from the initial one.
+// Commands that change evaluator state from its initial value.
 using Setting = NamedCalls;
 std::vector<Setting> settings();
-// So that Disable has something to do.
+// Enables all capabilities before the setting "Disable", so that it changes something.
 void prepare_for(gl::Case& c, const Setting& setting);
 
-// Three points by EvalCoord, three by EvalPoint.
+// Draws three points by EvalCoord and three by EvalPoint.
 void evaluate_and_eval_points(gl::Case& c, bool two);
 void mesh_of_points(gl::Case& c, bool two);
-// Compiles both.
+// Compiles the commands of both functions above into the list.
 void compile_points(gl::Case& c, GLuint list, bool two, GLenum mode = GL_COMPILE);
 void set_grid(gl::Case& c, bool two, const Grid& u = {4, -0.5f, 2.0f});
-// The maps of enable_maps, and a grid.
+// Returns a case that begins with enable_maps() and set_grid().
 gl::Case with_maps(Test& t, const std::string& identity, bool two, const Grid& u = {4, -0.5f, 2.0f});
-// Other points for the vertex map of enable_maps.
+// Defines a new random map of VERTEX_3.
 void define_vertices(Test& t, gl::Case& c, bool two);
 
 }  // namespace evalcts::suite_display_lists

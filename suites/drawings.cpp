@@ -19,10 +19,11 @@ std::vector<double> concatenated(const std::vector<std::array<double, 4>>& value
   return all;
 }
 
-// Each of the control's vertices once, by where it is, and of the others that which is nearest to it.
+// The distinct vertices of the control and, for each of them that was seen, the seen vertex at the same
+// place.
 struct Vertices {
   std::vector<std::array<double, 12>> of_control, seen;
-  std::size_t elsewhere = 0;  // of the seen ones
+  std::size_t elsewhere = 0;  // seen vertices at places where the control has none
 };
 
 bool same_place(const std::array<double, 12>& a, const std::array<double, 12>& b) {
@@ -52,7 +53,7 @@ Vertices matched(const Part& seen, const Part& control) {
         ++vertices.elsewhere;
         continue;
       }
-      // The worst one stands for all at this place.
+      // If several vertices were seen at one place, the worst one is kept.
       const auto wrong = [&](const std::array<double, 12>& candidate) {
         double most = 0;
         for (std::size_t k = 0; k < 12; ++k)
@@ -78,8 +79,8 @@ Part with_plain_lines(Part part) {
   return part;
 }
 
-// Points and lines in the order of the control, lines in its direction; as they are where others were seen.
-// In which order a mesh is drawn is judged where that is said (EV-MESH2-POINT, EV-MESH2-LINE).
+// Returns the seen points and lines in the order of the control and lines in its direction, or unchanged if
+// they are not at the same places. Other tests judge the order of a mesh (EV-MESH2-POINT, EV-MESH2-LINE).
 Part in_order_of(const Part& control, const Part& seen) {
   std::vector<FeedbackPrimitive> left = primitives_of(seen);
   Part ordered{seen.name, seen.shown, {}};

@@ -1,5 +1,5 @@
-// Drawings of tests of the rest of the pipeline: the same with evaluated and with explicit vertices, which
-// have to show the rule under the same state.
+// Drawings for tests of the pipeline after evaluation, each with evaluated and with explicit vertices, and
+// comparisons of their pictures under the same state.
 #pragma once
 
 #include <string>
@@ -13,20 +13,21 @@ namespace evalcts {
 
 // --- The grid --------------------------------------------------------------------------------------------
 
-// 4 by 3 quads. Vertex (i, j) of the patch is in the pixel (8 + 12 i, 8 + 16 j), vertex i of the curve in the
-// pixel (8 + 12 i, kCurveRow): a little off its middle, so that neither the middle nor the border of a pixel,
-// nor of its diamond, is near a vertex or an edge.
+// The patch has 4 by 3 quads. Its vertex (i, j) lies in the pixel (8 + 12 i, 8 + 16 j), vertex i of the curve
+// in the pixel (8 + 12 i, kCurveRow). All have the offset kOff from the lower left corner of the pixel, so
+// that no vertex and no edge is near the centre or the border of a pixel, or the border of its diamond (line
+// rasterization).
 inline constexpr int kColumns = 4, kRows = 3;
 inline constexpr int kLeft = 8, kBottom = 8, kWidth = 12, kHeight = 16;
 inline constexpr int kCurveRow = 30;
 inline constexpr double kOff = 0.3;
 
-// The evaluated colour at a vertex; none is black, and neighbours are far apart.
+// The evaluated colour at a vertex. No colour is black, and neighbours differ clearly.
 std::array<double, 4> curve_color_at(int i);
 std::array<double, 4> patch_color_at(int i, int j);
 
-// Maps of positions, colours, normals and texture coordinates (s, t, r, q) with the grid, enabled. Both are
-// curved in z, within 0.5 of 0.
+// Define and enable maps of VERTEX_3, COLOR_4, NORMAL and TEXTURE_COORD_4, and set the grid. Both are curved
+// in z, within [-0.5,0.5].
 void define_curve(gl::Case& c);
 void define_patch(gl::Case& c);
 
@@ -35,21 +36,21 @@ void define_patch(gl::Case& c);
 struct Drawing {
   std::string name;
   bool two;
-  GLenum primitive;      // what Begin is given: POINTS, LINE_STRIP or QUAD_STRIP
-  gl::Case evaluated;    // maps, grid and what evaluates
-  gl::Case vertices;     // the explicit commands
-  Prediction predicted;  // their vertices
+  GLenum primitive;      // the mode of Begin: POINTS, LINE_STRIP or QUAD_STRIP
+  gl::Case evaluated;    // maps, grid and evaluation commands
+  gl::Case vertices;     // the same drawing by explicit vertices
+  Prediction predicted;  // the vertices of `evaluated`
 };
 
-// The explicit commands are those without_edge_flags().
+// Returns the drawing of `evaluated`. Its explicit commands have no edge flags, see without_edge_flags().
 Drawing drawing(Test& t, std::string name, bool two, GLenum primitive, gl::Case evaluated);
 
-// EvalMesh1 in POINT and LINE, EvalMesh2 in POINT, LINE and FILL, over the whole grid. `before` comes after
-// the maps.
+// Returns EvalMesh1 of POINT and LINE and EvalMesh2 of POINT, LINE and FILL over the whole grid, with
+// `before` between the maps and the mesh; or those of them that draw the primitive.
 std::vector<Drawing> meshes(Test& t, const gl::Case& before = {});
 std::vector<Drawing> meshes(Test& t, GLenum primitive);
 
-// Apart where quads go a way of their own.
+// Meshes of points and lines, and of quads: parameters of tests that treat quads differently.
 struct MeshKind {
   const char* name;
   bool filled;
@@ -57,38 +58,39 @@ struct MeshKind {
 inline constexpr MeshKind kMeshKinds[] = {{"POINT_AND_LINE", false}, {"FILL", true}};
 std::vector<Drawing> meshes_of(Test& t, const MeshKind& kind);
 
-// EvalCoord and EvalPoint of either dimension, between Begin and End.
+// Returns drawings by EvalCoord and EvalPoint of both dimensions between Begin and End.
 std::vector<Drawing> primitives(Test& t);
 
-// Meshes, then the others.
+// Returns meshes(), then primitives().
 std::vector<Drawing> all_drawings(Test& t);
 
 std::vector<Scene> scenes_of(const std::vector<Drawing>& drawings, bool evaluated,
                              const std::string& state_name = {}, const gl::Case& state = {});
 
-// The explicit commands for what `evaluated` emits.
+// Returns explicit commands that draw the vertices of `evaluated`.
 gl::Case explicit_commands(Test& t, const gl::Case& evaluated);
-// The commands but EdgeFlag: the current edge flag counts for all vertices, and an implementation may lose
-// everything if it is set between them.
+// Returns the commands without EdgeFlag, because some implementations lose vertices if it is set between
+// them. All vertices then have the current edge flag.
 gl::Case without_edge_flags(const gl::Case& commands);
 
 // --- Comparisons -----------------------------------------------------------------------------------------
 
-// Feedback of one EvalMesh2 in POINT or LINE: its points or lines are those of the control, in any order.
+// Expects the feedback of a mesh of points or lines to have the points or lines of the control, in any order.
 void expect_mesh_like_explicit(Played& played, const Part& seen, const Part& control);
-// All parts of the picture are.
+// The same for all parts of the picture.
 void expect_meshes_like_explicit(Picture& picture, const Picture& control);
 
-// Feedback: points and lines are like those of the control, one for one, those of EvalMesh2 in any order. Of
-// polygons the vertices are: how quads are decomposed is free.
+// Expects the feedback of a drawing to be like that of the control: its points and lines one by one, for
+// meshes in any order; for quads only the vertices of its polygons, because implementations may split quads
+// freely.
 void expect_drawn_like_explicit(Played& played, const Drawing& drawing, const Part& seen,
                                 const Part& control);
 void expect_drawn_like_explicit(Picture& picture, const std::vector<Drawing>& drawings,
                                 const Picture& control);
 
-// True if anything but 0 was read.
+// Returns true if any value of the part is above 0.05.
 bool lit(const Part& part);
-// Number of values other than 0 that a command read.
+// Returns the number of values above 0.05 that a ReadPixels command returned.
 std::size_t count_lit(const Played& played, gl::Ref read);
 
 // The whole window.

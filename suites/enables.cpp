@@ -30,7 +30,7 @@ EVALCTS_TEST(Enables, Accepted, kMust, "EV-EN-CAPS", combine(all_caps()).by(gl::
 
 EVALCTS_TEST(Enables, Independent, kMust, "EV-EN-INDEP", combine(all_caps()).by(gl::list_deliveries()))
 (Test& t, GLenum cap) {
-  // Alone on among eighteen off, then alone off among eighteen on; map contents make no difference.
+  // The capability is the only enabled one, then the only disabled one; a map is defined as well.
   for (const bool alone_on : {true, false}) {
     CheckedCase c(t, alone_on ? "alone on" : "alone off");
     for (const GLenum other : all_caps())
@@ -42,7 +42,7 @@ EVALCTS_TEST(Enables, Independent, kMust, "EV-EN-INDEP", combine(all_caps()).by(
   }
 };
 
-// ... whatever maps of two dimensions and grids hold.
+// The same with all two-dimensional maps and the grids defined after the enables.
 EVALCTS_TEST(Enables, IndependentOfDefinitions, kMust, "EV-EN-INDEP",
              combine(all_caps()).by(gl::list_deliveries()))
 (Test& t, GLenum cap) {
@@ -115,7 +115,7 @@ EVALCTS_TEST(Enables, BetweenBeginAndEnd, kMust, "EV-EN-BEGINEND",
   }
 };
 
-// Enables in every primitive, before and after a vertex.
+// Enable, Disable and IsEnabled are errors in all primitives, before and after a vertex.
 EVALCTS_TEST(Enables, InEveryPrimitive, kMust, "EV-EN-BEGINEND", combine(all_caps()))
 (Test& t, GLenum cap) {
   CheckedCase c(t, "Enable, Disable and IsEnabled");
@@ -158,7 +158,7 @@ EVALCTS_TEST(Enables, NotPerTextureUnit, kMust, "EV-EN-NOTUNIT",
   }
 };
 
-// MAP2 maps that are enabled, each with its initial constant, must not show in one-dimensional evaluation.
+// Enabled maps of the other dimension, which have their initial values, must not affect evaluation.
 EVALCTS_TEST_PAIR(Enables.OtherDimensionHasNoEffect, Enables.OtherDimensionHasNoEffect2, kMust,
                   decide("EV-EN-DIM/1-D", "EV-EN-DIM/2-D"), decide("EV-COORD-DIM1", "EV-COORD-DIM2"),
                   by(gl::list_deliveries()))
@@ -166,12 +166,13 @@ EVALCTS_TEST_PAIR(Enables.OtherDimensionHasNoEffect, Enables.OtherDimensionHasNo
   gl::Case c = with_current_values("all MAP2 maps and MAP1_VERTEX_3 enabled", {.normal = {0.6f, 0.0f, 0.8f}});
   const std::vector<double> us = {0, 0.4, 1};
   for (const GLenum cap : gl::kMap2Targets) c.Enable(cap);
-  // The vertex map alone, then beside a texture map that maps of the other dimension would outrank.
+  // The vertex map alone, then with a texture map over which maps of the other dimension would have
+  // precedence.
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_2}) {
     define_and_enable(c, random_map(t, target, 4));
     evaluate_all(c, us);
   }
-  // Nor do those that are disabled.
+  // The same with these maps disabled and further maps enabled.
   for (const GLenum cap : gl::kMap2Targets) c.Disable(cap);
   for (const GLenum target : {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_4})
     define_and_enable(c, random_map(t, target, 3));

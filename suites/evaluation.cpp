@@ -1,5 +1,6 @@
-// Sections 7 to 9 of the requirements for one dimension: what an evaluation command emits. The executable
-// specification says what each case has to emit; the cases choose what could go wrong.
+// Sections 7 to 9 of the requirements: the vertices that evaluation commands emit. Most cases are
+// one-dimensional and become two-dimensional ones by their deliveries; the executable specification predicts
+// the vertices.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@
 namespace evalcts::suite_evaluation {
 namespace {
 
-// 0 to 1 in so many steps.
+// Returns the count + 1 multiples of 1/count in [0,1].
 std::vector<double> steps(int count) {
   std::vector<double> us;
   for (int i = 0; i <= count; ++i) us.push_back(static_cast<double>(i) / count);
@@ -85,7 +86,7 @@ EVALCTS_TEST(Evaluation, CurrentValuesOfTheMoment, kMust, "EV-COORD-CURRENT/1-D"
   t.expect_emission(c, kUnit0);
 };
 
-// A map that is switched off gives way to the current value at once, whatever else was evaluated before.
+// After a map is disabled, vertices have the current value, whatever was evaluated before.
 EVALCTS_TEST(Evaluation, MapSwitchedOff, kMust, "EV-COORD-CURRENT/1-D",
              combine((std::vector<GLenum>{GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_1,
                                           GL_MAP1_TEXTURE_COORD_4}))
@@ -114,7 +115,7 @@ EVALCTS_TEST(Evaluation, MapSwitchedOff, kMust, "EV-COORD-CURRENT/1-D",
   }
 };
 
-// Without a vertex map nothing happens at all.
+// Without a vertex map an evaluation has no effect.
 EVALCTS_TEST(Evaluation, NothingWithoutVertexMap, kMust, "EV-COORD-NOVERTEX/1-D",
              combine(kAttributeTargets).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
@@ -161,8 +162,8 @@ EVALCTS_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, kMust, "EV-COORD-
   t.expect_emission(c, kUnit0);
 };
 
-// Without a map of vertices, evaluations of the other dimension change nothing: no vertex before or behind
-// them, none of the primitives that follow, also if no current value was ever set.
+// Evaluations of a dimension without a vertex map do not affect the vertices before and after them, nor later
+// primitives, whether or not current values were set.
 EVALCTS_TEST_PAIR(Evaluation.NothingFromTheOtherDimension, Evaluation.NothingFromTheOtherDimension2, kMust,
                   decide("EV-COORD-NOVERTEX-OTHERDIM/1-D", "EV-COORD-NOVERTEX-OTHERDIM/2-D"), [](bool two) {
                     std::vector<GLenum> caps = {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_1,
@@ -198,7 +199,8 @@ EVALCTS_TEST_PAIR(Evaluation.NothingFromTheOtherDimension, Evaluation.NothingFro
   }
 };
 
-// A map that is switched off, or popped, leaves the initial current values in force.
+// After a map is disabled, by Disable or PopAttrib, vertices have the current values, which are the initial
+// ones.
 EVALCTS_TEST(Evaluation, InitialValuesAfterMap, kMust, "EV-COORD-CURRENT/1-D",
              combine(std::array<GLenum, 4>{GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_1,
                                            GL_MAP1_TEXTURE_COORD_4})
@@ -251,7 +253,7 @@ constexpr Named<GLenum> kModes[] = {{"POINTS", GL_POINTS},
                                     {"QUAD_STRIP", GL_QUAD_STRIP},
                                     {"POLYGON", GL_POLYGON}};
 
-// Primitives of 0 to 9 vertices, complete or not.
+// Primitives of 0 to 9 vertices, some of them incomplete.
 EVALCTS_TEST(Evaluation, Primitives, kMust, "EV-COORD-PRIMS/1-D",
              combine(kModes).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
 (Test& t, const Named<GLenum>& mode) {
@@ -271,7 +273,7 @@ EVALCTS_TEST(Evaluation, Primitives, kMust, "EV-COORD-PRIMS/1-D",
   t.expect_emission(c, kPosition | kTextureCoordinate0);
 };
 
-// Primitives of 0 to 9 vertices, every third of them explicit.
+// Draws primitives of 0 to 9 vertices, every third of which is explicit.
 void draw_mixed_primitives(gl::Case& c, GLenum mode) {
   float u = 0;
   for (int vertices = 0; vertices < 10; ++vertices) {
@@ -282,8 +284,8 @@ void draw_mixed_primitives(gl::Case& c, GLenum mode) {
   }
 }
 
-// The same with a Vertex for every third vertex; with no map but the vertex map, so that nothing but the
-// primitive is at stake.
+// Primitives that mix evaluated and explicit vertices. Only the vertex map is enabled, so that the test is
+// about the primitives alone.
 EVALCTS_TEST(Evaluation, MixedPrimitives, kMust, "EV-COORD-PRIMS/1-D", "EV-COORD-MIX/1-D",
              combine(kModes).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
 (Test& t, const Named<GLenum>& mode) {
@@ -293,7 +295,7 @@ EVALCTS_TEST(Evaluation, MixedPrimitives, kMust, "EV-COORD-PRIMS/1-D", "EV-COORD
   t.expect_emission(c, kPosition | kTextureCoordinate0);
 };
 
-// A Vertex of three components between evaluated vertices of four.
+// The same with evaluated vertices of four components and explicit ones of three.
 EVALCTS_TEST(Evaluation, MixedPrimitivesOfVertex4, kMust, "EV-COORD-PRIMS/1-D", "EV-COORD-MIX/1-D",
              combine(kModes).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
 (Test& t, const Named<GLenum>& mode) {
@@ -325,7 +327,7 @@ EVALCTS_TEST(Evaluation, MixedWithVertex, kMust, "EV-COORD-MIX/1-D", "EV-CUR-NEX
   }
 };
 
-// u, then v: a patch that is one thing along u and another along v.
+// The first argument is u and the second v: the patch differs along u and along v.
 EVALCTS_TEST(Evaluation, FirstArgumentIsU, kMust, "EV-COORD-ARGORDER", by(gl::surface_deliveries()))
 (Test& t) {
   gl::Case c("x is u, y is 10 v, z is 100 u v");
@@ -337,7 +339,7 @@ EVALCTS_TEST(Evaluation, FirstArgumentIsU, kMust, "EV-COORD-ARGORDER", by(gl::su
   t.expect_emission(c, kPosition);
 };
 
-// Points of either dimension in turn, with vertex maps and one further map of each.
+// Evaluates both dimensions alternately in one primitive, with a vertex map and one other map of each.
 void expect_dimensions_in_turn(Test& t, GLenum target1, GLenum target2) {
   for (const GLenum mode : {GL_POINTS, GL_LINE_STRIP}) {
     gl::Case c(fmt::format("{}, {} and {}", gl::primitive_name(mode), label(target1), label(target2)));
@@ -364,7 +366,8 @@ void expect_dimensions_in_turn(Test& t, GLenum target1, GLenum target2) {
 EVALCTS_TEST(Evaluation, DimensionsInTurn, kMust, "EV-COORD-MIXDIM", by(gl::list_deliveries()))
 (Test& t) { expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_COLOR_4); };
 
-// Attributes without a map of the dimension come from the current values, not from maps of the other one.
+// Attributes without a map of the dimension come from the current values, not from maps of the other
+// dimension.
 EVALCTS_TEST(Evaluation, DimensionsInTurnWithOtherMaps, kMust, "EV-COORD-MIXDIM", "EV-COORD-CURRENT",
              by(gl::list_deliveries()))
 (Test& t) {
@@ -391,7 +394,8 @@ EVALCTS_TEST_PAIR(Evaluation.NoArgumentIsAnError, Evaluation.NoArgumentIsAnError
   }
 };
 
-// The same call on the same state: the same bits, in one primitive, in the next, after other calls.
+// The same call with the same state gives the same bits: repeated at once, in the next primitive, and after
+// other calls.
 EVALCTS_TEST(
     Evaluation, RepeatedCallSameBits, kMust, "EV-COORD-REPEAT/1-D",
     combine(visible_targets(kCurves)).by(gl::without(gl::kGrids | gl::kRepetition, gl::curve_deliveries())))
@@ -452,7 +456,7 @@ EVALCTS_TEST(Attributes, Vertex3HasW1, kMust, "EV-ATTR-VERTEX3/1-D", by(gl::curv
   t.expect_emission(c, kPosition);
 };
 
-// A quarter circle: w varies, and the division comes later in the pipeline.
+// A quarter circle with varying w, by which evaluation must not divide.
 EVALCTS_TEST(Attributes, Vertex4IsHomogeneous, kMust, "EV-ATTR-VERTEX4/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("quarter circle, weights 1, 1, 2");
@@ -516,7 +520,7 @@ EVALCTS_TEST(Attributes, IndexDoesNothingInRGBA, kMust, "EV-ATTR-INDEX-RGBA/1-D"
   queried.check();
 };
 
-// Commands that draw points by maps over (0.5, 2), and in v over (-1, 0.25), with a grid of 4 by 2.
+// Commands that draw points with maps over [0.5,2], in v over [-1,0.25], and a grid of 4 by 2 segments.
 constexpr Named<void (*)(gl::Case&, bool two)> kIndexedPoints[] = {
     {"EvalCoord",
      [](gl::Case& c, bool two) {
@@ -532,8 +536,9 @@ constexpr Named<void (*)(gl::Case&, bool two)> kIndexedPoints[] = {
      }},
     {"EvalMesh", [](gl::Case& c, bool two) { eval_mesh(c, two, GL_POINT, 0, 4, 0, 2); }}};
 
-// Returns the colour indices of the points that the commands draw in a colour-index context, in feedback
-// mode; none if other points come back. Throws NotObservable.
+// Returns the colour indices of the `count` points in the feedback buffer, or none if its contents differ
+// from `count` points. Throws NotObservable if the context is not a colour-index context. `answers`: the
+// queries of RGBA_MODE and of the buffer, and RenderMode.
 std::vector<float> drawn_indices(const Played& played, const std::array<gl::Ref, 3>& answers,
                                  std::size_t count) {
   constexpr std::size_t kOfAPoint = 5;  // the token, x, y, z, and the index
@@ -550,8 +555,8 @@ std::vector<float> drawn_indices(const Played& played, const std::array<gl::Ref,
   return indices;
 }
 
-// INDEX maps in a colour-index context: the index of each evaluated vertex is the value of the map, or the
-// current index if none is enabled, and explicit vertices behind it have the current index.
+// INDEX maps in a colour-index context: the index of an evaluated vertex is the value of the map, or the
+// current index if the map is disabled. Explicit vertices after it have the current index.
 EVALCTS_TEST_PAIR(Attributes.IndexInColorIndexMode1, Attributes.IndexInColorIndexMode2, kMust,
                   decide("EV-ATTR-INDEX/1-D", "EV-ATTR-INDEX/2-D"), combine(kIndexedPoints))
 (Test& t, bool two, const Named<void (*)(gl::Case&, bool)>& points) {
@@ -604,7 +609,7 @@ EVALCTS_TEST_PAIR(Attributes.IndexInColorIndexMode1, Attributes.IndexInColorInde
     const auto explicit_answers = in_context(control, explicit_points);
     const std::vector<float> given = drawn_indices(t.play(control), explicit_answers, expected.size());
     if (given.empty()) throw NotObservable("pipeline: explicit vertices do not come back in feedback mode");
-    // Indices may be converted to fixed point on their way (GL 2.1 2.14.6).
+    // GL may convert indices to fixed point (GL 2.1 2.14.6).
     double error = 0;
     for (std::size_t i = 0; i < given.size(); ++i)
       error =
@@ -639,7 +644,7 @@ EVALCTS_TEST(Attributes, NormalIsNotNormalised, kMust, "EV-ATTR-NORMAL/1-D", by(
   t.expect_emission(c, kNormal);
 };
 
-// TexCoord4(5,6,7,8) first: what the map does not give is 0, 0, 1, not the current value.
+// Components that the map does not supply are 0, 0 and 1, not those of TexCoord4(5,6,7,8).
 void expect_texture_defaults(Test& t, GLenum target) {
   gl::Case c("after TexCoord4(5,6,7,8) and a vertex with them");
   define(c, random_map(t, target, 3));
@@ -694,7 +699,7 @@ EVALCTS_TEST(Precedence, Vertex4BeforeVertex3, kMust, "EV-PREC-VERTEX/1-D", "EV-
   }
 };
 
-// All 15 subsets of the texture maps, defined and enabled upwards and downwards.
+// All 15 nonempty subsets of the texture maps, enabled in ascending and in descending order.
 EVALCTS_TEST(Precedence, MostTextureCoordinates, kMust, "EV-PREC-TEX/1-D", "EV-PREC-LOSER-IGNORED/1-D",
              "EV-PREC-ORDERFREE/1-D", by(gl::curve_deliveries()))
 (Test& t) {
@@ -702,7 +707,7 @@ EVALCTS_TEST(Precedence, MostTextureCoordinates, kMust, "EV-PREC-TEX/1-D", "EV-P
     gl::Case c(upwards ? "all subsets, enabled upwards" : "all subsets, enabled downwards");
     c.TexCoord4f(5, 6, 7, 8);
     define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 2));
-    // No two of one order or over one domain.
+    // All maps differ in order and domain.
     int order = 2;
     for (const GLenum target : kTextureTargets) {
       const Map map = random_map(t, target, order++);
@@ -720,10 +725,10 @@ EVALCTS_TEST(Precedence, MostTextureCoordinates, kMust, "EV-PREC-TEX/1-D", "EV-P
   }
 };
 
-// Subsets of the nine enables with a vertex map, in Gray code: one flag changes at a time. INDEX is among
-// them, though its values do not show. At quick depth those that so many steps apart (no factor of the number
-// of subsets) leave: some captures make each subset a program of the library's own. What happens without a
-// vertex map has tests of its own.
+// Subsets of the nine enables that contain a vertex map, in the order of the Gray code, so that one enable
+// changes at a time. INDEX is among them although its values are not visible. Quick depth draws every 13th
+// subset only, because with some captures a library compiles a program for each; 13 has no common factor with
+// 512, so that all enables vary.
 EVALCTS_TEST(Precedence, AllSubsets, kMust, "EV-PREC-VERTEX/1-D", "EV-PREC-TEX/1-D", "EV-PREC-PERKIND/1-D",
              "EV-EN-MULTI", by(gl::curve_deliveries()))
 (Test& t) {

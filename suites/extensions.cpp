@@ -1,5 +1,5 @@
-// Section 24 of the requirements: extensions that touch evaluators, where they are advertised, and their
-// tokens where they are not.
+// Section 24 of the requirements: extensions that affect evaluators, if they are advertised, and rejection of
+// their tokens if they are not.
 #include <fmt/format.h>
 
 #include <evalcts/judge/prediction.h>
@@ -49,7 +49,9 @@ void use_program(gl::Case& c, const std::string& body) {
 
 using Color = std::array<float, 4>;
 
-// Points of a curve with maps of all kinds, in feedback mode; `before` stands before each evaluation.
+// Draws points of a curve with maps of position, colour, normal and texture coordinates in feedback mode,
+// calls `before` before each vertex, and expects these colours. Throws NotObservable if explicit vertices
+// have others.
 void expect_colors(Test& t, const gl::Case& state, const std::vector<Color>& colors,
                    const std::function<void(gl::Case&, std::size_t)>& before) {
   gl::Case maps;
@@ -104,7 +106,8 @@ EVALCTS_TEST(VertexPrograms, Run, kMust, "EV-EXT-ARBVP-RUN")
                 [](gl::Case&, std::size_t) {});
 };
 
-// Generic attribute 6, which no conventional attribute aliases, changes from vertex to vertex.
+// Generic attribute 6, which aliases no conventional attribute, has its current value at each evaluated
+// vertex.
 EVALCTS_TEST(VertexPrograms, NoGenericMaps, kMust, "EV-EXT-ARBVP-NOGENERIC")
 (Test& t) {
   require_extension(t, "GL_ARB_vertex_program");

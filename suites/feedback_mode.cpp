@@ -1,5 +1,5 @@
-// Section 22 of the requirements, feedback mode: the tokens, vertices, texture coordinates and colours that
-// evaluated primitives give back.
+// Section 22 of the requirements, feedback mode: the tokens, vertices, texture coordinates and colours of
+// evaluated primitives.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 namespace evalcts::suite_feedback_mode {
 namespace {
 
-// Half of the drawing is to the right of the view volume, no vertex near its border.
+// Returns a state in which the right half of the drawing is outside the view volume, with no vertex near its
+// border.
 gl::Case moved_out() {
   gl::Case state;
   state.LoadMatrixf(std::vector<float>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1.1f, 0, 0, 1});
@@ -44,7 +45,7 @@ std::size_t count_segments(const Drawing& drawing) {
   return count_vertices(drawing) - drawing.predicted.primitives.size();
 }
 
-// One for one. The order of a mesh is for its own tests.
+// A mesh of POINT returns a POINT_TOKEN for each unclipped vertex. Other tests judge their order.
 EVALCTS_TEST(Feedback, PointMesh, kMust, "EV-FB-POINT")
 (Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_POINTS);
@@ -61,7 +62,7 @@ EVALCTS_TEST(Feedback, PointMesh, kMust, "EV-FB-POINT")
   expect_meshes_like_explicit(picture, control);
 };
 
-// Either token stands for a segment.
+// A mesh of LINE returns a LINE_TOKEN or LINE_RESET_TOKEN for each segment.
 EVALCTS_TEST(Feedback, LineMesh, kMust, "EV-FB-LINE")
 (Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_LINE_STRIP);
@@ -92,7 +93,7 @@ bool starts_elsewhere(const Drawing& drawing, const Part& part) {
   return false;
 }
 
-// LINE_RESET_TOKEN stands at the first segment of a strip only: advice (U-FEEDBACK-RESET).
+// LINE_RESET_TOKEN appears at the first segment of a strip only. A violation is a warning (U-FEEDBACK-RESET).
 EVALCTS_TEST(Feedback, LineStarts, kQuality, "EV-FB-LINE")
 (Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_LINE_STRIP);
@@ -120,7 +121,7 @@ double area_of(const FeedbackPrimitive& polygon) {
   return twice / 2;
 }
 
-// The quad that a polygon lies in, by its middle.
+// Returns the number of the quad that contains the centre of a polygon.
 std::size_t quad_of(const FeedbackPrimitive& polygon) {
   double x = 0, y = 0;
   for (const auto& vertex : polygon.vertices) {
@@ -135,7 +136,7 @@ std::size_t quad_of(const FeedbackPrimitive& polygon) {
 
 constexpr std::size_t kQuads = kColumns * kRows;
 
-// The area of what lies in each quad.
+// Returns the sum of the areas of the polygons in each quad.
 Part areas_of(const Part& part) {
   Part areas = {part.name + ", areas of the quads", part.shown, std::vector<double>(kQuads)};
   for (const FeedbackPrimitive& polygon : primitives_of(part))
@@ -169,7 +170,7 @@ EVALCTS_TEST(Feedback, FillMesh, kMust, "EV-FB-FILL")
 constexpr GLenum kTextures[] = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3,
                                 GL_MAP1_TEXTURE_COORD_4};
 
-// Only the map of that many texture coordinates is enabled; none with 0.
+// Enables the texture map with this number of components only, or none if it is 0.
 gl::Case choose_texture_map(bool two, int components) {
   gl::Case c;
   for (int k = 1; k <= 4; ++k) {
@@ -185,7 +186,7 @@ gl::Case choose_texture_map(bool two, int components) {
   return c;
 }
 
-// Any current texture coordinates, and those of unit 1, leave evaluated ones alone.
+// Evaluated texture coordinates do not depend on the current ones, nor on those of unit 1.
 EVALCTS_TEST(Feedback, TextureCoordinates, kMust, "EV-FB-TEX")
 (Test& t) {
   std::vector<Drawing> drawings;
@@ -217,7 +218,7 @@ EVALCTS_TEST(Feedback, TextureCoordinates, kMust, "EV-FB-TEX")
   expect_drawn_like_explicit(picture, drawings, control);
 };
 
-// Stages that change colours on their way.
+// Stages that change the colours of vertices.
 struct ColorStage {
   const char* name;
   void (*set)(gl::Case&);
@@ -229,7 +230,7 @@ constexpr ColorStage kColorStages[] = {
        c.Enable(GL_LIGHT0);
        c.Lightfv(GL_LIGHT0, GL_POSITION, std::vector<float>{0.36f, 0.48f, 0.8f, 0});
      }},
-    // Without that the colours would come back as they are.
+    // Colours are clamped in every state; the drawings of this test need clamping.
     {"CLAMPING", [](gl::Case&) {}}};
 
 std::vector<Drawing> meshes_of_colors_beyond_1(Test& t) {
@@ -267,8 +268,8 @@ EVALCTS_TEST(Feedback, Colors, kMust, "EV-FB-COLOR", combine(kColorStages))
   expect_drawn_like_explicit(picture, drawings, control);
 };
 
-// The colour of each segment or of each quad, and by how much that of another of its vertices differs from
-// it.
+// For each segment or quad, the colour of one vertex and the largest difference of a component of its other
+// vertices from it.
 using FlatColors = std::map<std::size_t, std::array<double, 5>>;
 FlatColors flat_colors_of(const Drawing& drawing, const Part& part) {
   std::map<std::size_t, std::vector<std::array<double, 12>>> vertices;
@@ -287,7 +288,7 @@ FlatColors flat_colors_of(const Drawing& drawing, const Part& part) {
   return colors;
 }
 
-// Each segment and each quad is judged where its explicit one is flat.
+// Segments and quads are flat if explicit ones are; others are not judged.
 EVALCTS_TEST(Feedback, FlatColors, kMust, "EV-FB-COLOR")
 (Test& t) {
   const std::vector<Drawing> lines = meshes(t, GL_LINE_STRIP), quads = meshes(t, GL_QUAD_STRIP);

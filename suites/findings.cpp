@@ -1,5 +1,5 @@
-// Programs that random search found on some implementation, see findings/README.md: each has to do what the
-// executable specification says.
+// Reduced random programs on which an implementation differed from the executable specification, see
+// findings/README.md. Each has to behave as specified.
 #include <evalcts/fuzz/as_specified.h>
 #include <evalcts/fuzz/events.h>
 #include <evalcts/testkit/registration.h>

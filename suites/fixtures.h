@@ -1,5 +1,5 @@
-// Fixtures that several suites share: deliveries, current values, points and light that test cases begin
-// with.
+// Helpers that several suites share: deliveries, commands with which test cases begin, requirements on the
+// implementation, and checks of observations.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace evalcts {
 // The attributes of a vertex, with the texture coordinates of texture unit 0 only.
 inline constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
 
-// A parameter of tests: a value, and what stands for it in their names.
+// A value of a test parameter, with its name in the names of tests.
 template <class T>
 struct Named {
   const char* name;
@@ -24,13 +24,14 @@ struct Named {
 inline constexpr GLint kHighest = std::numeric_limits<GLint>::max();
 inline constexpr GLint kLowest = std::numeric_limits<GLint>::min();
 
-// Deliveries with display lists, but none that repeats the commands. Used by tests with a judge of their own.
+// Deliveries of unmodified cases, without and with display lists, except those that draw everything twice.
+// Used by tests with a judge of their own.
 std::vector<gl::Delivery> in_lists();
-// Deliveries without display lists, because some implementations draw the explicit vertices of the control
-// wrongly from lists.
+// Deliveries of one-dimensional cases without display lists, because some implementations draw the explicit
+// vertices of the control wrongly from lists. Below thorough depth one of them runs.
 std::vector<gl::Delivery> without_lists();
 
-// Unlike any default, so that a lost or replaced component shows.
+// Current values that differ from the initial ones in every component, so that a lost one is noticed.
 struct CurrentValues {
   std::array<float, 4> color = {0.1f, 0.2f, 0.3f, 0.4f};
   std::array<float, 3> normal = {0.6f, -0.5f, 0.8f};
@@ -44,27 +45,28 @@ void evaluate_some(gl::Case& c);
 // Enables lighting with LIGHT0 at this position.
 void enable_light(gl::Case& c, const std::vector<float>& position);
 
-// Sets the current values first.
+// Returns a case that begins with set_current_values().
 gl::Case with_current_values(std::string identity, const CurrentValues& values = {});
 
 // Throws NotSupported unless there are at least two texture units.
 void require_texture_units(const Test& t);
-// Throws NotSupported without the extension, which no version has taken in.
+// Throws NotSupported if the extension is not advertised. For extensions that never became part of a GL
+// version.
 void require_extension(const Test& t, const std::string& extension);
 
-// All vertices that came out, in order.
+// Returns all observed vertices, in order.
 std::vector<ObservedVertex> vertices_of(const Observation& seen);
 // The same; throws NotObservable unless there are `count` of them.
 std::vector<ObservedVertex> vertices_of(const Observation& seen, std::size_t count);
 // True if the attributes of texture unit 0 are the same, -0 counting as +0.
 bool same_vertex(const ObservedVertex& a, const ObservedVertex& b);
 
-// A failure of a test that judges by itself.
+// Makes a failure for a test that has a judge of its own. `what`: the value that is wrong.
 Failure failure_of(const gl::Case& c, std::string what, std::string message, std::string expected,
                    std::string captured);
 
-// Runs `c` with two more queries of errors: the first gives one of `allowed`, the second none, and `query`,
-// a command of `c`, writes nothing.
+// Runs `c` with two GetError appended. Expects the first to return one of `allowed` and the second NO_ERROR,
+// and `query`, a command of `c`, to write nothing.
 void expect_query_refused(Test& t, gl::Case c, gl::Ref query, std::initializer_list<GLenum> allowed);
 
 }  // namespace evalcts

@@ -14,7 +14,8 @@ namespace {
 
 const auto kEachTarget = [](bool two) { return combine(targets(two)); };
 
-// The targets whose maps' integer queries are plainly rounded under every interpretation (C-GETMAPIV-NORM).
+// The targets for which all interpretations round integer queries of COEFF in the usual way
+// (C-GETMAPIV-NORM).
 const auto kEachPlainTarget = [](bool two) {
   return combine(targets(two)).filter([&](GLenum target) {
     return target != target_in(two, GL_MAP1_COLOR_4) && target != target_in(two, GL_MAP1_NORMAL);
@@ -29,10 +30,11 @@ void expect_count(CheckedCase& c, gl::Ref query, std::size_t count) {
   });
 }
 
-// Float data answered unchanged. Values that are wrong for other tests, too, are not a matter of quality.
+// Expects a query to return the floats unchanged. Throws NotObservable if an answer is so wrong that the
+// tests OrderDomainAndPoints fail, because this test is about quality.
 void expect_unchanged_values(CheckedCase& c, gl::Ref query, const std::vector<double>& expected) {
-  // Single precision (EV-GETMAP-FLOAT), relative to the largest value: an end of a domain may be the small
-  // difference of large numbers.
+  // Single precision (EV-GETMAP-FLOAT) relative to the largest value, because a library may compute an end of
+  // a domain as a small difference of large numbers.
   double tolerance = 0;
   for (const double value : expected) tolerance = std::max(tolerance, 1e-5 * std::abs(value));
   c.expect([=](Played& played) {
@@ -53,7 +55,7 @@ void expect_unchanged_values(CheckedCase& c, gl::Ref query, const std::vector<do
 
 // --- Rules of both dimensions ----------------------------------------------------------------------------
 
-// Float data are returned unchanged, which is more than the sources promise of a conversion.
+// Floats are returned unchanged, which is more than the specification demands of a conversion.
 EVALCTS_TEST_PAIR(GetMap.FloatDataUnchanged, GetMap2.FloatDataUnchanged, kQuality,
                   decide("EV-GETMAP-FLOAT/1-D", "EV-GETMAP-FLOAT/2-D"), kEachTarget)
 (Test& t, bool, GLenum target) {
@@ -81,7 +83,7 @@ EVALCTS_TEST_PAIR(GetMap.DoubleData, GetMap2.DoubleData, kMust,
   c.check();
 };
 
-// Points and ends away from halves.
+// No point and no end is near n + 1/2.
 EVALCTS_TEST_PAIR(GetMap.IntegersAreRounded, GetMap2.IntegersAreRounded, kMust,
                   decide("EV-GETMAP-ROUND/1-D", "EV-GETMAP-ROUND/2-D"), kEachPlainTarget)
 (Test& t, bool two, GLenum target) {
@@ -103,7 +105,7 @@ EVALCTS_TEST_PAIR(GetMap.IntegersAreRounded, GetMap2.IntegersAreRounded, kMust,
   }
 };
 
-// Values far beyond the range of int, and values that 32 bits without a sign or a float still hold.
+// Values far outside the range of int, and values that an unsigned int can hold.
 EVALCTS_TEST_PAIR(GetMap.IntegersSaturate, GetMap2.IntegersSaturate, kMust,
                   decide("EV-GETMAP-SATURATE/1-D", "EV-GETMAP-SATURATE/2-D"), kEachPlainTarget)
 (Test& t, bool two, GLenum target) {
@@ -179,7 +181,7 @@ EVALCTS_TEST_PAIR(GetMap.PackBufferIgnored, GetMap2.PackBufferIgnored, kMust,
 
 // --- One dimension, and errors ---------------------------------------------------------------------------
 
-// The array ends with the answer: one value more would land in the guard behind it and be seen.
+// The array has exactly the size of the answer, so that a further value is written into the guard after it.
 EVALCTS_TEST(GetMap, OrderDomainAndPoints, kMust, "EV-GETMAP-ORDER1", "EV-GETMAP-DOMAIN1", "EV-GETMAP-COEFF1",
              "EV-GETMAP-COUNT/1-D", "EV-GETMAP-FLOAT/1-D", combine(gl::kMap1Targets))
 (Test& t, GLenum target) {
@@ -254,7 +256,7 @@ EVALCTS_TEST(GetMap, ChangesNothing, kMust, "EV-GETMAP-NOSIDE/1-D", combine(kGet
   c.check();
 };
 
-// An error that waits goes on waiting.
+// Queries do not clear an earlier error.
 EVALCTS_TEST(GetMap, KeepsTheErrorThatWaits, kMust, "EV-GETMAP-NOSIDE", combine(kGetters))
 (Test& t, const Getter& getter) {
   CheckedCase c(t, "MapGrid1 of no segments, then all queries of all maps");
@@ -271,8 +273,8 @@ EVALCTS_TEST(GetMap, KeepsTheErrorThatWaits, kMust, "EV-GETMAP-NOSIDE", combine(
 
 // --- Two dimensions --------------------------------------------------------------------------------------
 
-// The orders, the domain and the points of each map, in both forms and memory orders. The arrays end with the
-// answers: one value more would land in the guard behind them and be seen.
+// Expects the orders, the domain and the points of a map in both forms and in several layouts. The arrays
+// have exactly the size of the answers, so that a further value is written into the guard after them.
 void expect_answered(Test& t, GLenum target, int uorder, int vorder) {
   const int k = gl::components_of(target), max = t.max_order();
   const auto shown = [max](int order) { return order == max ? "MAX" : std::to_string(order); };
@@ -293,7 +295,8 @@ void expect_answered(Test& t, GLenum target, int uorder, int vorder) {
   c.check();
 }
 
-// v fastest, also where the orders differ and the printed formula cannot be meant (C-COEFF-ORDER).
+// COEFF has v varying fastest. For different orders the formula in the specification is evidently wrong
+// (C-COEFF-ORDER).
 EVALCTS_TEST(GetMap2, OrderDomainAndPoints, kMust, "EV-GETMAP-ORDER2", "EV-GETMAP-DOMAIN2",
              "EV-GETMAP-COEFF2", "EV-GETMAP-COUNT/2-D", "EV-GETMAP-FLOAT/2-D", combine(gl::kMap2Targets))
 (Test& t, GLenum target) {
@@ -302,7 +305,7 @@ EVALCTS_TEST(GetMap2, OrderDomainAndPoints, kMust, "EV-GETMAP-ORDER2", "EV-GETMA
     expect_answered(t, target, u, v);
 };
 
-// Here every specification prints the formula that the test above expects.
+// For equal orders the formula in all versions of the specification is the one that the test above expects.
 EVALCTS_TEST(GetMap2, SquareNet, kMust, "EV-GETMAP-COEFF2-SQUARE", "EV-GETMAP-COUNT/2-D",
              combine(gl::kMap2Targets))
 (Test& t, GLenum target) {
@@ -323,7 +326,7 @@ EVALCTS_TEST(GetMap2, ChangesNothing, kMust, "EV-GETMAP-NOSIDE/2-D")
 
 // --- Get -------------------------------------------------------------------------------------------------
 
-// Values away from halves, so that rounding to integers is the same whatever one reads.
+// No value is near n + 1/2, so that all interpretations round it to the same integer.
 EVALCTS_TEST(Get, Grid1, kMust, "EV-GET-GRIDDOMAIN/1-D", "EV-GET-GRIDSEG/1-D")
 (Test& t) {
   struct Grid {
@@ -338,7 +341,7 @@ EVALCTS_TEST(Get, Grid1, kMust, "EV-GET-GRIDDOMAIN/1-D", "EV-GET-GRIDSEG/1-D")
                         {65536, -0x1p-30f, 300, {0, 300}}};
   for (const Grid& grid : grids)
     for (const bool defined : {true, false}) {
-      if (!defined && grid.segments != 1) continue;  // the initial grid is the first of them
+      if (!defined && grid.segments != 1) continue;  // the first grid is the initial one
       CheckedCase c(t, fmt::format("MapGrid1f({}, {}, {}){}", grid.segments, grid.u1, grid.u2,
                                    defined ? "" : ", the initial grid"));
       if (defined) c.MapGrid1f(grid.segments, grid.u1, grid.u2);

@@ -1,4 +1,4 @@
-// Section 18 of the requirements: GetnMap, which knows the size of the array (ARB_robustness, GL 4.5).
+// Section 18 of the requirements: GetnMap, which takes the size of the array (ARB_robustness, GL 4.5).
 #include <fmt/format.h>
 
 #include <evalcts/testkit/registration.h>
@@ -9,8 +9,8 @@
 namespace evalcts::suite_getn_map {
 namespace {
 
-// One of the three forms, with the GetMap command that it has to agree with. `room`: elements that there is
-// memory for; `bytes`: what the command is told.
+// A form of GetnMap, with the GetMap command with which it has to agree. `room`: number of elements of the
+// array; `bytes`: the size that is passed to the command.
 struct Getter {
   const char* name;
   std::size_t element;
@@ -40,10 +40,11 @@ struct Answer {
   std::size_t values;
 };
 
-// Enough for every answer here, and for what a wrong implementation may write.
+// Room for all answers of these tests, and for those of a wrong implementation.
 constexpr std::size_t kRoom = 64;
 
-// Answers of all targets of one dimension, each with a map of its own: of order 3, or 2x4.
+// Returns the queries of all targets of the dimension with their numbers of values, for the maps of
+// with_maps().
 std::vector<Answer> answers(bool two) {
   std::vector<Answer> all;
   for (const GLenum target : targets(two)) {
@@ -66,7 +67,7 @@ GLsizei bytes_of(const Getter& getter, const Answer& answer) {
   return static_cast<GLsizei>(answer.values * getter.element);
 }
 
-// A call that has to fail with one of these errors and to write nothing.
+// Expects the query to raise one of these errors and to write nothing.
 void expect_refused(Test& t, const Getter& getter, const std::string& identity, GLenum target, GLenum query,
                     GLsizei bytes, std::initializer_list<GLenum> errors, bool inside = false) {
   gl::Case c = with_maps(t, kCurves, identity);
@@ -80,7 +81,7 @@ std::string named(GLenum target, GLenum query) {
   return gl::token_name(target) + " " + gl::token_name(query);
 }
 
-// All answers of two dimensions, each asked for with these sizes: rejected, with nothing written.
+// The same for all two-dimensional targets and queries, with each of the sizes in bytes.
 void expect_sizes_refused2(Test& t, const Getter& getter, const std::string& identity,
                            std::vector<GLsizei> (*sizes)(GLsizei exact, GLsizei element), GLenum error,
                            GLenum other_error) {
@@ -104,7 +105,7 @@ EVALCTS_TEST_PAIR(GetnMap.SameAsGetMap, GetnMap.SameAsGetMap2, kMust, "EV-GETN-S
       const gl::Ref get = getter.get(c, answer.target, answer.query, kRoom);
       const gl::Ref getn = getter.getn(c, answer.target, answer.query, bytes, kRoom);
       c.expect([=](Played& played) {
-        // The answer of GetMap shows that something was written at all.
+        // Otherwise two queries that write nothing would pass.
         played.expect(played.trace().written(get) > 0, get, "the query of the control writes nothing",
                       "an answer", "nothing");
         played.expect_same(get, getn);

@@ -1,5 +1,5 @@
-// Section 25 of the requirements: what indirect GLX sends for the commands of evaluators, and what comes
-// back.
+// Section 25 of the requirements: the requests that indirect GLX sends for evaluator commands, and the
+// replies.
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -13,9 +13,10 @@
 namespace evalcts::suite_glx_protocol {
 namespace {
 
-constexpr std::size_t kRoom = 1 << 16;  // bytes, for requests of small commands
+constexpr std::size_t kRoom = 1 << 16;  // bytes; enough for the requests of small commands
 
-// The commands of evaluators among the recorded requests. A failure, and none, where these are malformed.
+// Returns the evaluator commands among the recorded requests; if these are malformed, none, and the test
+// fails.
 std::vector<SentCommand> sent_commands(Played& played, gl::Ref recorded, std::size_t room = kRoom) {
   const auto size = static_cast<std::size_t>(played.trace().result(recorded));
   if (size > room) throw std::logic_error("the requests do not fit");
@@ -33,7 +34,7 @@ gl::Ref recorded_requests(gl::Case& c, std::size_t room = kRoom) {
   return c.RecordedRequestsEVALCTS(static_cast<GLsizei>(room), gl::out<GLubyte>(room));
 }
 
-// Runs the calls; their requests have to be exactly these commands of evaluators.
+// Runs the calls and expects them to send exactly these evaluator commands.
 void expect_sent(Test& t, const std::string& identity, const Calls& issue,
                  const std::vector<SentCommand>& expected, std::size_t room = kRoom) {
   gl::Case c(identity);
@@ -58,13 +59,13 @@ void expect_sent(Test& t, const Command& command, bool rendering = true) {
   expect_sent(t, command.name, command.issue, {{command.opcode, rendering, false, command.parameters}});
 }
 
-constexpr double kU = -0.375, kV = 1.25;  // the same in either precision
+constexpr double kU = -0.375, kV = 1.25;  // exact in single precision
 
 const std::vector<float> kUf = {static_cast<float>(kU)},
                          kUVf = {static_cast<float>(kU), static_cast<float>(kV)};
 const std::vector<double> kUd = {kU}, kUVd = {kU, kV};
 
-// One point or one segment of everything. No map of vertices is enabled: nothing is drawn.
+// The commands that may be sent, with small arguments. No vertex map is enabled, so they draw nothing.
 const std::vector<Command>& commands() {
   static const std::vector<Command> all = [] {
     const Wire u1 = Wire().float64(kU), u1f = Wire().float32(kUf[0]);
@@ -127,7 +128,7 @@ const std::vector<Command>& grids() {
   return all;
 }
 
-// Each travels as its vector form.
+// Scalar forms, which are sent as the vector forms.
 const std::vector<Command>& scalar_forms() {
   static const std::vector<Command> all = {
       {"EvalCoord1d", [](gl::Case& s) { s.EvalCoord1d(kU); }, 151, Wire().reals(kUd, true).bytes()},
@@ -196,12 +197,12 @@ EVALCTS_TEST(GlxProtocol, PointsOfMap2, kMust, "EV-GLX-MAP2-PACK", combine(gl::k
       }
 };
 
-// Maps may be too large for one request: the command that arrives is the same.
+// Maps that may be too large for one request arrive as the same command.
 EVALCTS_TEST(GlxProtocol, LargeMaps, kMust, "EV-GLX-LARGE")
 (Test& t) {
   const int most = t.max_order();
   for (const Form& form : kForms)
-    for (const int padding : {0, 1}) {  // clients send packed points from where they are
+    for (const int padding : {0, 1}) {  // clients may send points without padding directly from the array
       const auto room = kRoom + static_cast<std::size_t>(most * most) * 4 * sizeof(double) * 2;
       const Map curve = random_map(t, GL_MAP1_VERTEX_4, most, 4 + padding);
       const Map surface = random_map(t, GL_MAP2_VERTEX_4, {most, most}, (4 + padding) * most, 4 + padding);
@@ -219,14 +220,14 @@ EVALCTS_TEST(GlxProtocol, LargeMaps, kMust, "EV-GLX-LARGE")
     }
 };
 
-// Calls that the protocol names erroneous, with the error of each.
+// A call that the protocol calls erroneous, with its error.
 struct Erroneous {
   const char* name;
   Calls issue;
   GLenum error;
 };
 
-// A map of the command that the name begins with.
+// Returns the definition of a bad map by the command with which the name begins.
 Erroneous bad_map(const char* name, GLenum target, int ustride, int uorder, int vstride = 1, int vorder = 1,
                   GLenum error = GL_INVALID_VALUE) {
   const bool two = name[3] == '2', doubles = name[4] == 'd';
@@ -268,17 +269,17 @@ const std::vector<Erroneous>& small_strides() {
   return all;
 }
 
-// The error is reported, once, and no state changes.
+// Expects the error once, and no change of state.
 void expect_erroneous(Test& t, const Erroneous& bad) {
   expect_refused(t, bad.name, {[&](gl::Case& c) {
-                   c.RecordRequestsEVALCTS();  // only where rendering is indirect
+                   c.RecordRequestsEVALCTS();  // available only if rendering is indirect
                    bad.issue(c);
                    recorded_requests(c);
                  }},
                  {bad.error});
 }
 
-// If the command is sent at all it ends with the small parameters, which are this long.
+// Expects an erroneous command that is sent at all to have no points after its other parameters.
 void expect_no_points(Test& t, const Erroneous& bad) {
   gl::Case c(fmt::format("{}: no points are sent", bad.name));
   c.RecordRequestsEVALCTS();
@@ -304,14 +305,14 @@ EVALCTS_TEST(GlxProtocol, ErroneousMaps, kMust, "EV-GLX-ERRONEOUS", combine(erro
 EVALCTS_TEST(GlxProtocol, SmallStrides, kMust, "EV-GLX-STRIDE-CLIENT", combine(small_strides()))
 (Test& t, const Erroneous& bad) { expect_erroneous(t, bad); };
 
-// Begins a case; its later queries show that rendering is indirect.
+// Begins a case with commands that need indirect rendering.
 void begin_indirect(gl::Case& c) {
   c.RecordRequestsEVALCTS();
   c.MapGrid1f(7, 0.5f, -3.0f);
   recorded_requests(c);
 }
 
-// n values, for n = 1 and more; behind an array of n values lies a guard.
+// Replies of one and of several values. There is a guard after each array.
 EVALCTS_TEST(GlxProtocol, Replies, kMust, "EV-GLX-GETMAP-REPLY", combine(kGetters))
 (Test& t, const Getter& form) {
   const std::vector<double> points = {3, -5, 2, 7, 11, -13, 1, 4};
@@ -330,7 +331,7 @@ EVALCTS_TEST(GlxProtocol, Replies, kMust, "EV-GLX-GETMAP-REPLY", combine(kGetter
   c.check();
 };
 
-// A query that raises an error leaves the array alone, and the next one is answered as ever.
+// A query that raises an error does not write to the array, and the next query is answered correctly.
 EVALCTS_TEST(GlxProtocol, EmptyReplies, kMust, "EV-GLX-GETMAP-REPLY", combine(kGetters))
 (Test& t, const Getter& form) {
   CheckedCase c(t, "a bad query, a bad target");
@@ -348,10 +349,11 @@ EVALCTS_TEST(GlxProtocol, EmptyReplies, kMust, "EV-GLX-GETMAP-REPLY", combine(kG
   c.check();
 };
 
-// All other tests are this one, too: here stands that rendering is indirect, and a little of everything.
+// Indirect rendering draws the same as direct rendering. All other suites test that as well; this test makes
+// sure that rendering is indirect.
 EVALCTS_TEST(GlxProtocol, SameResult, kMust, "EV-GLX-SAMERESULT")
 (Test& t) {
-  expect_sent(t, commands().front());  // it is indirect
+  expect_sent(t, commands().front());  // available only if rendering is indirect
   for (const bool two : {false, true}) {
     gl::Case c(two ? "a surface" : "a curve");
     for (const GLenum target : kinds_of(two)[0].targets)

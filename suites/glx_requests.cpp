@@ -39,7 +39,7 @@ T read(View bytes, std::size_t at) {
 
 Bytes copy(View bytes) { return {bytes.begin(), bytes.end()}; }
 
-// Section 2.3.1: commands one behind the other.
+// Section 2.3.1: reads the commands of one Render request.
 void read_render(View body, std::vector<SentCommand>& commands) {
   for (std::size_t at = 0; at < body.size();) {
     const std::size_t length = read<std::uint16_t>(body, at);
@@ -52,7 +52,8 @@ void read_render(View body, std::vector<SentCommand>& commands) {
   }
 }
 
-// Section 2.3.2: a command in several requests. Whether n0 counts length and opcode, the text says both ways.
+// Section 2.3.2: collects a command from several RenderLarge requests. The text is inconsistent as to whether
+// the byte count of the first request includes length and opcode; both are accepted.
 class Large {
  public:
   // Returns true if the command is complete.

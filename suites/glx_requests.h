@@ -1,5 +1,5 @@
-// Requests of an indirect GLX context ("GLX Extensions For OpenGL Protocol Specification" 1.3, GLXenc), read
-// back from the requests of a case.
+// Reads the evaluator commands from the requests that a case with an indirect GLX context sent ("GLX
+// Extensions For OpenGL Protocol Specification" 1.3, and its encoding document GLXenc).
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@ namespace evalcts {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// A GL command behind its length and opcode: a rendering command (section 2.3), or a request of its own
-// behind its context tag (section 2.2).
+// A GL command: a rendering command (section 2.3), or a request of its own (section 2.2). `parameters`: the
+// bytes after length and opcode, or after the context tag.
 struct SentCommand {
   unsigned opcode;
   bool rendering;
-  bool in_parts = false;  // RenderLarge
+  bool in_parts = false;  // true if RenderLarge carried it
   Bytes parameters;
 
   bool operator==(const SentCommand& other) const {
@@ -26,14 +26,15 @@ struct SentCommand {
   }
 };
 
-// The commands that belong to evaluators, in their order: maps, grids and evaluation (143 to 158), GetMap
-// (120 to 122). Throws std::runtime_error with words about requests that break sections 2.2, 2.3.1 or 2.3.2.
+// Returns the evaluator commands of the requests in their order: maps, grids and evaluation (opcodes 143 to
+// 158), and GetMap (120 to 122). Throws std::runtime_error if requests violate sections 2.2, 2.3.1 or 2.3.2.
 std::vector<SentCommand> evaluator_commands(const Bytes& requests);
 
-// "Map1f (144): 90 0d 00 00 | ..." for the reader.
+// Returns the commands as text, as in "Map1f (144), 40 bytes: 90 0d 00 00 ...".
 std::string in_words(const std::vector<SentCommand>& commands);
 
-// The parameters of a command, one behind the other (GLXenc 1.4: the types and their sizes).
+// Encodes the parameters of a command one after the other in the byte order of the machine (types:
+// GLXenc 1.4).
 class Wire {
  public:
   Wire& card32(std::uint32_t value) { return put(value); }

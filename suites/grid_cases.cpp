@@ -51,10 +51,11 @@ std::vector<Grid> probed_grids(Test& t) {
     add({1 + static_cast<int>(t.random()() % 100), static_cast<float>(3 * ends[0]),
          static_cast<float>(7 * ends[1])});
   }
-  // One segment is as many as it takes for a sum that misses the end.
+  // Grids of one segment for which first + (last - first) is not last in single precision.
   for (const auto& [first, last] : {std::pair{33.3f, 0.1f}, {977.7f, -0.3f}, {-811.3f, 2.1f}, {52.7f, 1e-3f}})
     add({1, first, last});
-  // Rising and falling grids each of whose ends is missed by N steps from the other, fused or not.
+  // Rising and falling grids for which N steps from either end miss the other one, with and without a fused
+  // multiply-add.
   for (const Grid& grid :
        {Grid{43, 0x1.99999ap-4f, 0x1.ccccccp-1f}, Grid{3, -0x1.96d10ap+0f, 0x1.60d5a8p-1f},
         Grid{2, 0x1.956204p-6f, -0x1.38192ep-4f}, Grid{53, -0x1.915a96p+1f, 0x1.1fbb18p-1f},
@@ -77,7 +78,7 @@ void define_probe(gl::Case& c, const Along& along, float value) {
   }
 }
 
-// A primitive of the kind, all of whose vertices are that one.
+// Draws one primitive of the kind, all of whose vertices are evaluated at the value.
 void draw_at(gl::Case& c, const Along& along, PrimitiveKind kind, float value) {
   c.Begin(kind == kPoints ? GL_POINTS : kind == kLines ? GL_LINES : GL_QUADS);
   for (int i = 0; i < (kind == kPoints ? 1 : kind == kLines ? 2 : 4); ++i)
@@ -85,22 +86,23 @@ void draw_at(gl::Case& c, const Along& along, PrimitiveKind kind, float value) {
   c.End();
 }
 
-// The vertices of one grid; the current texture coordinate says what a vertex belongs to.
+// The x coordinates that were captured for one grid. The current texture coordinate of a vertex numbers its
+// grid and its role.
 struct Probed {
   static constexpr int kTags = 4;
   std::optional<float> at_end, at_next, at_previous;
-  std::vector<float> near_end;  // of what is under test
+  std::vector<float> near_end;  // of the drawing under test
 
-  // Returns true if EvalCoord tells the end from one of its neighbours at least.
+  // Returns true if EvalCoord gives different values at the end and at one of the adjacent floats at least.
   bool tells() const {
     return at_end && at_next && at_previous && (*at_next != *at_end || *at_previous != *at_end);
   }
-  // Half of the way to the value at the neighbouring number; any value if that is the value at the end.
+  // The midpoint of the values at the end and at an adjacent float, or `beyond` if they are equal.
   double limit(float at_neighbour, double beyond) const {
     const double end = *at_end;
     return at_neighbour == *at_end ? beyond : (end + static_cast<double>(at_neighbour)) / 2;
   }
-  // The values between which x is nearer to the value at the end than to those at its neighbours.
+  // The open interval of values that are nearer to the value at the end than to those at the adjacent floats.
   std::pair<double, double> accepted() const { return {limit(*at_previous, -1), limit(*at_next, 1)}; }
 };
 
@@ -152,7 +154,7 @@ void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind
       ++told;
       const auto [lowest, highest] = probed[i].accepted();
       const Grid& grid = grids[i];
-      // One for each vertex that is wrong; the end may be a vertex of several primitives.
+      // Each wrong vertex is a mismatch: the end may be a vertex of several primitives.
       const auto add = [&](double got, const std::string& captured) {
         Mismatch mismatch;
         mismatch.what =

@@ -1,5 +1,5 @@
-// Grids for tests, in one dimension and in two, and the probe that shows at which argument a grid point is
-// evaluated.
+// One- and two-dimensional grids for tests, and a probe that shows at which argument an implementation
+// evaluates the first and the last grid point.
 #pragma once
 
 #include <functional>
@@ -8,17 +8,17 @@
 
 namespace evalcts {
 
-// One direction of a grid, as MapGrid is given it.
+// The arguments of MapGrid for one direction.
 struct Grid {
   int segments;
   float first, last;
 };
 gl::Ref map_grid(gl::Case& c, const Grid& u);
 gl::Ref map_grid(gl::Case& c, const Grid& u, const Grid& v);
-// MapGrid1f of u alone, or MapGrid2f.
+// Appends MapGrid2f, or MapGrid1f of u alone.
 gl::Ref map_grid(gl::Case& c, bool two, const Grid& u, const Grid& v);
 
-// Grids whose ends and steps are awkward in single precision. None is the domain of awkward_domain maps.
+// Grids whose ends and steps round in single precision, and simple ones.
 std::vector<Grid> awkward_grids();
 
 struct Dimension {
@@ -27,7 +27,7 @@ struct Dimension {
 };
 inline constexpr Dimension kDimensions[] = {{"1-D", false}, {"2-D", true}};
 
-// The modes of EvalMesh, with the primitives that stand for their meshes.
+// The modes of EvalMesh, with the primitives by which the specification defines their meshes.
 struct MeshMode {
   const char* name;
   GLenum mode, primitive;
@@ -37,32 +37,34 @@ inline constexpr MeshMode kMeshModes[] = {{"POINT", GL_POINT, GL_POINTS, kPoints
                                           {"LINE", GL_LINE, GL_LINE_STRIP, kLines},
                                           {"FILL", GL_FILL, GL_QUAD_STRIP, kPolygons}};
 
-// Enables maps of all kinds that show but one texture map, over [-1,3] and, in two dimensions, x [2,1].
+// Defines and enables random maps of VERTEX_4, COLOR_4, NORMAL and TEXTURE_COORD_4 over [-1,3], in two
+// dimensions over [-1,3] x [2,1].
 void enable_maps(Test& t, gl::Case& c, bool two);
 
 // --- Probes (technique O8 of the requirements) ---
 
-// A direction of the evaluation that a probe looks along.
+// The dimension and the direction in which a probe examines a grid.
 struct Along {
   const char* name;  // part of test names
-  bool two;          // EvalPoint2 and EvalMesh2 instead of EvalPoint1 and EvalMesh1
-  bool v;            // the grid under test is that of v
+  bool two;          // true: EvalPoint2 and EvalMesh2; false: EvalPoint1 and EvalMesh1
+  bool v;            // true if the grid under test is that of v
 };
 inline constexpr Along kAlong[] = {{"1-D_U", false, false}, {"2-D_U", true, false}, {"2-D_V", true, true}};
 
-// MapGrid with the grid in the direction of the probe; in the other there is one of two steps over [0,1].
+// Appends MapGrid with the grid in the direction of the probe, and two segments over [0,1] in the other one.
 void map_grid(gl::Case& c, const Along& along, const Grid& grid);
 
-// The first or the last end of many grids: 1 to some hundred segments over an awkward interval, and random
-// ones, none with steps too small for the probe.
+// Returns the grids that expect_exact_end() examines: awkward ones, 1 to 60 or more segments (by depth) over
+// [0.1,0.7], and random ones. All have steps that are large enough for the probe.
 std::vector<Grid> probed_grids(Test& t);
 
-// At an end of a grid the argument is that end itself. For each grid: what `draw` draws (called after
-// map_grid, with the grid; primitives of one kind) goes through a map whose x is 0 at the end, 1 a little
-// further on (1e-5 of it, more where it is small) and so on, so that the neighbouring number shows as another
-// value. The text makes the argument exact, not the value: those of its vertices that lie near the end have
-// to be nearer to what EvalCoord gives there than to what it gives at the neighbouring numbers. Where
-// EvalCoord does not tell those apart, nothing is said. Throws NotObservable if that is so of all grids.
+// Expects the argument at the first or last grid point to be exactly the end of the grid, for all
+// probed_grids(). `draw` is called with each grid after its MapGrid and appends primitives of one kind with
+// at most `most_vertices` vertices in all. They are evaluated with a map that is so steep (x rises from 0 at
+// the end to 1 within 1e-5 of its magnitude) that adjacent arguments give different values. The specification
+// makes the argument exact, not the value: vertices near the end have to be nearer to what EvalCoord gives at
+// the end than to what it gives at the adjacent floats. Grids for which EvalCoord gives the same value there
+// are not judged. Throws NotObservable if none is judged.
 void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind,
                       const std::function<void(gl::Case&, const Grid&)>& draw, std::size_t most_vertices);
 

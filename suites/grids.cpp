@@ -1,4 +1,4 @@
-// Section 13 of the requirements, state and errors: what MapGrid sets and rejects.
+// Section 13 of the requirements: the state that MapGrid sets, and the calls that it rejects.
 #include <fmt/format.h>
 
 #include <optional>
@@ -13,7 +13,7 @@
 namespace evalcts::suite_grids {
 namespace {
 
-// The grid of one dimension, or of two.
+// The arguments of MapGrid1 or, with `v`, of MapGrid2.
 struct Grids {
   Grids(int n, float u1, float u2) : u{n, u1, u2} {}
   Grids(int un, float u1, float u2, int vn, float v1, float v2) : u{un, u1, u2}, v{{vn, v1, v2}} {}
@@ -22,17 +22,17 @@ struct Grids {
   std::optional<Grid> v;
 };
 
-// All ends are representable in single precision: they read back equal through any query.
+// Grids whose ends are representable in single precision, so that all queries return them unchanged.
 const std::vector<Grids>& some_grids1() {
   static const std::vector<Grids> grids = {{1, 0, 1},
                                            {7, -2.5, 3.25},
-                                           {9, -2.5, 3.25},  // only the count is another
-                                           {9, -2.5, 4},     // only one end is
+                                           {9, -2.5, 3.25},  // only the count differs
+                                           {9, -2.5, 4},     // only one end differs
                                            {3, 9, -4},       // reversed
                                            {1000, 0x1p-20, 0x1.8p30},
                                            {65536, -1, -0.5},
                                            {kHighest, 0.25, 0.5},
-                                           {49, 0.1f, 1.7f},  // all 24 bits
+                                           {49, 0.1f, 1.7f},  // ends with 24 significant bits
                                            {10, -0x1.fffffep0, 0x1.555556p-2},
                                            {2, -0x1p100, 0x1p100}};
   return grids;
@@ -43,7 +43,7 @@ const std::vector<Grids>& some_grids2() {
       {2, 3.5, 4.25, 6, -1, 7.125},   {2, 3, 4.25, 6, -1, 7.125},
       {3, 3, 4.25, 6, -1, 7.125},     {5, 7, -8, 2, 9.5, 10},  // u reversed
       {1, -3, -2, 6, 12, 11},                                  // v reversed
-      {4, 2, 1, 3, 0.5, -0.5},                                 // both
+      {4, 2, 1, 3, 0.5, -0.5},                                 // both reversed
       {1, 0, 1, kHighest, 0.125, 8},  {kHighest, -16, 0.375, 1, -0x1p100, 0x1p100},
       {70000, 1, 2, 40000, 3, 4},     {7, 0.1f, 0x1.fffffep0, 3, -1.7f, 0x1.555556p-2}};
   return grids;
@@ -69,7 +69,7 @@ std::vector<double> ends_of(const Grids& grid) {
   return ends;
 }
 
-// The values and how many they are, through the forms of Get that lose nothing.
+// Queries the grid through the forms of Get that do not round, and expects its values and their number.
 void expect_grid(CheckedCase& c, const Grids& grid) {
   const GLenum domain = grid.v ? GL_MAP2_GRID_DOMAIN : GL_MAP1_GRID_DOMAIN;
   c.expect_values(c.GetIntegerv(grid.v ? GL_MAP2_GRID_SEGMENTS : GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(2)),
@@ -78,7 +78,7 @@ void expect_grid(CheckedCase& c, const Grids& grid) {
   c.expect_values(c.GetDoublev(domain, gl::out<GLdouble>(4)), ends_of(grid));
 }
 
-// Each of the grids is set without error, and is what is then answered.
+// Sets each of the grids after the commands `before`; expects no error, and queries to return the grid.
 void expect_set(Test& t, const std::string& identity, const std::vector<Grids>& grids, bool doubles,
                 const Calls& before = {}) {
   CheckedCase c(t, identity);
@@ -91,7 +91,7 @@ void expect_set(Test& t, const std::string& identity, const std::vector<Grids>& 
   c.check();
 }
 
-// The places of the grids among the answers of query_everything.
+// The indices of the grid domains among the queries of query_everything(); the segments follow each of them.
 constexpr std::size_t kPlaceOfGrid1 = 4 * gl::kMap1Targets.size() + 1;
 constexpr std::size_t kPlaceOfGrid2 = kPlaceOfGrid1 + 2;
 
@@ -189,7 +189,7 @@ EVALCTS_TEST(Grids, BetweenBeginAndEnd, kMust, "EV-GRID-ERR-BEGINEND", "EV-GRID-
   }
 };
 
-// The primitive goes on, and what follows is evaluated on the old grid.
+// A rejected MapGrid does not end the primitive around it, and later points are evaluated on the old grid.
 EVALCTS_TEST(Grids, PrimitiveUndisturbed, kMust, "EV-GRID-ERR-BEGINEND", "EV-GRID-ERR-NOEFFECT", kEachForm)
 (Test& t, const Form& form) {
   gl::Case c("points of both grids around MapGrid1 and MapGrid2");
@@ -217,7 +217,7 @@ EVALCTS_TEST(Grids, PrimitiveUndisturbed, kMust, "EV-GRID-ERR-BEGINEND", "EV-GRI
   t.expect_emission(c, kPosition);
 };
 
-// A rejected call is over with its error: the next legal one sets the grid.
+// A legal call after a rejected one sets the grid.
 EVALCTS_TEST(Grids, LegalCallAfterwards, kMust, "EV-GRID-ERR-NOEFFECT", kEachForm)
 (Test& t, const Form& form) {
   CheckedCase c(t, "refused, then legal");
@@ -226,7 +226,7 @@ EVALCTS_TEST(Grids, LegalCallAfterwards, kMust, "EV-GRID-ERR-NOEFFECT", kEachFor
   const Grids one{4, 6, 8}, two{3, 6, 8, 5, 9, 7};
   set(c, one, form.doubles);
   set(c, two, form.doubles);
-  c.expect_error(GL_INVALID_VALUE);  // not cleared by the legal calls
+  c.expect_error(GL_INVALID_VALUE);  // the legal calls do not clear it
   // Distributed implementations may keep several flags (GL 2.1 §2.5).
   c.expect_error(GL_NO_ERROR, GL_INVALID_VALUE);
   expect_grid(c, one);
@@ -243,7 +243,8 @@ EVALCTS_TEST(Grids, EqualEndsAreLegal, kMust, "EV-GRID-EQUAL", kEachForm)
       form.doubles);
 };
 
-// Any count; the first and the last grid point of the largest are the ends of the grid.
+// Counts up to the largest int are accepted; with the largest, the first and the last grid point are the
+// ends.
 EVALCTS_TEST(Grids, LargestCount, kMust, "EV-GRID-LARGE", kEachForm)
 (Test& t, const Form& form) {
   expect_set(t, "MapGrid1", {{kHighest, 0, 1}, {kHighest - 1, 3, -3}, {0x1000001, 0, 1}}, form.doubles);
@@ -294,7 +295,7 @@ EVALCTS_TEST(Grids, AnyTextureUnit, kMust, "EV-GRID-NOUNIT", kEachForm)
   c.check();
 };
 
-// Each form replaces what the other set.
+// MapGrid in floats replaces the grid that MapGrid in doubles set, and vice versa.
 EVALCTS_TEST(Grids, FormsShareState, kMust, "EV-GRID-FD", "EV-API-FD/2-D", by(gl::list_deliveries()))
 (Test& t) {
   for (const bool doubles_first : {false, true}) {
@@ -310,7 +311,7 @@ EVALCTS_TEST(Grids, FormsShareState, kMust, "EV-GRID-FD", "EV-API-FD/2-D", by(gl
   }
 };
 
-// Values away from halves, so that rounding to integers is the same whatever one reads.
+// No value is near n + 1/2, so that all interpretations round it to the same integer.
 EVALCTS_TEST(Get, Grid2, kMust, "EV-GET-GRIDDOMAIN/2-D", "EV-GET-GRIDSEG/2-D", by(gl::list_deliveries()))
 (Test& t) {
   struct Rounded {
@@ -323,7 +324,7 @@ EVALCTS_TEST(Get, Grid2, kMust, "EV-GET-GRIDDOMAIN/2-D", "EV-GET-GRIDSEG/2-D", b
                                   {{256, 0.25, -0.375, 65536, -0x1p-30, 300}, {0, 0, 0, 300}}})
     for (const bool defined : {true, false}) {
       const Grids& grid = expected.grid;
-      if (!defined && grid.u.segments != 1) continue;  // the initial grid is the first of them
+      if (!defined && grid.u.segments != 1) continue;  // the first grid is the initial one
       CheckedCase c(t, fmt::format("{}x{} segments{}", grid.u.segments, grid.v->segments,
                                    defined ? "" : ", the initial grid"));
       if (defined) set(c, grid, false);

@@ -1,4 +1,4 @@
-// Section 2 of the requirements: the state of a fresh context. Every case begins with its queries.
+// Section 2 of the requirements: the evaluator state of a fresh context.
 #include <evalcts/testkit/registration.h>
 
 #include "checked_case.h"
@@ -7,7 +7,7 @@
 namespace evalcts::suite_initial_state {
 namespace {
 
-// The single initial control point.
+// Returns the initial control point of a target.
 std::vector<double> initial_point(GLenum target) {
   switch (target) {
     case GL_MAP1_COLOR_4:
@@ -40,7 +40,7 @@ void expect_initial_points(Test& t, std::initializer_list<GLenum> targets) {
     c.expect_values(c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(8)), initial_point(target));
     c.expect_values(c.GetMapdv(target, GL_COEFF, gl::out<GLdouble>(8)), initial_point(target));
     const gl::Ref integer = c.GetMapiv(target, GL_COEFF, gl::out<GLint>(8));
-    // Colours and normals may come scaled (C-GETMAPIV-NORM).
+    // Integer queries of colours and normals may be scaled (C-GETMAPIV-NORM).
     if (is_plain(target)) c.expect_values(integer, initial_point(target));
     c.check();
   }
@@ -132,7 +132,7 @@ EVALCTS_TEST_PAIR(InitialState.Grid1, InitialState.Grid2, kMust, decide("EV-INIT
   c.check();
 };
 
-// Outside the domain, too.
+// Arguments inside and outside the domain.
 const std::vector<double> kArguments = {-3, 0, 0.5, 7};
 
 EVALCTS_TEST(InitialState, Evaluable, kMust, "EV-INIT-EVALUABLE")
@@ -146,7 +146,7 @@ EVALCTS_TEST(InitialState, Evaluable, kMust, "EV-INIT-EVALUABLE")
   }
 };
 
-// Every other map as well: its initial constant, on a vertex map that was never defined either.
+// Each target with its initial map, with a vertex map that was never defined either.
 EVALCTS_TEST_PAIR(InitialState.EvaluableWith, InitialState.Evaluable2, kMust, "EV-INIT-EVALUABLE",
                   [](bool two) { return combine(visible_targets(two)); })
 (Test& t, bool two, GLenum target) {
@@ -161,7 +161,7 @@ EVALCTS_TEST_PAIR(InitialState.EvaluableWith, InitialState.Evaluable2, kMust, "E
   t.expect_emission(c, attribute_of(target));
 };
 
-// EvalPoint and EvalMesh over the grids of one step from 0 to 1 that a context begins with.
+// EvalPoint and EvalMesh on the initial grids, which have one segment over [0,1].
 EVALCTS_TEST_PAIR(InitialState.MeshesOverGrid1, InitialState.MeshesOverGrid2, kMust,
                   decide("EV-INIT-GRID1", "EV-INIT-GRID2"))
 (Test& t, bool two) {
@@ -199,7 +199,7 @@ EVALCTS_TEST(InitialState, MaxEvalOrder, kMust, "EV-INIT-MAXORDER/1-D")
   }
 };
 
-// The same value serves two dimensions, and u as well as v.
+// MAX_EVAL_ORDER applies to both directions of two-dimensional maps.
 EVALCTS_TEST(InitialState, MaxEvalOrder2, kMust, "EV-INIT-MAXORDER/2-D", combine(gl::kMap2Targets))
 (Test& t, GLenum target) {
   t.require_initial_state();

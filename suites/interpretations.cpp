@@ -1,5 +1,5 @@
-// Sections 26 and 27 of the requirements: where the documents allow more than one reading. Each test says
-// which one an implementation follows; one that follows none of them fails.
+// Sections 26 and 27 of the requirements: passages that have more than one reading. Each test records which
+// one an implementation follows, and fails if it follows none of them.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -16,8 +16,8 @@ std::string shown(const std::vector<double>& values) {
   return fmt::format("{{{}}}", fmt::join(values, ", "));
 }
 
-// The normal that AUTO_NORMAL gives in the middle of the plane z = 0 with q_u = (2, 0, 0) and q_v = (0, 2, 0)
-// over [0,1] x [0,1], as a vertex shader sees it: not normalised.
+// Returns the normal that a vertex shader receives, which is not normalised, at the centre of a square of
+// side 2 in the plane z = 0, mapped over [u1,u2] x [0,1] with AUTO_NORMAL.
 std::vector<double> normal_over(Test& t, double u1, double u2) {
   t.require(3, 0);
   Map plane = make_map2(GL_MAP2_VERTEX_3, 2, 2, {-1, -1, 0, -1, 1, 0, 1, -1, 0, 1, 1, 0});
@@ -40,7 +40,8 @@ std::vector<double> normal_over(Test& t, double u1, double u2) {
   return {recorded.values.begin(), recorded.values.end()};
 }
 
-// The reading whose values these are, within 1e-3; a failure where there is none.
+// Records the reading whose values are those seen, to a relative error of `tolerance`; a failure if there is
+// none.
 void follow(Test& t, const std::string& text, const std::vector<double>& seen,
             const std::vector<std::pair<std::string, std::vector<double>>>& readings,
             double tolerance = 1e-3) {
@@ -60,7 +61,7 @@ void follow(Test& t, const std::string& text, const std::vector<double>& seen,
   t.fail(std::move(failure));
 }
 
-// The reading by the error that the command raised.
+// The same for readings that differ in the error that a command raises.
 void follow_error(Test& t, const std::string& text, GLenum seen,
                   const std::vector<std::pair<std::string, GLenum>>& readings) {
   std::vector<std::pair<std::string, std::vector<double>>> values;

@@ -1,5 +1,5 @@
-// Connected primitives and meshes with more vertices than the vertex buffer of a driver holds, with maps of
-// all attributes. A driver that draws a full buffer in the middle of a primitive has to repeat vertices with
+// Connected primitives and meshes with more vertices than a driver's vertex buffer holds, with maps of all
+// attributes. A driver that flushes a full buffer in the middle of a primitive has to repeat vertices with
 // all of their attributes, and to keep the current values.
 #include <fmt/format.h>
 
@@ -11,13 +11,13 @@
 namespace evalcts::suite_long_primitives {
 namespace {
 
-// The primitives, and their numbers of vertices at full depth.
+// A connected primitive, and its number of vertices at full depth.
 struct Connected {
   const char* name;
   GLenum mode;
   int full;
 
-  // More than a buffer of 64 KiB holds at quick depth, and than indices of 16 bits count at thorough depth.
+  // Quick depth exceeds a buffer of 64 KiB, thorough depth exceeds 16-bit indices.
   int vertices(const Test& t) const { return t.by_depth(2500, full, 66000); }
 };
 constexpr Connected kConnected[] = {
@@ -25,11 +25,12 @@ constexpr Connected kConnected[] = {
     {"TRIANGLE_STRIP", GL_TRIANGLE_STRIP, 40000}, {"TRIANGLE_FAN", GL_TRIANGLE_FAN, 10000},
     {"QUAD_STRIP", GL_QUAD_STRIP, 10000},         {"POLYGON", GL_POLYGON, 10000}};
 
-// Vertex i is evaluated here. The steps are those of a grid of less than 2^16 segments, and few bits keep
-// exact arithmetic fast.
+// Returns the argument of vertex i. Arguments are points of a grid with less than 2^16 segments, and have few
+// significant bits, which keeps exact arithmetic fast.
 float argument_of(int i) { return static_cast<float>(i % 40000) * 0x1p-16f; }
 
-// Each array would have memory pages of its own, more than a process may have.
+// Deliveries without arrays of arguments, because each array has memory pages of its own, and there would be
+// more than a process may map.
 std::vector<gl::Delivery> primitive_deliveries() {
   return sparing(gl::without(gl::kMeshes | gl::kArrays, gl::curve_deliveries()));
 }
@@ -47,7 +48,7 @@ EVALCTS_TEST(LongPrimitives, AttributesOfMaps, kMust, "EV-COORD-PRIMS/1-D", "EV-
   t.expect_emission(c, kUnit0);
 };
 
-// Buffers may end behind a Vertex or behind an evaluated one, and before or behind a change of the current
+// Buffers may become full after explicit or evaluated vertices, and before or after changes of the current
 // values.
 EVALCTS_TEST(LongPrimitives, MixedWithVertex, kMust, "EV-COORD-MIX/1-D", "EV-COORD-CURRENT/1-D",
              "EV-CUR-NEXTVERTEX/1-D", combine(kConnected).by(primitive_deliveries()))
@@ -58,7 +59,7 @@ EVALCTS_TEST(LongPrimitives, MixedWithVertex, kMust, "EV-COORD-MIX/1-D", "EV-COO
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP1_NORMAL})
     define_and_enable(c, random_map(t, target, 2));
   c.Begin(primitive.mode);
-  set_current_values(c);  // inside, so that the layout of vertices does not change
+  set_current_values(c);  // after Begin, so that the layout of vertices stays the same
   for (int i = 0; i < vertices; ++i) {
     const float x = argument_of(i);
     if (i % 7 == 3) c.TexCoord4f(x, 1 - x, 2, 0.5f);
@@ -70,8 +71,8 @@ EVALCTS_TEST(LongPrimitives, MixedWithVertex, kMust, "EV-COORD-MIX/1-D", "EV-COO
   t.expect_emission(c, kUnit0);
 };
 
-// A mesh over all of a grid of `u` and, in two dimensions, `v` steps (0: over the first row of a grid of
-// one); of a shorter one at quick depth.
+// A mesh over the whole grid, at quick depth over a shorter one. If v has 0 segments, the mesh has one row of
+// a grid with one segment in v.
 struct LongMesh {
   const char* name;
   bool two;

@@ -1,4 +1,5 @@
-// Section 17 of the requirements, the accuracy of values: the cross-check that gives a library its figures.
+// Section 17 of the requirements, the accuracy of evaluated values. The reports take the accuracy of an
+// implementation from these tests.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,13 +13,15 @@
 namespace evalcts::suite_map_accuracy {
 namespace {
 
-// Every order; at quick depth those up to 10, a few between, and the largest.
+// Returns the distance to the next order to measure: 1, but 9 at quick depth beyond order 10; the largest
+// order is always measured.
 int step(Test& t, int order) {
   return order < 10 || t.depth() != Depth::kQuick ? 1 : std::max(1, std::min(9, t.max_order() - order));
 }
 
-// The cross-check that gives a library its accuracy figures: every order, values spread over the domain and
-// crowded at its ends, ordinary and cancelling data. One case, so that a library compiles its shaders once.
+// Evaluates curves of every order with random and with alternating points, at random arguments and close to
+// both ends of the domain, and judges the values. All in one case, so that the capture compiles its shaders
+// once.
 void measure1(Test& t, GLenum target, int values_per_map) {
   const auto k = static_cast<std::size_t>(gl::components_of(target));
   gl::Case c("every order, random and alternating points");
@@ -31,7 +34,7 @@ void measure1(Test& t, GLenum target, int values_per_map) {
           map.points[i] = std::abs(map.points[i]) * (i / k % 2 ? -1 : 1);
       define(c, map);
       std::vector<double> us;
-      // The exact route slows down with the order: fewer values beyond those that libraries offer.
+      // Exact evaluation is slow at high orders, so orders beyond those of common libraries get fewer values.
       const int count = order <= 32 ? values_per_map : values_per_map / 4;
       for (const double value : random_values(t.random(), static_cast<std::size_t>(count)))
         us.push_back(std::abs(value));
@@ -45,8 +48,7 @@ void measure1(Test& t, GLenum target, int values_per_map) {
   t.expect_emission(c, attribute_of(target));
 }
 
-// The cross-check that gives a library its accuracy figures: ordinary and cancelling data, values spread over
-// the domain and crowded at its edges.
+// The same for surfaces of some pairs of orders.
 void measure2(Test& t, GLenum target, int values_per_map) {
   gl::Case c("pairs of orders up to MAX, random and alternating points");
   enable_visibly(c, target);
@@ -64,7 +66,7 @@ void measure2(Test& t, GLenum target, int values_per_map) {
         }
       }
       define(c, map);
-      // The exact route slows down with the order.
+      // Exact evaluation is slow at high orders.
       const int count = uorder * vorder <= 16   ? values_per_map
                         : uorder * vorder < 256 ? values_per_map / 4 + 1
                                                 : values_per_map / 20 + 1;
@@ -80,22 +82,23 @@ void measure2(Test& t, GLenum target, int values_per_map) {
 
 const auto kEachTarget = [](bool two) { return combine(visible_targets(two)); };
 
-// One test to fail where a result leaves the acceptance interval ...
+// Fails if a value leaves the acceptance interval.
 EVALCTS_TEST_PAIR(Map1Accuracy.Acceptable, Map2Accuracy.Acceptable, kMust,
                   decide("EV-NUM-ACCURACY/1-D", "EV-NUM-ACCURACY/2-D"), kEachTarget)
 (Test& t, bool two, GLenum target) {
   two ? measure2(t, target, t.by_depth(12, 30, 1000)) : measure1(t, target, t.by_depth(20, 40, 2000));
 };
 
-// ... and one to warn where it is worse than good single precision.
+// Warns if a value is less accurate than good single precision.
 EVALCTS_TEST_PAIR(Map1Accuracy.GoodSinglePrecision, Map2Accuracy.GoodSinglePrecision, kQuality,
                   decide("EV-NUM-ACCURACY/1-D", "EV-NUM-ACCURACY/2-D"), kEachTarget)
 (Test& t, bool two, GLenum target) {
   two ? measure2(t, target, t.by_depth(4, 8, 500)) : measure1(t, target, t.by_depth(4, 4, 1000));
 };
 
-// ... also next to an end of the domain, where one of t and s is small and may not be what rounding the other
-// one left of it: the point there is 0, so that nothing hides the error.
+// Warns about inaccurate values next to an end of the domain. There t or s = 1 - t is small and inaccurate if
+// it is computed from the other one after rounding. The control point at that end is 0, so that nothing hides
+// the error.
 EVALCTS_TEST(Map1Accuracy, GoodNearTheEnds, kQuality, "EV-NUM-ACCURACY/1-D",
              combine(visible_targets(kCurves)))
 (Test& t, GLenum target) {

@@ -1,5 +1,5 @@
-// Section 5 of the requirements: each condition on Map1 and Map2 raises its error once and changes nothing,
-// in particular not just one of the two directions.
+// Section 5 of the requirements: Map1 and Map2 raise the error of each condition once and change nothing, not
+// even the values of the valid direction.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,8 +38,8 @@ EVALCTS_TEST_PAIR(Map1Errors.BadTarget, Map2Errors.BadTarget, kMust,
   expect_targets_refused(t, two, form.doubles, bad);
 };
 
-// Targets of similar numbers, whatever part of the number a library looks at. (Apart from the test above:
-// those who lose the error in display lists fail it in other cases then.)
+// Targets whose values are similar to valid ones, for libraries that examine part of the value only. There
+// are no display lists, unlike in the test above, in which libraries that lose errors in lists fail.
 EVALCTS_TEST_PAIR(Map1Errors.BadTargetOfSimilarNumber, Map2Errors.BadTargetOfSimilarNumber, kMust,
                   decide("EV-MAP1-ERR-TARGET", "EV-MAP2-ERR-TARGET"),
                   decide("EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT"), combine(kForms))
@@ -49,7 +49,7 @@ EVALCTS_TEST_PAIR(Map1Errors.BadTargetOfSimilarNumber, Map2Errors.BadTargetOfSim
                              : std::vector<GLenum>{0x0D9A, 0x0D9F, 0x0DA0, 0x10D90, 0x10D98, 0x80000D97});
 };
 
-// +0 and -0 are equal, which the text does not say in so many words (U-ZERO-SIGN).
+// +0 and -0 are equal ends of a domain. The specification does not say so explicitly (U-ZERO-SIGN).
 EVALCTS_TEST_PAIR(Map1Errors.ZeroOfEitherSign, Map2Errors.ZeroOfEitherSign, kQuality,
                   decide("EV-MAP1-ERR-DOMAIN", "EV-MAP2-ERR-UDOMAIN"), decide(nullptr, "EV-MAP2-ERR-VDOMAIN"),
                   kEachForm)
@@ -63,7 +63,7 @@ EVALCTS_TEST_PAIR(Map1Errors.ZeroOfEitherSign, Map2Errors.ZeroOfEitherSign, kQua
   }
 };
 
-// The primitive goes on as if the rejected command had not been there.
+// A rejected Map between Begin and End does not affect the primitive.
 EVALCTS_TEST_PAIR(Map1Errors.PrimitiveUndisturbed, Map2Errors.PrimitiveUndisturbed, kMust,
                   decide("EV-MAP1-ERR-BEGINEND", "EV-MAP2-ERR-BEGINEND"),
                   decide("EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT"),
@@ -72,7 +72,7 @@ EVALCTS_TEST_PAIR(Map1Errors.PrimitiveUndisturbed, Map2Errors.PrimitiveUndisturb
   gl::Case c(two ? "EvalCoord2, Map2, EvalCoord2, Vertex" : "EvalCoord, Map1, EvalCoord, Vertex");
   define_and_enable(c, two ? make_map2(GL_MAP2_VERTEX_3, 2, 2, {1, 2, 3, 4, 5, 6, -7, 8, -9, 2.5, 0.25, -1})
                            : make_map1(GL_MAP1_VERTEX_3, {1, 2, 3, 4, 5, 6, -7, 8, -9}));
-  c.Begin(GL_LINE_STRIP);  // of points nobody could tell whether they are of one primitive
+  c.Begin(GL_LINE_STRIP);  // shows whether all vertices belong to one primitive, unlike points
   eval_coord(c, two, 0.25, 0.75);
   define(c, legal_map(form.target), form.doubles);
   eval_coord(c, two, 0.75, 0.5);
@@ -81,7 +81,7 @@ EVALCTS_TEST_PAIR(Map1Errors.PrimitiveUndisturbed, Map2Errors.PrimitiveUndisturb
   t.expect_emission(c, kPosition);
 };
 
-// Calls `call` with maps that are illegal in each way but the target, direction by direction.
+// Calls `call` with maps that are illegal by their order, stride or domain, in each direction.
 void for_each_illegal(GLenum target, const std::function<void(const Map&)>& call) {
   const Map legal = legal_map(target);
   for (const Direction& direction : directions(legal.two)) {
@@ -128,7 +128,7 @@ EVALCTS_TEST_PAIR(Map1Errors.EvaluatesAsBefore, Map2Errors.EvaluatesAsBefore, kM
   t.expect_emission(c, attribute_of(form.target));
 };
 
-// An error reported once is gone, and the next legal call works.
+// A legal call after rejected ones takes effect, and the error is reported once.
 EVALCTS_TEST_PAIR(Map1Errors.LegalCallAfterwards, Map2Errors.LegalCallAfterwards, kMust,
                   decide("EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT"), kEachTargetForm)
 (Test& t, bool two, const TargetForm& form) {
@@ -140,7 +140,7 @@ EVALCTS_TEST_PAIR(Map1Errors.LegalCallAfterwards, Map2Errors.LegalCallAfterwards
                                two ? "orders, strides and domains" : "order, stride and domain"));
   for_each_illegal(form.target, [&](const Map& bad) { define(c, bad, form.doubles); });
   define(c, map, form.doubles);
-  c.expect_error(GL_INVALID_VALUE);  // not cleared by the legal call
+  c.expect_error(GL_INVALID_VALUE);  // the legal call does not clear it
   // Distributed implementations may keep several flags (GL 2.1 §2.5).
   c.expect_error(GL_NO_ERROR, GL_INVALID_VALUE);
   c.expect_map(map, form.doubles);
@@ -149,7 +149,7 @@ EVALCTS_TEST_PAIR(Map1Errors.LegalCallAfterwards, Map2Errors.LegalCallAfterwards
 
 // --- One-dimensional maps --------------------------------------------------------------------------------
 
-// The legal map of this order, with each of the values in turn.
+// Expects legal_map() of this order to be rejected with each of the values of the parameter.
 void expect_values_refused(Test& t, const TargetForm& form, const char* identity, int Map::*parameter,
                            const std::vector<int>& values, int order = 3) {
   for (const int value : values) {
@@ -180,9 +180,9 @@ EVALCTS_TEST(Map1Errors, OrderTooHigh, kMust, "EV-MAP1-ERR-ORDER-HIGH", "EV-MAP1
   }
 };
 
-// Strides that are too small for `k` components. Lists get no negative ones: a library that compiles the
-// command before it checks the arguments reads memory before the array, and the outcome of such a read is not
-// specified.
+// Returns strides that are too small for `k` components. Display lists get no negative ones, because a
+// library that copies the points before it checks the arguments would read memory before the array, with an
+// unpredictable outcome.
 std::vector<int> strides_below(int k, const Test& t) {
   if (t.is_delivered_in_lists()) return {k - 1, 0};
   return {k - 1, 0, -1, -17, kLowest};
@@ -245,7 +245,7 @@ EVALCTS_TEST(Map1Errors, BetweenBeginAndEnd, kMust, "EV-MAP1-ERR-BEGINEND", "EV-
     }
 };
 
-// Several conditions at once: one of the matching errors, whichever.
+// If several conditions hold, any of their errors is accepted.
 EVALCTS_TEST(Map1Errors, SeveralAtOnce, kMust, "EV-MAP-ERR-ANY/1-D", "EV-MAP1-ERR-NOEFFECT",
              combine(kForms).by(gl::list_deliveries()))
 (Test& t, const Form& form) {
@@ -272,7 +272,7 @@ EVALCTS_TEST(Map1Errors, SeveralAtOnce, kMust, "EV-MAP-ERR-ANY/1-D", "EV-MAP1-ER
                  {GL_INVALID_ENUM, GL_INVALID_OPERATION}, Prepared::kMaps1);
 };
 
-// An error that nobody has asked for changes nothing about the calls that follow.
+// Calls are rejected in the same way while an earlier error has not been queried.
 EVALCTS_TEST(Map1Errors, RefusedWhileAnErrorWaits, kMust, "EV-MAP1-ERR-NOEFFECT",
              combine(target_forms(kCurves)))
 (Test& t, const TargetForm& form) {
@@ -296,7 +296,7 @@ EVALCTS_TEST(Map1Errors, RefusedWhileAnErrorWaits, kMust, "EV-MAP1-ERR-NOEFFECT"
   c.check();
 };
 
-// Conditions that are no error: EV-MAP-NOERR-OTHER names them.
+// Unusual arguments that are legal; EV-MAP-NOERR-OTHER lists them.
 EVALCTS_TEST(Map1Errors, NoOtherCondition, kMust, "EV-MAP-NOERR-OTHER/1-D", kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
   const auto expect_accepted = [&](const std::string& identity, const std::function<void(Map&)>& change) {
@@ -356,8 +356,8 @@ EVALCTS_TEST_PAIR(Map2Errors.UStride, Map2Errors.VStride, kMust,
                   kEachTargetForm(kSurfaces))
 (Test& t, bool along_v, const TargetForm& form) {
   const Direction& direction = along_v ? kV : kU;
-  // Also where the order in this direction is 1 and the stride never used. Negative strides come only so:
-  // with more points they would lead before the array.
+  // Strides are rejected even if the order in their direction is 1, so that they are not used. Negative ones
+  // are passed with order 1 only, because a library that reads more points would read before the array.
   std::vector<Calls> bad;
   for (const int stride : strides_below(gl::components_of(form.target), t))
     for (const auto& [order, other] : {std::pair{3, 2}, {1, 2}, {1, 1}}) {
@@ -389,7 +389,7 @@ EVALCTS_TEST_PAIR(Map2Errors.UDomain, Map2Errors.VDomain, kMust,
   expect_refused(t, "both ends 0, 1, -2.5, 1e6; orders 1x1, 2x2 and 3x3", bad, {GL_INVALID_VALUE});
 };
 
-// k - 1 is too little whatever the orders are.
+// Strides of k - 1 are rejected whatever the orders.
 EVALCTS_TEST(Map2Errors, StridesAtManyOrders, kMust, "EV-MAP2-ERR-USTRIDE", "EV-MAP2-ERR-VSTRIDE",
              combine(target_forms(kSurfaces)))
 (Test& t, const TargetForm& form) {
@@ -428,7 +428,7 @@ EVALCTS_TEST(Map2Errors, BetweenBeginAndEndElsewhere, kMust, "EV-MAP2-ERR-BEGINE
                     {GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS});
 };
 
-// Several conditions at once: one of the matching errors, whichever.
+// If several conditions hold, any of their errors is accepted.
 EVALCTS_TEST(Map2Errors, SeveralAtOnce, kMust, "EV-MAP-ERR-ANY/2-D", "EV-MAP2-ERR-NOEFFECT",
              combine(kForms).by(gl::list_deliveries()))
 (Test& t, const Form& form) {
@@ -463,7 +463,7 @@ EVALCTS_TEST(Map2Errors, SeveralAtOnce, kMust, "EV-MAP-ERR-ANY/2-D", "EV-MAP2-ER
                  {GL_INVALID_VALUE, GL_INVALID_OPERATION});
 };
 
-// Conditions that are no error: EV-MAP-NOERR-OTHER names them.
+// Unusual arguments that are legal; EV-MAP-NOERR-OTHER lists them.
 EVALCTS_TEST(Map2Errors, NoOtherCondition, kMust, "EV-MAP-NOERR-OTHER/2-D", kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) {
   CheckedCase c(
@@ -472,7 +472,7 @@ EVALCTS_TEST(Map2Errors, NoOtherCondition, kMust, "EV-MAP-NOERR-OTHER/2-D", kEac
       "subnormals");
   int count = 0;
   const auto expect_accepted = [&](const std::function<void(Map&)>& change) {
-    // Other orders each time, so that the query tells a silently ignored call.
+    // The order alternates, so that the query shows if the call was silently ignored.
     Map map = legal_map(form.target);
     map.uorder = 2 + count++ % 2;
     change(map);
@@ -484,19 +484,19 @@ EVALCTS_TEST(Map2Errors, NoOtherCondition, kMust, "EV-MAP-NOERR-OTHER/2-D", kEac
   expect_accepted([](Map& m) { m.vstride = 1000; });
   expect_accepted([](Map& m) { m.ustride = 900, m.vstride = 1000; });
   expect_accepted([](Map& m) { m.uorder = m.vorder = 1, m.ustride = 4000, m.vstride = 4090; });
-  // Order 1: the stride is never used, however large (U-STRIDE-HUGE).
+  // With order 1 the stride is not used, however large it is (U-STRIDE-HUGE).
   expect_accepted([](Map& m) { m.uorder = 1, m.ustride = kHighest; });
   expect_accepted([](Map& m) { m.vorder = 1, m.vstride = kHighest; });
   expect_accepted([](Map& m) { m.u1 = 1, m.u2 = 0; });
   expect_accepted([](Map& m) { m.v1 = 1, m.v2 = 0; });
   expect_accepted([](Map& m) { m.u1 = m.v1 = 7, m.u2 = m.v2 = -2; });
-  // The two domains may be equal, and touch.
+  // The domain of v is that of u reversed.
   expect_accepted([](Map& m) { m.u1 = 0, m.u2 = 1, m.v1 = 1, m.v2 = 0; });
   expect_accepted([](Map& m) { m.u1 = -1e6, m.u2 = -1e5, m.v1 = -3, m.v2 = -2; });
   expect_accepted([](Map& m) { m.u1 = -0x1p31, m.u2 = 0x1p31, m.v1 = 0x1p31, m.v2 = -0x1p31; });
   expect_accepted([](Map& m) { m.u1 = std::nextafterf(1.0f, 2.0f), m.u2 = 1; });
   expect_accepted([](Map& m) { m.v1 = 1, m.v2 = std::nextafterf(1.0f, 2.0f); });
-  expect_accepted([](Map&) {});  // all points the same
+  expect_accepted([](Map&) {});  // all points are equal
   expect_accepted([](Map& m) {
     for (std::size_t i = 0; i < m.points.size(); ++i) m.points[i] = i % 2 ? -0.0 : std::ldexp(1.0, -140);
   });

@@ -14,11 +14,11 @@ Calls in_unit(GLenum unit, const Calls& calls) {
   return [=](gl::Case& c) {
     c.ActiveTexture(unit);
     calls(c);
-    c.ActiveTexture(GL_TEXTURE0);  // the queries that follow are of unit 0 again
+    c.ActiveTexture(GL_TEXTURE0);  // so that the queries that follow ask unit 0
   };
 }
 
-// The texture unit that is active at the time of the call decides, and a rejected call leaves it active.
+// The unit that is active at the time of the call matters, and a rejected call leaves it active.
 EVALCTS_TEST_PAIR(Map1Errors.ActiveTexture, Map2Errors.ActiveTexture, kMust,
                   decide("EV-MAP1-ERR-ACTIVETEX", "EV-MAP2-ERR-ACTIVETEX"),
                   decide("EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT"),
@@ -54,7 +54,7 @@ EVALCTS_TEST_PAIR(Map1Errors.ActiveTexture, Map2Errors.ActiveTexture, kMust,
   c.check();
 };
 
-// The same for a unit that PopAttrib made active.
+// PopAttrib makes the unit active: TEXTURE0 first, so that the definition succeeds, then TEXTURE1.
 EVALCTS_TEST_PAIR(Map1Errors.ActiveTextureOfPopAttrib, Map2Errors.ActiveTextureOfPopAttrib, kMust,
                   decide("EV-MAP1-ERR-ACTIVETEX", "EV-MAP2-ERR-ACTIVETEX"),
                   combine(kForms).by(gl::list_deliveries()))

@@ -1,5 +1,5 @@
-// Sections 3 and 4 of the requirements, the state: what Map1 and Map2 keep, where they read it, and what they
-// leave unchanged.
+// Sections 3 and 4 of the requirements, the state: what Map1 and Map2 store, where in memory they read it,
+// and what they leave unchanged.
 #include <fmt/format.h>
 
 #include <functional>
@@ -20,7 +20,7 @@ using gl::list_deliveries;
 const auto kEachTarget = [](bool two) { return combine(targets(two)).by(list_deliveries()); };
 const auto kEachTargetForm = [](bool two) { return combine(target_forms(two)).by(list_deliveries()); };
 
-// Nine maps that differ in everything.
+// Returns a map for each target of the dimension; they differ in orders, layout and domain.
 std::vector<Map> nine_maps(Test& t, bool two) {
   std::vector<Map> maps;
   for (std::size_t i = 0; i < 9; ++i) {
@@ -33,19 +33,19 @@ std::vector<Map> nine_maps(Test& t, bool two) {
   return maps;
 }
 
-// Square and not, in either direction, up to the largest.
+// Returns equal and different orders, up to the largest.
 std::vector<Orders> some_orders(int max) {
   return {{1, 1}, {2, 3}, {3, 2}, {4, 4}, {1, 5}, {5, 1}, {max, 1}, {1, max}, {2, max}, {max, 3}, {max, max}};
 }
 
-// Queries the maps after the commands of `c`, which have to have defined them.
+// Expects queries after the commands to return the maps.
 void expect_maps(Test& t, const gl::Case& commands, const std::vector<Map>& maps, bool doubles = false) {
   CheckedCase c(t, commands);
   for (const Map& map : maps) c.expect_map(map, doubles);
   c.check();
 }
 
-// Defines a map: no error, and what GetMap then answers.
+// Defines a map and expects no error, and queries to return the map.
 void expect_defined(CheckedCase& c, const Map& map, bool doubles,
                     gl::AfterCall after = gl::AfterCall::kKeep) {
   define(c, map, doubles, after);
@@ -53,7 +53,8 @@ void expect_defined(CheckedCase& c, const Map& map, bool doubles,
   c.expect_map(map, doubles);
 }
 
-// Defines a map of the same target as one of `others` after them, and then another.
+// Defines `others`, then the maps `first` and `second` of the target of one of them, and expects queries to
+// return `second` for this target and the others unchanged.
 void expect_replaced(Test& t, gl::Case c, std::vector<Map> others, const Map& first, const Map& second) {
   for (const Map& other : others) define(c, other);
   define(c, first);
@@ -84,7 +85,8 @@ EVALCTS_TEST_PAIR(Map1State.EveryOrderAccepted, Map2State.EveryOrderAccepted, kM
   c.check();
 };
 
-// k shows in two ways: where the stride errors begin, and in how much COEFF answers.
+// The number of values per point k determines the least stride that is accepted, and the number of values of
+// COEFF.
 EVALCTS_TEST_PAIR(Map1State.ValuesPerPoint, Map2State.ValuesPerPoint, kMust, decide("EV-MAP1-K", "EV-MAP2-K"),
                   kEachTarget)
 (Test& t, bool two, GLenum target) {
@@ -110,7 +112,8 @@ EVALCTS_TEST_PAIR(Map1State.ValuesPerPoint, Map2State.ValuesPerPoint, kMust, dec
   c.check();
 };
 
-// Each definition is queried before the next: nothing of an answer is left, whatever stays the same.
+// Each map is queried after its definition, and two maps may have members in common, so that a library that
+// caches answers fails.
 EVALCTS_TEST_PAIR(Map1State.ReplaceAfterQuery, Map2State.ReplaceAfterQuery, kMust,
                   decide("EV-MAP1-REPLACE", "EV-MAP2-REPLACE"), kEachTarget)
 (Test& t, bool two, GLenum target) {
@@ -146,8 +149,7 @@ EVALCTS_TEST_PAIR(Map1State.Independent, Map2State.Independent, kMust,
   }
 };
 
-// Everything but the maps of the dimension that is defined: those of the other one, grids, AUTO_NORMAL,
-// current values.
+// Definitions of maps do not change maps of the other dimension, grids, AUTO_NORMAL and current values.
 EVALCTS_TEST_PAIR(Map1State.LeavesMap2Alone, Map2State.LeavesTheRestAlone, kMust,
                   decide("EV-MAP1-VS-MAP2/1-D", "EV-MAP1-VS-MAP2/2-D"),
                   decide("EV-MAP1-REPLACE", "EV-MAP2-REPLACE"), by(list_deliveries()))
@@ -159,7 +161,7 @@ EVALCTS_TEST_PAIR(Map1State.LeavesMap2Alone, Map2State.LeavesTheRestAlone, kMust
     std::vector<gl::Ref> before = c.query_everything();
     for (const Map& map : nine_maps(t, two)) define(c, map, form.doubles);
     std::vector<gl::Ref> after = c.query_everything();
-    // Four answers for each of the nine maps are those that may change: MAP1 maps come first, MAP2 maps last.
+    // The four queries of each map that is defined may change. MAP1 maps come first, MAP2 maps last.
     for (std::vector<gl::Ref>* queries : {&before, &after}) {
       const auto first = two ? queries->end() - 4 * 9 : queries->begin();
       queries->erase(first, first + 4 * 9);
@@ -169,7 +171,7 @@ EVALCTS_TEST_PAIR(Map1State.LeavesMap2Alone, Map2State.LeavesTheRestAlone, kMust
   }
 };
 
-// The definition of a constant map, or of a longer one, enables and disables nothing.
+// The definition of a map, constant or not, enables and disables nothing.
 EVALCTS_TEST_PAIR(Map1State.EnableUntouched, Map2State.EnableUntouched, kMust,
                   decide("EV-MAP1-NOENABLE", "EV-MAP2-NOENABLE"), kEachTargetForm)
 (Test& t, bool two, const TargetForm& form) {
@@ -199,7 +201,8 @@ EVALCTS_TEST_PAIR(Map1State.EnableUntouched, Map2State.EnableUntouched, kMust,
   first.check();
 };
 
-// The points are plain client memory: pixel store modes and bound buffers move nothing.
+// Points are read from client memory, whatever the pixel store modes and (in the next test) the bound
+// buffers.
 EVALCTS_TEST_PAIR(Map1State.PixelStoreIgnored, Map2State.PixelStoreIgnored, kMust,
                   decide("EV-MAP1-NOPIXELSTORE", "EV-MAP2-ADDRESS"), kEachTargetForm)
 (Test& t, bool two, const TargetForm& form) {
@@ -234,7 +237,7 @@ EVALCTS_TEST(Map1State, Stride, kMust, "EV-MAP1-STRIDE", "EV-MAP1-PADDING", kEac
   const int k = gl::components_of(form.target);
   for (const int stride : {k, k + 1, 2 * k, 17, 257, 1000, 0x10000 + k})
     for (const int order : {1, 2, 5, t.max_order()}) {
-      if (stride > 0x10000 && order != 2) continue;  // half a megabyte for each point
+      if (stride > 0x10000 && order != 2) continue;  // a point takes half a megabyte
       const Map map = random_map(t, form.target, order, stride);
       CheckedCase c(t, fmt::format("stride {} order {}", stride, order));
       expect_defined(c, map, form.doubles);
@@ -280,7 +283,7 @@ EVALCTS_TEST(Map1State, CopyOnCallEvaluated, kMust, "EV-MAP1-COPY", combine(kFat
   }
 };
 
-// The same memory with other contents is another definition, whatever a library remembers of the pointer.
+// A definition reads the points again even if the pointer is the same as before.
 EVALCTS_TEST(Map1State, SamePointerNewPoints, kMust, "EV-MAP1-COPY", "EV-MAP1-REPLACE", "EV-MAP1-LIVE",
              combine(visible_target_forms(kCurves)).by(list_deliveries()))
 (Test& t, const TargetForm& form) {
@@ -323,7 +326,7 @@ EVALCTS_TEST(Map1State, IndependentLongMaps, kMust, "EV-MAP1-INDEP", by(list_del
   }
 };
 
-// Also at the argument that was evaluated last, and with the order that the map had.
+// Evaluation uses the new map, also at the argument that was evaluated last, and if the order stays the same.
 EVALCTS_TEST(Map1State, Live, kMust, "EV-MAP1-LIVE",
              combine(visible_target_forms(kCurves)).by(list_deliveries()))
 (Test& t, const TargetForm& form) {
@@ -340,7 +343,7 @@ EVALCTS_TEST(Map1State, Live, kMust, "EV-MAP1-LIVE",
     map = random_map(t, form.target, order, 4);
     define_and_evaluate();
   }
-  map.u2 = 2;  // and nothing else
+  map.u2 = 2;  // changes the domain only
   define_and_evaluate();
   c.Disable(form.target);
   define(c, random_map(t, form.target, 6, 4), form.doubles);
@@ -351,7 +354,7 @@ EVALCTS_TEST(Map1State, Live, kMust, "EV-MAP1-LIVE",
 
 // --- Two-dimensional maps --------------------------------------------------------------------------------
 
-// Each net, whatever its layout, ends before an inaccessible page.
+// Expects maps of these layouts to be stored. The memory of each net ends before an inaccessible page.
 void expect_layouts(Test& t, const TargetForm& form, bool shared) {
   for (const Layout& layout : kLayouts) {
     if (layout.shared != shared) continue;
@@ -378,13 +381,13 @@ EVALCTS_TEST(Map2State, LargeStrides, kMust, "EV-MAP2-ADDRESS", "EV-MAP2-PADDING
        {std::pair{1000, 17}, {17, 1000}, {257, 64}, {64, 257}, {300, 5}, {5, 300}})
     for (const auto& [u, v] : {Orders{3, 4}, {4, 3}, {1, 6}, {6, 1}})
       expect_defined(c, random_map(t, form.target, {u, v}, ustride, vstride), form.doubles);
-  // More than 16 bits hold.
+  // These strides need more than 16 bits.
   expect_defined(c, random_map(t, form.target, {2, 3}, 0x10000 + 20, 5), form.doubles);
   expect_defined(c, random_map(t, form.target, {3, 2}, 5, 0x10000 + 20), form.doubles);
   c.check();
 };
 
-// The same net from either order of memory is the same map.
+// The same net in row-major and in column-major order is the same map.
 EVALCTS_TEST(Map2State, SameNetEitherWay, kMust, "EV-MAP2-ADDRESS", kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) {
   const int k = gl::components_of(form.target);
@@ -392,7 +395,7 @@ EVALCTS_TEST(Map2State, SameNetEitherWay, kMust, "EV-MAP2-ADDRESS", kEachTargetF
   const std::vector<double> net = random_values(t.random(), static_cast<std::size_t>(3 * 5 * k));
   std::vector<gl::Ref> answers;
   for (const Layout& layout : {kLayouts[0], kLayouts[1]}) {
-    define(c, random_map(t, form.target, {2, 2}), form.doubles);  // so that nothing is left of the net before
+    define(c, random_map(t, form.target, {2, 2}), form.doubles);  // overwrites the previous net
     define(c, make_map2(form.target, 3, 5, layout.ustride(k, 3, 5), layout.vstride(k, 3, 5), net),
            form.doubles);
     answers.push_back(c.GetMapdv(form.target, GL_COEFF, gl::out<GLdouble>(net.size())));
@@ -423,7 +426,7 @@ EVALCTS_TEST(Map2State, CopyOnCall, kMust, "EV-MAP2-COPY", combine(kFates).by(li
   }
 };
 
-// Asked only when all are defined and gone.
+// The queries come after all definitions, when none of the arrays exists unchanged.
 EVALCTS_TEST(Map2State, CopiesOfAll, kMust, "EV-MAP2-COPY", combine(kFates).by(list_deliveries()))
 (Test& t, const Fate& fate) {
   const std::vector<Map> maps = nine_maps(t, kSurfaces);
@@ -434,7 +437,7 @@ EVALCTS_TEST(Map2State, CopiesOfAll, kMust, "EV-MAP2-COPY", combine(kFates).by(l
   }
 };
 
-// The same memory with other contents is another definition, whatever a library remembers of the pointer.
+// A definition reads the points again even if the pointer is the same as before.
 EVALCTS_TEST(Map2State, SamePointerNewPoints, kMust, "EV-MAP2-COPY", "EV-MAP2-REPLACE",
              kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) {
@@ -482,7 +485,7 @@ EVALCTS_TEST(Map2State, IndependentLargeNets, kMust, "EV-MAP2-REPLACE", by(list_
   }
 };
 
-// A pair of namesakes, defined in either order, queried together.
+// MAP1 and MAP2 targets of the same name hold separate maps, in whichever order they are defined.
 EVALCTS_TEST(Map2State, Namesakes, kMust, "EV-MAP1-VS-MAP2/2-D", kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) {
   const GLenum namesake = form.target - gl::kMap2Targets[0] + gl::kMap1Targets[0];

@@ -1,6 +1,6 @@
-// Sections 3 and 4 of the requirements, the values: what maps evaluate to. Each case holds many values; each
-// is judged against the exact one by the acceptance interval. The two-dimensional nets differ in both
-// directions: nets that are constant in one are the one-dimensional tests, lifted.
+// Sections 3 and 4 of the requirements, the values of maps. Each case has many values, which the acceptance
+// intervals judge. The two-dimensional nets vary in both directions, because the one-dimensional tests are
+// lifted to nets that are constant in one direction.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ EVALCTS_LIFTED_SUITE(Map1Values, Map2Values);
 
 const auto kEachTarget = combine(visible_targets(kCurves)).by(gl::curve_deliveries());
 
-// All orders of one target in one case: the map is defined anew before each Begin.
+// All orders of one target are in one case, which redefines the map before each Begin.
 EVALCTS_TEST(Map1Values, AllOrders, kMust, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("orders 1 to the largest");
@@ -32,7 +32,7 @@ EVALCTS_TEST(Map1Values, AllOrders, kMust, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-
   t.expect_emission(c, attribute_of(target));
 };
 
-// Data on which terms cancel: alternating signs, steep steps, near-linear points, large offsets.
+// Points whose terms cancel: alternating signs, steps, lines, large offsets; and a single nonzero point.
 EVALCTS_TEST(Map1Values, AwkwardData, kMust, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("alternating, step, line, offset, one spike");
@@ -55,7 +55,8 @@ EVALCTS_TEST(Map1Values, AwkwardData, kMust, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/
   t.expect_emission(c, attribute_of(target));
 };
 
-// At uh = 0 and uh = 1 all powers but one are 0^0: other points, however large, do not show.
+// At the ends of the domain only the first or the last point has an influence, because 0^0 is 1 and the other
+// basis functions are 0, however large the other points are.
 EVALCTS_TEST(Map1Values, Ends, kMust, "EV-MAP1-ZEROPOW", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("first and last point among points near the largest that the GL promises to hold");
@@ -105,8 +106,8 @@ void expect_over_domain(Test& t, const NamedDomain& named) {
 EVALCTS_TEST(Map1Values, Domain, kMust, "EV-MAP1-DOMAIN", combine(kDomains).by(gl::curve_deliveries()))
 (Test& t, const NamedDomain& domain) { expect_over_domain(t, domain); };
 
-// If all points but the first few are far from zero, arguments next to the first end tell how exactly the
-// argument is taken apart.
+// The first point is 0, so that values at the floats next to the first end show how accurately an
+// implementation maps the argument to [0,1].
 EVALCTS_TEST(Map1Values, NextToTheFirstEnd, kMust, "EV-MAP1-DOMAIN", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("ramps that begin with zero");
@@ -127,7 +128,7 @@ EVALCTS_TEST(Map1Values, NextToTheFirstEnd, kMust, "EV-MAP1-DOMAIN", kEachTarget
   t.expect_emission(c, attribute_of(target));
 };
 
-// Each of the maps that make one vertex has a domain of its own.
+// The maps of one vertex have different domains.
 EVALCTS_TEST(Map1Values, OwnDomains, kMust, "EV-MAP1-DOMAIN", by(gl::curve_deliveries()))
 (Test& t) {
   constexpr Interval kOwn[] = {{0, 1}, {-1, 2}, {1.5, -0.5}, {0.25, 4.25}};
@@ -156,7 +157,8 @@ EVALCTS_TEST(Map1Values, OutsideDomain, kMust, "EV-MAP1-EXTRAPOLATE", "EV-NUM-AC
       define(c, over(random_map(t, target, order), domain));
       std::vector<double> us;
       for (const double t_outside : {-1.5, 2.5, -0.001, 1.001, -3.0, 4.0, -0.125, 1.125}) {
-        // High orders are judged near the domain only: further out the GL promises no range.
+        // High orders are judged near the domain only, because farther away values leave the range that GL
+        // guarantees.
         if (order > 8 && std::abs(t_outside - 0.5) > 0.7) continue;
         us.push_back(static_cast<float>(domain.first + (domain.last - domain.first) * t_outside));
       }
@@ -166,7 +168,8 @@ EVALCTS_TEST(Map1Values, OutsideDomain, kMust, "EV-MAP1-EXTRAPOLATE", "EV-NUM-AC
   t.expect_emission(c, attribute_of(target));
 };
 
-// So far that powers of the argument leave the usual range of magnitudes; the results do not.
+// The arguments are so far outside the domain that their powers are large; the points are so small that the
+// results are not.
 EVALCTS_TEST(Map1Values, FarOutsideDomain, kMust, "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("2^15 to 2^20 widths of the domain away");
@@ -196,7 +199,7 @@ EVALCTS_TEST(Map1Values, OrderOneIsConstant, kMust, "EV-MAP1-ORDER-ONE", kEachTa
   t.expect_emission(c, attribute_of(target));
 };
 
-// Values that differ in every component, so that no permutation of them goes unseen.
+// All components differ, so that a permutation of them is noticed.
 EVALCTS_TEST(Map1Values, ComponentOrder, kMust, "EV-MAP1-COMPORDER", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("components 1/8, 3/8, 5/8, 7/8");
@@ -242,8 +245,9 @@ EVALCTS_TEST(Map1Values, PaddingNaN, kMust, "EV-MAP1-PADDING", kEachTarget)
 
 const auto kEachCommand = by(gl::without(gl::kArrays, gl::surface_deliveries()));
 
-// A case of all kinds of data at once: `write` is called with what defines the four maps of a vertex, first
-// for VERTEX_3, then for VERTEX_4, which has precedence.
+// Judges a case with maps of four attributes. `write` appends evaluations, first with the targets of
+// VERTEX_3, then with those of VERTEX_4, which has precedence; it gets a function that defines random maps of
+// these targets.
 using DefineAll = std::function<void(int uorder, int vorder, Interval u, Interval v)>;
 void expect_of_all_kinds(Test& t, const std::string& identity,
                          const std::function<void(gl::Case&, const DefineAll&)>& write) {
@@ -258,7 +262,8 @@ void expect_of_all_kinds(Test& t, const std::string& identity,
   t.expect_emission(c, kUnit0);
 }
 
-// The form of Map2 matters here, the command that evaluates does not.
+// Deliveries with EvalCoord2 only, for tests in which the form of Map2 matters and the evaluation command
+// does not.
 std::vector<gl::Delivery> both_forms() {
   std::vector<gl::Delivery> forms = gl::surface_deliveries();
   std::erase_if(forms, [](const gl::Delivery& delivery) {
@@ -295,7 +300,7 @@ EVALCTS_TEST(Map2Values, LargeOrders, kMust, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/
   });
 };
 
-// Every point of a grid: long runs of neighbours, along u and then along v.
+// All points of a grid, row by row along u, for one map along v.
 EVALCTS_TEST(Map2Values, GridOfArguments, kMust, "EV-MAP2-BEZIER", kEachCommand)
 (Test& t) {
   expect_of_all_kinds(t, "8x8 arguments", [](gl::Case& c, const DefineAll& define_all) {
@@ -311,7 +316,7 @@ EVALCTS_TEST(Map2Values, GridOfArguments, kMust, "EV-MAP2-BEZIER", kEachCommand)
   });
 };
 
-// R_ij begins ustride*i + vstride*j values after the first; everything between is poisoned.
+// R_ij begins ustride*i + vstride*j values after the first one; the padding is kPoison.
 EVALCTS_TEST(Map2Values, Layouts, kMust, "EV-MAP2-ADDRESS", "EV-MAP2-STRIDE-FREE", "EV-MAP2-PADDING",
              combine(kLayouts).by(both_forms()))
 (Test& t, const Layout& layout) {
@@ -360,7 +365,7 @@ EVALCTS_TEST(Map2Values, TwoIntervals, kMust, "EV-MAP2-DOMAIN", kEachCommand)
                       });
 };
 
-// Each of the maps that make one vertex has intervals of its own, some of them as wide in u as in v.
+// The maps of one vertex have different domains, some of which are as wide in u as in v.
 EVALCTS_TEST(Map2Values, OwnIntervals, kMust, "EV-MAP2-DOMAIN", kEachCommand)
 (Test& t) {
   constexpr std::pair<Interval, Interval> kOwn[] = {

@@ -12,16 +12,16 @@
 
 namespace evalcts {
 
-// For functions and parameters that take either dimension.
+// Values of parameters `two`, which choose between the two dimensions.
 inline constexpr bool kCurves = false, kSurfaces = true;
 bool is_two_dimensional(GLenum target);
-// The target of one dimension, or its namesake of two.
+// Returns the one-dimensional target itself, or the two-dimensional target of the same name.
 GLenum target_in(bool two, GLenum map1_target);
-// The nine targets of one dimension.
+// The nine targets of the dimension.
 std::span<const GLenum> targets(bool two);
-// The 18 targets, those of one dimension first.
+// All 18 targets, the one-dimensional ones first.
 const std::vector<GLenum>& all_targets();
-// The 18 targets and AUTO_NORMAL: everything that Enable takes.
+// All 18 targets and AUTO_NORMAL: the evaluator capabilities of Enable.
 const std::vector<GLenum>& all_caps();
 
 struct Orders {
@@ -34,9 +34,10 @@ struct Interval {
   double first, last;
 };
 
-// A map as Map1 or Map2 is given it: R_ij begins ustride*i + vstride*j values after the first. In one
-// dimension vorder is 1, and Map1 is given what is of u. The memory ends with the whole block of the last
-// point, the smaller stride, so that nothing legal is out of bounds (U-TAIL).
+// The arguments of Map1 or Map2: the point R_ij begins at points[ustride*i + vstride*j]. A one-dimensional
+// map has vorder 1, and Map1 takes the members of u only. make_map1() and make_map2() end `points` a whole
+// stride (the smaller one) after the beginning of the last point, because the specification does not say
+// whether an implementation may read the padding after it (U-TAIL).
 struct Map {
   GLenum target = GL_MAP1_VERTEX_3;
   double u1 = 0, u2 = 1, v1 = 0, v2 = 1;
@@ -51,39 +52,41 @@ struct Map {
   std::vector<double> domain() const;
 };
 
-// The padding between two control points in all tests: a value that spoils any result that it enters.
+// Value of the padding between control points: so large that any result in which it takes part is wrong.
 inline constexpr double kPoison = 1e30;
 
-// `coefficients` (packed, order*k of them) laid out with the stride; padding is poisoned.
+// Returns a map with the order*k `coefficients`, which are given without padding, laid out with the stride.
+// Padding is kPoison.
 Map make_map1(GLenum target, double u1, double u2, int stride, const std::vector<double>& coefficients);
-// Tightly packed over [0,1].
+// The same without padding, over [0,1].
 Map make_map1(GLenum target, const std::vector<double>& coefficients);
-// `coefficients` (packed, v fastest, uorder*vorder*k of them) over [0,1]x[0,1], laid out with the strides;
-// padding is poisoned. Where the strides make points share memory, the last one written stays:
-// Map::coefficients() says what the map then is.
+// Returns a map over [0,1]x[0,1] with the uorder*vorder*k `coefficients`, which are given without padding and
+// with v varying fastest, laid out with the strides. Padding is kPoison. If the strides make points share
+// memory, later points overwrite earlier ones; Map::coefficients() returns the result.
 Map make_map2(GLenum target, int uorder, int vorder, int ustride, int vstride,
               const std::vector<double>& coefficients);
-// Tightly packed, v fastest.
+// The same without padding, v varying fastest.
 Map make_map2(GLenum target, int uorder, int vorder, const std::vector<double>& coefficients);
 
-// The map with another domain.
+// Returns the map with another domain. The first form keeps the domain of v.
 Map over(Map map, const Interval& u);
 Map over(Map map, const Interval& u, const Interval& v);
 
-// `count` numbers in [-1,1], exactly representable in single precision.
+// Returns `count` multiples of 2^-24 in [-1,1), exactly representable in single precision.
 std::vector<double> random_values(std::mt19937& random, std::size_t count);
 
-// Layouts of control points in memory: the strides by k and the orders.
+// A layout of control points in memory: the strides as functions of the orders and of k, the number of
+// components.
 struct Layout {
   const char* name;
   int (*ustride)(int k, int uorder, int vorder);
   int (*vstride)(int k, int uorder, int vorder);
-  bool shared;  // points share memory
+  bool shared;  // true if points share memory
 };
 inline constexpr Layout kLayouts[] = {
     {"U_MAJOR", [](int k, int, int vorder) { return k * vorder; }, [](int k, int, int) { return k; }, false},
     {"V_MAJOR", [](int k, int, int) { return k; }, [](int k, int uorder, int) { return k * uorder; }, false},
-    // One attribute of several, in rows that are longer than the net.
+    // The points are one of several attributes of an array whose rows are longer than the net.
     {"EMBEDDED_U_MAJOR", [](int k, int, int vorder) { return (k + 5) * (vorder + 2); },
      [](int k, int, int) { return k + 5; }, false},
     {"EMBEDDED_V_MAJOR", [](int k, int, int) { return k + 3; },
@@ -94,10 +97,10 @@ inline constexpr Layout kLayouts[] = {
     {"OVERLAPPING_POINTS", [](int k, int, int) { return k + 1; }, [](int k, int, int) { return k; }, true},
 };
 
-// Random points over [0,1], tightly packed or with the stride.
+// Returns a one-dimensional map of random points over [0,1], without padding or with the stride.
 Map random_map(Test& t, GLenum target, int order);
 Map random_map(Test& t, GLenum target, int order, int stride);
-// The same over [0,1]x[0,1]. Of a target of one dimension, the map has the order of u.
+// The same over [0,1]x[0,1]. For a one-dimensional target, orders.v is ignored, and so is the layout.
 Map random_map(Test& t, GLenum target, const Orders& orders);
 Map random_map(Test& t, GLenum target, const Orders& orders, int ustride, int vstride);
 Map random_map(Test& t, GLenum target, const Orders& orders, const Layout& layout);
@@ -110,10 +113,11 @@ std::vector<T> converted(const std::vector<double>& values) {
   return out;
 }
 
-// Orders above MAX_EVAL_ORDER, MAX+1 first. Throws NotObservable where the implementation claims to take any.
+// Returns orders above MAX_EVAL_ORDER, MAX_EVAL_ORDER + 1 first. Throws NotObservable if MAX_EVAL_ORDER is
+// not answered or is above 65536.
 std::vector<int> orders_too_high(const Test& t);
 
-// "MAP1_VERTEX_3"
+// Returns the name of a token without "GL_", as in "MAP1_VERTEX_3".
 std::string label(GLenum token);
 
 // The two forms of a command.
@@ -123,7 +127,7 @@ struct Form {
 };
 inline constexpr Form kForms[] = {{"f", false}, {"d", true}};
 
-// Fates of the points after the call.
+// A change to the memory of the points after the call.
 struct Fate {
   const char* name;
   gl::AfterCall after;
@@ -139,16 +143,17 @@ struct TargetForm {
   bool doubles;
 };
 std::vector<TargetForm> make_target_forms(std::span<const GLenum> targets);
-// The targets but INDEX, which shows in colour-index contexts only.
+// The targets without INDEX, whose values are visible in colour-index contexts only.
 std::vector<GLenum> without_index(std::span<const GLenum> targets);
-// The nine targets of one dimension in both forms, and the eight whose values show.
+// The nine targets of the dimension in both forms, and the eight other than INDEX.
 const std::vector<TargetForm>& target_forms(bool two);
 const std::vector<TargetForm>& visible_target_forms(bool two);
 const std::vector<GLenum>& visible_targets(bool two);
 
-// Map1f or Map1d, Map2f or Map2d.
+// Appends Map1f, Map1d, Map2f or Map2d. `after`: what happens to the memory of the points after the call.
 gl::Ref define(gl::Case& c, const Map& map, bool doubles = false, gl::AfterCall after = gl::AfterCall::kKeep);
-// The control points have the same memory in every call with this slot, with the contents of the moment.
+// The same, but all calls with the same slot pass the same pointer; each call stores its own points there
+// first.
 gl::Ref define_in_slot(gl::Case& c, const Map& map, bool doubles, int slot);
 void define_and_enable(gl::Case& c, const Map& map, bool doubles = false);
 
@@ -156,14 +161,15 @@ void define_and_enable(gl::Case& c, const Map& map, bool doubles = false);
 gl::Ref evaluate(gl::Case& c, double u, bool doubles = false);
 // EvalCoord2f or EvalCoord2d.
 gl::Ref evaluate2(gl::Case& c, double u, double v, bool doubles = false);
-// Commands of one dimension, given what is of u or i, or of two: EvalCoord (by value, or from an array that
-// ends before an inaccessible page), EvalPoint and EvalMesh.
+// Append EvalCoord (by value, or from an array that ends before an inaccessible page), EvalPoint or EvalMesh
+// of the dimension. In one dimension the arguments v and j are ignored.
 gl::Ref eval_coord(gl::Case& c, bool two, double u, double v, bool doubles = false);
 gl::Ref eval_coord_vector(gl::Case& c, bool two, double u, double v, bool doubles);
 gl::Ref eval_point(gl::Case& c, bool two, int i, int j);
 gl::Ref eval_mesh(gl::Case& c, bool two, GLenum mode, int i1, int i2, int j1, int j2);
 
-// Maps of all kinds of data that go into one vertex: each attribute has a map of its own.
+// Targets of maps that together supply all attributes of a vertex: position, colour, normal and texture
+// coordinates.
 struct Kinds {
   const char* name;
   std::array<GLenum, 4> targets;
@@ -177,8 +183,8 @@ inline constexpr Kinds kKinds2[] = {
 
 inline const auto& kinds_of(bool two) { return two ? kKinds2 : kKinds1; }
 
-// Enables the target and, where it gives no vertex itself, a constant vertex map of its dimension
-// as its carrier.
+// Enables the target and, unless it is a vertex map itself, a constant vertex map of its dimension, without
+// which evaluation emits no vertices.
 void enable_visibly(gl::Case& c, GLenum target);
 
 // --- Arguments -------------------------------------------------------------------------------------------
@@ -188,12 +194,14 @@ struct At {
   double u, v;
 };
 
-// Points: the ends, the numbers next to them, and values in between.
+// Returns at least five arguments in the domain, in single precision: both ends, the adjacent floats inside,
+// the centre, and random ones up to `count`.
 std::vector<double> arguments(Test& t, const Interval& domain, int count);
-// Corners, edges and points inside; the first is always inside.
+// Returns `count` pairs of arguments: corners, points of edges, and random interior points, of which the
+// first is one.
 std::vector<At> arguments(Test& t, const Interval& u, const Interval& v, int count);
 
-// Evaluates at all arguments, in one primitive of points.
+// Evaluate at all arguments, between one Begin(POINTS) and End.
 void evaluate_all(gl::Case& c, const std::vector<double>& arguments);
 void evaluate_all(gl::Case& c, const std::vector<At>& arguments);
 // Evaluates in either dimension.
@@ -201,13 +209,14 @@ void evaluate_all(gl::Case& c, bool two, const std::vector<At>& arguments, bool 
 
 // --- Queries ---------------------------------------------------------------------------------------------
 
-// Everything that a failing command must leave alone: order, domain and points of all 18 maps, their enables,
-// AUTO_NORMAL, the grids, the current values and the active texture unit, the MAP2 maps last. Room for what a
-// wrong implementation might write is allowed for. Queries that crash are left out (Test::append_optional).
+// Appends queries of the state that a rejected command must leave unchanged: enables, orders, domains and
+// points of the MAP1 maps, AUTO_NORMAL, both grids, the current colour, normal and texture coordinates, and
+// the MAP2 maps. The arrays have room for maps of the highest order. Queries that crash are omitted
+// (Test::append_optional).
 std::vector<gl::Ref> query_everything(Test& t, gl::Case& c);
 void expect_unchanged(Played& played, const std::vector<gl::Ref>& before, const std::vector<gl::Ref>& after);
 
-// One of the three forms; `room` elements to write to.
+// A form of GetMap; `get` appends the query with an array of `room` elements.
 struct Getter {
   const char* name;
   gl::Ref (*get)(gl::Case&, GLenum target, GLenum query, std::size_t room);
@@ -221,12 +230,13 @@ inline constexpr Getter kGetters[] = {
        return c.GetMapiv(target, query, gl::out<GLint>(room));
      }}};
 
-// Orders, domain and points of one map, through GetMapfv or GetMapdv.
+// Queries of the orders, the domain and the points of one map, through GetMapiv and GetMapfv or GetMapdv.
 struct MapQuery {
   gl::Ref order, domain, coefficients;
 };
 MapQuery query_map(gl::Case& c, GLenum target, int max_order, bool doubles = false);
-// The answers are those of the map, to single precision where it was given in doubles.
+// Expects the answers to be the map's, to a relative error of 1e-5. `doubles` is that of the call of
+// query_map().
 void expect_map(Played& played, const MapQuery& query, const Map& map, bool doubles = false);
 
 }  // namespace evalcts

@@ -1,5 +1,5 @@
-// Sections 14 to 16 of the requirements, the errors: which modes EvalMesh rejects, where it may not stand,
-// and that no index of EvalPoint is wrong.
+// Sections 14 to 16 of the requirements, the errors: EvalMesh rejects invalid modes and calls between Begin
+// and End; EvalPoint accepts every index.
 #include <fmt/format.h>
 
 #include <evalcts/testkit/registration.h>
@@ -11,13 +11,13 @@
 namespace evalcts::suite_mesh_errors {
 namespace {
 
-// EvalMesh1 or EvalMesh2, over a range that is small (U-INTMAX-MESH) or empty.
+// Appends EvalMesh1 or EvalMesh2 over a range that is small (see U-INTMAX-MESH) or empty.
 void mesh(gl::Case& c, bool two, GLenum mode, bool empty = false) {
   const GLint last = empty ? -1 : 2;
   eval_mesh(c, two, mode, 0, last, 0, last);
 }
 
-// Returns values that are no modes of the command, neighbours and primitives above all.
+// Returns invalid modes: primitives, the tokens next to the valid ones, and others.
 std::vector<GLenum> bad_modes(bool two) {
   std::vector<GLenum> modes = {GL_POINTS,    GL_LINES,         GL_LINE_LOOP,     GL_LINE_STRIP,
                                GL_TRIANGLES, GL_QUADS,         GL_QUAD_STRIP,    GL_POLYGON,
@@ -32,7 +32,7 @@ std::vector<GLenum> good_modes(bool two) {
   return {GL_POINT, GL_LINE};
 }
 
-// One-dimensional and two-dimensional vertex maps enabled, or no map at all.
+// Enables a vertex map of each dimension; disable_maps() disables all maps.
 void enable_vertices(gl::Case& c) {
   c.Enable(GL_MAP1_VERTEX_3);
   c.Enable(GL_MAP2_VERTEX_4);
@@ -57,7 +57,7 @@ EVALCTS_TEST_PAIR(MeshErrors.Mesh1BadMode, MeshErrors.Mesh2BadMode, kMust,
 (Test& t, bool two) {
   expect_refused(t, "every other second map enabled", bad_meshes(two), {GL_INVALID_ENUM});
 
-  // The error is that of the mode: the same call with a good one is none.
+  // The mode causes the error: the same call with a valid mode raises none.
   CheckedCase c(t, "good modes, vertex maps enabled");
   enable_vertices(c);
   for (const GLenum mode : good_modes(two)) {
@@ -108,7 +108,7 @@ EVALCTS_TEST_PAIR(MeshErrors.Mesh1BetweenBeginAndEnd, MeshErrors.Mesh2BetweenBeg
   for (const GLenum mode : good_modes(two)) bad.push_back(inside(GL_TRIANGLES, mode, true, false));
   expect_refused(t, "good modes, empty range", bad, {GL_INVALID_OPERATION});
 
-  // Both conditions hold; either error will do.
+  // Two errors apply to these calls; either is accepted.
   bad.clear();
   for (const GLenum mode : {GL_QUADS, GL_LINES, 0x1B03})
     bad.push_back(inside(GL_TRIANGLES, mode, false, false));
@@ -123,7 +123,7 @@ EVALCTS_TEST_PAIR(MeshErrors.Mesh1BetweenBeginAndEnd, MeshErrors.Mesh2BetweenBeg
   c.check();
 };
 
-// Maps and grids of both dimensions, as a mesh that is drawn would show.
+// Defines and enables maps and sets grids of both dimensions, with which a mesh draws something.
 void define_vertices(gl::Case& c) {
   define(c, make_map1(GL_MAP1_VERTEX_3, {0.5, -0.25, 0.125, 0.75, 0.5, -0.5}));
   define(c, make_map2(GL_MAP2_VERTEX_3, 2, 2,
@@ -134,7 +134,7 @@ void define_vertices(gl::Case& c) {
   c.MapGrid2f(2, 0, 1, 2, 0, 1);
 }
 
-// A mesh that is rejected draws nothing, and the primitive around it goes on.
+// A rejected mesh draws nothing, and does not end the primitive around it.
 EVALCTS_TEST_PAIR(MeshErrors.Mesh1PrimitiveUndisturbed, MeshErrors.Mesh2PrimitiveUndisturbed, kMust,
                   decide("EV-MESH1-ERR-BEGINEND", "EV-MESH2-ERR-BEGINEND"),
                   decide("EV-BE-IGNORED/1-D", "EV-BE-IGNORED/2-D"), by(gl::list_deliveries()))
@@ -193,7 +193,7 @@ EVALCTS_TEST(MeshErrors, LeavesNothingOpen, kMust, "EV-BE-MESHNOTINSIDE", by(gl:
       attempts.push_back(
           {in_primitive(GL_LINES, false, [=](gl::Case& c) { mesh(c, two, mode); }), GL_INVALID_OPERATION});
     }
-    for (const GLenum mode : good_modes(two))  // of one point
+    for (const GLenum mode : good_modes(two))  // meshes of one point
       attempts.push_back({[=](gl::Case& c) { eval_mesh(c, two, mode, 1, 1, 0, 0); }, GL_NO_ERROR});
     attempts.push_back({[=](gl::Case& c) { mesh(c, two, GL_QUADS); }, GL_INVALID_ENUM});
   }
@@ -211,7 +211,7 @@ EVALCTS_TEST(MeshErrors, LeavesNothingOpen, kMust, "EV-BE-MESHNOTINSIDE", by(gl:
   }
 };
 
-// Far outside the grid, up to the ends of int: neither an error nor the end of the library (U-INTMIN-POINT).
+// Indices far outside the grid, up to the ends of int, raise no error and crash nothing (U-INTMIN-POINT).
 EVALCTS_TEST(PointErrors, NoIndexIsAnError, kMust, "EV-POINT-RANGE", by(gl::list_deliveries()))
 (Test& t) {
   constexpr GLint kIndices[] = {-3, 12, -1, 0x1000001, kHighest, -0x7FFFFFFF, kLowest};

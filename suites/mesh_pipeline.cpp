@@ -1,6 +1,6 @@
-// Sections 15 and 16 of the requirements, further down the pipeline: what becomes of the primitives of a mesh
-// in polygon mode, culling, polygon offset, flat shading, two-sided lighting and line stippling. Strips are
-// drawn explicitly under the same state first: these have to show the rule.
+// Section 16 of the requirements, the pipeline after evaluation: meshes with polygon modes, culling, polygon
+// offset, flat shading and two-sided lighting. The same strips of explicit vertices are the control. See
+// mesh_stippling.cpp for line stippling.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,12 +19,12 @@ namespace {
 
 // --- The patch -------------------------------------------------------------------------------------------
 
-// 3 by 2 quads in the plane z = 0, 16 by 24 pixels each: vertex (i, j) is at pixel (8 + 16 i, 8 + 24 j), with
-// u along +x and v along +y. Mirrored, u is along +y and v along +x.
+// The patch has 3 by 2 quads of 16 by 24 pixels in the plane z = 0. Vertex (i, j) has the window coordinates
+// (8 + 16 i, 8 + 24 j), with u along +x and v along +y. In the mirrored patch u is along +y and v along +x.
 constexpr int kColumns = 3, kRows = 2;
 constexpr int kLeft = 8, kBottom = 8, kWidth = 16, kHeight = 24;
 
-// No colour is black, and those of neighbours are far apart.
+// Returns the colour of vertex (i, j). No colour is black, and neighbours differ clearly.
 std::array<double, 4> color_at(int i, int j) {
   return {0.1 + 0.9 * i / kColumns, 0.2 + 0.8 * j / kRows, 0.5, 1};
 }
@@ -32,7 +32,7 @@ std::array<double, 4> color_at(int i, int j) {
 void define_patch(gl::Case& c, bool mirrored = false) {
   const double left = at_pixel(kLeft), right = at_pixel(kLeft + kWidth * kColumns);
   const double bottom = at_pixel(kBottom), top = at_pixel(kBottom + kHeight * kRows);
-  // R_00, R_01, R_10, R_11.
+  // The order of points is R_00, R_01, R_10, R_11.
   define(c, mirrored ? make_map2(GL_MAP2_VERTEX_3, 2, 2,
                                  {left, bottom, 0, right, bottom, 0, left, top, 0, right, top, 0})
                      : make_map2(GL_MAP2_VERTEX_3, 2, 2,
@@ -70,7 +70,7 @@ void for_each_quad(Action action) {
     for (int i = 0; i < kColumns; ++i) action(i, j);
 }
 
-// Four pixels in each quad, two in either half, whichever diagonal parts it.
+// Returns four pixels in each quad, two in each half, whichever diagonal splits it.
 constexpr std::size_t kSamples = 4;
 std::vector<Area> samples_in_halves() {
   std::vector<Area> areas;
@@ -84,9 +84,9 @@ std::vector<Area> samples_in_halves() {
 
 // --- What feedback shows ---------------------------------------------------------------------------------
 
-// Window coordinates, to the next pixel: all vertices of the patch are at whole ones.
+// Window coordinates, rounded to integers: all vertices of the patch have integer coordinates.
 using Point = std::pair<long, long>;
-using Edge = std::pair<Point, Point>;  // the smaller one first
+using Edge = std::pair<Point, Point>;  // the smaller point first
 
 Point point_of(const std::array<double, 12>& vertex) {
   const auto whole = [](double value) { return std::lround(std::clamp(value, -1e6, 1e6)); };
@@ -95,11 +95,11 @@ Point point_of(const std::array<double, 12>& vertex) {
 
 Edge edge_of(const Point& a, const Point& b) { return {std::min(a, b), std::max(a, b)}; }
 
-// Outlines of filled quads: their edges as lines, their corners as points, or polygons.
+// The primitives in the feedback of filled quads: lines, points and polygons, depending on the polygon mode.
 struct Outlines {
   std::multiset<Edge> edges;
   std::multiset<Point> points;
-  std::set<Point> corners;  // of polygons
+  std::set<Point> corners;  // corners of polygons
   std::size_t polygons = 0;
 
   friend bool operator==(const Outlines&, const Outlines&) = default;
@@ -120,7 +120,8 @@ Outlines outlines_of(const Part& part) {
   return outlines;
 }
 
-// Returns the outlines of all quads of the patch: four edges, and a point for each edge that begins there.
+// Returns the outlines of all quads of the patch in the polygon mode: the four edges of each quad, or, in
+// POINT, a point for each edge that begins there.
 Outlines outlines_of_quads(GLenum polygon_mode) {
   Outlines outlines;
   for_each_quad([&](int i, int j) {
@@ -163,7 +164,7 @@ gl::Case polygon_mode(GLenum mode) {
   return state;
 }
 
-// Adds scenes in either polygon mode, with the edge flag.
+// Adds scenes of the drawing in polygon modes POINT and LINE, with the edge flag.
 void add_outlined(std::vector<Scene>& scenes, bool flag, const gl::Case& drawing) {
   for (const GLenum outlined : kOutlined) {
     gl::Case state = polygon_mode(outlined);
@@ -174,14 +175,15 @@ void add_outlined(std::vector<Scene>& scenes, bool flag, const gl::Case& drawing
   }
 }
 
-// Explicit quad strips have to come out as quads.
+// Throws NotObservable unless explicit quad strips are outlined as quads.
 void require_quads(const Picture& control) {
   for (std::size_t i = 0; i < control.parts.size(); ++i)
     if (outlines_of(control.parts[i]) != outlines_of_quads(kOutlined[i % 2]))
       throw NotObservable("pipeline: explicit quad strips do not come out as the edges or corners of quads");
 }
 
-// A mesh in either polygon mode, with each of the edge flags.
+// Returns the feedback of a mesh in polygon modes POINT and LINE, with each of the edge flags. Throws
+// NotObservable.
 Picture outlined_meshes(Test& t, std::initializer_list<bool> flags) {
   std::vector<Scene> strips, evaluated;
   for (const bool flag : flags) {
@@ -194,7 +196,7 @@ Picture outlined_meshes(Test& t, std::initializer_list<bool> flags) {
 
 // --- Quads -----------------------------------------------------------------------------------------------
 
-// A quad has four edges, none of them inside; in POINT, a point where each of them begins.
+// Each quad of a mesh has its four edges and no diagonal; in POINT, it has a point where each edge begins.
 EVALCTS_TEST(Mesh2, FillIsQuads, kMust, "EV-MESH2-ISQUADS")
 (Test& t) {
   Picture picture = outlined_meshes(t, {true});
@@ -204,7 +206,7 @@ EVALCTS_TEST(Mesh2, FillIsQuads, kMust, "EV-MESH2-ISQUADS")
   }
 };
 
-// Edges of quad strips are always boundaries; what else comes out, FillIsQuads says.
+// All edges of quad strips are boundary edges, whatever the edge flag. FillIsQuads judges additional edges.
 EVALCTS_TEST(Mesh2, EdgeFlagHasNoInfluence, kMust, "EV-MESH2-EDGEFLAG")
 (Test& t) {
   Picture picture = outlined_meshes(t, {true, false});
@@ -225,7 +227,7 @@ EVALCTS_TEST(Mesh2, EdgeFlagHasNoInfluence, kMust, "EV-MESH2-EDGEFLAG")
 EVALCTS_TEST(Mesh2, NoDiagonals, kMust, "EV-MESH2-ISQUADS")
 (Test& t) {
   const gl::Case state = polygon_mode(GL_LINE);
-  // Either diagonal goes through the middle.
+  // Both diagonals of a quad cross its centre.
   std::vector<Area> areas;
   for_each_quad([&](int i, int j) {
     const int x = kLeft + kWidth * i, y = kBottom + kHeight * j;
@@ -250,10 +252,11 @@ EVALCTS_TEST(Mesh2, NoDiagonals, kMust, "EV-MESH2-ISQUADS")
   }
 };
 
-// The vertices are those of the mesh and the middle is covered, however the quads are split.
+// Non-planar quads may be split in any way, but their corners are the vertices of the mesh and their centres
+// are covered.
 EVALCTS_TEST(Mesh2, NonPlanarQuads, kQuality, "EV-MESH2-PLANAR")
 (Test& t) {
-  // Seen from the front as the patch is; z twists the quads.
+  // The same x and y as the patch, with values of z that twist the quads.
   const double left = at_pixel(kLeft), right = at_pixel(kLeft + kWidth * kColumns);
   const double bottom = at_pixel(kBottom), top = at_pixel(kBottom + kHeight * kRows);
   gl::Case twisted;
@@ -288,7 +291,8 @@ EVALCTS_TEST(Mesh2, NonPlanarQuads, kQuality, "EV-MESH2-PLANAR")
 
 // --- Flat shading ----------------------------------------------------------------------------------------
 
-// Each quad has one colour, that of the vertex (i + 1, j + 1) or (i, j).
+// Expects each quad to have one colour: that of the vertex (i, j) if `first_vertex`, otherwise of (i + 1, j +
+// 1).
 void expect_flat(Test& t, const gl::Case& state, bool first_vertex) {
   const std::vector<Area> areas = samples_in_halves();
   const Picture control =
@@ -324,13 +328,14 @@ EVALCTS_TEST(Mesh2, FlatShadingByTheFirstVertex, kMust, "EV-MESH2-FLAT-FIRST")
 
 // --- Facing ----------------------------------------------------------------------------------------------
 
-// A way to draw the patch, and how each pixel of it is to look.
+// A state in which the patch is drawn, and the expected result: whether its pixels are drawn, and their
+// colour.
 struct Facing {
   std::string name;
   bool mirrored;
   gl::Case state;
   bool drawn;
-  std::vector<double> color;  // empty: any
+  std::vector<double> color;  // empty if any colour is accepted
 };
 
 void expect_facings(Test& t, const std::vector<Facing>& facings, bool automatic_normals,
@@ -364,7 +369,7 @@ EVALCTS_TEST(Mesh2, Winding, kMust, "EV-MESH2-WINDING")
         const GLenum facing = (front == GL_CW) != mirrored ? GL_FRONT : GL_BACK;
         gl::Case state;
         state.Enable(GL_CULL_FACE);
-        // The first scenes are drawn with the initial values.
+        // The first scene is drawn with the initial values.
         if (!facings.empty()) {
           state.FrontFace(front);
           state.CullFace(culled);
@@ -380,8 +385,9 @@ EVALCTS_TEST(Mesh2, Winding, kMust, "EV-MESH2-WINDING")
   expect_facings(t, facings, false, "pipeline: explicit quad strips are culled otherwise");
 };
 
-// The generated normal points to the viewer where the facet is seen from the back: the back material with the
-// normal reversed. Mirrored, the front material with the normal as it is.
+// The facets of the patch are back-facing although their generated normals point to the viewer, so they are
+// lit with the back material and reversed normals. The mirrored patch is lit with the front material and its
+// normals.
 EVALCTS_TEST(Mesh2, TwoSidedLighting, kMust, "EV-MESH2-TWOSIDE")
 (Test& t) {
   using Values = std::vector<float>;
@@ -407,9 +413,9 @@ EVALCTS_TEST(Mesh2, TwoSidedLighting, kMust, "EV-MESH2-TWOSIDE")
   expect_facings(t, facings, true, "pipeline: explicit quad strips are not lit on two sides");
 };
 
-// --- What is of polygons only ----------------------------------------------------------------------------
+// --- Stages for polygons only ----------------------------------------------------------------------------
 
-// Polygons change by it, points and lines do not.
+// A stage that affects polygons, but not points and lines.
 struct OfPolygons {
   const char* name;
   void (*set)(gl::Case&);
@@ -417,7 +423,7 @@ struct OfPolygons {
 constexpr OfPolygons kModesAndCulling[] = {
     {"polygon mode POINT", [](gl::Case& c) { c.PolygonMode(GL_FRONT_AND_BACK, GL_POINT); }},
     {"polygon mode LINE", [](gl::Case& c) { c.PolygonMode(GL_FRONT_AND_BACK, GL_LINE); }},
-    // The patch is seen from the back.
+    // The patch is back-facing.
     {"polygon mode LINE of back faces", [](gl::Case& c) { c.PolygonMode(GL_BACK, GL_LINE); }},
     {"culling", [](gl::Case& c) {
        c.CullFace(GL_FRONT_AND_BACK);
@@ -427,10 +433,11 @@ constexpr OfPolygons kOffset[] = {
     {"polygon offset", [](gl::Case& c) {
        for (const GLenum offset : {GL_POLYGON_OFFSET_POINT, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_FILL})
          c.Enable(offset);
-       c.PolygonOffset(0.0f, -0x1p21f);  // a quarter or an eighth of the range, in 24 bits
+       c.PolygonOffset(0.0f, -0x1p21f);  // with 24 bits, an eighth of the depth range or more
      }}};
 
-// Stages in which it shows: feedback has no polygon offset.
+// Stages, and whether their effect is visible in depth values or in feedback, which polygon offset does not
+// affect.
 struct Stages {
   const char* name;
   bool in_depth;
@@ -438,8 +445,8 @@ struct Stages {
 };
 constexpr Stages kStages[] = {{"MODE_AND_CULLING", false, kModesAndCulling}, {"OFFSET", true, kOffset}};
 
-// The drawings without a stage, then with each of the stages: depths at the vertices, on the edges and in the
-// middles, or feedback.
+// Pictures of the drawings without a stage (stage 0), then with each of the stages: depths at the vertices,
+// on the edges and in the centres of quads, or feedback.
 class Looks {
  public:
   Looks(Test& t, const Stages& stages, const gl::Identity& identity, const std::vector<gl::Case>& drawings)
@@ -521,7 +528,8 @@ EVALCTS_TEST(Mesh2, LinesAndPointsAreNoPolygons, kMust, "EV-MESH2-NOPOLYMODE", c
     }
 };
 
-// In feedback, what comes out is the same kind of primitives at the same places: FillIsQuads counts them.
+// Expects primitives of the same kinds at the same places as explicit quads in feedback; FillIsQuads judges
+// their number.
 EVALCTS_TEST(Mesh2, FillsArePolygons, kMust, "EV-MESH2-NOPOLYMODE", combine(kStages))
 (Test& t, const Stages& stages) {
   const gl::Case evaluated = mesh(GL_FILL);

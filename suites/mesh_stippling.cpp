@@ -1,5 +1,5 @@
-// Section 16 of the requirements: the line strips of meshes in LINE are stippled like those of explicit
-// vertices.
+// Sections 15 and 16 of the requirements: the line strips of meshes of LINE are stippled like those of
+// explicit vertices.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,8 +14,9 @@ namespace evalcts::suite_mesh_stippling {
 
 namespace {
 
-// Lines lie at the middles of pixels; no vertex is near the border of one, nor a segment about a whole number
-// of pixels long. A strip is no multiple of a pattern long, so that it shows where one starts anew.
+// Lines run through the centres of pixels. No vertex is near the border of a pixel, and no segment is about a
+// whole number of pixels long. The length of a strip is not a multiple of the pattern's, so that a restart of
+// the pattern is visible.
 constexpr int kSegments = 5;
 constexpr double kFirst = 4.5, kStepU = 11.2, kStepV = 10.4;
 
@@ -33,7 +34,7 @@ gl::Case state_of(const Stipple& stipple) {
   return state;
 }
 
-// Two meshes of one row, the second one at another height.
+// Two one-dimensional meshes, the second one at another height.
 gl::Case stippled_mesh1() {
   gl::Case c;
   map_grid(c, {kSegments, 0, 1});
@@ -57,7 +58,7 @@ gl::Case stippled_mesh2() {
   return c;
 }
 
-// The strips taken apart, so that the pattern starts at each segment.
+// Returns the strips as separate segments, so that the pattern restarts at each segment.
 gl::Case apart(const gl::Case& strips) {
   gl::Case c;
   std::vector<gl::Command> vertices;
@@ -84,7 +85,7 @@ gl::Case apart(const gl::Case& strips) {
   return c;
 }
 
-// For each segment, whether the stipple starts anew.
+// Returns a value for each segment: true if the stipple restarts there.
 std::vector<bool> starts_of(const Part& part) {
   std::vector<bool> starts;
   for (const FeedbackPrimitive& primitive : primitives_of(part))
@@ -107,7 +108,8 @@ void expect_stipple(Test& t, const Stipple& stipple, const gl::Case& evaluated,
     return all;
   };
   for (const std::size_t other : {0u, 1u}) require_an_effect(values(2), values(other));
-  // The pixels after the first vertex, none of them on another line: the pattern starts at each strip.
+  // The pixels shortly after the first vertex, which are on no other line, have to be the same in all strips,
+  // because the pattern restarts at each strip.
   const std::vector<Part> expected(control.parts.end() - static_cast<std::ptrdiff_t>(count),
                                    control.parts.end());
   for (const Part& part : expected)
@@ -118,7 +120,7 @@ void expect_stipple(Test& t, const Stipple& stipple, const gl::Case& evaluated,
   for (std::size_t i = 0; i < count; ++i) expect_like_explicit(picture.played, picture.parts[i], expected[i]);
 }
 
-// No LINE_RESET_TOKEN but at the first segment of a strip; that there is one, is not asked
+// Expects LINE_RESET_TOKEN at the first segments of strips only. A missing one is not a failure
 // (U-FEEDBACK-RESET).
 void expect_starts(Test& t, const gl::Case& evaluated) {
   const gl::Case state = state_of(kStipples[0]);

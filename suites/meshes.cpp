@@ -1,5 +1,5 @@
-// Sections 15 and 16 of the requirements: which vertices a mesh has, in which primitives and where. What
-// becomes of the primitives further down is in mesh_pipeline.cpp.
+// Sections 15 and 16 of the requirements: the primitives of a mesh and their vertices. See mesh_pipeline.cpp
+// for the pipeline after evaluation.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,12 +21,13 @@ constexpr std::span kModes2(kMeshModes);
 
 const Grid kV = {5, 1.9f, 1.2f};
 
-// A range of a mesh; in one dimension i1 and i2 only.
+// The range of a mesh. In one dimension only i1 and i2 are used.
 struct Range {
   int i1, i2, j1 = 0, j2 = 0;
 };
 
-// Meshes over the ranges, for each of the grids. That of v is for two dimensions.
+// Draws meshes over all ranges on each of the grids, and judges their vertices. The second grid of each pair,
+// that of v, is used in two dimensions only.
 void expect_meshes(Test& t, bool two, const MeshMode& mode, const std::string& identity,
                    const std::vector<std::pair<Grid, Grid>>& grids, const std::vector<Range>& ranges) {
   gl::Case c(identity);
@@ -57,7 +58,7 @@ EVALCTS_TEST(Mesh1, Points, kMust, "EV-MESH1-POINT", "EV-MESH1-COORDS", by(gl::l
   expect_meshes1(t, kModes1[0], "many points", {{300, -0.5f, 2.5f}}, {{0, 300}});
 };
 
-// N points are N - 1 connected segments, as those of an explicit LINE_STRIP (C-MESH1-LINES).
+// A mesh of LINE is one LINE_STRIP (C-MESH1-LINES).
 EVALCTS_TEST(Mesh1, Lines, kMust, "EV-MESH1-LINE", "EV-MESH1-COORDS", by(gl::list_deliveries()))
 (Test& t) {
   expect_meshes1(t, kModes1[1], "whole meshes of lines",
@@ -77,14 +78,14 @@ EVALCTS_TEST(Mesh1, EmptyRange, kMust, "EV-MESH1-EMPTY", combine(kModes1).by(gl:
   expect_meshes1(t, mode, "i1 above i2 draws nothing", {{4, 0, 1}},
                  {{1, 0}, {4, 0}, {0, -1}, {5, -5}, {3, 2}, {kHighest, -kHighest}, {kHighest, kLowest}});
 };
-// One point, or a strip of one vertex, which is nothing.
+// A mesh of POINT draws one point; a mesh of LINE is a strip of one vertex, which draws nothing.
 EVALCTS_TEST(Mesh1, SinglePoint, kMust, "EV-MESH1-SINGLE", combine(kModes1).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
   expect_meshes1(t, mode, "i1 equal to i2", {{4, 0, 1}, {3, 0.1f, 0.7f}},
                  {{0, 0}, {1, 1}, {3, 3}, {4, 4}, {-1, -1}, {7, 7}});
 };
 
-// Meshes of one dimension have no FILL.
+// One-dimensional meshes have no mode FILL.
 const auto kEachMode = [](bool two) { return combine(two ? kModes2 : kModes1).by(gl::list_deliveries()); };
 
 EVALCTS_TEST_PAIR(Mesh1.OutsideTheGrid, Mesh2.OutsideTheGrid, kMust,
@@ -131,7 +132,7 @@ EVALCTS_TEST_PAIR(Mesh1.AfterEmptyPrimitives, Mesh2.AfterEmptyPrimitives, kMust,
   for (GLenum primitive = GL_POINTS; primitive <= GL_POLYGON; ++primitive) {
     eval_mesh(c, two, mode.mode, 2, 1, 0, 1);
     for (const GLenum empty : {primitive, GL_POLYGON - primitive}) {
-      // In lists of Mesa 22.3 an empty loop draws a line, without any evaluator.
+      // In display lists of Mesa 22.3 an empty LINE_LOOP draws a line, also without evaluators.
       if (empty == GL_LINE_LOOP && t.is_delivered_in_lists()) continue;
       c.Begin(empty);
       c.End();
@@ -187,13 +188,14 @@ EVALCTS_TEST_PAIR(Mesh1.CurrentValues, Mesh2.CurrentValues, kMust,
   t.expect_emission(c, kUnit0);
 };
 
-// Whole meshes where that is not much, else some steps up to the end that is looked at and beyond.
+// Returns a range that contains the whole grid if it has at most `whole` segments, otherwise some steps on
+// both sides of the end.
 std::pair<int, int> range_at(const Grid& grid, bool last, int whole) {
   if (grid.segments <= whole) return {-1, grid.segments + 1};
   return last ? std::pair{grid.segments - 3, grid.segments + 1} : std::pair{-3, 3};
 }
 
-// Some steps, of which that end is the first or the last.
+// Returns a range of up to three steps that begins at the first or ends at the last grid point.
 std::pair<int, int> range_ending_at(const Grid& grid, bool last) {
   const int steps = std::min(grid.segments, 3);
   return last ? std::pair{grid.segments - steps, grid.segments} : std::pair{0, steps};
@@ -215,7 +217,7 @@ EVALCTS_TEST_PAIR(Mesh1.FirstIsExact, Mesh1.LastIsExact, kMust,
       2 * most);
 };
 
-// A mode and a direction of two dimensions, and an end of the grid.
+// A mode of EvalMesh2, a direction, and an end of the grid.
 struct MeshAlong {
   std::string name;
   MeshMode mode;
@@ -232,7 +234,7 @@ std::vector<MeshAlong> all_along() {
   return all;
 }
 
-// In both directions; across it one step, so that FILL has both sides of a strip.
+// The mesh has one step across the direction under test, because FILL needs two rows.
 EVALCTS_TEST(Mesh2, EndsAreExact, kMust, "EV-MESH2-EXACT", combine(all_along()).by(gl::list_deliveries()))
 (Test& t, const MeshAlong& which) {
   const int whole = t.by_depth(20, 40, 300);
@@ -258,17 +260,17 @@ const std::vector<std::pair<Grid, Grid>> kGrids2 = {
 void expect_whole_meshes2(Test& t, const MeshMode& mode) {
   t.judge_order_of_meshes();
   expect_meshes2(t, mode, "whole meshes", kGrids2, {{0, 1, 0, 1}, {0, 4, 0, 3}, {0, 3, 0, 6}});
-  // Long strips along u and along v, and their ends.
+  // Long strips along u and along v.
   expect_meshes2(t, mode, "long strips", {{{90, -0.5f, 2.5f}, {90, 2, 1}}}, {{0, 90, 0, 1}, {0, 1, 0, 90}});
 }
 
 EVALCTS_TEST(Mesh2, Points, kMust, "EV-MESH2-POINT", "EV-MESH2-COORDS", by(gl::list_deliveries()))
 (Test& t) { expect_whole_meshes2(t, kModes2[0]); };
-// First the strips along i, then those along j; nothing is merged.
+// The strips along i come first, then those along j; none are merged.
 EVALCTS_TEST(Mesh2, Lines, kMust, "EV-MESH2-LINE", "EV-MESH2-COORDS", "EV-MESH2-LINE-OVERLAP",
              by(gl::list_deliveries()))
 (Test& t) { expect_whole_meshes2(t, kModes2[1]); };
-// Quads come in the order of rows, whole or in two triangles.
+// Quads come row by row, each of them whole or as two triangles.
 EVALCTS_TEST(Mesh2, Quads, kMust, "EV-MESH2-FILL", "EV-MESH2-COORDS", by(gl::list_deliveries()))
 (Test& t) { expect_whole_meshes2(t, kModes2[2]); };
 
@@ -298,7 +300,7 @@ EVALCTS_TEST(Mesh2, EmptyRange, kMust, "EV-MESH2-EMPTY", combine(kModes2).by(gl:
                    {{2, 2, 0, 3}, {0, 4, 1, 1}, {1, 1, 2, 2}});
 };
 
-// A strip along one direction only, or nothing.
+// Meshes of one row or column have strips in one direction only; a single point draws nothing.
 EVALCTS_TEST(Mesh2, LinesOfOneRow, kMust, "EV-MESH2-LINE-DEGENERATE", by(gl::list_deliveries()))
 (Test& t) {
   expect_meshes2(t, kModes2[1], "i1 = i2, j1 = j2, both", {{{4, 0, 1}, {3, 1, 2}}},
@@ -307,9 +309,10 @@ EVALCTS_TEST(Mesh2, LinesOfOneRow, kMust, "EV-MESH2-LINE-DEGENERATE", by(gl::lis
 
 // --- Long meshes -----------------------------------------------------------------------------------------
 
-// A mesh of many steps through a map on which the argument itself shows, as it is linear over the grid. What
-// a sum of as many steps loses leaves the acceptance interval, what a product and a sum lose does not. Steps
-// of nearly half a unit in the last place over make such a sum drift.
+// Expects a mesh of 10005 steps not to accumulate rounding errors. The map is linear over the grid, so that
+// its values show the arguments. In [2,3] the step is nearly half an ulp away from a multiple of the ulp, so
+// that each addition of it rounds in the same direction. The error of a sum of that many steps leaves the
+// acceptance interval; the error of one product and one sum does not.
 void expect_no_accumulation(Test& t, const MeshMode& mode, const Along& along) {
   const Grid grid = {10005, 1, 3};
   gl::Case map;
@@ -325,7 +328,7 @@ void expect_no_accumulation(Test& t, const MeshMode& mode, const Along& along) {
             : eval_mesh(c, along.two, how, first, last, 0, across);
     return c;
   };
-  // Judged are points in the middle and near the end; that the end itself is exact is a rule of its own.
+  // The points that are judged: in the middle and near the end. Another test judges the end itself.
   std::vector<int> indices;
   for (int i = 0; i < 8; ++i) indices.insert(indices.end(), {grid.segments / 2 + i, grid.segments - 9 + i});
 
@@ -335,13 +338,14 @@ void expect_no_accumulation(Test& t, const MeshMode& mode, const Along& along) {
   t.expect_observation(c, kPosition, 8 * segments, mode.kind, [&](const Observation& seen) {
     std::vector<ObservedVertex> vertices;
     for (const ObservedPrimitive& primitive : seen.primitives)
-      if (primitive.mode == GL_POINTS || primitive.vertices.size() > 1)  // strips across are of one vertex
+      if (primitive.mode == GL_POINTS || primitive.vertices.size() > 1)  // without strips of one vertex
         vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
-    // Points and strips, or lines and quads from one index to the next: x rises along the mesh.
+    // Vertices are grouped by grid point (points and strips) or by step (lines and quads). x rises along the
+    // mesh.
     const std::size_t groups = vertices.size() % (segments + 1) == 0 ? segments + 1 : segments;
     if (vertices.empty() || vertices.size() % groups != 0)
       throw NotObservable("the points of the mesh do not come out, which other tests say");
-    // The order of the rows is judged elsewhere.
+    // Other tests judge the order of rows.
     if (vertices.back().position[0] < vertices.front().position[0]) std::ranges::reverse(vertices);
     const auto size = static_cast<std::ptrdiff_t>(vertices.size() / groups);
     std::vector<Mismatch> mismatches;
@@ -383,10 +387,11 @@ EVALCTS_TEST(Mesh2, ErrorDoesNotAccumulate, kMust, "EV-MESH2-NOACCUM", combine(l
 
 // --- The same vertex wherever it is drawn ----------------------------------------------------------------
 
-// Captured positions by the index of the grid point.
+// Captured positions by the indices of their grid points.
 using ByPoint = std::map<std::pair<int, int>, std::vector<std::array<float, 4>>>;
 
-// Meshes over the ranges. Texture coordinates are linear over the grid and tell which point a vertex is.
+// Draws meshes over the ranges with a texture map that is linear over the grid, whose values identify the
+// grid point of each captured vertex.
 ByPoint draw_numbered(Test& t, const MeshMode& mode, const std::vector<Range>& ranges, const Map& vertices) {
   const bool two = vertices.two;
   const Grid u = {two ? 37 : 100, 0.1f, 0.7f}, v = {11, 1.9f, 1.2f};
@@ -425,7 +430,8 @@ void fail_at(Test& t, const std::string& what, const std::pair<int, int>& point,
   t.fail(std::move(failure));
 }
 
-// The first of each.
+// Expects the first positions of the points that both have to have the same bits. Throws NotObservable if
+// these are fewer than twelve. `what`: the place of the others, for messages.
 void expect_same_bits(Test& t, const std::string& what, const ByPoint& all, const ByPoint& others) {
   std::size_t compared = 0;
   for (const auto& [point, positions] : others) {
@@ -440,7 +446,8 @@ void expect_same_bits(Test& t, const std::string& what, const ByPoint& all, cons
 
 const Range kWhole = {0, 37, 0, 11};
 
-// Within one mesh a point that several primitives share is the same vertex in all of them: no cracks.
+// A grid point that several primitives of a mesh share has the same position in all of them, so that there
+// are no cracks.
 EVALCTS_TEST(Mesh2, SharedVertices, kMust, "EV-MESH2-SHAREDROW",
              combine((std::vector<MeshMode>{kModes2[1], kModes2[2]})).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
@@ -472,7 +479,7 @@ EVALCTS_TEST(Mesh2, PartsAgree, kQuality, "EV-MESH2-MODESAGREE", combine(kModes2
                    draw_numbered(t, mode, {{3, 9, 2, 4}, {30, 37, 5, 11}, {20, 22, 0, 1}}, map));
 };
 
-// ... and in one dimension.
+// A part of a one-dimensional mesh has the same bits as the whole.
 EVALCTS_TEST(Mesh1, PartsAgree, kQuality, "EV-MESH1-SUBRANGE", combine(kModes1).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
   const Map map = random_map(t, GL_MAP1_VERTEX_4, 4);

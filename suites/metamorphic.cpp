@@ -1,9 +1,9 @@
-// Section 17 of the requirements, the rules that need no oracle: two maps that are the same polynomial, or
-// one that is another plus or times something, evaluated by the same library.
+// Section 17 of the requirements, metamorphic rules, which need no oracle: two maps that are the same
+// polynomial, or of which one is a multiple of the other plus an offset, are evaluated by the same library.
 //
-// Everything that relates the two is exact: points, domains and arguments are dyadic, so that no rounding of
-// inputs comes between them. Both results may lie anywhere in their acceptance intervals (section 0.5):
-// |a - p| <= Ea and |b - q| <= Eb with q = scale*p + offset give |b - (scale*a + offset)| <= |scale|*Ea + Eb.
+// Points, domains and arguments of both are exact in single precision, so that no input is rounded. Both
+// results may lie anywhere in their acceptance intervals (reference/acceptance.h): |a - p| <= Ea and
+// |b - q| <= Eb with q = scale*p + offset imply |b - (scale*a + offset)| <= |scale|*Ea + Eb.
 #include <fmt/format.h>
 #include <reference/acceptance.h>
 
@@ -44,9 +44,10 @@ float value_of(const ObservedVertex& vertex, GLenum target, std::size_t componen
   }
 }
 
-// --- Maps made of other maps -----------------------------------------------------------------------------
+// --- Maps derived from other maps ------------------------------------------------------------------------
 
-// The same domain and target, other points.
+// Returns a map with the same target and domain, the orders, and the points value(i, j, component). Throws
+// std::logic_error if a value is not exact in single precision.
 template <class PointValue>
 Map made_of(const Map& map, int uorder, int vorder, const PointValue& value) {
   std::vector<double> points;
@@ -81,7 +82,7 @@ Map transposed(const Map& map) {
               {map.v1, map.v2}, {map.u1, map.u2});
 }
 
-// The same memory, read the other way round.
+// Returns the same memory with u and v exchanged.
 Map with_roles_swapped(Map map) {
   std::swap(map.u1, map.v1);
   std::swap(map.u2, map.v2);
@@ -96,7 +97,7 @@ Rational binomial(int n, int k) {
   return value;
 }
 
-// Q_i = SUM r of C(n,r)*C(m-n,i-r)/C(m,i) * R_r: the same polynomial as one of degree m.
+// Degree elevation in u to m = order - 1: Q_i = SUM over r of C(n,r) * C(m-n,i-r) / C(m,i) * R_r.
 Map elevated_in_u(const Map& map, int order) {
   const int n = map.uorder - 1, m = order - 1;
   std::vector<std::vector<Rational>> weights;
@@ -122,7 +123,7 @@ Map elevated(const Map& map, int uorder, int vorder) {
   return vorder == map.vorder ? in_u : transposed(elevated_in_u(transposed(in_u), vorder));
 }
 
-// Points that are multiples of `unit` times 2^-24 in [-1,1].
+// Returns a map of random points in [-1,1] that are multiples of unit * 2^-24.
 Map random_multiples(Test& t, GLenum target, const Orders& orders, int unit) {
   Map map = random_map(t, target, orders);
   for (double& value : map.points) value = std::trunc(value * 0x1p24 / unit) * unit * 0x1p-24;
@@ -132,26 +133,27 @@ Map random_multiples(Test& t, GLenum target, const Orders& orders, int unit) {
 // --- Relations -------------------------------------------------------------------------------------------
 
 struct Side {
-  std::vector<Map> maps;  // of one dimension and of attributes that differ
+  std::vector<Map> maps;  // maps of the same dimension for different attributes
   std::vector<At> arguments;
 };
 
 struct SameUpTo {
   double scale = 1, offset = 0;
-  bool bits = false;  // bit for bit, -0 counting as +0
+  bool bits = false;  // true if the bits have to be the same, -0 counting as +0
 };
 
-// Relations between maps, all in one case: each side is defined and evaluated in turn.
+// Collects relations between maps in one case, which defines and evaluates all sides in turn, and checks
+// them.
 class Relations {
  public:
   Relations(Test& t, const std::string& identity) : t_(t), script_(identity) {}
 
-  // Each value of `b` is scale*value of `a` + offset; what `b` is stands in the message.
+  // Expects each value of `b` to be scale * (value of `a`) + offset. `what` describes `b` in messages.
   void add(const std::string& what, const Side& a, const Side& b, const SameUpTo& relation = {}) {
     const std::size_t first = draw(a);
     relations_.push_back({what, a, b, relation, first, draw(b)});
   }
-  // Each value lies between the least and the greatest of its control points.
+  // Expects each value to lie between the least and the greatest of its control points.
   void add_convex(const Side& a) { convex_.push_back({a, draw(a)}); }
 
   void check() {
@@ -175,7 +177,7 @@ class Relations {
     std::size_t first;
   };
 
-  // Returns the number of its first vertex.
+  // Appends a side to the case. Returns the index of its first vertex.
   std::size_t draw(const Side& side) {
     for (const Map& map : side.maps) define_and_enable(script_, map);
     script_.Begin(GL_POINTS);
@@ -185,7 +187,7 @@ class Relations {
     return vertices_ - side.arguments.size();
   }
 
-  // Nothing can be said of what may have been clamped on the way.
+  // Returns true if a colour may have been clamped to [0,1] by the capture, so that it cannot be judged.
   bool may_be_clamped(GLenum target, float got) const {
     return clamped_colors_ && attribute_of(target) == kColor && (got == 0.0f || got == 1.0f);
   }
@@ -205,8 +207,7 @@ class Relations {
             const Rational difference = Rational(static_cast<double>(is)) - expected;
             if (difference.is_zero()) continue;
             if (!relation.bits) {
-              // Cheap, and never above the bound: Ea >= 4*eps*|p| (K is at least 4), where p is that near to
-              // a.
+              // A fast check that is stricter than the bound: Ea >= 4 * eps * |p|, because K is at least 4.
               if (std::abs(difference.to_double()) <= 1e-5 * std::abs(relation.scale * was)) continue;
               const Rational bound =
                   Rational(std::abs(relation.scale)) * bound_of(a.maps[m], k, a.arguments[i]) +
@@ -262,7 +263,7 @@ class Relations {
   bool clamped_colors_ = false;
 };
 
-// --- What the tests go through ---------------------------------------------------------------------------
+// --- Orders, arguments and maps --------------------------------------------------------------------------
 
 std::vector<Orders> all_orders(Test& t, bool two) {
   const int max = t.max_order();
@@ -270,7 +271,7 @@ std::vector<Orders> all_orders(Test& t, bool two) {
   return {{1, 1}, {2, 2}, {3, 4}, {4, 4}, {1, 5}, {6, 2}, {8, 7}, {max, 2}, {3, max}};
 }
 
-// n arguments in [0,1], multiples of 2^-6, the corners first.
+// Returns `count` pairs of multiples of 2^-6 in [0,1], beginning with (0,0) and (1,1).
 std::vector<At> unit_arguments(Test& t, int count) {
   std::vector<At> all = {{0, 0}, {1, 1}};
   while (static_cast<int>(all.size()) < count)
@@ -299,7 +300,8 @@ std::vector<Map> changed(std::vector<Map> maps, const Change& change) {
   return maps;
 }
 
-// For maps of all kinds of data at once, of each pair of orders.
+// Calls add(relations, kinds) with the targets of VERTEX_3 and of VERTEX_4 and three other attributes, and
+// checks the relations that it adds.
 template <class Add>
 void expect_relations(Test& t, bool two, const std::string& identity, const Add& add) {
   for (const Kinds& kinds : two ? kKinds2 : kKinds1) {
@@ -352,7 +354,8 @@ EVALCTS_TEST_PAIR(Metamorphic.ElevatedCurve, Metamorphic.ElevatedSurface, kMust,
                   decide("EV-NUM-ELEVATION/1-D", "EV-NUM-ELEVATION/2-D"), by(in_lists()))
 (Test& t, bool two) {
   expect_relations(t, two, "a higher degree", [&](Relations& relations, const Kinds& kinds) {
-    // 420 is a multiple of C(m,i)/gcd for all m up to 7, so that every elevated point is exact.
+    // All weights of elevation from degree 3 to m <= 7 are multiples of 1/420, so that elevated points are
+    // exact.
     constexpr int kUnit = 420;
     const std::vector<Map> maps = random_maps(t, kinds, {4, two ? 4 : 1}, two ? kUnit * kUnit : kUnit);
     const Side plain = {maps, unit_arguments(t)};
@@ -363,7 +366,7 @@ EVALCTS_TEST_PAIR(Metamorphic.ElevatedCurve, Metamorphic.ElevatedSurface, kMust,
             "degree elevated", plain,
             {changed(maps, [&, u = uorder, v = vorder](const Map& map) { return elevated(map, u, v); }),
              plain.arguments});
-    // A straight line is a map of any order.
+    // A straight line can be elevated to any order.
     for (int order = 3; order <= t.max_order(); order += two || order > 10 ? 7 : 1) {
       const std::vector<Map> lines = random_maps(t, kinds, {2, two ? 2 : 1}, (order - 1) << 4);
       const Side line = {lines, unit_arguments(t, 4)};
@@ -424,9 +427,9 @@ EVALCTS_TEST_PAIR(Metamorphic.ConvexHullOfCurve, Metamorphic.ConvexHullOfSurface
       const std::vector<At> arguments = unit_arguments(t, t.by_depth(8, 20, 200));
       const std::vector<Map> maps = random_maps(t, kinds, orders);
       relations.add_convex({maps, arguments});
-      // Flat: no room at all.
+      // All points are equal, so that the range is one value.
       relations.add_convex({changed(maps, [](const Map& map) { return scaled(map, 0, 0.625); }), arguments});
-      // Only 0 and 1.
+      // All points are 0 or 1.
       relations.add_convex({changed(maps,
                                     [](const Map& map) {
                                       return made_of(map, map.uorder, map.vorder, [&](int i, int j, int k) {
@@ -442,7 +445,7 @@ EVALCTS_TEST_PAIR(Metamorphic.ConvexHullOfCurve, Metamorphic.ConvexHullOfSurface
 
 constexpr Named<bool> kAlong[] = {{"ALONG_U", false}, {"ALONG_V", true}};
 
-// A net that is constant in one direction is the curve of the other, whatever the other argument.
+// A net that is constant in one direction has the values of the curve in the other direction.
 EVALCTS_TEST(Metamorphic, CurveInSurface, kMust, "EV-MAP2-SEPARABLE", combine(kAlong).by(in_lists()))
 (Test& t, const Named<bool>& along) {
   for (std::size_t kind = 0; kind < std::size(kKinds1); ++kind) {
@@ -475,8 +478,9 @@ EVALCTS_TEST(Metamorphic, CurveInSurface, kMust, "EV-MAP2-SEPARABLE", combine(kA
 
 // --- EV-NUM-DOMAINSHIFT ----------------------------------------------------------------------------------
 
-// Domain and argument scaled by a power of two and moved: both exact in single precision, but not the
-// quotients by the widths, 3 and 5: in those a large offset drowns what matters.
+// Expects the same values after scaling domain and arguments by a power of two and adding an offset. Both are
+// exact in single precision. Quotients by the widths of the domains, 3 and 5, are not, so that a large offset
+// spoils the results of a library that computes u/(u2 - u1) - u1/(u2 - u1).
 void expect_domain_shift(Test& t, bool two, bool bits) {
   struct Shift {
     double scale, offset;
@@ -510,7 +514,8 @@ void expect_domain_shift(Test& t, bool two, bool bits) {
 EVALCTS_TEST_PAIR(Metamorphic.ShiftedDomainOfCurve, Metamorphic.ShiftedDomainOfSurface, kMust,
                   decide("EV-NUM-DOMAINSHIFT/1-D", "EV-NUM-DOMAINSHIFT/2-D"), by(in_lists()))
 (Test& t, bool two) { expect_domain_shift(t, two, false); };
-// u - u1 and u2 - u1 are exact and their quotient the same: so are the bits, evaluated literally.
+// u - u1 and u2 - u1 are exact and their quotient is unchanged, so the formula of the specification gives the
+// same bits.
 EVALCTS_TEST_PAIR(Metamorphic.SameBitsOfCurve, Metamorphic.SameBitsOfSurface, kQuality,
                   decide("EV-NUM-DOMAINSHIFT/1-D", "EV-NUM-DOMAINSHIFT/2-D"), by(in_lists()))
 (Test& t, bool two) { expect_domain_shift(t, two, true); };

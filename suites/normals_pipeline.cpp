@@ -1,5 +1,5 @@
-// Section 10 of the requirements, further down the pipeline: generated normals are transformed, rescaled and
-// lit like those of Normal3, and reach a vertex program as they are.
+// Section 10 of the requirements, the pipeline after evaluation: generated normals are transformed, rescaled
+// and lit like those of Normal3, and reach a vertex program without being normalised.
 #include <fmt/format.h>
 
 #include <evalcts/judge/prediction.h>
@@ -11,12 +11,13 @@ namespace evalcts::suite_normals_pipeline {
 namespace {
 
 const std::vector<float> kTwice = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1};
-// Twice as large and turned about the axis (1,1,1).
+// Scales by two and rotates about the axis (1,1,1).
 const std::vector<float> kTurnedTwice = {0, 2, 0, 0, 0, 0, 2, 0, 2, 0, 0, 0, 0, 0, 0, 1};
-// No similarity: normals go another way than tangents.
+// A shear with unequal scales, which transforms normals differently from tangents.
 const std::vector<float> kSheared = {1, 0, 0, 0, 0.75f, 2, 0, 0, -0.5f, 0, 0.5f, 0, 0, 0, 0, 1};
 
-// A bicubic patch within -0.25 to 0.25, curved in both directions, times the size.
+// Returns a bicubic patch, curved in both directions, whose control points lie within [-0.25,0.31], scaled by
+// `size`.
 Map patch(double size) {
   std::vector<double> points;
   for (int i = 0; i < 4; ++i)
@@ -38,7 +39,7 @@ gl::Case points_of(const Map& map, bool automatic = true) {
   return c;
 }
 
-// Texture coordinates are normals in eye space.
+// Makes texture coordinates of the normals in eye space.
 void show_normals(gl::Case& c) {
   set_up_texture(c);
   for (const auto& [coordinate, enable] :
@@ -52,7 +53,7 @@ const std::vector<float> kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 
 
 struct Stage {
   const char* name;
-  GLenum capability;  // enabled by it, or 0: the matrix is the stage
+  GLenum capability;  // the stage's capability, or 0: the stage is the matrix
   std::vector<std::vector<float>> matrices;
 };
 const Stage kStages[] = {{"MODEL_VIEW", 0, {kTwice, kSheared}},
@@ -85,12 +86,12 @@ EVALCTS_TEST(AutomaticNormals, Transformed, kMust, "EV-AUTON-FFTRANSFORM", combi
   expect_like_explicit(feedback(t, "evaluated", evaluations), control);
 };
 
-// Without NORMALIZE the colour is that of a unit normal, whatever the size of the patch.
+// Without NORMALIZE, the patch is lit with unit normals whatever its size.
 EVALCTS_TEST(AutomaticNormals, LitAsUnits, kMust, "EV-AUTON-UNIT")
 (Test& t) {
   gl::Case state;
   enable_light(state, {0.36f, 0.48f, 0.8f, 0});
-  // Nothing is clipped.
+  // So small that nothing is clipped.
   state.MatrixMode(GL_PROJECTION);
   state.LoadMatrixf(std::vector<float>{1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, 0, 0, 1});
   std::vector<Scene> evaluated, controls;
@@ -111,7 +112,7 @@ EVALCTS_TEST(AutomaticNormals, LitAsUnits, kMust, "EV-AUTON-UNIT")
   expect_like_explicit(feedback(t, "evaluated", evaluated), control);
 };
 
-// AUTO_NORMAL is disabled in a fresh context: the current normal is that of each vertex, and is lit.
+// AUTO_NORMAL is disabled in a fresh context, so that all vertices are lit with the current normal.
 EVALCTS_TEST(AutomaticNormals, InitiallyOff, kMust, "EV-INIT-AUTON-OFF")
 (Test& t) {
   gl::Case state;
@@ -129,7 +130,8 @@ EVALCTS_TEST(AutomaticNormals, InitiallyOff, kMust, "EV-INIT-AUTON-OFF")
   expect_like_explicit(feedback(t, "evaluated", state, evaluated), control);
 };
 
-// The normal as texture coordinates, the rest as without a program.
+// A vertex program that passes on the normal as texture coordinates, and the colour; positions are those of
+// the fixed-function pipeline.
 constexpr char kNormalProgram[] =
     "!!ARBvp1.0\n"
     "OPTION ARB_position_invariant;\n"
@@ -137,7 +139,7 @@ constexpr char kNormalProgram[] =
     "MOV result.texcoord[0], vertex.normal;\n"
     "END\n";
 
-// A plane over the unit domain: everywhere the same derivatives, du and dv.
+// A plane over the unit domain with the constant derivatives du and dv.
 struct Plane {
   const char* name;
   std::array<double, 3> du, dv;
@@ -147,7 +149,7 @@ constexpr Plane kPlanes[] = {{"10 by 10", {10, 0, 0}, {0, 10, 0}, 2, 2},
                              {"a quarter by a quarter", {0.25, 0, 0}, {0, 0.25, 0}, 2, 2},
                              {"tilted, order 4 by 3", {6, 3, -1.5}, {-1, 4, 2}, 4, 3}};
 
-// n = du x dv as it is.
+// The normal is du x dv, not normalised.
 EVALCTS_TEST(AutomaticNormals, NotNormalisedForVertexProgram, kMust, "EV-AUTON-VP")
 (Test& t) {
   require_extension(t, "GL_ARB_vertex_program");
@@ -171,7 +173,7 @@ EVALCTS_TEST(AutomaticNormals, NotNormalisedForVertexProgram, kMust, "EV-AUTON-V
     normals.push_back(normal);
     const gl::Case drawing = points_of(make_map2(GL_MAP2_VERTEX_3, plane.uorder, plane.vorder, points));
     evaluated.emplace_back(plane.name, state, drawing);
-    // The specification runs the commands with normals of unit length.
+    // explicit_commands() has normals of unit length, so they are replaced.
     const gl::Case units = explicit_commands(t, drawing);
     with_normals.emplace_back(plane.name, state);
     for (const gl::Command& command : units.commands()) {

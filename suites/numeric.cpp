@@ -1,6 +1,6 @@
-// Section 17 of the requirements, the rules about particular values: the ends, large and small magnitudes,
-// and non-finite values. (What must not change a result is in unrelated_state.cpp, rules that relate maps are
-// in metamorphic.cpp.)
+// Section 17 of the requirements, the rules about particular values: the ends of domains, large and small
+// magnitudes, and non-finite values. See unrelated_state.cpp for state that must not change results, and
+// metamorphic.cpp for rules that relate maps.
 #include <fmt/format.h>
 #include <reference/map.h>
 
@@ -31,7 +31,7 @@ std::vector<gl::Delivery> in_one_dimension() {
 
 namespace {
 
-// A value of a vertex, with its name.
+// A component of a vertex, with its name.
 struct Value {
   std::string name;
   float value;
@@ -147,7 +147,8 @@ double largest(Test& t, GLenum target) {
   return std::ldexp(1.0, reference::guaranteed_range(target, t.gl().version_number()));
 }
 
-// Points up to the largest that the GL promises to hold for the target, both signs of it among them.
+// Returns control points up to the largest magnitude that GL guarantees for the target, which is among them
+// with both signs.
 std::vector<double> large_points(Test& t, GLenum target, int order) {
   std::vector<double> points =
       random_values(t.random(), static_cast<std::size_t>(order * gl::components_of(target)));
@@ -195,7 +196,7 @@ EVALCTS_TEST(Numeric, LargeColorsKept, kMust, "EV-NUM-RANGE-COLOR/1-D", "EV-NUM-
              by(in_lists()))
 (Test& t) { expect_large_points_kept(t, {GL_MAP1_COLOR_4}); };
 
-// Domains and arguments of that size.
+// Domains and arguments up to 2^32.
 EVALCTS_TEST(Numeric, LargeDomain, kMust, "EV-NUM-RANGE-POS/1-D", by(of_curves()))
 (Test& t) {
   gl::Case c("domains up to 2^32");
@@ -211,7 +212,8 @@ EVALCTS_TEST(Numeric, LargeDomain, kMust, "EV-NUM-RANGE-POS/1-D", by(of_curves()
   t.expect_emission(c, kUnit0);
 };
 
-// Negative zero, subnormal numbers and those next to them, as arguments, points and one end of a domain.
+// Negative zero, subnormal numbers and the least normal numbers as arguments and points; negative zero also
+// as an end of the domain.
 EVALCTS_TEST(Numeric, DenormalsAndNegativeZero, kMust, "EV-NUM-DENORMAL/1-D", by(of_curves()))
 (Test& t) {
   constexpr double kSmall[] = {-0.0, 0x1p-149, -0x1p-149, 0x1p-130, -0x1.8p-127, 0x1p-126, -0x1p-126};
@@ -221,7 +223,7 @@ EVALCTS_TEST(Numeric, DenormalsAndNegativeZero, kMust, "EV-NUM-DENORMAL/1-D", by
       for (const int order : {1, 2, 4, 8}) {
         for (const GLenum target : kinds.targets) {
           Map map = over(random_map(t, target, order), domain);
-          // Some of them, or all.
+          // One of the domains gets such values only, the others in every second place.
           for (std::size_t i = 0; i < map.points.size(); ++i)
             if (domain.last == 3 || i % 2) map.points[i] = kSmall[i % std::size(kSmall)];
           define_and_enable(c, map);
@@ -257,17 +259,18 @@ EVALCTS_TEST_PAIR(Numeric.NegativeZeroIsZero1, Numeric.NegativeZeroIsZero2, kQua
   }
 };
 
-// --- What is no number -----------------------------------------------------------------------------------
+// --- Non-finite values -----------------------------------------------------------------------------------
 
-// Values that are no finite single-precision number; the last is one in double precision.
+// Values that are not finite in single precision; the last one is finite in double precision.
 constexpr double kSpecials[] = {kNaN, kInfinity, -kInfinity, 1e300};
 
-// Primitives that may be drawn: a capture sees one kind.
+// Modes of the meshes to draw. A test with a capture uses one mode, because a capture sees one kind of
+// primitive.
 using Modes = std::vector<GLenum>;
 
 struct Special {
   const char* name;
-  // Gives a value to the GL and draws with it.
+  // Passes the value to GL commands of the form (`doubles`) and draws with it.
   void (*feed)(Test& t, gl::Case& c, bool two, bool doubles, double value, const Modes& modes);
 };
 
@@ -294,7 +297,7 @@ void feed_points(Test& t, gl::Case& c, bool two, bool doubles, double value, con
   }
 }
 
-// Intervals with the value at one end, or at both.
+// Returns intervals with the value at one end or at both.
 std::vector<Interval> intervals_with(double value) {
   return {{value, 1}, {0, value}, {value, value}, {value, -value}};
 }
@@ -331,7 +334,7 @@ void feed_grid(Test&, gl::Case& c, bool two, bool doubles, double value, const M
 constexpr Special kFeeds[] = {
     {"ARGUMENT", feed_argument}, {"POINTS", feed_points}, {"DOMAIN", feed_domain}, {"GRID", feed_grid}};
 
-// Finite maps and grids drawn by all commands; returns how many points that are.
+// Draws points of finite maps and grids by EvalCoord, EvalPoint and EvalMesh. Returns the number of points.
 std::size_t draw_finite(gl::Case& c, bool two, const std::vector<Map>& maps) {
   for (const Map& map : maps) define(c, map);
   map_grid(c, two, {3, 0, 1}, {2, 1, 0.5f});
@@ -345,13 +348,14 @@ std::size_t draw_finite(gl::Case& c, bool two, const std::vector<Map>& maps) {
   return 8 + (two ? 12 : 4);
 }
 
-// Drawings after such values are those without them.
+// Non-finite values must not affect later drawing.
 EVALCTS_TEST_PAIR(Numeric.ResultsAfterSpecials1, Numeric.ResultsAfterSpecials2, kMust,
                   decide("EV-NUM-SPECIAL-SAFE/1-D", "EV-NUM-SPECIAL-SAFE/2-D"),
                   combine(kFeeds).by(in_lists()))
 (Test& t, bool two, const Special& special) {
   const Kinds& kinds = kinds_of(two)[1];
-  // The maps drawn before are others: those drawn afterwards have to be defined afterwards.
+  // Before the non-finite values other maps are drawn, so that those drawn afterwards are defined afterwards
+  // too.
   std::vector<Map> maps, maps_before;
   for (const GLenum target : kinds.targets) {
     maps.push_back(random_map(t, target, {4, 3}));
@@ -384,8 +388,8 @@ EVALCTS_TEST_PAIR(Numeric.ResultsAfterSpecials1, Numeric.ResultsAfterSpecials2, 
               [&](std::size_t i) { return fmt::format("vertex {} of those drawn afterwards", i); });
 };
 
-// ... also where they are rasterized, in all modes. Other maps, enables and current values are what they
-// were.
+// Non-finite values in meshes of all modes crash nothing and do not affect other maps and enables, and maps
+// can be defined afterwards.
 EVALCTS_TEST_PAIR(Numeric.StateAfterSpecials1, Numeric.StateAfterSpecials2, kMust,
                   decide("EV-NUM-SPECIAL-SAFE/1-D", "EV-NUM-SPECIAL-SAFE/2-D"),
                   combine(kFeeds).by(in_lists()))

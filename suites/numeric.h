@@ -14,11 +14,12 @@ namespace evalcts::suite_numeric {
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// Most of them awkward in single precision.
+// Domains, some of whose ends or widths round in single precision.
 inline constexpr Interval kDomains[] = {{0, 1},       {2, 5},         {1, -3},
                                         {0.1f, 0.7f}, {-1e-3f, 1e5f}, {1000, 1000.25}};
 
-// Arguments in arrays are another rule (EV-API-V).
+// Deliveries without arrays of arguments, which have a requirement of their own (EV-API-V), and without
+// repetition.
 std::vector<gl::Delivery> of_curves();
 std::vector<gl::Delivery> of_surfaces();
 std::vector<gl::Delivery> in_one_dimension();
@@ -28,12 +29,13 @@ bool same_bits(float a, float b);
 void fail(Test& t, const gl::Case& c, const std::string& what, const std::string& why, float expected,
           float got);
 
-// Vertex by vertex; `name(i)` tells which vertex i is.
+// Fails for each value of the attributes in which two vertices of the same index differ, -0 counting as +0.
+// `got` has at least as many vertices as `expected`; `name(i)` describes vertex i, `why` the expected value.
 void expect_same(Test& t, const gl::Case& c, std::span<const ObservedVertex> expected,
                  std::span<const ObservedVertex> got, Attributes attributes, const std::string& why,
                  const std::function<std::string(std::size_t)>& name);
 
-// Random maps of all the kinds, enabled: over the domain, in two dimensions also along v.
+// Defines and enables random maps of all the targets over the domain, which is that of u and of v.
 void define_random(Test& t, gl::Case& c, const Kinds& kinds, int order, const Interval& domain);
 
 void evaluate_at(gl::Case& c, bool two, double u);

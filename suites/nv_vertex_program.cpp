@@ -1,4 +1,4 @@
-// Section 24 of the requirements: NV_vertex_program, maps of its 16 vertex attributes.
+// Section 24 of the requirements: NV_vertex_program and the maps of its 16 vertex attributes.
 #include <fmt/format.h>
 
 #include <evalcts/testkit/registration.h>
@@ -11,11 +11,12 @@
 namespace evalcts::suite_nv_vertex_program {
 namespace {
 
-constexpr GLenum kAttributeMaps1 = 0x8660, kAttributeMaps2 = 0x8670;  // 16 each
+constexpr GLenum kAttributeMaps1 = 0x8660, kAttributeMaps2 = 0x8670;  // the first of 16 targets each
 
 void require_nv(Test& t) { require_extension(t, "GL_NV_vertex_program"); }
 
-// All of them but the one that ARB_vertex_program took for PROGRAM_BINDING_ARB.
+// Returns the targets of both dimensions, without 0x8677 if ARB_vertex_program uses it for
+// PROGRAM_BINDING_ARB.
 std::vector<GLenum> attribute_maps(Test& t) {
   std::vector<GLenum> all;
   for (GLenum i = 0; i < 16; ++i) all.push_back(kAttributeMaps1 + i);
@@ -31,7 +32,7 @@ std::vector<GLint> orders_of(GLenum target, GLint order) {
   return std::vector<GLint>(is_curve(target) ? 1 : 2, order);
 }
 
-// Defines a map of order 2, or 2x2.
+// Defines a map of order 2, or 2 by 2. `stride`: distance of points in v, or in u of a curve.
 void define_attribute_map(gl::Case& c, GLenum target, GLint stride, const std::vector<float>& points) {
   is_curve(target) ? c.Map1f(target, 0.0f, 1.0f, stride, 2, points)
                    : c.Map2f(target, 0.0f, 1.0f, 2 * stride, 2, 0.0f, 1.0f, stride, 2, points);
@@ -96,14 +97,14 @@ EVALCTS_TEST(NvVertexProgram, AttributeStack, kMust, "EV-EXT-NVVP-STACK")
   }
 };
 
-// --- Programs: what of the attributes comes out as the colour ----------------------------------------------
+// --- Programs that output an attribute as the colour -------------------------------------------------------
 
-// Attributes that alias conventional ones (table X.1 of the extension).
+// Numbers of attributes that alias conventional ones (table X.1 of the extension).
 constexpr GLenum kPositionAttribute = 0, kColorAttribute = 3;
 
 using Color = std::array<double, 4>;
 
-// Passes on the position and makes this of the attributes.
+// Loads and enables a program that passes on the position and outputs `color`, the name of an input register.
 void use_nv_program(gl::Case& c, const std::string& color) {
   const std::string text = "!!VP1.0\nMOV o[HPOS], v[OPOS];\nMOV o[COL0], " + color + ";\nEND";
   c.LoadProgramNV(GL_VERTEX_PROGRAM_NV, 1, static_cast<GLsizei>(text.size()), gl::text(text));
@@ -114,8 +115,8 @@ void use_nv_program(gl::Case& c, const std::string& color) {
 GLenum attribute_map(const Dimension& dimension, GLenum attribute) {
   return (dimension.two ? kAttributeMaps2 : kAttributeMaps1) + attribute;
 }
-// Defines a map of order 2 in u, constant in v: from one value to the other. Four components, or the first
-// three.
+// Defines and enables a map of order 2 in u, constant in v, with the first `components` components of both
+// values.
 void define_ramp(gl::Case& c, const Dimension& dimension, GLenum target, const Color& from, const Color& to,
                  int components = 4) {
   std::vector<float> points;
@@ -138,14 +139,15 @@ void set_current_color(gl::Case& c) {
             static_cast<float>(kCurrent[3]));
 }
 
-// Evaluated at four arguments between Begin and End.
+// Draws four evaluated points.
 void draw(gl::Case& c, const Dimension& dimension) {
   c.Begin(GL_POINTS);
   for (const double u : kAt) eval_coord(c, dimension.two, u, 0.5);
   c.End();
 }
 
-// Returns the error in the points of a part; empty if there is none.
+// Returns a description of the first wrong point of a part, or an empty string if the `count` points have the
+// colours and positions that these functions of u return.
 std::string wrong_points(const Part& part, std::size_t count, const std::function<Color(double)>& color,
                          const std::function<Color(double)>& position) {
   const std::vector<FeedbackPrimitive> points = primitives_of(part);
@@ -173,7 +175,8 @@ std::function<Color(double)> ramp(const Color& from, const Color& to) {
 }
 const auto kPositionAt = ramp(kFromPosition, kToPosition);
 
-// The program has to work with explicit vertices, or nothing can be said.
+// Throws NotObservable unless a program that outputs `color_source` gives explicit vertices the colour
+// `shown` after `set_source`.
 void require_programs(Test& t, const std::string& color_source,
                       const std::function<void(gl::Case&)>& set_source, const Color& shown) {
   gl::Case state, drawing;
@@ -253,8 +256,8 @@ EVALCTS_TEST(NvVertexProgram, Attribute0IsTheVertex, kMust, "EV-EXT-NVVP-VERTEX"
   }
 };
 
-// q = (u/w - 1/2, v/(2 w) - 1/4, 0) with w = 1 + u/2: dq/du x dq/dv = (0, 0, 1/w^2 * 1/(2 w)), shorter
-// than 1.
+// The generated normal of q = (u/w - 1/2, v/(2 w) - 1/4, 0) with w = 1 + u/2 is not normalised: it is
+// dq/du x dq/dv = (0, 0, 1/w^2 * 1/(2 w)), whose length is less than 1.
 EVALCTS_TEST(NvVertexProgram, AutoNormal, kMust, "EV-EXT-NVVP-AUTON")
 (Test& t) {
   require_nv(t);

@@ -1,5 +1,5 @@
-// Section 19 of the requirements: which evaluator commands may stand between Begin and End, and that each
-// command sees all earlier ones and no later one.
+// Section 19 of the requirements: the evaluator commands that are allowed between Begin and End, and the
+// order of commands: each one takes effect on all later commands and on no earlier one.
 #include <fmt/format.h>
 
 #include <evalcts/judge/prediction.h>
@@ -12,7 +12,7 @@
 namespace evalcts::suite_ordering {
 namespace {
 
-// And what switches and asks.
+// Returns forbidden_in_primitives(), and enables and queries.
 std::vector<NamedCalls> forbidden() {
   std::vector<NamedCalls> all = forbidden_in_primitives();
   all.push_back({"Enable_MAP1", [](gl::Case& c) { c.Enable(GL_MAP1_COLOR_4); }});
@@ -29,7 +29,7 @@ std::vector<NamedCalls> forbidden() {
   return all;
 }
 
-// The query of state that is not the evaluators' that is the control of this one; empty for other commands.
+// Returns a query of other state that is the control of the query `command`; empty for other commands.
 Calls control_of(const std::string& command) {
   if (command == "IsEnabled") return [](gl::Case& c) { c.IsEnabled(GL_LIGHTING); };
   if (command.starts_with("GetMap"))
@@ -37,7 +37,7 @@ Calls control_of(const std::string& command) {
   return {};
 }
 
-// Vertex maps of both dimensions, and grids.
+// Defines and enables vertex maps of both dimensions, and sets the grids.
 void enable_vertices(Test& t, gl::Case& c) {
   define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
   define(c, random_map(t, GL_MAP2_VERTEX_3, {2, 3}));
@@ -89,7 +89,7 @@ EVALCTS_TEST(Ordering, ForbiddenInPrimitives, kMust, "EV-BE-ALLOWED", "EV-BE-IGN
 
 constexpr std::string_view kAnotherGrid = "another grid";
 
-// State, then what is drawn under it.
+// A change of state before a drawing.
 struct Step {
   std::string_view name;
   Calls change;
@@ -99,7 +99,7 @@ struct Step {
 const std::vector<float> kSmall = {0.5f, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, 0.5f, 0, 0.125f, 0, 0, 1};
 const std::vector<float> kMoved = {0.5f, 0, 0, 0, 0, -0.5f, 0, 0, 0, 0, 0.5f, 0, 0, 0.25f, 0, 1};
 
-// Positions that fill [-0.75,0.75], `sign` says which way.
+// Defines a vertex map whose x and y cover [-0.75,0.75], multiplied by `sign`.
 void define_vertices(gl::Case& c, bool two, double sign) {
   const double a = 0.75 * sign;
   define(c, two ? make_map2(GL_MAP2_VERTEX_3, 2, 2, {-a, -a, 0, a, -0.5 * a, 0, -0.5 * a, a, 0.25, a, a, 0.5})
@@ -122,7 +122,7 @@ std::vector<Step> steps(bool two) {
           {"another matrix", [](gl::Case& c) { c.LoadMatrixf(kSmall); }, true},
           {"another vertex map", [=](gl::Case& c) { define_vertices(c, two, -0.75); }},
           {"another colour map", [=](gl::Case& c) { define_colors(c, two, 0); }},
-          // The current colour is given anew: whether evaluated ones replace it is for section 11.
+          // Sets the current colour again: other tests judge whether evaluation keeps it (section 11).
           {"no colour map",
            [=](gl::Case& c) {
              c.Disable(target_in(two, GL_MAP1_COLOR_4));
@@ -135,7 +135,7 @@ std::vector<Step> steps(bool two) {
            }},
           {"lighting",
            [](gl::Case& c) {
-             c.Enable(GL_LIGHTING);  // no lamp: a normal that the matrix lengthens would saturate all colours
+             c.Enable(GL_LIGHTING);  // no light: scaled normals would saturate all colours
              c.Materialfv(GL_FRONT_AND_BACK, GL_EMISSION, std::vector<float>{0.75f, 0, 0, 1});
            },
            true},
@@ -166,7 +166,7 @@ constexpr Drawn kDrawn[] = {
        c.End();
      }}};
 
-// One picture of ten drawings with a change of state before each; the explicit vertices get the same changes.
+// One picture of ten drawings, each after a change of state. The control has the same changes.
 EVALCTS_TEST_PAIR(Ordering.SeesEarlierState1, Ordering.SeesEarlierState2, kMust,
                   decide("EV-BE-ORDER/1-D", "EV-BE-ORDER/2-D"), combine(kDrawn))
 (Test& t, bool two, const Drawn& drawn) {
@@ -185,7 +185,7 @@ EVALCTS_TEST_PAIR(Ordering.SeesEarlierState1, Ordering.SeesEarlierState2, kMust,
     vertices.append(as_explicit_commands(prediction));
   }
   const Picture control = feedback(t, gl::control("explicit vertices"), {}, vertices);
-  // Each change shows.
+  // Each change has to be visible.
   const std::vector<double>& values = control.values();
   const auto size = static_cast<std::ptrdiff_t>(values.size() / all.size());
   for (std::size_t i = 1; i < all.size(); ++i) {
@@ -197,7 +197,7 @@ EVALCTS_TEST_PAIR(Ordering.SeesEarlierState1, Ordering.SeesEarlierState2, kMust,
                                                  : expect_like_explicit(picture, control);
 };
 
-// The changes that concern the evaluator show in what comes out of it, too.
+// The vertices of the same drawings, without the changes of later stages of the pipeline.
 EVALCTS_TEST_PAIR(Ordering.EvaluatesInOrder1, Ordering.EvaluatesInOrder2, kMust,
                   decide("EV-BE-ORDER/1-D", "EV-BE-ORDER/2-D"), combine(kDrawn).by(gl::list_deliveries()))
 (Test& t, bool two, const Drawn& drawn) {
@@ -210,8 +210,8 @@ EVALCTS_TEST_PAIR(Ordering.EvaluatesInOrder1, Ordering.EvaluatesInOrder2, kMust,
   t.expect_emission(c, kPosition | kColor);
 };
 
-// The map of each attribute switched on and off again, a drawing after each change. Current values are given
-// anew, as above.
+// The map of each attribute is enabled and disabled, with a drawing after each change. Current values are set
+// again, as above.
 EVALCTS_TEST_PAIR(Ordering.SeesEnables1, Ordering.SeesEnables2, kMust,
                   decide("EV-BE-ORDER/1-D", "EV-BE-ORDER/2-D"), combine(kDrawn).by(gl::list_deliveries()))
 (Test& t, bool two, const Drawn& drawn) {

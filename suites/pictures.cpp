@@ -17,7 +17,7 @@ bool differs(double a, double b, double tolerance) {
   return !(std::abs(a - b) <= tolerance * std::max(1.0, std::abs(b)));
 }
 
-// Returns the first index at which two lists differ; their common length if they do not.
+// Returns the first index at which two lists differ, or the length of the shorter one if they do not.
 std::size_t first_difference(const std::vector<double>& a, const std::vector<double>& b, double tolerance) {
   const std::size_t size = std::min(a.size(), b.size());
   std::size_t i = 0;

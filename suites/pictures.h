@@ -1,6 +1,7 @@
-// Pictures of a drawing at the end of the pipeline: in the feedback buffer, and in pixels for stages that
-// only pixels show. Evaluated vertices are compared with explicit ones under the same state. If the explicit
-// ones do not show the effect that a test is about, the test is not-observable (pipeline).
+// Pictures of a drawing at the end of the pipeline: the contents of the feedback buffer, or pixels for stages
+// that feedback does not show. Tests compare the picture of evaluated vertices with that of explicit vertices
+// under the same state. If the explicit ones do not show the effect that a test is about, the test is
+// not-observable (pipeline).
 #pragma once
 
 #include <array>
@@ -13,14 +14,16 @@
 
 namespace evalcts {
 
-// Window coordinates, colours and texture coordinates of well-conditioned maps of low order: what the
-// accuracy rule leaves to an evaluation (1e-5 a step, some ten steps) times the gain of the stages below, at
-// most 64. A stage that is left out shows by far more: see require_an_effect().
+// Largest difference of window coordinates, colours and texture coordinates from those of explicit vertices,
+// relative to values above 1: the error that an evaluation of a well-conditioned map of low order may have
+// (1e-5 for each of some ten operations) times the gain of the stages after it, at most 64. The effect of a
+// stage is at least ten times as large, see require_an_effect().
 inline constexpr double kTolerance = 0.02;
 inline constexpr double kEffect = 10 * kTolerance;
 
-// Part of what a case does: commands, and a look at what they draw. Scenes of one case follow each other in
-// one context (a context costs more than all it draws): the state of one is there in the next.
+// Commands whose drawing is one part of a picture, or one for each area. The scenes of a picture run one
+// after the other in one context, because making a context is expensive: a scene begins with the state in
+// which the previous one ended.
 struct Scene {
   std::string name;
   gl::Case commands;
@@ -37,13 +40,13 @@ struct Area {
   int x, y, width = 1, height = 1;
 };
 
-// One thing looked at: what a command wrote.
+// The values that one command of a scene wrote.
 struct Part {
   std::string name;
   gl::Ref shown;
   std::vector<double> values;
   std::size_t scene = 0;
-  std::optional<Area> area = {};  // of pixels
+  std::optional<Area> area = {};  // the pixels that the command read
 };
 
 struct Picture {
@@ -53,54 +56,58 @@ struct Picture {
   const std::vector<double>& values() const { return parts.at(0).values; }
 };
 
-// The scenes in feedback mode, a part each: tokens, each vertex as (x, y, z, w) of the window, colour and
-// texture coordinates. Throws NotObservable where there is more than the buffer holds.
+// Draws the scenes in feedback mode with type 4D_COLOR_TEXTURE; each scene is a part, which holds the
+// contents of the feedback buffer. Throws NotObservable if a buffer overflows.
 Picture feedback(Test& t, const gl::Identity& identity, const std::vector<Scene>& scenes);
-// One drawing under the state.
+// The same for one drawing under the state.
 Picture feedback(Test& t, const gl::Identity& identity, const gl::Case& state, const gl::Case& drawing);
 
-// A primitive of such a picture. A LINE_RESET_TOKEN is a token of its own.
+// A primitive in the feedback buffer. Each vertex is (x, y, z, w) in window coordinates, RGBA, (s, t, r, q).
+// The token distinguishes LINE_RESET_TOKEN and LINE_TOKEN.
 struct FeedbackPrimitive {
   GLenum token;
   std::vector<std::array<double, 12>> vertices;
 };
 std::vector<FeedbackPrimitive> primitives_of(const Part& feedback);
-// Makes every LINE_RESET_TOKEN a LINE_TOKEN: whether a stipple starts anew is for few tests only.
+// Replaces each LINE_RESET_TOKEN by a LINE_TOKEN, for tests that are not about restarts of the stipple.
 void forget_stipple_starts(Picture& feedback);
 
-// All pictures in pixels have the window of 64x64 pixels; a position (x, y) of the clip volume is at pixel
-// 32 + 32 x, 32 + 32 y.
+// Width and height of pictures in pixels: the position (x, y) in normalized device coordinates lies at
+// (32 + 32 x, 32 + 32 y) in the window. at_pixel() returns the x or y of a window coordinate.
 inline constexpr int kSide = 64;
 inline float at_pixel(double window) { return static_cast<float>((window - kSide / 2.0) / (kSide / 2.0)); }
 
-// The areas of the frame buffer, a part each, after each scene; before it the frame buffer is cleared to 0
-// (its depth to 1). format: GL_RGBA, GL_RED or GL_DEPTH_COMPONENT.
+// Clears colours to 0 and depths to 1, draws a scene and reads the areas of the framebuffer, for each scene.
+// The parts are the areas of the first scene, then those of the second one, and so on. format: GL_RGBA,
+// GL_RED or GL_DEPTH_COMPONENT.
 Picture pixels(Test& t, const gl::Identity& identity, const std::vector<Scene>& scenes,
                const std::vector<Area>& areas, GLenum format = GL_RGBA);
-// One drawing under the state.
+// The same for one drawing under the state.
 Picture pixels(Test& t, const gl::Identity& identity, const gl::Case& state, const gl::Case& drawing,
                const std::vector<Area>& areas, GLenum format = GL_RGBA);
 
-// If a check on the picture fails after this, the report shows the pixels of the scene beside those of the control, which has
-// the same areas. Both pictures have to outlive the checks.
+// If a check on the picture fails after this call, the report shows the pixels of the scene next to those of the
+// control, which has the same areas. Both arguments must outlive the checks.
 void show_pixels(Picture& picture, const std::vector<Part>& control, std::size_t scene = 0);
 
 bool alike(const std::vector<double>& a, const std::vector<double>& b, double tolerance = kTolerance);
 
-// The explicit commands have to show the stage, or nothing can be said of it. Throws NotObservable.
+// Throws NotObservable if the pictures of explicit vertices with and without a stage are alike, or `with` is
+// empty: then the stage cannot be tested.
 void require_an_effect(const std::vector<double>& with, const std::vector<double>& without);
 void require_an_effect(const Picture& with, const Picture& without);
 
-// The part is like that of the control.
+// Expects the part to be alike to that of the control.
 void expect_like_explicit(Played& played, const Part& seen, const Part& control);
-// All of its parts are.
+// The same for all parts.
 void expect_like_explicit(Picture picture, const Picture& control);
 
-// The picture of explicit vertices is the same in all deliveries of a test: drawn once in a process, under
-// this name.
+// Returns the part that `draw` returned at the first call with this name in this process: the control of
+// explicit vertices is the same for all deliveries of a test.
 const Part& drawn_once(const std::string& name, const std::function<Part()>& draw);
 
-// A complete texture: some implementations skip texture coordinates and their generation without one.
+// Binds and enables a complete white texture, because some implementations skip texture coordinates and their
+// generation without one.
 void set_up_texture(gl::Case& c);
 
 }  // namespace evalcts

@@ -1,6 +1,6 @@
-// Section 7 of the requirements, what follows the evaluation: evaluated vertices go through the pipeline like
-// explicit ones, under whatever state and whatever commands stand between them. Both are drawn in the same
-// implementation under the same state; only the evaluation itself may differ, by the accuracy rule.
+// Section 7 of the requirements, the pipeline after evaluation: evaluated vertices go through it like
+// explicit ones, whatever the state and the commands between them. The tests draw both under the same state;
+// they may differ by the error that the accuracy rule allows to evaluation.
 #include <functional>
 
 #include <evalcts/judge/prediction.h>
@@ -10,10 +10,10 @@
 namespace evalcts::suite_pipeline {
 namespace {
 
-// Views of a drawing.
+// Ways to look at a drawing.
 enum class View {
   kFeedback,  // window coordinates, colours and texture coordinates of what is drawn
-  kPixel,     // one pixel in the middle, for what feedback does not show
+  kPixel,     // one pixel in the middle of the window, for stages that feedback does not show
 };
 
 Picture look(Test& t, View view, const gl::Identity& identity, const gl::Case& state,
@@ -87,7 +87,7 @@ constexpr Stage kStages[] = {
        c.Enable(GL_CLIP_PLANE0);
      }}};
 
-// Maps of all kinds, well inside the view volume.
+// Defines and enables maps of position, colour, normal and texture coordinates, well inside the view volume.
 void define_maps(gl::Case& c) {
   define(c, make_map1(GL_MAP1_VERTEX_4, {-0.5, -0.25, -0.5, 1, 0.25, 0.875, 0.25, 1.25, 0.75, -0.5, 0.5, 1}));
   define(c, make_map1(GL_MAP1_COLOR_4, {0.125, 0.875, 0.25, 1, 0.75, 0.25, 1, 0.5}));
@@ -101,7 +101,7 @@ EVALCTS_TEST(Pipeline, Stage, kMust, "EV-COORD-TRANSFORM/1-D", combine(kStages).
 (Test& t, const Stage& stage) {
   const View view = stage.view;
   gl::Case plain, staged;
-  // A pixel shows one vertex, in the middle; it has no texture, which would hide the colour.
+  // kPixel shows one vertex in the middle of the window, without a texture, which would hide the colour.
   if (view == View::kFeedback) {
     set_up_texture(plain);
     set_up_texture(staged);
@@ -134,7 +134,7 @@ EVALCTS_TEST(Pipeline, Stage, kMust, "EV-COORD-TRANSFORM/1-D", combine(kStages).
   expect_like_explicit(t, view, "evaluated", staged, evaluated, control);
 };
 
-// Commands that are legal between Begin and End, each before one vertex.
+// A command that is legal between Begin and End and changes the vertices after it.
 struct Between {
   const char* name;
   bool lit;
@@ -192,7 +192,7 @@ EVALCTS_TEST(Pipeline, BetweenEvaluations, kMust, "EV-COORD-MATERIAL/1-D",
     }
     c.End();
   };
-  // Draws without the command, then with it: half of the picture each.
+  // Draws the points without the command, then with it, each in one half of the feedback.
   const auto draw_both = [&](bool evaluated) {
     gl::Case c = map;
     for (const bool with_command : {false, true}) draw(c, evaluated, with_command);
@@ -208,7 +208,7 @@ EVALCTS_TEST(Pipeline, BetweenEvaluations, kMust, "EV-COORD-MATERIAL/1-D",
   expect_like_explicit(t, view, "evaluated", state, draw_both(true), control);
 };
 
-// The edge flag has no map: the current one counts, at each vertex.
+// There is no map of edge flags: evaluated vertices have the current edge flag.
 EVALCTS_TEST(Pipeline, CurrentEdgeFlag, kMust, "EV-ATTR-NOMAPS/1-D", by(without_lists()))
 (Test& t) {
   constexpr View view = View::kFeedback;
@@ -233,7 +233,7 @@ EVALCTS_TEST(Pipeline, CurrentEdgeFlag, kMust, "EV-ATTR-NOMAPS/1-D", by(without_
   expect_like_explicit(t, view, "evaluated", state, evaluated, control.parts.at(0));
 };
 
-// Client arrays are for DrawArrays and its like; evaluation takes what no map gives from the current values.
+// Evaluation takes attributes without a map from the current values, even if client arrays are enabled.
 EVALCTS_TEST(Pipeline, ArraysHaveNoInfluence, kMust, "EV-COORD-NOARRAYS/1-D", by(without_lists()))
 (Test& t) {
   gl::Case c("vertex, colour, normal and texture coordinate arrays enabled");

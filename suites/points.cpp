@@ -1,4 +1,5 @@
-// Section 14 of the requirements, and what section 13 says of values: evaluation at the points of a grid.
+// Section 14 of the requirements, and the rules of section 13 about values: evaluation at the points of a
+// grid.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 namespace evalcts::suite_points {
 namespace {
 
-const Grid kOther = {5, 1.9f, 1.2f};  // of v
+const Grid kOther = {5, 1.9f, 1.2f};  // the grid of v
 
 void point(gl::Case& c, bool two, int i) {
   eval_point(c, two, i, (3 * i % 7 + 7) % 7 - 1);
@@ -27,7 +28,7 @@ void eval_points(gl::Case& c, bool two, int first, int last) {
 void expect_points(Test& t, bool two, const std::string& identity, const std::vector<Grid>& grids,
                    int outside) {
   gl::Case c(identity);
-  // Maps and grid of the other dimension have no say.
+  // Maps and grid of the other dimension must have no effect.
   enable_maps(t, c, !two);
   map_grid(c, !two, {6, 0.3f, 1.9f}, kOther);
   enable_maps(t, c, two);
@@ -37,7 +38,7 @@ void expect_points(Test& t, bool two, const std::string& identity, const std::ve
     if (grid.segments > 12) eval_points(c, two, grid.segments / 2, grid.segments / 2 + 3);
     if (grid.segments > 12) eval_points(c, two, grid.segments - 3, grid.segments + outside);
     if (!two) continue;
-    // The same along v.
+    // Points along v.
     map_grid(c, kOther, grid);
     c.Begin(GL_POINTS);
     for (const int j : {-outside, 1, grid.segments / 2, grid.segments + outside}) c.EvalPoint2(3, j);
@@ -69,7 +70,7 @@ EVALCTS_TEST(Points, Reversed, kMust, "EV-GRID-REVERSED", combine(kDimensions).b
                 {{4, 1, 0}, {3, 0.7f, 0.1f}, {50, 2.5f, -0.9f}}, 2);
 };
 
-// The argument between the ends of such a grid is that of a large index times a small step.
+// Grids up to 2^31 - 1 segments, on which the argument is a large index times a small step.
 EVALCTS_TEST(Points, LargestCounts, kMust, "EV-GRID-LARGE", combine(kDimensions).by(gl::list_deliveries()))
 (Test& t, const Dimension& d) {
   gl::Case c("up to 2^31-1 segments");
@@ -83,7 +84,7 @@ EVALCTS_TEST(Points, LargestCounts, kMust, "EV-GRID-LARGE", combine(kDimensions)
   t.expect_emission(c, kUnit0);
 };
 
-// The grid in force is the one of the moment, for points as for meshes.
+// Points and meshes use the grid at the time of the command.
 EVALCTS_TEST(Points, GridOfTheMoment, kMust, "EV-GRID-LATE", combine(kDimensions).by(gl::list_deliveries()))
 (Test& t, const Dimension& d) {
   gl::Case c("grids change between points, between meshes, with and without maps");
@@ -95,7 +96,7 @@ EVALCTS_TEST(Points, GridOfTheMoment, kMust, "EV-GRID-LATE", combine(kDimensions
     eval_points(c, d.two, 0, 3);
     eval_mesh(c, d.two, GL_POINT, 0, d.two ? 2 : 3, 1, 2);
   }
-  if (d.two)  // only what v has is another
+  if (d.two)  // only the grid of v changes
     for (const Grid& v : {Grid{5, 1, 1.75f}, Grid{3, 1, 1.75f}}) {
       map_grid(c, {2, -1, 1}, v);
       c.EvalMesh2(GL_POINT, 0, 2, 0, 2);
@@ -116,7 +117,7 @@ EVALCTS_TEST_PAIR(Points.FirstIsExact, Points.LastIsExact, kMust,
   expect_exact_end(t, along, last, kPoints, draw, 20000);
 };
 
-// The same index is the same domain value in both, and so the same vertex.
+// EvalPoint and EvalMesh evaluate an index at the same argument, so their vertices have the same bits.
 EVALCTS_TEST(Points, SameBitsAsMesh, kQuality, "EV-POINT-LIKEMESH",
              combine(kDimensions).by(gl::list_deliveries()))
 (Test& t, const Dimension& d) {
@@ -133,7 +134,7 @@ EVALCTS_TEST(Points, SameBitsAsMesh, kQuality, "EV-POINT-LIKEMESH",
         ++count;
       }
     c.End();
-    // A row each: the order of rows is not the point.
+    // Each mesh has one row, because the order of rows is not judged here.
     for (int j = 0; j <= (d.two ? 2 : 0); ++j) eval_mesh(c, d.two, GL_POINT, -2, last, j, j);
   }
   const Observation seen = t.observe(c, kUnit0, 2 * count);

@@ -15,11 +15,11 @@ namespace {
 
 constexpr GLuint kOther = 1;
 
-// Contexts from which evaluators are removed.
+// Kinds of contexts without evaluators.
 constexpr Named<GLuint> kRemoved[] = {{"CORE_PROFILE", EVALCTS_CORE_PROFILE},
                                       {"FORWARD_COMPATIBLE", EVALCTS_FORWARD_COMPATIBLE}};
 
-// The case goes on in such a context; `is_one` says afterwards whether it was one.
+// Queries of the kind of the context that enter() made current, to be checked after the run.
 struct Entered {
   gl::Ref flags, profile;
 };
@@ -29,7 +29,7 @@ Entered enter(gl::Case& c, GLuint kind) {
   c.GetError();
   const gl::Ref flags = c.GetIntegerv(GL_CONTEXT_FLAGS, gl::out<GLint>(1));
   const gl::Ref profile = c.GetIntegerv(GL_CONTEXT_PROFILE_MASK, gl::out<GLint>(1));
-  c.GetError();  // a context of 3.1 has no profile to ask for
+  c.GetError();  // GL 3.1 has no query of the profile
   return {flags, profile};
 }
 
@@ -44,7 +44,7 @@ void require_removed(const Played& played, const Entered& entered, GLuint kind) 
   if (!is_one) throw NotObservable("the context that was asked for is of another kind");
 }
 
-// All commands of evaluators but the queries of maps, legal if evaluators were there.
+// Returns calls of all evaluator commands except GetMap; they would be legal in a context with evaluators.
 std::vector<NamedCalls> commands_without_queries() {
   std::vector<NamedCalls> all = forbidden_in_primitives();
   for (const NamedCalls& command : allowed_in_primitives()) all.push_back(command);
@@ -57,13 +57,14 @@ std::vector<NamedCalls> queries_of_maps() {
   return all;
 }
 
-// A call and the errors that it may raise.
+// A call of a removed command, and the errors of which it has to raise one.
 struct Removed {
   Calls call;
   GLenum error, other;
 };
 
-// Each of the calls, run in a context of the kind, raises one of its errors.
+// Expects each of the calls to raise one of its errors in a context of the kind. Throws NotObservable if the
+// context is of another kind.
 void expect_removed(Test& t, GLuint kind, const std::string& identity, const std::vector<Removed>& calls) {
   CheckedCase c(t, identity);
   const Entered entered = enter(c, kind);
@@ -86,7 +87,7 @@ EVALCTS_TEST(Profiles, Commands, kMust, "EV-PROF-CORE-FUNC", combine(kRemoved))
   std::vector<Removed> calls;
   for (const NamedCalls& command : commands_without_queries())
     calls.push_back({command.issue, GL_INVALID_OPERATION, GL_INVALID_OPERATION});
-  // Section E.2 of GL 4.6 does not name GetMap, and the targets are no enumerants there.
+  // Section E.2 of GL 4.6 does not list GetMap, and its targets are not valid enumerants there.
   for (const NamedCalls& query : queries_of_maps())
     calls.push_back({query.issue, GL_INVALID_OPERATION, GL_INVALID_ENUM});
   expect_removed(t, removed.value, "every command of evaluators", calls);
@@ -119,7 +120,7 @@ EVALCTS_TEST(Profiles, Gets, kMust, "EV-PROF-CORE-GET", combine(kRemoved))
   expect_removed(t, removed.value, "every Get of the state of evaluators", calls, GL_INVALID_ENUM);
 };
 
-// Every command, map, switch and Get is there, and all maps together give a vertex.
+// Expects all commands, maps, enables and queries to exist, and evaluation to work.
 void expect_everything(Test& t) {
   CheckedCase c(t, "every command, map, switch and Get");
   for (const GLenum target : all_targets()) {
@@ -175,7 +176,7 @@ EVALCTS_TEST(Profiles, Compatibility, kMust, "EV-PROF-COMPAT")
   expect_everything(t);
 };
 
-// A later version is for the test before.
+// GL 3.0 only: the test above covers later versions.
 EVALCTS_TEST(Profiles, Deprecated, kMust, "EV-PROF-DEPRECATED")
 (Test& t) {
   t.require(3, 0);
@@ -183,11 +184,11 @@ EVALCTS_TEST(Profiles, Deprecated, kMust, "EV-PROF-DEPRECATED")
   expect_everything(t);
 };
 
-// Legal commands work, and GetError has nothing to say. (Illegal ones are undefined there.)
+// In a no-error context legal commands work without an error. (Illegal ones are undefined there.)
 EVALCTS_TEST(Profiles, NoError, kMust, "EV-PROF-NOERROR")
 (Test& t) {
   CheckedCase c(t, "legal commands in a no-error context");
-  std::optional<Entered> entered;  // the usual context may be one itself
+  std::optional<Entered> entered;  // empty if the default context is a no-error context
   if (!t.gl().no_error) entered = enter(c, EVALCTS_NO_ERROR);
   c.expect([=](Played& played) {
     if (entered && !has_bit(played, entered->flags, GL_CONTEXT_FLAG_NO_ERROR_BIT))

@@ -14,23 +14,24 @@ struct Shader {
   std::string source;  // GLSL
 };
 
-// A program of a case, linked and not in use.
+// A program that a case links and does not use yet.
 struct Program {
   gl::Ref name;
   gl::Ref linked;  // the query of its LINK_STATUS
 };
 Program link_program(gl::Case& c, const std::vector<Shader>& shaders,
                      const std::vector<std::string>& recorded = {});
-// Throws NotObservable.
+// Throws NotObservable unless the program is linked.
 void require_linked(const Played& played, const Program& program);
 
-// Makes vertex (or fragment) program `number` of ARB_vertex_program current, disabled.
+// Binds program `number` of ARB_vertex_program or ARB_fragment_program and loads its text. Does not enable
+// it.
 void load_assembly(gl::Case& c, GLenum target, GLuint number, const std::string& text);
 
-// A buffer of so many floats that transform feedback writes to.
+// Makes a buffer of `floats` floats and binds it to binding point 0 of transform feedback.
 gl::ResultOf bind_recording_buffer(gl::Case& c, std::size_t floats);
 
-// A query object.
+// Makes a query object.
 gl::ResultOf make_query(gl::Case& c);
 
 }  // namespace evalcts

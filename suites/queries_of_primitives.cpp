@@ -36,7 +36,7 @@ Counted count(Test& t, const gl::Identity& identity, GLenum target, const std::v
 }
 
 void expect_counted_like_explicit(Test& t, GLenum target, const std::vector<Drawing>& drawings) {
-  // The last one draws nothing.
+  // The last scene draws nothing.
   std::vector<Scene> vertices = scenes_of(drawings, false), evaluated = scenes_of(drawings, true);
   gl::Case empty;
   define_curve(empty);
@@ -71,7 +71,7 @@ EVALCTS_TEST(Pipeline, PrimitivesGenerated, kMust, "EV-PIPE-PRIMGEN", combine(kM
 
 // --- Conditional rendering -------------------------------------------------------------------------------
 
-// Each drawing under a query that no sample passed, and under one that some did.
+// ReadPixels after each drawing in conditional rendering, by a query without and by one with passed samples.
 struct Conditional {
   Played played;
   std::vector<gl::Ref> failed, passed;

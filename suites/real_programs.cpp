@@ -1,6 +1,6 @@
 // Programs as they were written for evaluators in the 1990s: curves, surfaces, a teapot, NURBS of GLU, and a
-// mesh in a display list. Each is judged by the vertices that it emits, and by its picture: explicit vertices
-// under the same state have to draw the same.
+// mesh in a display list. For each program one test judges the vertices that it emits, and one compares its
+// picture with that of explicit vertices under the same state.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,9 +21,10 @@ namespace {
 
 // --- View, light, texture --------------------------------------------------------------------------------
 
-using Matrix = std::vector<float>;  // column by column
+using Matrix = std::vector<float>;  // in column-major order
 
-// Turns the y axis, then the x axis, by so many degrees; scales; moves by x.
+// Returns a matrix that rotates by `turn` degrees about the y axis, then by `tilt` degrees about the x axis,
+// scales by `scale` and translates by (x, y, 0).
 Matrix view(double turn, double tilt, double scale, double x = 0, double y = 0) {
   const double a = turn * std::numbers::pi / 180, b = tilt * std::numbers::pi / 180;
   const double rows[3][3] = {{std::cos(a), 0, std::sin(a)},
@@ -39,7 +40,8 @@ Matrix view(double turn, double tilt, double scale, double x = 0, double y = 0) 
   return matrix;
 }
 
-// The viewer looks along -z at a cube of edge length 2.
+// Sets the model-view matrix and an orthographic projection of [-1,1] x [-1,1] x [-2,2], seen along -z, and
+// enables the depth test.
 void look_at(gl::Case& c, const Matrix& model_view) {
   c.MatrixMode(GL_PROJECTION);
   c.LoadMatrixf(Matrix{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.5f, 0, 0, 0, 0, 1});
@@ -48,7 +50,7 @@ void look_at(gl::Case& c, const Matrix& model_view) {
   c.Enable(GL_DEPTH_TEST);
 }
 
-// The light stands behind the viewer, before the view is set.
+// Enables a directional light from behind the viewer, in eye space, and NORMALIZE.
 void light(gl::Case& c) {
   c.MatrixMode(GL_MODELVIEW);
   c.LoadIdentity();
@@ -57,7 +59,7 @@ void light(gl::Case& c) {
   c.Enable(GL_NORMALIZE);
 }
 
-// A texture of 4 by 4 colours without sharp edges.
+// Binds and enables a linearly filtered texture of 4 by 4 colours.
 void texture(gl::Case& c) {
   set_up_texture(c);
   std::vector<GLubyte> texels;
@@ -72,7 +74,8 @@ void texture(gl::Case& c) {
 
 // --- Programs --------------------------------------------------------------------------------------------
 
-// A step of a program: state that explicit vertices are drawn under as well, then commands of evaluators.
+// A step of a program: state, under which the explicit vertices are drawn as well, and the commands that
+// draw.
 struct Step {
   gl::Case state, drawing;
 };
@@ -86,7 +89,7 @@ struct RealProgram {
 
 const std::vector<float> kCurve = {-0.8f, -0.7f, 0, -0.4f, 0.9f, 0, 0.4f, -0.9f, 0, 0.8f, 0.7f, 0};
 
-// A cubic curve of 30 segments and its control points.
+// Draws a cubic curve of 30 segments, and its control points.
 std::vector<Step> curve() {
   Step step;
   step.state.ShadeModel(GL_FLAT);
@@ -106,7 +109,7 @@ std::vector<Step> curve() {
   return {step};
 }
 
-// The same curve by a mesh, its colour from red to blue.
+// Draws the same curve by EvalMesh1, with a colour map from red to blue.
 std::vector<Step> curve_mesh() {
   Step step;
   gl::Case& c = step.drawing;
@@ -119,7 +122,7 @@ std::vector<Step> curve_mesh() {
   return {step};
 }
 
-// A bicubic surface that waves.
+// Defines and enables a wavy bicubic surface.
 void define_surface(gl::Case& c) {
   constexpr float kHeights[4][4] = {
       {0.8f, 0.4f, -0.2f, 0.5f}, {-0.2f, 0.6f, 0.6f, -0.2f}, {0.8f, 0, 0, 0.8f}, {-0.4f, -0.3f, 0.2f, -0.4f}};
@@ -133,7 +136,7 @@ void define_surface(gl::Case& c) {
   c.Enable(GL_MAP2_VERTEX_3);
 }
 
-// The surface as a net of lines along both directions.
+// Draws the surface as lines along both directions.
 std::vector<Step> net() {
   Step step;
   look_at(step.state, view(30, 50, 0.7));
@@ -166,8 +169,8 @@ std::vector<Step> lit_surface() {
   return {step};
 }
 
-// Strips of a lit surface in the colours of a map, then the floor below it: its colour and its normal are the
-// current ones, which were set once, before.
+// Draws strips of a lit surface with a colour map, then a floor of explicit vertices, which takes its colour
+// and normal from the current values that were set at the beginning.
 std::vector<Step> surface_on_floor() {
   Step step;
   light(step.state);
@@ -216,7 +219,7 @@ std::vector<Step> textured_surface() {
 
 using Net = std::array<std::array<std::array<float, 3>, 4>, 4>;
 
-// Radius and height of the control points of a quarter turn.
+// Radius and height of the control points of a quarter of a circle.
 struct Ring {
   float radius, height;
 };
@@ -227,7 +230,7 @@ constexpr Ring kRings[][4] = {{{1.4f, 2.4f}, {1.3375f, 2.53125f}, {1.4375f, 2.53
                               {{0, 3.15f}, {0.8f, 3.15f}, {0, 2.85f}, {0.2f, 2.7f}},
                               {{0.2f, 2.7f}, {0.4f, 2.55f}, {1.3f, 2.55f}, {1.3f, 2.4f}}};
 
-// Half a section of handle and spout: the inner point, the outer point, and the width.
+// One half of a cross section of the handle or the spout: its inner and outer point, and its width.
 struct Section {
   float inner_x, inner_z, width, outer_x, outer_z;
 };
@@ -270,7 +273,7 @@ Net net_of(const Section (&sections)[4]) {
   return net;
 }
 
-// The net mirrored at planes; its orientation stays.
+// Returns the net, mirrored at the plane x = 0 (at_x) and at y = 0 (at_y), with unchanged orientation.
 Net mirrored(const Net& net, bool at_x, bool at_y) {
   Net mirrored;
   for (std::size_t i = 0; i < 4; ++i)
@@ -307,7 +310,7 @@ gl::Case draw_teapot(GLenum mode, int grid) {
   return c;
 }
 
-// Seen a little from above, its axis upright.
+// Sets the view of the teapot: upright, a little from above.
 void look_at_teapot(gl::Case& c) { look_at(c, view(0, -70, 0.27, -0.06, -0.4)); }
 
 std::vector<Step> solid_teapot() {
@@ -328,7 +331,7 @@ std::vector<Step> wire_teapot() {
 
 // --- GLU -------------------------------------------------------------------------------------------------
 
-// Commands of GLU's renderer, see programs/README.md.
+// The programs of this section contain the commands of GLU's NURBS renderer, see programs/README.md.
 std::vector<Step> nurbs_curve() {
   Step step;
   step.drawing.Color3f(1, 1, 0);
@@ -347,7 +350,7 @@ std::vector<Step> trimmed_surface() {
 
 // --- Display list ----------------------------------------------------------------------------------------
 
-// A list that defines and draws a mesh, called twice with other matrices and colours.
+// Calls a list that defines and draws a mesh twice, with different matrices and colours.
 std::vector<Step> list_called_twice() {
   Step first;
   look_at(first.state, view(30, 40, 0.45, -0.5));
@@ -390,8 +393,8 @@ void expect_vertices(Test& t, const RealProgram& program) {
   t.expect_emission(c, program.attributes);
 }
 
-// The commands with another normal for each vertex whose normal is undefined, because the surface has no
-// tangent plane there.
+// Returns the commands with `normal` in place of each undefined (NaN) normal, where the surface has no
+// tangent plane.
 gl::Case with_normals(const gl::Case& commands, const std::array<float, 3>& normal) {
   gl::Case c;
   for (const gl::Command& command : commands.commands()) {
@@ -404,7 +407,7 @@ gl::Case with_normals(const gl::Case& commands, const std::array<float, 3>& norm
   return c;
 }
 
-// The program with explicit vertices.
+// Returns the program with explicit vertices in place of evaluations, with `normal` for undefined normals.
 gl::Case explicit_program(Test& t, const std::vector<Step>& steps, const std::array<float, 3>& normal) {
   gl::Case c, drawings;
   std::size_t drawn = 0;
@@ -421,7 +424,7 @@ gl::Case explicit_program(Test& t, const std::vector<Step>& steps, const std::ar
   return c;
 }
 
-// A picture as pixels of four values.
+// The RGBA pixels of a picture.
 struct Pixels {
   const std::vector<double>& values;
 
@@ -439,8 +442,8 @@ struct Pixels {
   }
 };
 
-// Edges may lie elsewhere by a rounding error, and quads may be parted along either diagonal: so many of the
-// pixels of a picture may differ by so much.
+// Rounding errors may move edges by a pixel, and quads may be split along either diagonal: this share of the
+// lit pixels may differ from the control by more than the tolerance in a colour component.
 constexpr double kShareThatMayDiffer = 0.02, kPixelTolerance = 0.1;
 
 void expect_picture(Test& t, const RealProgram& program) {

@@ -1,5 +1,5 @@
-// Section 22 of the requirements, transform feedback: evaluated primitives are recorded in mesh order, with
-// rasterization and without.
+// Section 22 of the requirements, transform feedback: evaluated primitives are recorded, also if
+// rasterization is disabled.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,17 +14,17 @@
 namespace evalcts::suite_recorded_primitives {
 namespace {
 
-constexpr std::size_t kFloats = 12;  // of one vertex
-constexpr std::size_t kRoom = 128;   // vertices
+constexpr std::size_t kFloats = 12;  // floats of a vertex: position, colour, texture coordinates
+constexpr std::size_t kRoom = 128;   // capacity of the buffer in vertices
 constexpr double kNear = 1e-4;
 
 using RecordedVertex = std::array<double, kFloats>;
 
-// A drawing as it was recorded, as separate points, lines or triangles.
+// The recording of a drawing as separate points, lines or triangles.
 struct Recording {
   std::string name;
   gl::Ref written, data, error, read;
-  std::size_t size;  // of one primitive
+  std::size_t size;  // vertices of a primitive
   std::vector<RecordedVertex> vertices = {};
 };
 
@@ -99,7 +99,7 @@ bool alike(const RecordedVertex& a, const RecordedVertex& b) {
   return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= kNear; });
 }
 
-// One primitive of a drawing, in mesh order: a point, a segment, or the corners of a quad in turn.
+// The vertices of a point, a segment, or the corners of a quad in the order of the mesh.
 using Corners = std::vector<RecordedVertex>;
 std::vector<Corners> primitives_in_order(const Drawing& drawing) {
   std::vector<Corners> all;
@@ -118,7 +118,8 @@ std::vector<Corners> primitives_in_order(const Drawing& drawing) {
   return all;
 }
 
-// Two triangles that part a quad along either diagonal, each the same way round as the quad.
+// Returns true if two triangles (six vertices) split the quad along one of its diagonals with its
+// orientation.
 bool are_quad(std::span<const RecordedVertex> triangles, const Corners& quad) {
   std::array<std::size_t, 2> left_out{};
   for (std::size_t triangle = 0; triangle < 2; ++triangle) {
@@ -129,7 +130,7 @@ bool are_quad(std::span<const RecordedVertex> triangles, const Corners& quad) {
       if (found == quad.end()) return false;
       corners[k] = static_cast<std::size_t>(found - quad.begin());
     }
-    // Around the quad once: of the three steps two are by one corner, one by two.
+    // The three steps go round the quad once: two steps to the next corner and one to the opposite corner.
     std::size_t way = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t step = (corners[(k + 1) % 3] + 4 - corners[k]) % 4;
@@ -142,9 +143,9 @@ bool are_quad(std::span<const RecordedVertex> triangles, const Corners& quad) {
   return left_out[0] == (left_out[1] + 2) % 4;
 }
 
-// The index of the first primitive that is not as expected; their number where all are. A wrong number of
-// them shows after those that there are. The primitives of EvalMesh2 may come in any order, as that is for
-// tests of its own.
+// Returns the index of the first wrong primitive, or the number of primitives that were recorded or expected,
+// whichever is less, if all of these are right. The primitives of EvalMesh2 may come in any order, which
+// other tests judge.
 std::size_t first_wrong(const Recording& recording, const Drawing& drawing) {
   std::vector<Corners> left = primitives_in_order(drawing);
   const bool any_order = drawing.two && drawing.predicted.has_meshes();
@@ -204,7 +205,7 @@ EVALCTS_TEST(Pipeline, TransformFeedback, kMust, "EV-PIPE-XFB")
   expect_recorded(recordings, drawings);
 };
 
-// Nothing is drawn, all is recorded.
+// With RASTERIZER_DISCARD nothing is drawn, and all primitives are recorded.
 EVALCTS_TEST(Pipeline, RasterizerDiscard, kMust, "EV-PIPE-DISCARD")
 (Test& t) {
   t.require(3, 0);
@@ -235,7 +236,7 @@ EVALCTS_TEST(Pipeline, RasterizerDiscard, kMust, "EV-PIPE-DISCARD")
   expect_recorded(recordings, drawings);
 };
 
-// Errors are those of drawing.
+// RASTERIZER_DISCARD does not change the errors of EvalMesh.
 EVALCTS_TEST(Pipeline, ErrorsWithRasterizerDiscard, kMust, "EV-PIPE-DISCARD")
 (Test& t) {
   t.require(3, 0);

@@ -30,7 +30,7 @@ void prepare(gl::Case& c, Prepared prepared, bool odd_enabled) {
   if (odd_enabled) c.Enable(GL_AUTO_NORMAL);
   c.MapGrid1f(7, -1.5f, 2.25f);
   c.MapGrid2f(5, 0.5f, -3, 9, 2, 6.5f);
-  c.GetError();  // an error of these legal calls is for other tests to find
+  c.GetError();  // these calls are legal; other tests find errors that they raise
 }
 
 void expect_error_of_query(Test& t, Played& played, gl::Ref error, const Calls& other) {
@@ -91,7 +91,7 @@ std::vector<NamedCalls> forbidden_in_primitives() {
 void expect_refused(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,
                     std::initializer_list<GLenum> allowed, Prepared prepared) {
   gl::Case c(identity);
-  prepare(c, prepared, t.random()() % 2 == 1);  // either, over the cases of a test
+  prepare(c, prepared, t.random()() % 2 == 1);
   const std::vector<gl::Ref> before = query_everything(t, c);
   std::vector<gl::Ref> first, second;
   for (const Calls& bad_call : bad_calls) {

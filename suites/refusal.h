@@ -1,4 +1,5 @@
-// Commands that have to be rejected: each raises one of its errors, once, and leaves everything as it was.
+// Checks of commands that have to be rejected: each raises one of its errors, once, and leaves all state
+// unchanged.
 #pragma once
 
 #include <functional>
@@ -17,36 +18,39 @@ struct NamedCalls {
   Calls issue;
 };
 
-// The commands that define maps and grids and draw meshes, in all forms: none may stand between Begin and
-// End, each would have an effect outside.
+// The commands that define maps and grids and draw meshes, in all forms: none is allowed between Begin and
+// End, and outside each has an effect.
 std::vector<NamedCalls> forbidden_in_primitives();
 
-// The commands that evaluate, in all forms: they may stand there.
+// EvalCoord and EvalPoint in all forms, which are allowed between Begin and End.
 std::vector<NamedCalls> allowed_in_primitives();
 
-// State that differs from the initial one before a bad call: the current values and, with every second map
-// enabled, the nine one-dimensional maps or all maps and grids.
+// State that prepare() changes from the initial one: the current values and the nine one-dimensional maps, or
+// these and the two-dimensional maps and the grids.
 enum class Prepared { kMaps1, kEverything };
-// The state that a rejected command must leave unchanged.
+// Appends commands that set the state that a rejected command must leave unchanged. Every second
+// one-dimensional map is enabled and, with kEverything, the two-dimensional maps of the other kinds.
+// `odd_enabled` chooses which half and, with kEverything, enables AUTO_NORMAL.
 void prepare(gl::Case& c, Prepared prepared, bool odd_enabled);
 
-// Runs the bad calls one behind the other in a prepared context. Each raises one of the allowed errors,
-// once; after the last everything is as before the first. A bad call that needs Begin brings its End.
+// Runs the bad calls one after the other in a prepared context and expects each to raise one of the allowed
+// errors, once, and the queries of query_everything() to have the same answers after the last call as before
+// the first one. A bad call between Begin and End appends these itself.
 void expect_refused(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,
                     std::initializer_list<GLenum> allowed, Prepared prepared = Prepared::kEverything);
 
-// Checks the error of a query between Begin and End. Where it raises none, `other`, a query of state that is
-// not the evaluators', is run in its place: if that raises none either, the queries of the library are at
-// fault, and NotObservable is thrown.
+// Expects INVALID_OPERATION of a query between Begin and End; `error` is the GetError after it. If it raised
+// no error, `other`, a query of state other than the evaluators', runs in its place. Throws NotObservable if
+// `other` raises none either: then the fault lies in the queries of the library in general.
 void expect_error_of_query(Test& t, Played& played, gl::Ref error, const Calls& other);
 
 // --- Bad maps --------------------------------------------------------------------------------------------
 
-// A legal map, to be spoiled by the test. Memory for much more than it needs stands behind it (for order 65
-// at any stride used here), so that a library which checks late reads nothing that it must not.
+// Returns a legal map, of which a test then changes one argument. It has 4096 values, far more than it needs,
+// so that a library that reads the points before it rejects the call stays within the array.
 Map legal_map(GLenum target);
 
-// A direction of a map: where its parameters lie.
+// The members of Map that belong to one direction.
 struct Direction {
   int Map::*order;
   int Map::*stride;
@@ -59,10 +63,10 @@ std::vector<Direction> directions(bool two);
 
 Calls defining(const Map& map, bool doubles);
 
-// The calls between Begin and End, first or after a vertex.
+// Returns the calls between Begin(mode) and End, after a Vertex if `after_vertex`.
 Calls in_primitive(GLenum mode, bool after_vertex, const Calls& calls);
 
-// One bad call; of a map of one dimension, among one-dimensional maps only.
+// The same for the definition of a bad map. If it is one-dimensional, only one-dimensional maps are prepared.
 void expect_refused(Test& t, const std::string& identity, const Map& bad, bool doubles,
                     std::initializer_list<GLenum> allowed);
 

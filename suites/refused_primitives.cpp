@@ -1,5 +1,5 @@
-// Section 22 of the requirements, primitives that the state of the pipeline does not allow: where Begin is an
-// error, EvalMesh is the same one and draws nothing.
+// Section 22 of the requirements, primitives that the state of the pipeline does not allow: if Begin raises
+// an error, EvalMesh raises the same error and draws nothing.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 struct Refusal {
   std::string name;
   std::function<void(gl::Case&)> enter, leave;
-  std::vector<GLenum> allowed;  // what Begin may be given
+  std::vector<GLenum> allowed;  // modes that Begin accepts
 
   bool allows(GLenum primitive) const { return std::ranges::find(allowed, primitive) != allowed.end(); }
 };
@@ -26,27 +26,27 @@ struct Prepared {
   std::vector<Refusal> refusals;
   std::vector<Program> programs = {};
 };
-// Prepares a case, once.
+// A function that appends commands to the beginning of a case.
 using Prepare = std::function<Prepared(gl::Case&)>;
 
-// One drawing in one state.
+// One drawing in one state, with the queries after it.
 struct Attempt {
   std::string name;
   bool allowed;
   gl::Ref error, no_more;
-  gl::Ref count;  // of what the query counts, where there is one
-  gl::Ref read;   // the whole window
+  gl::Ref count;  // the result of a query object, if there is one
+  gl::Ref read;   // ReadPixels of the whole window
 };
 
 struct Attempts {
   gl::Case script;
-  std::vector<gl::Ref> before, after;  // state of the evaluators
+  std::vector<gl::Ref> before, after;  // queries of evaluator state
   Prepared prepared;
   std::vector<Attempt> all;
 };
 
-// Begin, where it is rejected, is closed by End, whose own error, INVALID_OPERATION without Begin, says the
-// same.
+// Returns a case that tries all drawings in all states: first those that have to be rejected. In the control
+// each rejected drawing is Begin and End; the error of Begin is the first one, which GetError returns.
 Attempts attempts(Test& t, const gl::Identity& identity, const std::vector<Drawing>& drawings,
                   const Prepare& prepare, GLenum counted, bool evaluated) {
   Attempts attempts = {gl::Case(identity), {}, {}, {}, {}};
@@ -84,7 +84,7 @@ Attempts attempts(Test& t, const gl::Identity& identity, const std::vector<Drawi
     for (const Refusal& refusal : attempts.prepared.refusals)
       for (const Drawing& drawing : drawings)
         if (refusal.allows(drawing.primitive) == allowed) attempt(refusal, drawing, allowed);
-    // Drawings may have changed current values, which is not the subject here.
+    // The query comes before the drawings that are allowed, which may change current values.
     if (!allowed && evaluated) attempts.after = query_everything(t, c);
   }
   return attempts;
@@ -158,7 +158,7 @@ EVALCTS_TEST(Pipeline, IncompleteFramebuffer, kMust, "EV-PIPE-FBO")
 
 // --- Programs that cannot run ----------------------------------------------------------------------------
 
-// The program in use.
+// Returns a state in which the program is in use.
 Refusal in_use(std::string name, const Program& program, std::vector<GLenum> allowed) {
   return {std::move(name), [=](gl::Case& to) { to.UseProgram(program.name); },
           [](gl::Case& to) { to.UseProgram(0); }, std::move(allowed)};
@@ -185,7 +185,7 @@ EVALCTS_TEST(Pipeline, NoValidAssemblyProgram, kMust, "EV-PIPE-INVALIDPROGRAM", 
       GL_INVALID_OPERATION);
 };
 
-// Two samplers of different types have the same unit, which both have from the start.
+// Two samplers of different types use the same texture unit: the initial one, 0.
 EVALCTS_TEST(Pipeline, SamplersInConflict, kMust, "EV-PIPE-INVALIDPROGRAM")
 (Test& t) {
   t.require(2, 0);
@@ -205,7 +205,7 @@ EVALCTS_TEST(Pipeline, SamplersInConflict, kMust, "EV-PIPE-INVALIDPROGRAM")
 
 constexpr std::size_t kRecordedFloats = 4096;
 
-// Primitives that are not rejected are recorded like explicit vertices.
+// Primitives of the mode of transform feedback are recorded like explicit ones, others are rejected.
 EVALCTS_TEST(Pipeline, TransformFeedbackModes, kMust, "EV-PIPE-XFB-MODE")
 (Test& t) {
   t.require(3, 0);

@@ -1,4 +1,4 @@
-// Section 22 of the requirements, selection mode: which evaluated primitives hit, and at which depths.
+// Section 22 of the requirements, selection mode: the hits of evaluated primitives and their depths.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kRoom = 512;
 
-// Depths are those of positions in the range of 2^32: what the accuracy rule leaves, with a wide margin.
+// Largest difference of depths, which are in [0,1]: much more than the accuracy rule allows to positions.
 constexpr double kDepthTolerance = 1e-3;
 
 struct Hit {
@@ -22,7 +22,7 @@ struct Hit {
   double nearest, farthest;  // 0 to 1
 };
 
-// The selected names, with the commands that returned them.
+// The hits in the selection buffer, and the command that returned their number.
 struct Selection {
   Played played;
   gl::Ref count;
@@ -40,7 +40,8 @@ struct Selection {
   }
 };
 
-// The scenes in selection mode: scene i has the name i + 1.
+// Draws the scenes in selection mode; scene i has the name i + 1. Throws NotObservable if the buffer
+// overflows.
 Selection select(Test& t, const gl::Identity& identity, const std::vector<Scene>& scenes) {
   gl::Case c(identity);
   const gl::Ref buffer = c.SelectBuffer(kRoom, gl::out<GLuint>(kRoom));
@@ -99,7 +100,7 @@ gl::Case moved(float x, float z, float z_scale) {
   return state;
 }
 
-// Each mesh and each primitive at two depths, and outside the clip volume.
+// Each mesh and each primitive hits at two depths, and does not hit outside the clip volume.
 EVALCTS_TEST(Selection, Hits, kMust, "EV-SEL-HIT")
 (Test& t) {
   const std::vector<Drawing> drawings = all_drawings(t);
@@ -161,7 +162,7 @@ EVALCTS_TEST(Selection, CulledMesh, kMust, "EV-SEL-CULLED")
   expect_hits_like_explicit(selection, control, evaluated);
 };
 
-// Last comes a mesh that hits.
+// Meshes that draw nothing do not hit. The last mesh hits, as a control.
 EVALCTS_TEST(Selection, EmptyMesh, kMust, "EV-SEL-EMPTY")
 (Test& t) {
   std::vector<Scene> scenes;

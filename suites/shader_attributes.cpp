@@ -1,4 +1,4 @@
-// Section 8 of the requirements, what only a vertex shader sees: attributes without maps, and generic
+// Section 8 of the requirements, values that only a vertex shader shows: attributes without maps, and generic
 // attribute 0.
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kVertices = 9;
 
-// Every map on, so that a map that fed the wrong attribute would show.
+// Enables all maps, so that a map that supplies the wrong attribute is noticed.
 void enable_all_maps(Test& t, gl::Case& c) {
   for (const GLenum target : gl::kMap1Targets) define_and_enable(c, random_map(t, target, 3));
 }
@@ -28,8 +28,8 @@ void expect_count(Test& t, const gl::Case& c, const RecordedVaryings& recorded) 
                     captured));
 }
 
-// Secondary colour, fog coordinate and generic attributes (6 and 7, which nothing aliases) change between the
-// vertices of one primitive.
+// Secondary colour, fog coordinate and generic attributes have their current values at each evaluated vertex.
+// The generic attributes are 6 and 7, which alias no conventional attribute.
 EVALCTS_TEST(ShaderAttributes, WithoutMaps, kMust, "EV-ATTR-NOMAPS/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   t.require(3, 0);
@@ -89,8 +89,7 @@ EVALCTS_TEST(ShaderAttributes, WithoutMaps, kMust, "EV-ATTR-NOMAPS/1-D", by(gl::
       expected, captured));
 };
 
-// Vertex and VertexAttrib 0 are the same command: what gl_Vertex gives, generic attribute 0 gives bit for
-// bit.
+// Generic attribute 0 is the position: the shader sees the same bits as in gl_Vertex.
 EVALCTS_TEST(ShaderAttributes, GenericZero, kMust, "EV-ATTR-GENERIC0/1-D",
              combine((std::vector<GLenum>{GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4})).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {

@@ -15,11 +15,11 @@ namespace {
 
 using Values = std::vector<float>;
 
-// A state under which all drawings are looked at.
+// A state in which all drawings are drawn.
 struct Stage {
   std::string name;
   gl::Case state;
-  Values texture_matrix = {};  // by columns, if the state has one
+  Values texture_matrix = {};  // in column-major order; empty if the state has none
 };
 
 std::vector<Scene> staged(const std::vector<Stage>& stages, const std::vector<Drawing>& drawings,
@@ -31,14 +31,15 @@ std::vector<Scene> staged(const std::vector<Stage>& stages, const std::vector<Dr
   return scenes;
 }
 
-// The first stage is none: each of the others has to show.
+// Throws NotObservable unless each stage has an effect. The first stage is the state without a stage; the
+// control has `drawings` parts for each.
 void require_each_effect(const Picture& control, std::size_t drawings) {
   for (std::size_t i = drawings; i < control.parts.size(); ++i)
     require_an_effect(control.parts[i].values, control.parts[i % drawings].values);
 }
 
-// The texture coordinates of explicit points have to be those that the texture matrix gives. Throws
-// NotObservable.
+// Throws NotObservable unless the texture coordinates of explicit points are transformed by the texture
+// matrix.
 void require_transformed_texture(const Stage& stage, const Drawing& drawing, const Part& control) {
   if (stage.texture_matrix.empty() || drawing.primitive != GL_POINTS) return;
   std::vector<std::array<double, 4>> known;
@@ -65,7 +66,7 @@ void require_transformed_texture(const Stage& stage, const Drawing& drawing, con
   }
 }
 
-// In feedback mode, where the primitives stay whole.
+// Expects the drawings in all stages to be like explicit ones in feedback. Throws NotObservable.
 void expect_stages_in_feedback(Test& t, const std::vector<Stage>& stages,
                                const std::vector<Drawing>& drawings) {
   const Picture control = feedback(t, gl::control("explicit vertices"), staged(stages, drawings, false));
@@ -81,7 +82,7 @@ void expect_stages_in_feedback(Test& t, const std::vector<Stage>& stages,
 struct Generation {
   const char* name;
   GLint mode;
-  int coordinates;  // of S, T, R, Q
+  int coordinates;  // the number of generated ones among S, T, R, Q
 };
 constexpr Generation kGenerations[] = {{"OBJECT_LINEAR", GL_OBJECT_LINEAR, 4},
                                        {"EYE_LINEAR", GL_EYE_LINEAR, 4},
@@ -91,7 +92,7 @@ constexpr Generation kGenerations[] = {{"OBJECT_LINEAR", GL_OBJECT_LINEAR, 4},
 constexpr std::pair<GLenum, GLenum> kGenerated[] = {
     {GL_S, GL_TEXTURE_GEN_S}, {GL_T, GL_TEXTURE_GEN_T}, {GL_R, GL_TEXTURE_GEN_R}, {GL_Q, GL_TEXTURE_GEN_Q}};
 
-// The eye is two units away, so that the directions to it are well-conditioned.
+// Returns a state in which the eye is two units away, so that directions to it are well-conditioned.
 gl::Case seen_from_a_distance() {
   gl::Case state;
   set_up_texture(state);
@@ -151,7 +152,7 @@ EVALCTS_TEST(Pipeline, TextureMatrix, kMust, "EV-PIPE-TEXMATRIX")
 
 // --- Clip planes -----------------------------------------------------------------------------------------
 
-// Between two columns of vertices.
+// The clip planes are at this x in the window, between two columns of vertices.
 constexpr int kPlaneAt = 38;
 
 std::vector<Stage> clip_stages() {
@@ -166,8 +167,7 @@ std::vector<Stage> clip_stages() {
   return {{"no clip plane", none}, {"the right half clipped", left}, {"the upper part clipped", lower}};
 }
 
-// Stages that leave the right half of quads by one of the planes, each of which leaves the others' enables
-// off.
+// Returns a stage without clip planes, and stages in which one of the planes clips the right half.
 constexpr GLenum kPlanes[] = {GL_CLIP_PLANE0, GL_CLIP_PLANE1, GL_CLIP_PLANE5};
 std::vector<Stage> right_halves_clipped() {
   std::vector<Stage> stages(1);
@@ -189,7 +189,7 @@ EVALCTS_TEST(Pipeline, ClippedPointsAndLines, kMust, "EV-PIPE-CLIPPLANE")
   for (Drawing& drawing : meshes(t, GL_LINE_STRIP)) drawings.push_back(std::move(drawing));
   const std::vector<Stage> stages = clip_stages();
   const Picture control = feedback(t, gl::control("explicit vertices"), staged(stages, drawings, false));
-  // The second plane leaves the curve as it is.
+  // The second plane does not clip the curve.
   for (std::size_t i = drawings.size(); i < control.parts.size(); ++i)
     if (i < 2 * drawings.size() || drawings[i % drawings.size()].two)
       require_an_effect(control.parts[i].values, control.parts[i % drawings.size()].values);
@@ -197,7 +197,8 @@ EVALCTS_TEST(Pipeline, ClippedPointsAndLines, kMust, "EV-PIPE-CLIPPLANE")
   expect_drawn_like_explicit(picture, drawings, control);
 };
 
-// Clipped quads have other vertices whichever way they are decomposed: pixels on both sides of the plane.
+// Compares pixels on both sides of the plane, because the vertices of clipped quads depend on how they are
+// split.
 EVALCTS_TEST(Pipeline, ClippedQuads, kMust, "EV-PIPE-CLIPPLANE")
 (Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_QUAD_STRIP);
@@ -212,7 +213,7 @@ EVALCTS_TEST(Pipeline, ClippedQuads, kMust, "EV-PIPE-CLIPPLANE")
     const bool clipped = i >= areas.size() && areas[i % areas.size()].x > kPlaneAt;
     if (lit(control.parts[i]) == clipped) throw NotObservable("pipeline: explicit quads are not clipped");
   }
-  // Colours within a quad depend on how it is decomposed.
+  // Only whether a pixel is drawn is compared, because colours depend on how the quads are split.
   Picture picture = pixels(t, "evaluated", staged(stages, drawings, true), areas, GL_RED);
   for (std::size_t i = 0; i < picture.parts.size(); ++i) {
     const Part& seen = picture.parts[i];
@@ -226,7 +227,8 @@ EVALCTS_TEST(Pipeline, ClippedQuads, kMust, "EV-PIPE-CLIPPLANE")
 
 // --- Fog -------------------------------------------------------------------------------------------------
 
-// Eye coordinates: z from -2 to -1, in front of the eye.
+// Returns a state of fog with the mode, or without fog if the mode is 0. The drawings are at z from -2 to -1
+// in eye coordinates.
 gl::Case fog(GLint mode) {
   gl::Case state;
   state.PointSize(6);
@@ -245,7 +247,7 @@ gl::Case fog(GLint mode) {
   return state;
 }
 
-// Returns the places of the vertices.
+// Returns the pixels of the vertices of the curve or of the patch.
 std::vector<Area> vertex_pixels(bool two) {
   std::vector<Area> areas;
   for (int i = 0; i <= kColumns; ++i) {
@@ -255,7 +257,8 @@ std::vector<Area> vertex_pixels(bool two) {
   return areas;
 }
 
-// POINT and LINE meshes in fog, one after the other. The first stage is without fog.
+// Expects meshes of POINT and LINE to be like explicit vertices in all stages. Throws NotObservable if two
+// stages look the same.
 void expect_fog(Test& t, const std::vector<Stage>& stages) {
   std::vector<Drawing> drawings = meshes(t, GL_POINTS);
   for (Drawing& drawing : meshes(t, GL_LINE_STRIP)) drawings.push_back(std::move(drawing));
@@ -301,7 +304,7 @@ EVALCTS_TEST(Pipeline, FogByCoordinate, kMust, "EV-PIPE-FOG")
 
 // --- Flat shading ----------------------------------------------------------------------------------------
 
-// Pixels near both ends of each segment have the colour of its second vertex.
+// Flat-shaded segments have the colour of their second vertex near both ends.
 EVALCTS_TEST(Pipeline, FlatLines, kMust, "EV-PIPE-FLATLINE")
 (Test& t) {
   gl::Case state;
@@ -334,7 +337,8 @@ EVALCTS_TEST(Pipeline, FlatLines, kMust, "EV-PIPE-FLATLINE")
 
 // --- Primitive restart -----------------------------------------------------------------------------------
 
-// It is for elements of arrays: whatever the index, all comes out as without.
+// Primitive restart applies to elements of arrays and must not affect evaluated primitives, whatever its
+// index.
 EVALCTS_TEST(Pipeline, NoPrimitiveRestart, kMust, "EV-PIPE-NORESTART")
 (Test& t) {
   t.require(3, 1);

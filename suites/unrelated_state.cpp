@@ -1,5 +1,4 @@
-// Section 17 of the requirements, continued: state that has nothing to do with evaluation must not change
-// results.
+// Section 17 of the requirements: state that is unrelated to evaluation must not change its results.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +14,8 @@ namespace evalcts::suite_numeric {
 
 namespace {
 
-// Draws the same, changes something, draws again. Each change has its vertices.
+// Repeats a drawing after changes of state: the caller appends a change to script() and calls after().
+// check() expects all repetitions to have the same vertices as the first drawing.
 class Repetition {
  public:
   Repetition(const std::string& identity, const std::function<void(gl::Case&)>& draw)
@@ -48,7 +48,7 @@ class Repetition {
 
 constexpr std::size_t kDrawn1 = 12 + 4 + 7, kDrawn2 = 12 + 4 + 12;
 
-// Evaluation by all commands.
+// Draws points by EvalCoord, EvalPoint and EvalMesh.
 void draw_some(gl::Case& c, bool two) {
   c.Begin(GL_POINTS);
   for (int i = 0; i < 12; ++i) eval_coord(c, two, i * 0.11 - 0.1, 0.93 - i * 0.07);
@@ -200,8 +200,7 @@ constexpr Unrelated kUnrelated[] = {
     {"FRAGMENTS", change_fragment_state},      {"OTHER_MAPS", change_maps_not_used},
     {"PIXEL_STORE", change_client_state},      {"RASTERIZATION", change_rasterization}};
 
-// Draws with the maps, which are in the first drawing only: redefining them is not what must keep the
-// results.
+// Returns a repetition of draw_some() that defines the maps and the grid once, before the first drawing.
 Repetition repeated(const std::string& identity, gl::Case maps, bool two) {
   map_grid(maps, two, {7, 0.1f, 0.8f}, {3, 1, 0.3f});
   return {identity, [=, first = true](gl::Case& c) mutable {
@@ -229,7 +228,7 @@ EVALCTS_TEST_PAIR(Numeric.UnrelatedMaps1, Numeric.UnrelatedMaps2, kQuality,
 (Test& t, bool two) {
   for (const Kinds& kinds : kinds_of(two))
     for (int order = 3; order <= t.by_depth(3, 7, 7); order += 4) {
-      const std::span others = std::span(kinds.targets).subspan(1);  // the first is that of vertices
+      const std::span others = std::span(kinds.targets).subspan(1);  // without the vertex map
       gl::Case maps;
       define_random(t, maps, kinds, order, {0.1f, 0.7f});
       for (const GLenum target : others) maps.Disable(target);
@@ -250,7 +249,7 @@ EVALCTS_TEST_PAIR(Numeric.UnrelatedMaps1, Numeric.UnrelatedMaps2, kQuality,
     }
 };
 
-// AUTO_NORMAL is evaluator state as well (appendix A).
+// AUTO_NORMAL must not change positions; it is evaluator state (appendix A of GL 2.1).
 EVALCTS_TEST(Numeric, AutomaticNormals, kQuality, "EV-NUM-UNRELATEDMAPS/2-D", by(in_lists()))
 (Test& t) {
   gl::Case maps;

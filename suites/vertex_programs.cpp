@@ -1,5 +1,5 @@
-// Section 22 of the requirements, vertex shaders and vertex programs: either runs for each evaluated vertex,
-// with the evaluated values as its built-in attributes, the current ones for the rest.
+// Section 22 of the requirements: vertex shaders and vertex programs run for each evaluated vertex, with
+// evaluated values in the built-in attributes that have maps and current values in the others.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,8 @@
 namespace evalcts::suite_vertex_programs {
 namespace {
 
-// Something of every conventional attribute; positions stay within the view volume.
+// A shader and a vertex program whose outputs depend on all conventional attributes. Positions stay within
+// the view volume.
 constexpr char kShader[] = R"(void main() {
   gl_Position = vec4(0.75 * gl_Vertex.xy + 0.125 * gl_Normal.yx, 0.5 * gl_Vertex.z, gl_Vertex.w);
   gl_FrontColor = 0.5 * gl_Color.bgra + vec4(0.25 * gl_Normal, 0.25) + 0.25 * vec4(gl_SecondaryColor.rgb, 0.0);
@@ -39,7 +40,7 @@ ADD result.texcoord[0], t, vertex.fogcoord.x;
 END
 )";
 
-// Sets the current values that have no maps.
+// Sets current values of attributes without maps.
 void set_values_without_maps(gl::Case& c) {
   c.SecondaryColor3f(0.25f, 0.75f, 0.5f);
   c.FogCoordf(0.625f);
@@ -90,7 +91,7 @@ const VaryingShader kEachAttribute = {
     {"twice_position", "swapped_color", "texture_sum", "unit_one", "turned_normal", "secondary", "fog"},
     kFloats};
 
-// Returns the shader's outputs for a vertex.
+// Returns the outputs of kEachAttribute for a vertex.
 std::vector<float> expected_of(const reference::Vertex& vertex) {
   const auto at = [](const reference::Component& component) { return reference::rounded(component); };
   const std::array<float, 3> normal = reference::rounded(vertex.normal);
@@ -102,7 +103,7 @@ std::vector<float> expected_of(const reference::Vertex& vertex) {
           normal[1],    normal[2],    normal[0],    0.25f,        0.75f,    0.5f,     0.625f};
 }
 
-// The values themselves, as transform feedback records them: within 1e-4, ten times the steps of these maps.
+// The values that transform feedback records, to within 1e-4, ten times the error of one operation.
 EVALCTS_TEST(Pipeline, VertexShaderAttributes, kMust, "EV-PIPE-VS")
 (Test& t) {
   t.require(3, 0);
@@ -119,8 +120,8 @@ EVALCTS_TEST(Pipeline, VertexShaderAttributes, kMust, "EV-PIPE-VS")
       for (const reference::Vertex& vertex : primitive.vertices)
         for (const float value : expected_of(vertex)) expected.push_back(value);
     const auto close = [](float a, float b) { return std::abs(a - b) <= 1e-4f; };
-    // Puts the vertices of EvalMesh2 into the order of the loops in the text, if all of them are there: the
-    // order is for tests of its own.
+    // Puts the vertices of EvalMesh2 into the order of the specification if all of them were recorded,
+    // because other tests judge the order.
     const auto in_order = [&](RecordedVaryings recorded) {
       if (!drawing.two || !drawing.predicted.has_meshes() || recorded.values.size() != expected.size())
         return recorded;
@@ -135,7 +136,7 @@ EVALCTS_TEST(Pipeline, VertexShaderAttributes, kMust, "EV-PIPE-VS")
       recorded.values = ordered;
       return recorded;
     };
-    // The first value that is wrong, or their number.
+    // Returns the index of the first wrong value, or the number of values that were compared.
     const auto first_wrong = [&](const RecordedVaryings& recorded) {
       const auto size = std::min(recorded.values.size(), expected.size());
       std::size_t i = 0;

@@ -20,7 +20,7 @@ using nlohmann::json;
 using Number = std::uint32_t;
 using Numbers = std::vector<Number>;
 
-// Gives equal items one number, in the order of first appearance.
+// Numbers items in the order of first appearance; equal items have the same number.
 template <class Item>
 class Numbering {
  public:
@@ -40,7 +40,7 @@ class Numbering {
   std::vector<const Item*> items_;
 };
 
-// Flags of a record beside its verdict, as bits.
+// Bits that a record has in addition to its verdict.
 constexpr Number kUnexpected = 1, kExpectedFailure = 2, kFlake = 4;
 
 Number flags_of(const TestRecord& test) {
@@ -55,8 +55,8 @@ std::string baseline_sentence(const TestRecord& test) {
   return (test.is_unexpected() ? "Not what the baseline expects: " : "Baseline: ") + reason;
 }
 
-// "2 of 12 cases failed, 1 recorded, seed 1". Times are left out: they are never the same, so that equal
-// records would differ.
+// Returns "2 of 12 cases failed, 1 recorded, seed 1" or the like. It has no times, because these would make
+// equal records differ.
 std::string facts_of(const TestRecord& test) {
   std::vector<std::string> facts;
   if (test.failed_cases.value_or(0) && test.cases) {
@@ -71,7 +71,8 @@ std::string facts_of(const TestRecord& test) {
   return join(facts, ", ");
 }
 
-// "480 values, largest error 3.5 ULP, condition-aware 1.25; not correctly rounded: 20 % (96); ..."
+// Returns "480 values, largest error 3.5 ULP, condition-aware 1.25; not correctly rounded: 20 % (96); ...";
+// empty if the test measured no accuracy.
 std::string accuracy_of(const TestRecord& test) {
   if (!test.accuracy) return {};
   const Accuracy& accuracy = *test.accuracy;
@@ -83,7 +84,7 @@ std::string accuracy_of(const TestRecord& test) {
   return out;
 }
 
-// The command with U+0000 in place of the test's name, so that those of all tests are one string.
+// Returns the command with U+0000 in place of the test's name, so that all tests share one string.
 std::string template_of(std::string command, const std::string& name) {
   for (std::size_t at = command.find(name); at != std::string::npos && !name.empty();
        at = command.find(name, at + 1))
@@ -91,7 +92,8 @@ std::string template_of(std::string command, const std::string& name) {
   return command;
 }
 
-// Ends no element and starts no comment, wherever it stands in a script element.
+// Returns the value as JSON text without "<", so that it cannot end a script element or begin a comment
+// there.
 std::string script_safe(const json& value) {
   const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
   std::string out;
@@ -117,7 +119,7 @@ class Writer {
 
   Number text(const std::string& text) { return strings_.number_of(text); }
 
-  // "GL_LINE_STRIP x y z x y z ...", a line for each primitive.
+  // Returns "GL_LINE_STRIP x y z x y z ...", one line for each primitive.
   static std::string plotted(const std::vector<PlottedPrimitive>& primitives) {
     std::string out;
     for (const PlottedPrimitive& primitive : primitives) {
@@ -128,7 +130,7 @@ class Writer {
     }
     return out;
   }
-  // "x y width height expected captured", a line for each rectangle.
+  // Returns a line "x y width height expected captured" for each rectangle.
   static std::string plotted(const std::vector<PlottedPixels>& pixels) {
     std::string out;
     for (const PlottedPixels& one : pixels)
@@ -136,7 +138,8 @@ class Writer {
                          one.expected, one.captured);
     return out;
   }
-  // The primitives expected (null if a rule decides) and captured, 1 if there are more, and the pixels; empty without a plot.
+  // Returns the expected primitives (null if a rule decides), the captured ones, 1 if there are more, and the
+  // pixels; an empty array without a plot.
   json plot_of(const Failure& failure) {
     if (!failure.plot) return json::array();
     const Plot& plot = *failure.plot;
@@ -191,8 +194,8 @@ class Writer {
   std::map<std::string, Number> requirements_;
 };
 
-// The requirements that the tests name or violate, in the order of the catalogue, those that it does not hold
-// at the end.
+// Returns the requirements that the tests name or violate, in the order of the catalogue, then those that the
+// catalogue does not have.
 std::vector<std::string> requirements_of(const std::vector<Row>& rows, const Catalogue& catalogue) {
   std::set<std::pair<std::size_t, std::string>> ordered;
   for (const Row& row : rows)
@@ -210,7 +213,8 @@ std::vector<std::string> requirements_of(const std::vector<Row>& rows, const Cat
   return out;
 }
 
-// The bug, and for each column that has it: the column, 1 if the bug is known there, the tests.
+// Returns the bug; its "found" has for each column with the bug: the column, 1 if the bug is known there, and
+// the tests.
 json bug_as_json(const BugRow& row, const std::map<std::string, Number>& test_numbers, Writer& writer) {
   const Bug& bug = row.bug;
   json requirements = json::array(), found = json::array();
@@ -245,7 +249,7 @@ json comparison_as_json(const Comparison& comparison, const std::vector<Column>&
                         [record](const Column& column) { return &column.record == record; }) -
            columns.begin();
   };
-  json changes = json::array();  // test, kind and what else is wrong, one after the other
+  json changes = json::array();  // three items for each change: test, kind, further mismatch
   for (const Change& change : comparison.changes) {
     const bool both = change.before && change.now;
     changes.push_back(test_numbers.at((change.now ? change.now : change.before)->name));

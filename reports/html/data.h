@@ -1,4 +1,4 @@
-// The data in the page: what its script renders on demand. page.js reads it back.
+// The data in the page, which its script (js/model.js) reads and renders on demand.
 #pragma once
 
 #include <string>
@@ -10,12 +10,11 @@
 
 namespace evalcts::reports {
 
-// Returns JSON text that may stand in a script element. Each string and each record, failure and list of
-// commands stands in it once and is referred to by its number, so that implementations which agree cost
-// little.
+// Returns JSON text that is safe within a script element. Each string, record, failure and list of commands
+// occurs once and is referred to by its number, so that implementations with equal results need little space.
 //
-// earlier: of the columns, the number of those at the end that are earlier results. comparisons: between any
-// of the columns. since: those with earlier results.
+// earlier: the number of columns, at the end, that are earlier results. comparisons: those of each current
+// column with each other column. since: the pairs of current and earlier results.
 std::string page_data(const std::vector<Column>& columns, std::size_t earlier, const std::vector<Row>& rows,
                       const Catalogue& catalogue, const std::vector<Comparison>& comparisons,
                       const Comparisons& since);

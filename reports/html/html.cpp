@@ -14,7 +14,8 @@ namespace {
 
 using namespace view;
 
-// All that one record measured, and the tests with its largest errors. What one test measured stands with it.
+// Returns one row for each record that measured values: the accuracy over all its tests, and links to the
+// tests with the largest errors.
 data accuracy_view(const std::vector<Column>& columns) {
   data out = list();
   for (const Column& column : columns) {
@@ -54,7 +55,7 @@ data glossary() {
   return out;
 }
 
-// "372 of 395 requirements have a test here."
+// Returns "372 of 395 requirements have a test here." or the like; empty without a catalogue.
 std::string reach(const std::vector<Row>& rows, const Catalogue& catalogue) {
   if (catalogue.requirements.empty()) return {};
   std::set<std::size_t> places;
@@ -76,7 +77,7 @@ std::string subtitle(const std::vector<Row>& rows, const std::vector<Column>& co
                      second_passes ? ", with fresh contexts and with one shared context" : "");
 }
 
-// Every two columns, in both directions, and each current column with each earlier one.
+// Returns the comparisons of each current column with each other column.
 std::vector<Comparison> all_comparisons(const std::vector<Column>& columns, std::size_t current) {
   std::vector<Comparison> out;
   for (std::size_t to = 0; to < current; ++to)

@@ -18,7 +18,7 @@ std::string headline_of(const RunResult& record) {
   return headline;
 }
 
-// Known failures are not green.
+// Returns the CSS class of a record; with known failures it is not "good".
 const char* state_of(const RunResult& record) {
   if (!record.has_started()) return "none";
   if (record.unexpected_count() || !record.is_complete()) return "bad";

@@ -1,6 +1,6 @@
-// The parts of the page that stand in it as they are, with and without scripts: what index.mustache shows, as
-// strings in the order in which it shows them. Mustache looks up a missing name in the enclosing sections, so
-// every name a section uses is set in it, if only to false.
+// The parts of the page that need no script: the data for index.mustache, as strings in the order of the
+// page. Mustache looks up a missing name in the enclosing sections, so every name that a section uses is set
+// in it, to false if there is nothing to show.
 #pragma once
 
 #include <kainjow/mustache.hpp>
@@ -19,36 +19,36 @@ using kainjow::mustache::data;
 
 inline data list() { return data(data::type::list); }
 
-// Absent is false: in Mustache an empty string counts as there.
+// Returns the text, or false if it is empty: an empty string would show the section in Mustache.
 inline data optional_text(const std::string& text) { return text.empty() ? data(false) : data(text); }
 
-// "word" and "symbol".
+// Sets "word" and "symbol" of `out`.
 void set_verdict(data& out, Verdict verdict);
 
-// The class that colours a verdict if nothing is known of it: "bad", "notice", "good" or "none".
+// Returns the CSS class of a verdict, not considering the baseline: "bad", "notice", "good" or "none".
 const char* class_of(Verdict verdict);
 
-// A row "term", "value", "code" of a list of definitions; none where the value is empty.
+// Adds a row "term", "value", "code" of a list of definitions, unless the value is empty.
 void add_row(data& rows, const char* term, const std::string& value, bool code = false);
 
-// Fragments of the address, as js/state.js reads them: each name with its value.
+// Returns a fragment of the address with these names and values, as js/state.js reads it.
 std::string link(const std::vector<std::pair<std::string, std::string>>& state);
 std::string link_to_test(const std::string& name);
 
-// The share of measured values that are not correctly rounded: "20 % (96)".
+// Returns the share of the measured values that are not correctly rounded: "20 % (96)".
 std::string share(const Accuracy& accuracy);
 
-// The table of counts: "verdicts", the header, and "rows", one for each column. The first `current` columns
-// are compared with the earlier results after them.
+// Returns the table of counts: "verdicts", its header, and "rows", one for each column. The first `current`
+// columns are current results; the earlier results follow.
 data overview(const std::vector<Column>& columns, std::size_t current, const Comparisons& compared);
 
-// The distinct bugs, for a reader without scripts.
+// Returns the distinct bugs, which the page shows without scripts.
 data bugs(const std::vector<Column>& columns);
 
-// The circumstances of one record.
+// Returns the facts about the run of one record: the library, the machine, the options and so on.
 data card(const Column& column);
 
-// One row for each ambiguous text on which an implementation has shown its reading.
+// Returns one row for each ambiguous text of which an implementation has shown its reading.
 data readings(const std::vector<Column>& columns, const Catalogue& catalogue);
 
 }  // namespace evalcts::reports::view

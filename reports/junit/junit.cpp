@@ -1,5 +1,5 @@
-// The schema common to CI readers: one <failure>, <error> or <skipped> at most in a <testcase>, all text in
-// it (Jenkins keeps only the first), counts that agree with the elements.
+// The document follows what CI readers have in common: a <testcase> contains at most one <failure>, <error>
+// or <skipped>, with all text in it (Jenkins keeps only the first), and the counts agree with the elements.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-// The XML element of a testcase, its attributes and text; no element for a plain pass.
+// The XML element in a testcase with its attributes and text; a plain pass has no element.
 struct Outcome {
   std::string element, type, message, body;
 };
@@ -32,10 +32,10 @@ struct Totals {
   }
 };
 
-// Schemas take no sign.
+// Returns the time without a sign, as the schemas demand.
 std::string seconds(double value) { return fmt::format("{:.6f}", std::max(value, 0.0)); }
 
-// Everything recorded about the failures, for reading where no other page is at hand.
+// Returns everything that is recorded about the failures, for readers who have no other report.
 std::string details(const TestRecord& test) {
   std::string out;
   const auto line = [&out](std::string_view label, const std::string& value) {
@@ -97,7 +97,7 @@ Outcome outcome_of(const TestRecord& test) {
   return {};
 }
 
-// Text that a reader should not miss although the testcase is not red.
+// Returns the text for system-out: what a reader should see although the testcase is not red.
 std::string output_of(const TestRecord& test) {
   if (test.is_expected_failure()) return details(test);
   if (test.verdict == Verdict::kQualityWarning) return "quality-warning\n" + details(test);
@@ -161,7 +161,7 @@ std::string junit(const RunResult& record) {
     const Outcome outcome = outcome_of(test);
     totals.add(outcome);
     time += test.seconds.value_or(0);
-    // "Theme.Rule/parameters"; a name without a theme is its own theme.
+    // Names are "Theme.Rule/parameters"; a name without a dot is its own theme.
     const std::size_t dot = test.name.find('.');
     const std::string theme = suite + "." + test.name.substr(0, dot);
     const std::string name = dot == std::string::npos ? test.name : test.name.substr(dot + 1);

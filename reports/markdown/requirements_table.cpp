@@ -1,4 +1,4 @@
-// The Markdown table of requirements by result, from the records that `report` is given.
+// The Markdown table of requirements by record.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace evalcts::reports {
 namespace {
 
-constexpr std::size_t kMostOfText = 100;  // columns
+constexpr std::size_t kMostOfText = 100;  // columns of a requirement's text
 
 struct Tally {
   std::size_t bad = 0, decided = 0;

@@ -10,8 +10,8 @@
 namespace evalcts::reports {
 namespace {
 
-constexpr std::size_t kMostTests = 10;        // of each kind and record
-constexpr std::size_t kMostOfCommand = 2000;  // columns: a command has to work when it is copied
+constexpr std::size_t kMostTests = 10;        // tests of each kind of change and of each record
+constexpr std::size_t kMostOfCommand = 2000;  // columns; enough that a command still works when it is copied
 
 std::string counts_table(const std::vector<Column>& columns) {
   std::vector<Verdict> verdicts;
@@ -39,7 +39,7 @@ std::string counts_table(const std::vector<Column>& columns) {
   return out + "\n";
 }
 
-// The implementation that was judged, and the reason for which a run is not complete.
+// Returns a line about the implementation that was judged, with the reason if the run is not complete.
 std::string about(const Column& column) {
   const RunResult& record = column.record;
   const ImplementationRecord& implementation = record.implementation;
@@ -58,7 +58,7 @@ std::string about(const Column& column) {
 std::string changes_of(const Comparison& pair) {
   std::string out = fmt::format("* {}: {}\n", markdown_code(pair.label), pair.headline());
   for (const std::string& caveat : pair.caveats) out += "  * " + markdown_code(caveat) + "\n";
-  // The rest is in the headline, and on the page.
+  // The headline has the numbers of the other kinds, and the page lists them.
   for (const ChangeKind kind : {ChangeKind::kRegression, ChangeKind::kNewFailure, ChangeKind::kFix}) {
     std::size_t told = 0;
     for (const Change& change : pair.changes) {
@@ -71,7 +71,7 @@ std::string changes_of(const Comparison& pair) {
   return out;
 }
 
-// Crashes with the same innermost frames, by the command in flight.
+// Returns one line for all crashes with the same innermost frames, with the GL command that crashed.
 std::string crashes_of(const Column& column) {
   std::string out;
   for (const CrashGroup& group : crash_groups(column.record))
@@ -104,7 +104,7 @@ std::string failures_of(const Column& column) {
   return out;
 }
 
-// The distinct bugs of one record, most important first.
+// Returns the distinct bugs of one record, most important first.
 std::string bugs_of(const Column& column) {
   const RunResult& record = column.record;
   if (record.bugs.empty()) return {};

@@ -1,5 +1,6 @@
-// The page's view model: what accuracy.mustache shows, as strings in the order in which it shows them. Every
-// name that a section uses is set in it, if only to false: Mustache looks for a missing one further out.
+// The data for accuracy.mustache, as strings in the order of the page. Mustache looks up a missing name in
+// the enclosing sections, so every name that a section uses is set in it, to false if there is nothing to
+// show.
 #include "evalcts/accuracy_page.h"
 
 #include <fmt/format.h>
@@ -63,13 +64,13 @@ data implementations_view(const json& ulp) {
     add("Renderer", words(entry, "renderer"));
     add("Version", words(entry, "version"));
     item.set("facts", facts);
-    // An algorithm is its name.
+    // The project's own algorithms have no facts besides their names.
     if (facts.is_non_empty_list()) all << item;
   }
   return all;
 }
 
-// Names of classes of this data, curves first, as they come.
+// Returns the names of the classes of maps with this kind of data, in the order of the rows.
 std::vector<std::string> classes_of(const json& ulp, const std::string& kind) {
   std::vector<std::string> names;
   for (const json& entry : ulp.at("implementations"))
@@ -81,7 +82,7 @@ std::vector<std::string> classes_of(const json& ulp, const std::string& kind) {
   return names;
 }
 
-// Returns the row of this name: of several targets the first that an implementation has.
+// Returns the implementation's row of this name, the first one if several targets have it; null without one.
 const json* row_of(const json& entry, const std::string& name) {
   for (const json& row : entry.at("rows"))
     if (as_text(row.at("name")) == name) return &row;
@@ -134,7 +135,7 @@ data tables_view(const json& ulp) {
   return all;
 }
 
-// With the picture's heading and words; nothing where it cannot be drawn.
+// Adds the picture with its heading and text, unless it cannot be drawn.
 void add_figure(data& figures, const Figure& figure, const Draw& draw, const std::string& heading,
                 const std::string& text, const std::string& points) {
   if (figure.script.empty() || !draw) return;
@@ -219,7 +220,7 @@ std::string float_text(const json& value) {
   return fmt::format("{} ({})", shown(value.at("value")), shown(value.at("bits")));
 }
 
-// A command for a POSIX shell.
+// Returns the words as a command line for a POSIX shell.
 std::string shell_line(const json& command) {
   std::string line;
   for (const json& part : command) {
@@ -236,7 +237,7 @@ std::string shell_line(const json& command) {
   return line;
 }
 
-// The worst input of each implementation, by both measures.
+// Returns the worst inputs of each implementation, one by each of the two measures.
 data worst_view(const json& ulp) {
   data all = list_of();
   const auto size_of = [](const json& error) {

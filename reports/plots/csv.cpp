@@ -1,4 +1,4 @@
-// The content of a page of errors as comma-separated values (RFC 4180).
+// The numbers of the accuracy page as comma-separated values (RFC 4180).
 #include <fmt/format.h>
 
 #include "evalcts/accuracy_page.h"

@@ -16,18 +16,18 @@ namespace {
 using nlohmann::json;
 
 constexpr int kPictureWidth = 900;
-constexpr double kFloor = 0.1;  // of logarithmic scales; what is less stands there
+constexpr double kFloor = 0.1;  // least value on logarithmic scales; smaller values are drawn there
 
-// Colours that mean something are these; inlined() makes variables of the style sheet of them.
+// Placeholder colours, which inlined() replaces by variables of the style sheet.
 constexpr const char* kInkColour = "#010101";
 constexpr const char* kFaintColour = "#020202";
 constexpr const char* kZeroColour = "#030303";
 constexpr const char* kUlpColour = "#040404";
 constexpr const char* kConditionColour = "#050505";
-// Series of a picture with many lines: #111101, #111102, ...
+// The number of placeholder colours for the series of a picture with many lines: #111101, #111102, ...
 constexpr int kSeries = 12;
 
-// null counts as infinite
+// Returns the error; null is infinity.
 double error_of(const json& value) {
   return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
 }
@@ -42,7 +42,8 @@ std::string head(const std::string& id, int height) {
       kPictureWidth, height, id, kFaintColour, kInkColour);
 }
 
-// Returns a number for gnuplot; infinities are drawn above all others.
+// Returns the number for gnuplot, limited to the scale from kFloor to `top`; what is not finite becomes
+// `top`.
 std::string plain(double x, double top) {
   return fmt::format("{:.5g}", std::isfinite(x) ? std::clamp(x, kFloor, top) : top);
 }
@@ -51,21 +52,21 @@ std::string block(const std::string& name, const std::vector<std::string>& lines
   return "$" + name + " << EOD\n" + join(lines, "\n") + "\nEOD\n";
 }
 
-// Returns a name that gnuplot accepts.
+// Returns the text with characters replaced that gnuplot does not accept in names.
 std::string id_of(std::string text) {
   for (char& c : text)
     if (std::string_view("abcdefghijklmnopqrstuvwxyz0123456789").find(c) == std::string_view::npos) c = '_';
   return text;
 }
 
-// Rows of an implementation, where it has been measured, by name.
+// Returns the implementation's row of this name if it was measured, otherwise null.
 const json* row_named(const json& entry, const std::string& name) {
   for (const json& row : entry.at("rows"))
     if (as_text(row.at("name")) == name && row.contains("max_ulp")) return &row;
   return nullptr;
 }
 
-// Places a panel, in fractions of the picture from its lower left corner.
+// Returns the commands that place a panel, in fractions of the picture from its lower left corner.
 std::string panel(double left, double right, double bottom, double top) {
   return fmt::format(
       "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n"
@@ -78,7 +79,7 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
-// gnuplot writes colours of lines and those of text differently.
+// Replaces the colour in both formats of gnuplot: that of lines and that of text.
 void replace_colour(std::string& svg, const char* colour, const std::string& variable) {
   const auto part = [&](int i) { return std::stoi(std::string(colour + 1 + 2 * i, 2), nullptr, 16); };
   replace_all(svg, fmt::format("rgb({:3d}, {:3d}, {:3d})", part(0), part(1), part(2)), variable);
@@ -204,7 +205,7 @@ Figure histograms(const json& ulp) {
       "Share of results by their error in ULP, logarithmic, a panel for each implementation and class of "
       "maps",
       {}};
-  // Some that tell implementations apart, of those that there are.
+  // A selection of classes in which implementations differ visibly, without those that no implementation has.
   std::vector<std::string> classes;
   for (const char* name :
        {"curve/4/ordinary", "curve/10/ordinary", "curve/30/ordinary", "surface/4x4/ordinary"})
@@ -282,12 +283,12 @@ std::string inlined(const Figure& figure, std::string svg) {
   for (int i = 1; i <= kSeries; ++i)
     replace_colour(svg, fmt::format("#1111{:02x}", i).c_str(), fmt::format("var(--series-{})", i));
   replace_all(svg, "color=\"black\"", "color=\"var(--text)\"");
-  // Elements that are the same in all pictures have the same names in them.
+  // Some elements of gnuplot have the same IDs in all pictures.
   for (const char* name : {"gp", "textbox", "greybox", "gnuplot_canvas"}) {
     for (const char* before : {"id='", "id=\"", "href='#", "url(#"})
       replace_all(svg, before + std::string(name), before + figure.id + "_" + name);
   }
-  // Panels have the same again, for nothing on this page.
+  // Several panels have the same IDs for their plots, which this page does not use.
   const std::string plot = " id=\"" + figure.id + "_plot_";
   for (std::size_t at = 0; (at = svg.find(plot, at)) != std::string::npos;)
     svg.erase(at, svg.find('"', at + plot.size()) + 1 - at);

@@ -1,4 +1,4 @@
-// Pictures as scripts for gnuplot, and the SVG that comes of them as part of a page.
+// Pictures as scripts for gnuplot, and the resulting SVG as part of a page.
 #pragma once
 
 #include <cstdint>
@@ -10,27 +10,30 @@
 namespace evalcts::reports {
 
 struct Figure {
-  std::string id;                  // of the elements within, unique on the page
+  std::string id;                  // prefix of the IDs in the picture, unique on the page
   std::string script;              // for gnuplot
-  std::string caption;             // what it shows, in words
-  std::vector<std::string> names;  // strings of others, which the script knows as @0@, @1@, ...
+  std::string caption;             // description of the picture
+  std::vector<std::string> names;  // untrusted strings; the script has @0@, @1@, ... in their places
 };
 
-// A whole number from 0 on. Throws FormatError for anything else.
+// Returns the number, which is an integer from 0 on. Throws FormatError for any other value.
 std::uint64_t natural(const nlohmann::json& number);
 
-// `ulp` as evalcts::reports::accuracy_html() gets it. None of these throws because there is nothing to draw:
-// the script is empty then.
+// The argument `ulp` of the next three functions is that of accuracy_html(). If there is nothing to draw,
+// they return an empty script.
 
-// The largest condition-aware error of each implementation by the order of curves with this kind of data.
+// Returns the largest condition-aware errors of all implementations by the order of curves with this kind of
+// data.
 Figure errors_by_order(const nlohmann::json& ulp, const std::string& data);
-// Profile of one curve: errors over u, a panel for each implementation, zeros marked.
+// Returns the profile of one curve: errors over u, a panel for each implementation, zeros of the curve
+// marked.
 Figure errors_over_u(const nlohmann::json& ulp, const nlohmann::json& curve);
-// Numbers of results by the size of their errors: a panel for each implementation and some classes of maps.
+// Returns the shares of results by the size of their errors, a panel for each implementation and class of
+// maps.
 Figure histograms(const nlohmann::json& ulp);
 
-// Returns a drawing of gnuplot as an element of the page: colours that follow the page's, text in place of
-// @0@, a name for those who do not see it.
+// Returns gnuplot's SVG as an element of the page: with the colours of the page, and with the names of the
+// figure in place of @0@, @1@, ... Returns an empty string if `svg` contains no SVG.
 std::string inlined(const Figure& figure, std::string svg);
 
 }  // namespace evalcts::reports

@@ -6,7 +6,7 @@
 namespace evalcts::reports {
 namespace {
 
-constexpr std::size_t kMostTestsOfBug = 5;  // of each bug, where not all are wanted
+constexpr std::size_t kMostTestsOfBug = 5;  // without --verbose
 
 std::string bold(const std::string& text, bool colour) {
   return colour ? fmt::format("\x1b[1m{}\x1b[0m", text) : text;

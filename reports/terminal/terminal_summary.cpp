@@ -13,12 +13,12 @@ namespace evalcts::reports {
 namespace {
 
 constexpr std::size_t kColumns = 100;
-constexpr std::size_t kMostInFull = 8;  // failures, where not all were asked for
+constexpr std::size_t kMostInFull = 8;  // failures, without --verbose
 constexpr std::size_t kMostBugs = 24;
 constexpr std::size_t kMostCrashGroups = 4;
-constexpr std::size_t kLinesInFull = 8;    // of a failure: commands take two lines
-constexpr std::size_t kLinesAtEnd = 7;     // what follows the failures, and the prompt
-constexpr std::size_t kMostOfSource = 24;  // columns
+constexpr std::size_t kLinesInFull = 8;  // lines of the screen for a failure, with commands of two lines each
+constexpr std::size_t kLinesAtEnd = 7;   // lines of the screen after the failures, with the prompt
+constexpr std::size_t kMostOfSource = 24;  // columns of a requirement's source
 
 enum class Colour { kNone, kRed, kYellow, kGreen, kFaint, kBold };
 
@@ -28,8 +28,8 @@ Colour colour_of(Verdict verdict) {
   return verdict == Verdict::kPass ? Colour::kGreen : Colour::kFaint;
 }
 
-// Lines of clean text, cut to the screen if asked; colour goes around a whole line so that cutting cannot
-// split it.
+// Text for the screen without control characters; lines are cut if `cut_lines` is set. Colours are added to
+// whole lines after these are cut.
 class Screen {
  public:
   Screen(bool colour, bool cut_lines) : colour_(colour), cut_lines_(cut_lines) {}
@@ -38,13 +38,13 @@ class Screen {
     const std::string shown = cut_lines_ ? cut(one_line(text), kColumns) : one_line(text);
     out_ += paint(shown, colour) + "\n";
   }
-  // For commands: they have to work when they are copied.
+  // Adds a line that is never cut: a command, which has to work when it is copied.
   void uncut(const std::string& text, Colour colour = Colour::kNone) {
     out_ += paint(one_line(text), colour) + "\n";
   }
-  // Never cut: the end says what to do.
+  // Adds a line that is never cut, because its end says what to do.
   void whole_line(const std::string& text, Colour colour) { out_ += paint(one_line(text), colour) + "\n"; }
-  // "head: part, part" on as many lines as that takes: no part is lost.
+  // Adds "head: part, part" on as many lines as all parts need.
   void list(const std::string& head, const std::vector<std::string>& parts) {
     std::string pending = head;
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -71,8 +71,8 @@ class Screen {
   std::string out_;
 };
 
-// One test of each requirement first, then the second of each, and so on: more tests of one requirement tell
-// little that is new.
+// Sorts the tests so that one of each list of requirements is first, then the second of each, and so on: more
+// tests of the same requirements say little that is new.
 std::vector<const TestRecord*> one_of_each(const std::vector<const TestRecord*>& worst_first) {
   std::map<std::vector<RequirementId>, std::size_t> seen;
   std::vector<std::pair<std::size_t, const TestRecord*>> order;
@@ -84,14 +84,14 @@ std::vector<const TestRecord*> one_of_each(const std::vector<const TestRecord*>&
   return tests;
 }
 
-// " (flake: pass when run again)", for one that did not come out the same.
+// Returns " (flake: pass when run again)" or the like if the test is a flake, otherwise "".
 std::string flake_note(const TestRecord& test) {
   if (!test.flake) return {};
   if (!test.again) return " (flake)";
   return fmt::format(" (flake: {} when run again)", text_of(test.again->verdict).word);
 }
 
-// A test in one line.
+// Returns the line for a test that is not described in full.
 std::string test_line(const TestRecord& test) {
   std::string out = fmt::format("{:<15} {}{}", text_of(test.verdict).word, test.name, flake_note(test));
   if (test.is_expected_failure())
@@ -103,7 +103,7 @@ std::string test_line(const TestRecord& test) {
   return out;
 }
 
-// "position.x of vertex 3: expected [0.25, 0.2501], got 0.3 (1.7e+06 ULP)"
+// Returns "position.x of vertex 3: expected [0.25, 0.2501], got 0.3 (1.7e+06 ULP)" or the like.
 std::string comparison(const Failure& failure, const TestRecord& test) {
   if (failure.expected.empty() && failure.captured.empty())
     return failure.message.empty() ? test.message : failure.message;
@@ -114,7 +114,7 @@ std::string comparison(const Failure& failure, const TestRecord& test) {
   return far.empty() ? out : out + " (" + far + ")";
 }
 
-// "EV-MAP1-COPY: the text of the requirement... [GL 2.1 5.1]" in one line.
+// Returns the violated requirement in one line: "EV-MAP1-COPY: its text... [GL 2.1 5.1]".
 std::string demand(const TestRecord& test, const Catalogue& catalogue) {
   const std::vector<RequirementId> blamed = test.is_bad() ? test.blamed() : test.requirements;
   if (blamed.empty()) return "no requirement recorded";
@@ -130,7 +130,7 @@ std::string demand(const TestRecord& test, const Catalogue& catalogue) {
   return id + others + ": " + cut(one_line(requirement->text), kColumns - used) + source;
 }
 
-// The failing tests that the baseline does not expect, of those that the bug explains.
+// Returns the failing tests that the bug explains and that the baseline does not expect.
 std::vector<const TestRecord*> unexpected_of(const Bug& bug, const RunResult& record) {
   std::vector<const TestRecord*> tests;
   for (const TestRecord& test : record.tests)
@@ -139,8 +139,8 @@ std::vector<const TestRecord*> unexpected_of(const Bug& bug, const RunResult& re
   return tests;
 }
 
-// A bug in two lines: its title; its weight and its ID. Two more if the baseline does not expect all of it:
-// what differs, and the command that makes a C program of it.
+// Writes a bug in two lines: its title; its verdict, number of tests and ID. If the baseline does not expect
+// all its failures, two more lines: the difference, and the command that writes a C program.
 void write_bug(Screen& screen, const Bug& bug, std::size_t number, const RunResult& record) {
   const std::vector<const TestRecord*> unexpected = unexpected_of(bug, record);
   screen.line(fmt::format("{:>2}. {}{}", number, bug.title,
@@ -153,7 +153,7 @@ void write_bug(Screen& screen, const Bug& bug, std::size_t number, const RunResu
   if (bug.outside_evaluators) weight += ", explicit vertices show it as well";
   if (!bug.is_reduced()) weight += ", not reduced";
   weight += "; " + bug.id;
-  constexpr std::size_t kLeast = 12;  // columns, brackets included
+  constexpr std::size_t kLeast = 12;  // columns that the clause needs, with its brackets
   if (!bug.clause.empty() && weight.size() + kLeast < kColumns)
     weight += " [" + cut(one_line(bug.clause), kColumns - weight.size() - 3) + "]";
   screen.line(weight, Colour::kFaint);
@@ -165,7 +165,7 @@ void write_bug(Screen& screen, const Bug& bug, std::size_t number, const RunResu
     screen.uncut("    C program: " + command.replace(at, first.name.size(), bug.id));
 }
 
-// The distinct bugs, at most `most` of them.
+// Writes the distinct bugs, at most `most` of them.
 void write_bugs(Screen& screen, const RunResult& record, std::size_t most) {
   std::size_t explained = 0;
   for (const Bug& bug : record.bugs) explained += bug.tests.size();
@@ -179,7 +179,7 @@ void write_bugs(Screen& screen, const RunResult& record, std::size_t most) {
   screen.line("'evalcts bugs' shows each with its program, --verbose the failing tests");
 }
 
-// An unexpected failure in five lines.
+// Writes an unexpected failure in five lines; all_cases: its other recorded cases as well.
 void write_in_full(Screen& screen, const TestRecord& test, const Catalogue& catalogue, bool all_cases) {
   const Failure none{};
   const Failure& failure = test.failures.empty() ? none : test.failures.front();
@@ -224,7 +224,7 @@ void write_head(Screen& screen, const RunResult& record) {
   }
   screen.list(count(record.total(), "test"), counts);
 
-  std::map<std::string, std::size_t> unobserved;  // passes by what they are without
+  std::map<std::string, std::size_t> unobserved;  // number of passes by the attributes that are not observed
   for (const TestRecord& test : record.tests)
     if (test.verdict == Verdict::kPass && !test.unobserved.empty()) ++unobserved[test.unobserved];
   for (const auto& [attributes, tests] : unobserved)
@@ -232,7 +232,8 @@ void write_head(Screen& screen, const RunResult& record) {
                 Colour::kYellow);
 }
 
-// Crashes with the same innermost frames in one line each, and what other tests leave out because of them.
+// Writes one line for all crashes with the same innermost frames, and one about the commands that other tests
+// omit because of crashes.
 void write_crashes(Screen& screen, const RunResult& record, bool all) {
   const std::vector<CrashGroup> groups = crash_groups(record);
   for (std::size_t i = 0; i < groups.size() && (all || i < kMostCrashGroups); ++i)
@@ -320,7 +321,7 @@ std::string terminal_summary(const RunResult& record, const Catalogue& catalogue
   write_head(screen, record);
   write_crashes(screen, record, verbose);
 
-  std::vector<const TestRecord*> failing, others;  // in full; in one line
+  std::vector<const TestRecord*> failing, others;  // tests to write in full, and in one line
   for (const TestRecord& test : record.tests) {
     if (test.is_bad() && test.is_unexpected()) {
       failing.push_back(&test);
@@ -329,7 +330,7 @@ std::string terminal_summary(const RunResult& record, const Catalogue& catalogue
       others.push_back(&test);
     }
   }
-  // Tests that a bug explains are details of it.
+  // Tests that a bug explains are left to the list of bugs.
   if (!record.bugs.empty()) {
     write_bugs(screen, record, kMostBugs);
     if (!verbose)

@@ -1,7 +1,7 @@
-"""The pages in a real browser: browser_test.py WRITE_PAGES [--screenshots FOLDER]
+"""Tests the pages in a real browser: browser_test.py WRITE_PAGES [--screenshots FOLDER]
 
 WRITE_PAGES is the built program evalcts_reports_write_pages. Needs Chromium, its driver and Selenium, as the
-distribution packages them. With --screenshots it also leaves pictures for people to look at.
+distribution packages them. With --screenshots it also writes pictures into FOLDER.
 """
 
 import argparse
@@ -22,10 +22,10 @@ from selenium.webdriver.support.select import Select
 BROWSER, DRIVER = "/usr/bin/chromium", "/usr/bin/chromedriver"
 DESKTOP, PHONE = (1400, 900), (390, 740)
 PATIENCE = 20
-LOAD_SECONDS = 90  # on a machine that does other things as well; page_benchmark.py measures
+LOAD_SECONDS = 90  # enough on a busy machine; page_benchmark.py measures the time
 VERDICTS = ("pass", "pass", "pass", "fail", "quality-warning", "not-observable", "crash", "pass")
 
-# Text that would run, load, or break out, wherever it lands in the page.
+# Text that would run a script, load a file or end an element if a part of the page did not escape it.
 HOSTILE = (
     "\"><img src=x onerror=\"document.title='owned'\"><script>document.title='owned'</script>"
     "</style></script><svg onload=\"document.title='owned'\"> ' onclick=document.title='owned' "
@@ -60,7 +60,7 @@ def record(name, tests, **more):
 
 
 def large_records(tests, implementations):
-    """So many tests for so many implementations, every kind of verdict among them, failures with their evidence."""
+    """Returns records of that many tests and implementations, with every kind of verdict and evidence of failures."""
     records = []
     for column in range(implementations):
         results = []
@@ -107,7 +107,7 @@ class Browser(unittest.TestCase):
         return self.js("return [...document.querySelectorAll(arguments[0])].filter((e) => e.checkVisibility())"
                        ".map((e) => e.textContent)", selector)
 
-    # Opens all there is to open: groups, tests, requirements, bugs and folds.
+    # Opens all groups, tests, requirements, bugs and folds.
     OPEN_ALL = """
       for (let more = true; more;) {
         const closed = [...document.querySelectorAll('.toggle[aria-expanded=false]')];
@@ -124,7 +124,7 @@ class Browser(unittest.TestCase):
         self.js(self.OPEN_ALL)
 
     def eventually(self, expected, look):
-        """What follows a click takes the browser its time."""
+        """Expects look() to return `expected` within PATIENCE seconds, because the browser reacts to a click later."""
         deadline = time.monotonic() + PATIENCE
         while look() != expected and time.monotonic() < deadline:
             time.sleep(0.05)
@@ -140,7 +140,7 @@ class Browser(unittest.TestCase):
         return urllib.parse.parse_qs(urllib.parse.urlsplit(driver.current_url).fragment)
 
     def toggle(self, text, within="main"):
-        """The button that unfolds the row of this name."""
+        """Returns the button that unfolds the row of this name."""
         return self.js("return [...document.querySelectorAll(`${arguments[1]} .toggle`)]"
                        ".find((e) => e.textContent === arguments[0])", text, within)
 
@@ -240,7 +240,7 @@ class Pages(Browser):
         self.js("document.querySelectorAll('.column-switch').forEach((e, i) => { if (i !== 6) e.click(); })")
         self.eventually(["Theme", "implementation-6"], lambda: self.texts("#table thead th"))
 
-    # The contrast of WCAG 2: the ratio of the relative luminances of text and what is behind it.
+    # Returns the least contrast after WCAG 2, the ratio of the relative luminances of text and background, and its place.
     CONTRAST = """
       const numbers = (colour) => colour.match(/[\\d.]+/g).map(Number);
       const luminance = (colour) => numbers(colour).slice(0, 3)
@@ -289,7 +289,7 @@ class Pages(Browser):
         self.assertFalse(driver.find_element(By.ID, "filters").is_displayed())
         opened = "return [...document.querySelectorAll('tr.detail')].length"
         self.js("dispatchEvent(new Event('beforeprint'))")
-        self.assertEqual(self.js(opened), 4 + 5)  # bugs, and unexpected results
+        self.assertEqual(self.js(opened), 4 + 5)  # 4 bugs and 5 unexpected results
         self.js("dispatchEvent(new Event('afterprint'))")
         self.assertEqual(self.js(opened), 0)
         self.assertGreater(len(driver.execute_cdp_cmd("Page.printToPDF", {})["data"]), 10000)
@@ -318,8 +318,8 @@ class Bugs(Browser):
             "Map1 with a stride below the number of values of a point raises no error"])
         cells = self.js("return [...document.querySelectorAll('#bug-table tbody td')].map((td) => [td.className, td.textContent])")
         self.assertEqual(cells[0], ["bad", "1 test new"])
-        self.assertEqual(cells[1], ["good", "not found"])  # reference
-        self.assertEqual(cells[2], ["absent", "not searched"])  # glx did not start
+        self.assertEqual(cells[1], ["good", "not found"])  # the column of reference
+        self.assertEqual(cells[2], ["absent", "not searched"])  # the column of glx, which did not start
         self.assertEqual(cells[9], ["known", "1 test known"])
 
     def test_evidence_and_way_to_the_tests(self):
@@ -346,7 +346,7 @@ class Filters(Browser):
         self.assertEqual(len(self.everything), 11)
 
     def shown(self):
-        """Names of the tests that are shown; few are shown at once."""
+        """Returns the names of the tests that are shown; few are shown at once."""
         return set(self.texts("#table .test .toggle"))
 
     def count(self):
@@ -430,7 +430,7 @@ class Violations(Browser):
 
 
 class Address(Browser):
-    """The address holds the state; the browser's history leads through it."""
+    """The address contains the state, and the browser's history goes through states."""
 
     def shown(self):
         return set(self.texts("#table .test .toggle"))
@@ -460,7 +460,7 @@ class Address(Browser):
         self.eventually(["huge"], lambda: self.fragment().get("q"))
         field.send_keys("grid")
         self.eventually(["hugegrid"], lambda: self.fragment().get("q"))
-        driver.back()  # over the whole text
+        driver.back()  # undoes the whole text, not only its last part
         self.eventually({"Map2Output.FillOrder", "Map2Output.HugeGrid"}, self.shown)
         self.assertEqual(len(self.texts("#table .detail")), 1)
         self.assertEqual(field.get_attribute("value"), "")

@@ -1,4 +1,4 @@
-"""Reads the pages that write_pages wrote back with parsers that are not ours: check_pages.py FOLDER"""
+"""Checks the pages of write_pages with parsers that are not part of the project: check_pages.py FOLDER"""
 
 import html.parser
 import json
@@ -9,18 +9,18 @@ import xml.etree.ElementTree as ET
 
 FOLDER = pathlib.Path(sys.argv.pop())
 
-# reports/tests/samples.h: hostile_text(), as it has to come out.
+# The text that a page must show for hostile_text() of reports/tests/samples.h.
 HOSTILE = (
     "<script>alert(1)</script> \" ' & ]]> --> {{name}} {{{name}}} \u2400\u2401\u241b[31m\u2421 \ufffd \ufffd "
 )
-HOSTILE_END = " \u00e9 \ufffd\ufffd"  # between the two: the surrogate, some number of U+FFFD
+HOSTILE_END = " \u00e9 \ufffd\ufffd"  # between the two: one or more U+FFFD for the surrogate
 
 NAMES = ("one", "three", "none", "hostile", "compared", "hostile-compared")
 VOID = {"meta", "link", "br", "input", "wbr"}
 
 
 class Page(html.parser.HTMLParser):
-    """Elements, ids, links, text and data of a page; complains about tags that do not nest."""
+    """Collects elements, ids, links, text and data of a page; complains about tags that do not nest."""
 
     def __init__(self, path):
         super().__init__(convert_charrefs=True)
@@ -66,7 +66,7 @@ class Html(unittest.TestCase):
                 self.assertEqual(len(page.ids), len(set(page.ids)), "ids are unique")
                 for kind, target in page.links:
                     if "compared" in name and target == "accuracy.html":
-                        continue  # lies beside it
+                        continue  # a file in the same folder
                     if kind == "href" and not target.startswith("data:"):
                         self.assertTrue(target.startswith("#"), target)
                         if "=" in target:

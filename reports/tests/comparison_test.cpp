@@ -1,4 +1,4 @@
-// Changes and their wording; shards put together; the summary in Markdown.
+// Tests of changes and their wording, of merged shards, and of the pages in Markdown.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ json result(const std::string& name, const std::vector<json>& tests) {
           {"implementation", {{"name", name}}}, {"tests", tests}};
 }
 
-// The kind of change of one test, in a word; empty where nothing has changed.
+// Returns the word for the kind of change of one test; empty if nothing has changed.
 std::string change(const json& before, const json& now, const json& other_depth = nullptr) {
   json earlier = result("x", {before});
   if (!other_depth.is_null()) earlier["depth"] = other_depth;
@@ -57,7 +57,7 @@ TEST(Comparison, Kinds) {
     EXPECT_EQ(change(outcome("A.b", before), outcome("A.b", now)), kind) << before << ", " << now;
 }
 
-// A known failure does not hide a new one, where the same cases were run.
+// A known failure does not hide a new one if the same cases were run.
 TEST(Comparison, FurtherCasesAreARegression) {
   const json two = outcome("A.b", "fail", {"u=0: x", "u=1: x"}),
              other = outcome("A.b", "fail", {"u=1: x", "u=2: y"}), one = outcome("A.b", "fail", {"u=1: x"});
@@ -65,7 +65,7 @@ TEST(Comparison, FurtherCasesAreARegression) {
   EXPECT_EQ(change(two, other), "regression");
   EXPECT_EQ(change(two, one), "fails otherwise");
   EXPECT_EQ(change(two, other, "quick"), "");
-  EXPECT_EQ(change(outcome("A.b", "fail"), other), "");  // not recorded
+  EXPECT_EQ(change(outcome("A.b", "fail"), other), "");  // earlier mismatches were not recorded
   EXPECT_TRUE(
       contains(changes_of({result("x", {other})}, {result("x", {two})}).text, "A.b (fail, now also u=2: y)"));
 }
@@ -83,7 +83,7 @@ TEST(Comparison, NewAndVanishedTests) {
 
 TEST(Comparison, ByName) {
   const json pass = json::array({outcome("A.b", "pass")}), fail = json::array({outcome("A.b", "fail")});
-  // One on each side, whatever they are called.
+  // One record on each side: these are compared although their names differ.
   EXPECT_EQ(changes_of({result("new", fail)}, {result("old", pass)}).regressions, 1u);
   json again = result("x", fail);
   again["pass"] = "reuse-context";
@@ -204,7 +204,7 @@ TEST(Shards, OnlyOfOneRun) {
   pass["pass"] = "reuse-context";
   for (const json& other : {quick, named, pass, shard(2, 3, json::array()), one, result("x", json::array())})
     EXPECT_EQ(merge_of({one, other}).size(), 2u) << other;
-  // Two runs, one of which lacks a shard.
+  // Two runs; a shard of one of them is missing.
   json old_one = one, new_one = one, new_two = two;
   old_one["origin"] = "old";
   new_one["origin"] = new_two["origin"] = "new";
@@ -296,7 +296,8 @@ TEST(Markdown, IsShort) {
   EXPECT_TRUE(contains(text, "* `x`: and 90 more\n"));
 }
 
-// A test that fails for another requirement than its own speaks against that one, and decides its own not.
+// A test that violates another requirement than its own counts as a failure of that one, and does not decide
+// its own.
 TEST(Markdown, RequirementsThatAreViolatedElsewhere) {
   json elsewhere = outcome("A.a", "fail");
   elsewhere["requirements"] = {"EV-1", "EV-2"};
@@ -349,7 +350,7 @@ Tests that no implementation fails are left out.
 )");
 }
 
-// Outside code spans nothing of a record is left; a table has no other bars than its own.
+// Text of a record is in code spans only, and adds no bars to a table.
 TEST(Markdown, HostileTextStaysInCode) {
   json record = hostile_record();
   std::string text = "a|b `code` ``two`` @somebody [link](x) <img src=x> \n# heading";

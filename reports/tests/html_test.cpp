@@ -1,5 +1,5 @@
-// The page as text, and the data in it; check_pages.py reads the page back with a parser, browser_test.py in
-// a browser.
+// Tests of the page as text and of the data in it. check_pages.py reads the page with a parser, and
+// browser_test.py opens it in a browser.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ json named(const std::string& name, const json& tests) {
   return {{"status", "complete"}, {"implementation", {{"name", name}}}, {"tests", tests}};
 }
 
-// The data that the script renders.
+// Returns the data that the script of the page renders.
 json data_of(const std::string& page) {
   const std::string start = "id=\"data\">";
   const std::size_t begin = page.find(start) + start.size();
@@ -34,8 +34,9 @@ std::string text_of(const json& data, const json& number) {
   return data["strings"][number.get<std::size_t>()].get<std::string>();
 }
 
-// A record of the page: fields 0 to 6 are verdict, severity, flags, message, baseline, facts and accuracy,
-// the rest are failures.
+// Returns the record of a test in the page's data; null if the column lacks the test. Its fields 0 to 7 are
+// verdict, severity, flags, message, baseline, facts, accuracy and violated requirements, the others
+// failures.
 json record_of(const json& data, std::size_t column, const std::string& test) {
   const json& tests = data["tests"];
   const auto found = std::find_if(tests.begin(), tests.end(),
@@ -84,7 +85,7 @@ TEST(Html, NotStarted) {
   EXPECT_FALSE(contains(page, "nothing unexpected"));
 }
 
-// Counts of known failures are not green, and lead to the tests.
+// Counts of known failures have a class of their own and link to the tests.
 TEST(Html, Overview) {
   json known = {{"name", "A.known"}, {"verdict", "fail"}, {"expected_by_baseline", true}};
   const json fail = {{"name", "A.fail"}, {"verdict", "fail"}},
@@ -128,14 +129,14 @@ TEST(Html, RecordsInTheData) {
   EXPECT_TRUE(record_of(data, 0, "B.d").is_null());
   const json record = record_of(data, 1, "A.b");
   EXPECT_EQ(verdict_of(record), "fail");
-  EXPECT_EQ(record[2], 1 + 4);  // unexpected, a flake
+  EXPECT_EQ(record[2], 1 + 4);  // the flags for an unexpected result and for a flake
   EXPECT_EQ(text_of(data, record[3]), "wrong");
   EXPECT_EQ(text_of(data, record[5]), "2 of 12 cases failed");
   const json& commands = data["commands"][data["commandsOf"][1][0].get<std::size_t>()];
   EXPECT_EQ(text_of(data, commands[0]), std::string("run --filter '\0; rm -r'", 23));
 }
 
-// A test that fails for another requirement than its own violates that one.
+// A failing test may violate another requirement than its own.
 TEST(Html, ViolatedRequirementsInTheData) {
   json fail = {{"name", "A.b"}, {"verdict", "fail"}, {"requirements", {"EV-1", "EV-2"}}}, elsewhere = fail;
   elsewhere["violated"] = {"EV-2", "EV-3"};
@@ -149,10 +150,10 @@ TEST(Html, ViolatedRequirementsInTheData) {
   };
   EXPECT_EQ(violated(0), (std::vector<std::string>{"EV-1", "EV-2"}));
   EXPECT_EQ(violated(1), (std::vector<std::string>{"EV-2", "EV-3"}));
-  EXPECT_EQ(data["tests"][0].size(), 2u + 2u);  // its own requirements only
+  EXPECT_EQ(data["tests"][0].size(), 2u + 2u);  // the test's own requirements only
 }
 
-// Records that tell the same, to the last word, are one, and so are their calls.
+// Equal records are stored once, and so are equal calls.
 TEST(Html, NothingStandsInTheDataTwice) {
   const auto failing = [](const std::string& name, const char* captured, double seconds) {
     const json failure = {
@@ -197,7 +198,7 @@ TEST(Html, Bugs) {
   EXPECT_EQ(as_text(data["bugs"][0]["id"]), "EV-A-2");
   EXPECT_EQ(as_text(data["bugs"][1]["title"]), "a <bug>");
   EXPECT_EQ(data["bugs"][1]["found"], json({{0, 0, 0}, {1, 1, 1}, {2, 0, 0}}));
-  // A reader without scripts has them, too.
+  // The page shows bugs without scripts, too.
   EXPECT_TRUE(contains(page, "<strong>a &lt;bug&gt;</strong>"));
   EXPECT_TRUE(contains(page, "x (1 test), y (1 test), z (1 test)"));
   EXPECT_TRUE(contains(page, "<pre><code>glEvalCoord1f(0.5f);</code></pre>"));
@@ -235,7 +236,7 @@ TEST(Html, Changes) {
   const json& pair = data["comparisons"][0];
   EXPECT_EQ(pair["from"], 1);
   EXPECT_EQ(pair["to"], 0);
-  EXPECT_EQ(pair["changes"], json({0, 0, 0, 1, 7, 0}));  // a regression, and a test that vanished
+  EXPECT_EQ(pair["changes"], json({0, 0, 0, 1, 7, 0}));  // a regression and a vanished test
   EXPECT_EQ(data["since"], json({0}));
 }
 
@@ -253,7 +254,7 @@ TEST(Html, ComparisonsOfImplementations) {
   };
   EXPECT_EQ(to(1)["changes"][1], 0);
   EXPECT_EQ(text_of(data, to(1)["changes"][2]), "two: y");
-  EXPECT_EQ(to(0)["changes"][1], 4);  // fails otherwise
+  EXPECT_EQ(to(0)["changes"][1], 4);  // ChangeKind::kFailsOtherwise
 }
 
 TEST(Html, LeadsToThePageOfAccuracyWhereThereIsOne) {

@@ -1,4 +1,4 @@
-// The bytes of the XML; check_pages.py reads it back with a parser and checks the verdicts.
+// Tests of the bytes of the XML; check_pages.py reads it with a parser and checks the verdicts.
 #include <gtest/gtest.h>
 
 #include "evalcts/reports.h"

@@ -1,10 +1,10 @@
 """Measures the page in Chromium: page_benchmark.py WRITE_PAGES RESULTS.json...
 
-WRITE_PAGES is the built program evalcts_reports_write_pages. The records are multiplied: to six implementations as they
-are, and to 8 of 20,000 tests, whose calls and messages differ from copy to copy. For each page: its size, its nodes, the
-time until it is loaded and painted, and the time of each change of the filters until the next frame; then the processor
-time that the page's thread spent on it. The aims are 1 s and 100 ms; nothing fails here, because other programs share the
-processor.
+WRITE_PAGES is the built program evalcts_reports_write_pages. It writes two pages from copies of the records: one of six
+implementations with the tests as they are, and one of 8 implementations with 20,000 tests each, in which calls and messages
+differ from copy to copy. The program prints the size and the number of nodes of each page, the time until it is loaded and
+painted, the time from each change of the filters to the next frame, and the processor time of the page's thread for these.
+The aims are 1 s and 100 ms. No result is a failure, because other programs share the processor.
 """
 
 import json
@@ -39,7 +39,7 @@ CLICKS = ("#views button[value=requirements]", "#views button[value='']", "#tabl
 
 
 def copy_of(test, number):
-    """A test that shares no text of its evidence with the original."""
+    """Returns a copy of the test that shares no text of its evidence with the original."""
     text = json.dumps({key: value for key, value in test.items() if key not in ("requirements", "verdict", "level")})
     text = text.replace("0x1.", f"0x1.{number:x}")
     return {**test, **json.loads(text), "name": f"{test['name']}/copy{number}",
@@ -60,13 +60,13 @@ def multiplied(records, columns, tests):
 
 
 def processor_ms():
-    """Processor time of the page's main thread up to now."""
+    """Returns the processor time of the page's main thread up to now."""
     metrics = browser_test.driver.execute_cdp_cmd("Performance.getMetrics", {})["metrics"]
     return 1000 * next(metric["value"] for metric in metrics if metric["name"] == "TaskDuration")
 
 
 def line(name, samples):
-    """Medians, and the range of the first of the two numbers of each sample."""
+    """Prints the medians of both numbers of the samples and the range of the first number."""
     waited, spent = zip(*samples)
     print(f"  {name:<45} {statistics.median(waited):6.0f} ms ({min(waited):.0f} to {max(waited):.0f}), "
           f"processor {statistics.median(spent):.0f} ms")

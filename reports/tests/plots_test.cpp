@@ -1,4 +1,4 @@
-// The page of errors: what stands in it, with pictures and without, and that strings of others do no harm.
+// Tests of the accuracy page with and without pictures, and with untrusted strings.
 #include <gtest/gtest.h>
 
 #include "evalcts/accuracy_page.h"
@@ -65,7 +65,7 @@ json ulp_of(const std::string& name) {
              {"profiles", {{{"name", "Cubic 1"}, {"max_ulp", along}, {"max_condition_aware", along}}}}}}}};
 }
 
-// Returns a drawing like gnuplot's: a head, colours in both ways, names of elements that are the same in all
+// Returns an SVG like gnuplot's: with a head, colours in both formats, and IDs that are the same in all
 // pictures.
 std::string svg_of(const std::string& text) {
   return "<?xml version=\"1.0\"?>\n<svg \n viewBox=\"0 0 9 9\"\n>\n<title>x</title>\n<desc>y</desc>\n"
@@ -101,7 +101,7 @@ TEST(AccuracyPage, HasPicturesInIt) {
   EXPECT_EQ(count_of(page, "<text fill=\"var(--text)\">osmesa</text>"), 3u);
   EXPECT_EQ(count_of(page, "role=\"img\" aria-label="), 3u);
   EXPECT_EQ(page.find("No pictures"), std::string::npos);
-  // An error that is infinite stands at the top of the scale, a zero is marked.
+  // An infinite error is drawn at the top of the scale, and a zero of the curve is marked.
   EXPECT_NE(scripts[1].find("0.5019531 1e+09 1e+09"), std::string::npos) << scripts[1];
   EXPECT_NE(scripts[1].find("set arrow from 0.25,graph 0"), std::string::npos);
 }

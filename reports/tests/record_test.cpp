@@ -15,7 +15,7 @@ using nlohmann::json;
 
 json record_of(const json& test) { return {{"tests", {test}}}; }
 
-// The message of the FormatError, or "accepted".
+// Returns the message of the FormatError, or "accepted".
 std::string refusal(const json& value) {
   try {
     read_run_result(value);
@@ -263,7 +263,7 @@ TEST(RunResult, SeverityPutsTheUnexpectedFirst) {
   EXPECT_EQ(severity("internal-error", true), severity("internal-error", false));
 }
 
-// One place: the same innermost frames, whatever the C library is in and whoever has called.
+// Crashes are one group if their innermost frames are equal, ignoring the C library and outer frames.
 TEST(RunResult, CrashesAreGroupedByTheirInnermostFrames) {
   const auto crash = [](const char* name, const char* call, const std::vector<std::string>& frames) {
     return json{{"name", name},
@@ -290,7 +290,7 @@ TEST(RunResult, CrashesAreGroupedByTheirInnermostFrames) {
 TEST(RunResult, TextOfAFile) {
   const std::string head = R"({"format": "evalcts-results-1", "reason": )";
   EXPECT_EQ(parse_run_result(head + R"("fine"})").reason, "fine");
-  // Brackets in strings nest nothing, whatever is escaped there.
+  // Brackets in strings do not count for the depth, even after escaped characters.
   const std::string brackets(200, '['), closed = std::string(90, '[') + std::string(90, ']');
   EXPECT_EQ(parse_run_result(head + "\"\\\\\\\"" + brackets + "\"}").reason, "\\\"" + brackets);
   EXPECT_NO_THROW(parse_run_result(head + "\"\", \"unknown\": [" + closed + ", " + closed + "]}"));

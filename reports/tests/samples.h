@@ -1,4 +1,4 @@
-// Records for the tests: read from tests/sample, or built here where JSON text cannot hold what is wanted.
+// Records for the tests: read from tests/sample, or built here if a JSON file cannot contain them.
 #pragma once
 
 #include <fstream>
@@ -22,8 +22,8 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// results-osmesa.json as it could have been before: with a regression, a fix, a new and a vanished test
-// since.
+// Returns an earlier version of results-osmesa.json: since then there are a regression, a fix, a new and a
+// vanished test.
 inline nlohmann::json earlier_sample() {
   nlohmann::json record = read_sample("results-osmesa.json");
   record["status"] = "complete";
@@ -37,14 +37,15 @@ inline nlohmann::json earlier_sample() {
   return record;
 }
 
-// Everything that could break out of HTML, XML or a terminal: markup, quotes, the end of a CDATA section,
-// template tags, control characters, a C1 control, a noncharacter, an encoded surrogate, a lone lead byte.
+// Returns everything that could break out of HTML, XML or a terminal: markup, quotes, the end of a CDATA
+// section, template tags, control characters, a C1 control, a noncharacter, an encoded surrogate, and a lone
+// lead byte.
 inline std::string hostile_text() {
   return std::string("<script>alert(1)</script> \" ' & ]]> --> {{name}} {{{name}}} ") + std::string("\0", 1) +
          "\x01\x1b[31m\x7f \xC2\x9B \xEF\xBF\xBF \xED\xA0\x80 \xC3\xA9 \xFF\xC3";
 }
 
-// Hostile text in every place where a record holds text.
+// Returns a record with hostile_text() in every place where a record has text.
 inline nlohmann::json hostile_record() {
   using nlohmann::json;
   const std::string text = hostile_text();
@@ -106,7 +107,7 @@ inline nlohmann::json hostile_requirements() {
            {{{"id", text}, {"section", text}, {"text", text}, {"source", text}, {"since", text}}}}};
 }
 
-// The reports of results that are written as JSON.
+// The following functions have the suffix _of and make the report of this name from records in JSON.
 struct JsonOptions {
   std::vector<nlohmann::json> before;
   bool accuracy_page = false;

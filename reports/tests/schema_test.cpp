@@ -1,4 +1,4 @@
-// The schema and the records agree: what the samples hold is valid, what read_run_result rejects is not.
+// Tests that the schema and the reader agree: the samples are valid, and what read_run_result rejects is not.
 #include <gtest/gtest.h>
 
 #include <evalcts/results/json_schema.h>
@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-// The first complaint, or "valid".
+// Returns the first complaint, or "valid".
 std::string verdict(const json& record) {
   std::ifstream in(EVALCTS_REPORTS_SCHEMA);
   static const JsonSchema schema(json::parse(in));
@@ -23,7 +23,7 @@ TEST(Schema, SamplesAreValid) {
   }
 }
 
-// Results that were read are written again in full, and the same bytes come from them.
+// Results that were read are written as valid JSON, and reading and writing that again gives the same bytes.
 TEST(Schema, WrittenResultsAreValid) {
   for (const char* name : {"results-osmesa.json", "results-reference.json", "results-glx.json"}) {
     const std::string text = to_text(read_run_result(read_sample(name)));
@@ -39,7 +39,7 @@ TEST(Schema, ChangedSamplesAreNot) {
     return verdict(record);
   };
   EXPECT_EQ(changed("/reason", "another"), "valid");
-  EXPECT_EQ(changed("/tests/1/failures/0/ulp", nullptr), "valid");  // infinite
+  EXPECT_EQ(changed("/tests/1/failures/0/ulp", nullptr), "valid");  // null: infinite
   EXPECT_EQ(changed("/tests/1/flake", true), "valid");
   EXPECT_EQ(changed("/bugs/0/known", "mesa-list-crash"), "valid");
   EXPECT_EQ(changed("/tests/1/again", {{"verdict", "pass"}, {"message", ""}}), "valid");

@@ -18,7 +18,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// 200 failing tests of 40 requirements, each with long values.
+// Returns a record with 200 failing tests of 40 requirements and with long values.
 json large_record() {
   json tests = json::array();
   for (int i = 0; i < 200; ++i) {
@@ -33,7 +33,7 @@ json large_record() {
   return {{"status", "complete"}, {"implementation", {{"name", "large"}}}, {"tests", tests}};
 }
 
-// The note stands in each report, in full: it says whether the right library was judged.
+// Each report has the whole note, which warns if another library than the intended one was judged.
 TEST(Terminal, NoteOnTheImplementation) {
   json record = large_record();
   const std::string note =
@@ -47,7 +47,7 @@ TEST(Terminal, NoteOnTheImplementation) {
   EXPECT_NE(markdown_of({record}).find("**note**: `" + note), std::string::npos);
 }
 
-// The sample as it was before bugs were looked for.
+// Returns the sample without bugs, as if they had not been looked for.
 json sample_without_bugs() {
   json record = read_sample("results-osmesa.json");
   record.erase("bugs");
@@ -73,7 +73,7 @@ TEST(Terminal, TellsTheDistinctBugsFirst) {
 'evalcts bugs' shows each with its program, --verbose the failing tests
 )")) << text;
   EXPECT_TRUE(contains(text, "\nnote: 1 of 4 failing tests was not reduced")) << text;
-  // The tests that they explain are left to --verbose; what no bug explains is not.
+  // Tests that bugs explain are shown with --verbose only; other failing tests are always shown.
   EXPECT_FALSE(contains(text, "fail     Map1Values.Bezier")) << text;
   EXPECT_TRUE(contains(text, "\ninternal-error Map2Values.Rational\n")) << text;
   EXPECT_TRUE(contains(terminal_of(read_sample("results-osmesa.json"), nullptr, false, true),
@@ -145,7 +145,7 @@ baseline: none; --baseline DIR --write-baseline records these failures as known
 )");
 }
 
-// Eight failures, one of each requirement, and no line but the commands is longer than a screen.
+// The text has eight failures of different requirements, and only commands exceed 100 columns.
 TEST(Terminal, SaysEnough) {
   for (const bool colour : {false, true}) {
     const std::vector<std::string> lines = lines_of(terminal_of(large_record(), nullptr, colour, false));
@@ -157,7 +157,7 @@ TEST(Terminal, SaysEnough) {
   EXPECT_TRUE(contains(text, "and 192 unexpected results more; --verbose and index.html show all\n"));
 }
 
-// ... and fewer where the screen is small, but never none.
+// A small screen gets fewer failures, but at least one.
 TEST(Terminal, FitsTheScreen) {
   for (const std::size_t lines : {10u, 24u, 30u, 50u}) {
     const std::string text = terminal_of(large_record(), nullptr, false, false, lines);
@@ -178,8 +178,8 @@ TEST(Terminal, OneLineWhereThatIsWanted) {
       contains(terminal_line_of(large_record(), true), "\x1b[31mlarge: 200 unexpected results\x1b[0m\n"));
 }
 
-// One line about the accuracy of each target, and one about equal bits, by the tests of level quality that
-// decided something.
+// The text has one line about the accuracy of all targets and one about equal bits, from the tests of level
+// quality that decided something.
 TEST(Terminal, SaysForWhichTargetsTheLibraryIsAccurate) {
   const auto test = [](const char* name, const char* requirement, const char* level, const char* verdict) {
     return json{{"name", name}, {"requirements", {requirement}}, {"level", level}, {"verdict", verdict}};

@@ -20,7 +20,7 @@ TEST(Text, CleanShowsControlCharactersAsPictures) {
 
 TEST(Text, CleanReplacesWhatXmlOrUtf8Forbids) {
   EXPECT_EQ(clean("\xEF\xBF\xBE|\xEF\xBF\xBF"), "\uFFFD|\uFFFD");          // noncharacters
-  EXPECT_EQ(clean("\xC2\x80|\xC2\x9B|\xC2\x9F"), "\uFFFD|\uFFFD|\uFFFD");  // C1: a terminal acts on them
+  EXPECT_EQ(clean("\xC2\x80|\xC2\x9B|\xC2\x9F"), "\uFFFD|\uFFFD|\uFFFD");  // C1 controls, for terminals
   EXPECT_EQ(clean("\xC2\xA0"), "\xC2\xA0");                                // the first one above C1
   EXPECT_EQ(clean("a\xFFz"), "a\uFFFDz");
   EXPECT_EQ(clean("cut \xE2\x82"), "cut \uFFFD");

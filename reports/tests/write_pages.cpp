@@ -1,4 +1,4 @@
-// Writes the pages of the samples into a folder, for check_pages.py and for looking at them.
+// Writes pages into a folder, for check_pages.py and for people.
 //   write_pages FOLDER                            the samples, alone, together and compared, and the hostile
 //                                                 record
 //   write_pages FOLDER REQUIREMENTS|- RESULTS...  index.html and junit-N.xml of these files

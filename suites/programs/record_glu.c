@@ -1,6 +1,6 @@
-/* Records the commands of evaluators that GLU's NURBS renderer makes for a curve and for a trimmed surface,
- * as cases in JSON for the tests RealPrograms.Nurbs*. The functions of the GL below stand in front of those
- * of the library that GLU is linked to; GLU binds to them because this program exports them.
+/* Records the evaluator commands that GLU's NURBS renderer issues for a curve and for a trimmed surface, as
+ * cases in JSON for the tests RealPrograms.*. The GL functions below take precedence over those of the
+ * library that GLU is linked with, because this program exports them.
  *
  * record_glu curve|surface > FILE */
 #include <GL/glu.h>
@@ -13,7 +13,7 @@ enum { kControl = 6, kSide = 64 };
 
 static GLfloat knots[kControl + 4] = {0, 0, 0, 0, 0.4f, 0.7f, 1, 1, 1, 1};
 
-/* --- The GL, as far as GLU calls it ----------------------------------------------------------------------
+/* --- The GL functions that GLU calls ---------------------------------------------------------------------
  */
 
 static const char* separator = "";
@@ -233,7 +233,7 @@ static void draw_curve(GLUnurbs* nurbs) {
   gluEndCurve(nurbs);
 }
 
-/* A hill, with a hole that is bounded by a curve and by a polygon. */
+/* Draws a hill with a hole that is bounded by a curve and by a polygon. */
 static void draw_surface(GLUnurbs* nurbs) {
   static GLfloat border[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
   static GLfloat curve[4][2] = {{0.25f, 0.5f}, {0.25f, 0.8f}, {0.75f, 0.8f}, {0.75f, 0.5f}};

@@ -24,7 +24,7 @@ Bytes number(T value) {
 Bytes card16(unsigned value) { return number(static_cast<std::uint16_t>(value)); }
 Bytes card32(std::size_t value) { return number(static_cast<std::uint32_t>(value)); }
 
-// `body` begins with the context tag.
+// Encodes a request of the GLX extension. `body` begins with the context tag.
 Bytes request(unsigned opcode, const Bytes& body) {
   return Bytes{kMajor, static_cast<std::uint8_t>(opcode)} +
          card16(static_cast<unsigned>(1 + body.size() / 4)) + body;
@@ -60,7 +60,8 @@ TEST(GlxRequests, CommandsOfEvaluatorsInTheirOrder) {
   EXPECT_TRUE(evaluator_commands({}).empty());
 }
 
-// The text counts the length and the opcode in the number of bytes of the first part, and does not.
+// The specification is inconsistent as to whether the byte count of the first part includes length and
+// opcode.
 TEST(GlxRequests, LargeCommandsEitherWay) {
   const std::vector<SentCommand> expected = {{145, true, true, kFour + kEight + kFour}};
   const Bytes first = card32(24) + card32(145) + kFour;
@@ -74,17 +75,19 @@ TEST(GlxRequests, MalformedOnes) {
   const Bytes whole = large(1, 3, first) + large(2, 3, kEight) + large(3, 3, kFour);
   ASSERT_EQ(evaluator_commands(whole).size(), 1u);
   const Bytes malformed[] = {
-      {kMajor, 1, 9, 0},                                                  // cut off
-      request(1, {}),                                                     // no tag
-      request(1, kTag + card16(12) + card16(144) + kFour),                // longer than the request
-      request(1, kTag + card16(0) + card16(144)),                         // no length
-      request(1, kTag + card16(7) + card16(144) + kFour),                 // not in words
-      large(1, 3, first) + large(3, 3, kFour),                            // a part is missing
-      large(1, 3, first) + large(2, 3, kEight),                           // so is the last
-      large(1, 3, first) + large(2, 4, kEight) + large(3, 3, kFour),      // of how many?
-      large(1, 2, first) + large(2, 2, kEight),                           // shorter than it says
-      large(1, 3, first, 5) + large(2, 3, kEight) + large(3, 3, kFour),   // the first part is
-      large(1, 3, first) + large(2, 3, kEight, 16) + large(3, 3, kFour),  // more than there is
+      {kMajor, 1, 9, 0},                                              // the request is cut off
+      request(1, {}),                                                 // no context tag
+      request(1, kTag + card16(12) + card16(144) + kFour),            // a command longer than its request
+      request(1, kTag + card16(0) + card16(144)),                     // a command of length 0
+      request(1, kTag + card16(7) + card16(144) + kFour),             // a length that is no multiple of 4
+      large(1, 3, first) + large(3, 3, kFour),                        // the second part is missing
+      large(1, 3, first) + large(2, 3, kEight),                       // the last part is missing
+      large(1, 3, first) + large(2, 4, kEight) + large(3, 3, kFour),  // different numbers of parts
+      large(1, 2, first) + large(2, 2, kEight),                       // fewer bytes than the command claims
+      large(1, 3, first, 5) + large(2, 3, kEight) +
+          large(3, 3, kFour),  // a wrong byte count of the first part
+      large(1, 3, first) + large(2, 3, kEight, 16) +
+          large(3, 3, kFour),  // a byte count above the part's size
       large(1, 3, first) + request(108, kTag) + large(2, 3, kEight) + large(3, 3, kFour)};
   for (const Bytes& stream : malformed) EXPECT_THROW(evaluator_commands(stream), std::runtime_error);
 }

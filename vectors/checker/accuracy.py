@@ -1,4 +1,4 @@
-"""The accuracy rule: how far a conforming result may lie from the exact one.
+"""The accuracy rule: the largest error that a conforming result may have.
 
 A map has one or two directions. A curve is treated as a surface of degree 0 in v: all formulas of the rule
 for surfaces turn into those for curves.
@@ -28,7 +28,7 @@ class Grid:
         return self.first, self.last
 
     def sizes(self):
-        """What single precision has to hold on the way to the argument."""
+        """Numbers that must not overflow in single precision when the argument is computed."""
         step = Fraction(self.last - self.first, self.segments)
         return self.first, self.last, self.last - self.first, self.index * step
 
@@ -37,7 +37,7 @@ class Grid:
 
 
 class Direction:
-    """One parameter of a map, its domain and its argument: a Fraction or a Grid."""
+    """One direction of a map: its domain, its degree, and its argument, a Fraction or a Grid."""
 
     def __init__(self, first, last, argument, degree):
         self.first, self.last, self.degree = first, last, degree
@@ -55,7 +55,7 @@ class Direction:
 
     @cached_property
     def regular(self):
-        """Whether the accuracy rule can apply at all."""
+        """True if the domain and the argument do not exclude the accuracy rule."""
         ends = self.first, self.last
         return (NARROWEST <= self.width <= WIDEST and not any(0 < abs(x) < LEAST_NORMAL for x in ends)
                 and nearest(self.first, BINARY32) != nearest(self.last, BINARY32)
@@ -77,11 +77,11 @@ class Direction:
         return tau
 
     def weights(self, degree):
-        """Of the values of Bernstein polynomials, for the map (its degree) or its derivative (one less)."""
+        """The values of the Bernstein polynomials of the degree: that of the map, or one less for its derivative."""
         return self._weights("exact", self.t, self.s, degree)
 
     def widened_weights(self, degree, single):
-        """The same for T and S."""
+        """The same at T and S in place of t and s."""
         tau = self.tau(single)
         t = (1 + 8 * EPS) * abs(self.t) + tau
         s = (1 + 8 * EPS) * abs(self.s) + 8 * EPS * abs(self.t) + tau
@@ -104,7 +104,7 @@ POINT = Direction(Fraction(0), Fraction(1), Fraction(0), 0)
 
 
 def error_bound(net, u, v, degrees, single, more_operations=0):
-    """The bound for the sum of these degrees over `net`, a net of magnitudes."""
+    """The error bound of a sum of these degrees over control values with the magnitudes `net`."""
     n, m = degrees
     k = n * m + 5 * (n + m) + 4 + (not single) + more_operations
     x = k * EPS
@@ -115,7 +115,7 @@ def error_bound(net, u, v, degrees, single, more_operations=0):
 
 
 def applies(greatest, u, v, limit=RANGE):
-    """Whether the rule applies to a sum over control values up to `greatest`."""
+    """True if the rule applies to a sum over control values of magnitude up to `greatest`."""
     growth = u.growth(u.degree) * v.growth(v.degree)
     return u.regular and v.regular and growth <= RANGE and growth * greatest <= limit
 
@@ -154,7 +154,7 @@ class Component:
 
     @cached_property
     def needs_gl_2(self):
-        """Before GL 2.0 texture coordinates were promised the range of colours only."""
+        """True if the rule applies from GL 2.0 on only, because earlier versions guarantee less for texture coordinates."""
         return self.texture and self.judged and not applies(self.net.greatest(), self.u, self.v, COLOR_RANGE)
 
     @cached_property
@@ -162,7 +162,7 @@ class Component:
         return error_bound(self.net.magnitudes(), self.u, self.v, self.degrees, self.single)
 
     def interval(self):
-        """The least and the greatest finite binary32 accepted; None where the rule does not apply."""
+        """The least and the greatest finite binary32 accepted; None if the rule does not apply."""
         return floats_within(self.value, self.error) if self.judged else None
 
 

@@ -22,7 +22,7 @@ class Weights:
         self.denominator = q**n
 
     def magnitudes(self):
-        """Those of |a| and |b|."""
+        """The weights of |a| and |b|."""
         other = object.__new__(Weights)
         other.numerators = [abs(x) for x in self.numerators]
         other.denominator = self.denominator

@@ -1,4 +1,4 @@
-"""Whole files: their structure, and their cases in parallel."""
+"""Checks the structure of files, and their cases in parallel."""
 
 import json
 import re
@@ -71,7 +71,7 @@ def _object(pairs):
 
 
 def _check_lines(text, cases):
-    """One case a line, so that cases can be found and compared with tools for lines."""
+    """Each case has its own line, so that line-based tools can find and compare cases."""
     lines = text.splitlines()
     start = next((i for i, line in enumerate(lines, 1) if line.endswith('"cases": [')), len(lines))
     end = start + len(cases)
@@ -84,7 +84,7 @@ def _check_lines(text, cases):
 
 
 def _check_names(found):
-    """Descriptions, notes, and what every case has."""
+    """Checks the description, the notes, and the members that all cases have."""
     def text(where, value):
         if not isinstance(value, str) or not value.strip():
             raise Malformed(f"{where}: {show(value)} should be a text")
@@ -125,7 +125,7 @@ def _check_names(found):
 
 
 def check_case(job):
-    """The numbers compared, the differences and the faults of one case."""
+    """Returns the number of numbers compared, the differences and the format errors of one case."""
     kind, case = job
     report = Report()
     try:
@@ -152,7 +152,7 @@ def check_files(paths, jobs):
 
 
 def _check_ids_across(files):
-    """An id names a case whatever the file: the pipe knows nothing else."""
+    """Ids are unique across files, because answers in a pipe name cases by their ids only."""
     times = Counter(chain.from_iterable((case["id"] for case in file.cases) for file in files))
     for file in files:
         file.malformed += [f"{case['id']}: the id stands in another file too"

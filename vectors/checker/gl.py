@@ -1,7 +1,7 @@
 """A model of the part of the GL that sequences touch: evaluators, current values, attributes, display lists.
 
-Every command is a pair of methods of Context: `x_errors` names the codes that it may raise, `x` is what it
-does if there are none. Numbers that are only handed through stay texts, since minus zero is a value too.
+Each command is a pair of methods of Context: `x_errors` returns the codes that it may raise, and `x` executes it if
+there are none. Numbers that are only stored stay texts, because texts keep the sign of zero.
 """
 
 from copy import deepcopy
@@ -25,14 +25,14 @@ MAX_EVAL_ORDER, MAX_LIST_NESTING, MAX_ATTRIB_STACK_DEPTH = 64, 64, 16
 
 
 class Value(NamedTuple):
-    """A value of the state: kind is "flag", "integer", "float", "scaled" (a colour or normal, in the range
-    of int), "either" (of both), "limit" (any integer from this one on)."""
+    """A value of the state. Kinds: "flag", "integer", "float", "scaled" (a colour or normal, whose integer answers are
+    scaled to the range of int), "either" (integer answers are scaled or rounded), "limit" (at least this integer)."""
     kind: str
     value: object
 
 
 def initial_map(dimension, target, size):
-    """Order 1, one point, domain 0 to 1."""
+    """Returns the initial map of a target: order 1, one point, domain [0, 1]."""
     if target.endswith("NORMAL"):
         point = [ZERO, ZERO, ONE]
     elif target.endswith(("COLOR_4", "INDEX")):
@@ -70,7 +70,7 @@ class Primitive:
 
 
 class Context:
-    """`errors` and `emitted` gather what happened since they were last taken."""
+    """A GL context. `errors` and `emitted` hold the errors and primitives since the caller last reset them."""
 
     def __init__(self):
         self.maps = {target: initial_map(d, target, k) for d in (1, 2) for target, k in TARGETS[d].items()}
@@ -83,13 +83,14 @@ class Context:
         self.stack = []
         self.lists, self.open_list, self.nesting = {}, None, 0
         self.errors, self.emitted = set(), []
-        # The first version of the GL that demands what was asked, and whether only pages, or none, do.
+        # The first version of GL that demands the answers; true if no text demands the sequence, or if only the
+        # reference pages demand the answer of the current step.
         self.since, self.advisory, self.advisory_step = FIRST_VERSION, False, False
         self.pushes_enables = self.names_automatic_normals = False
-        self.meshed = {}  # the vertices of the mesh that is drawn, by their indices
+        self.meshed = {}  # vertices of the current mesh, by their indices
 
     def issue(self, name, arguments):
-        """What the program calls: executed, or compiled, or both. The answer of a query, otherwise None."""
+        """Executes a command, compiles it, or both. Returns the answer of a query, otherwise None."""
         command, form = command_named(name)
         self._note_version(name, arguments)
         if self.open_list and command.compiled:
@@ -102,7 +103,7 @@ class Context:
         self.since = max(self.since, version)
 
     def _note_version(self, name, arguments):
-        """What the name of a command says about the version."""
+        """Raises the first version by the name of a command, and for PushAttrib by its arguments."""
         if name.startswith(("ActiveTexture", "MultiTexCoord")):
             self.need("1.3")
         if name.startswith("Getn"):
@@ -235,12 +236,12 @@ class Context:
     # Evaluation
 
     def winner(self, dimension, kinds):
-        """The first of these maps that is enabled, or None."""
+        """Returns the map of the first of these kinds that is enabled, or None."""
         targets = (f"GL_MAP{dimension}_{kind}" for kind in kinds)
         return next((self.maps[t].map for t in targets if self.enabled[t]), None)
 
     def evaluate(self, dimension, arguments):
-        """EvalCoord at Fractions or Grids."""
+        """Evaluates at arguments that are Fractions or Grids, and emits a vertex."""
         position = self.winner(dimension, ("VERTEX_4", "VERTEX_3"))
         if position is None:
             return
@@ -289,7 +290,7 @@ class Context:
         return set() if enumerant(mode, allowed) in allowed else {ENUM}
 
     def eval_mesh(self, form, mode, *indices):
-        """The Begin/End sequences by which the GL defines meshes."""
+        """Draws the Begin/End sequences by which the specification defines meshes."""
         dimension = int(form[0])
         if len(indices) != 2 * dimension:
             raise Malformed(f"EvalMesh{dimension} of {show(indices)}")
@@ -406,7 +407,7 @@ class Context:
         return {VALUE} if integer(count) < 0 else set()
 
     def gen_lists(self, form, count):
-        """Which names are free is up to the GL; the least ones are a usual choice."""
+        """Reserves the least free names; the GL may return any free ones."""
         names = _few(1, count + 1)
         while any(name in self.lists for name in names):
             names = range(names.start + 1, names.stop + 1)
@@ -443,7 +444,7 @@ class Context:
 
     def get_map(self, form, target, query, *rest):
         if self.maps[target].is_initial:
-            # The initial domain stands on the reference pages only, texture coordinates not in GL 1.0.
+            # Only the reference pages give the initial domain, and GL 1.0 does not give initial texture coordinates.
             self.advisory_step = query == "GL_DOMAIN"
             if query == "GL_COEFF" and "TEXTURE" in target:
                 self.need("1.1")
@@ -456,7 +457,7 @@ class Context:
         return self.state(name)
 
     def state(self, name):
-        """The values of a state variable, or None if it has none."""
+        """Returns the values of a state variable, or None if the name is not one."""
         if name in FLAGS:
             return [Value("flag", self.enabled[name])]
         for dimension, grid in self.grids.items():
@@ -492,7 +493,7 @@ class OpenList:
 
 
 def _few(first, beyond):
-    """A range, unless nobody would want to see all of it."""
+    """Returns a range. Raises Malformed if it is too long for a sequence."""
     if beyond - first > 10**6:
         raise Malformed(f"{beyond - first} of something")
     return range(first, beyond)

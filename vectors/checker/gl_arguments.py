@@ -19,13 +19,13 @@ def integer(x, kind="i32"):
 
 
 def number(x, form):
-    """The text of a number of type f or d, once it is found to be one."""
+    """Returns the text of a number of type f or d; raises Malformed if it is none."""
     read_float(x, FORMATS[form])
     return x
 
 
 def array(x, kind, count=None):
-    """The items of an array argument of this kind."""
+    """Returns the items of an array argument of this kind. Raises Malformed if there are not `count` of them."""
     if not isinstance(x, dict) or list(x) != [kind] or not isinstance(x[kind], list):
         raise Malformed(f"{show(x)} is not an array of {kind}")
     if count is not None and len(x[kind]) != count:
@@ -45,7 +45,7 @@ def one(arguments):
 
 
 def directions_of_map(dimension, form, rest):
-    """(first, last, stride, order) of each direction, and the values."""
+    """Returns (first, last, stride, order) of each direction, and the control values."""
     if len(rest) != 4 * dimension + 1:
         raise Malformed(f"a map with {len(rest)} arguments behind the target")
     directions = []
@@ -56,7 +56,7 @@ def directions_of_map(dimension, form, rest):
 
 
 def directions_of_grid(form, arguments):
-    """(segments, first, last) of each direction."""
+    """Returns (segments, first, last) of each direction."""
     dimension = int(form[0])
     if len(arguments) != 3 * dimension:
         raise Malformed(f"MapGrid{dimension} of {show(arguments)}")
@@ -65,7 +65,7 @@ def directions_of_grid(form, arguments):
 
 
 def attribute_values(name, count, kind, vector, arguments):
-    """Texts of the values of Vertex, Color and so on, in single precision."""
+    """Returns the texts of the values of Vertex, Color and so on in single precision."""
     holder = {"f": "f32", "d": "f64"}.get(kind) or INTEGERS[kind]
     items = array(*(one(arguments) if vector else [{holder: list(arguments)}]), holder, count)
     if kind in FORMATS:
@@ -84,7 +84,7 @@ def filled(values, count):
 
 
 def room_of(n, rest):
-    """The bufSize of GetnMap, otherwise None; and the room for the answer."""
+    """Returns the bufSize of GetnMap, otherwise None, and the output array."""
     if len(rest) != 1 + (n == "n"):
         raise Malformed(f"GetMap with {show(rest)} behind the query")
     return (integer(rest[0]) if n else None), rest[-1]

@@ -1,4 +1,4 @@
-"""Enumerants and bits of the GL, which the files give by name."""
+"""Enumerants and bits of the GL, which the files have by name."""
 
 from .maps import TARGETS
 from .number import Malformed, show
@@ -6,10 +6,10 @@ from .number import Malformed, show
 ENUM, VALUE, OPERATION = "GL_INVALID_ENUM", "GL_INVALID_VALUE", "GL_INVALID_OPERATION"
 OVERFLOW, UNDERFLOW = "GL_STACK_OVERFLOW", "GL_STACK_UNDERFLOW"
 
-# The files use no more units than every GL with any has.
+# The files use no more units than all implementations with multitexturing have.
 TEXTURE0, MAX_TEXTURE_UNITS = 0x84C0, 2
 UNITS = {f"GL_TEXTURE{i}": TEXTURE0 + i for i in range(MAX_TEXTURE_UNITS)}
-# Types of CallLists: the array that holds them, and how many of its items are a name.
+# Types of CallLists: the kind of array that holds the names, and its number of items for a name.
 LIST_TYPES = {"GL_BYTE": ("i8", 1), "GL_UNSIGNED_BYTE": ("u8", 1), "GL_SHORT": ("i16", 1),
               "GL_UNSIGNED_SHORT": ("u16", 1), "GL_INT": ("i32", 1), "GL_UNSIGNED_INT": ("u32", 1),
               "GL_FLOAT": ("f32", 1), "GL_2_BYTES": ("u8", 2), "GL_3_BYTES": ("u8", 3),
@@ -22,7 +22,7 @@ MAPS = {d: {name: first + i for i, name in enumerate(TARGETS[d])} for d, first i
 ALL_MAPS = MAPS[1] | MAPS[2]
 MAP_QUERIES = {"GL_COEFF": 0x0A00, "GL_ORDER": 0x0A01, "GL_DOMAIN": 0x0A02}
 FLAGS = ALL_MAPS | {"GL_AUTO_NORMAL": 0x0D80}
-# Names that Enable takes elsewhere in the GL, as far as anyone should ask.
+# Some capabilities of Enable that have nothing to do with evaluators.
 OTHER_FLAGS = {"GL_LIGHTING": 0x0B50, "GL_COLOR_MATERIAL": 0x0B57, "GL_NORMALIZE": 0x0BA1,
                "GL_DEPTH_TEST": 0x0B71, "GL_BLEND": 0x0BE2, "GL_CULL_FACE": 0x0B44, "GL_FOG": 0x0B60,
                "GL_TEXTURE_1D": 0x0DE0, "GL_TEXTURE_2D": 0x0DE1, "GL_DITHER": 0x0BD0,
@@ -40,9 +40,9 @@ OTHER_GROUPS = ("GL_POINT_BIT", "GL_LINE_BIT", "GL_POLYGON_BIT", "GL_POLYGON_STI
 
 
 def enumerant(x, valid):
-    """An enumerant where `valid` (names, with their numbers) would be right.
+    """Returns an enumerant for which `valid` (a dictionary of names and numbers) lists the valid values.
 
-    One that would be wrong may have no name, and is given by its number then.
+    An invalid one may be a number, because it may have no name.
     """
     if isinstance(x, str) or (type(x) is int and 0 <= x < 2**32 and x not in valid.values()):
         return x
@@ -50,12 +50,12 @@ def enumerant(x, valid):
 
 
 def unit_of(x):
-    """The number of a texture unit, None if there is no such unit."""
+    """Returns the index of a texture unit, or None if there is no such unit."""
     return UNITS[x] - TEXTURE0 if enumerant(x, UNITS) in UNITS else None
 
 
 def groups_of(mask):
-    """The names of the bits of a mask."""
+    """Returns the names of the bits of a mask."""
     if not isinstance(mask, str):
         raise Malformed(f"{show(mask)} is not the names of bits")
     names = mask.split("|")

@@ -1,4 +1,4 @@
-"""Maps: their targets, their description in the files, their evaluation."""
+"""Maps: targets, their description in the files, and evaluation."""
 
 from functools import cached_property
 
@@ -23,7 +23,7 @@ class Map:
         self.orders = (len(points), len(points[0]))[:dimension]
 
     def directions(self, arguments):
-        """u and v at the arguments, one a dimension: a Fraction or a Grid each."""
+        """Returns the Directions of u and v. `arguments`: a Fraction or a Grid for each dimension of the map."""
         ends = zip(self.domain[::2], self.domain[1::2])
         found = [Direction(first, last, argument, order - 1)
                  for (first, last), argument, order in zip(ends, arguments, self.orders)]
@@ -46,7 +46,7 @@ class Map:
 
 
 def read_map(found, members):
-    """The Map of a `map` member, and the format of its numbers. `members` checks the members of an object."""
+    """Returns the Map of a `map` member and the format of its numbers. `members` checks the members of an object."""
     members(found, "map", "target type domain points")
     target, form = str(found["target"]), FORMATS.get(str(found["type"]))
     dimension = next((d for d in TARGETS if target in TARGETS[d]), None)

@@ -1,6 +1,6 @@
 """Automatic normals: derivatives, their cross product, the unit vector and the bound on its error.
 
-Lengths are square roots. None is ever taken: what the files say about them is decided by comparing squares.
+Lengths are square roots, which are never computed: comparisons of squares decide about them.
 """
 
 from fractions import Fraction
@@ -9,7 +9,7 @@ from functools import cached_property
 from .accuracy import EPS, RANGE, Component, all_single, applies, error_bound
 from .number import nearest_root
 
-# A bound may be this much above the exact one, relatively.
+# Largest relative excess of a bound over the exact one.
 SLACK = Fraction(1, 10**6)
 
 
@@ -93,7 +93,7 @@ class Normal:
         return [x / self._w**4 for x in self._product] if self._w else None
 
     def judged(self):
-        """Whether the rule applies, and the normal is not lost in the errors."""
+        """True if the rule applies and the error bound is small enough compared with the normal."""
         greatest = max(c.net.greatest() for c in self.components)
         if not applies(greatest, self.u, self.v) or not self._w:
             return False
@@ -102,7 +102,7 @@ class Normal:
         return self._squarable() and 16 * self._error_square < square(self._product)
 
     def _squarable(self):
-        """Whether single precision can square what is met on the way."""
+        """True if single precision can hold the squares of intermediate values."""
         a, b = ([x.most() for x in vector] for vector in self._tangents)
         for f in {Fraction(1), self._w**2}:
             for g, h in ((1, 1), (self.u.width, self.v.width)):
@@ -120,7 +120,7 @@ class Normal:
         return square([difference_of_products(a[i], b[j], a[j], b[i]).error for i, j in pairs])
 
     def bounds(self, number):
-        """Whether `number` is 2*d/|m'| + 10*eps, rounded up by less than SLACK."""
+        """True if `number` is 2*d/|m'| + 10*eps, rounded up by less than SLACK."""
         ratio = 4 * self._error_square / square(self._product)
 
         def reaches(x):
@@ -128,16 +128,16 @@ class Normal:
         return reaches(number) and not reaches(number / (1 + SLACK))
 
     def bound_estimate(self):
-        """A few digits of the bound, for messages."""
+        """Returns the bound to a few digits, for messages."""
         return 2 * float(self._error_square / square(self._product))**0.5 + float(10 * EPS)
 
     def rounded(self, c, form):
-        """Component c of m/|m| as a float or double."""
+        """Returns component c of m/|m| rounded to the format, as a text."""
         m = self.m
         return nearest_root(m[c]**2 / square(m), -1 if m[c] < 0 else 1, form)
 
     def at_least(self, c, x):
-        """Whether component c of m/|m| is at least x."""
+        """True if component c of m/|m| is at least x."""
         y, length = self.m[c], square(self.m)
         if (x < 0) != (y < 0):
             return x < 0 or x == y == 0

@@ -16,7 +16,7 @@ sys.set_int_max_str_digits(0)
 
 
 class Malformed(Exception):
-    """The file is not what its format says, as opposed to a number that is wrong."""
+    """The file does not follow the format, as opposed to a wrong number."""
 
 
 class Format(NamedTuple):
@@ -27,7 +27,7 @@ class Format(NamedTuple):
     greatest: int
 
     def quantum(self, exponent):
-        """The exponent of the last place of numbers in [2^exponent, 2^(exponent + 1))."""
+        """Returns the exponent of the last place of numbers in [2^exponent, 2^(exponent + 1))."""
         return max(exponent, self.least) - self.precision + 1
 
     def limit(self):
@@ -35,7 +35,7 @@ class Format(NamedTuple):
         return Fraction(2)**(self.greatest + 1) - Fraction(2)**(self.greatest + 1 - self.precision)
 
     def holds(self, x):
-        """Whether the finite x is a number of this format."""
+        """True if the finite x is a number of this format."""
         return x == 0 or (abs(x) <= self.limit() and (x / power(self.quantum(exponent(x)))).denominator == 1)
 
 
@@ -107,7 +107,7 @@ def read_float(text, form):
 
 
 def show(value):
-    """A value for a message: exact numbers may have thousands of digits."""
+    """Returns a value for a message, shortened because exact numbers may have thousands of digits."""
     text = str(value)
     return text if len(text) <= 120 else f"{text[:60]}...{text[-40:]} ({len(text)} characters)"
 
@@ -130,7 +130,7 @@ def nearest(x, form):
 
 
 def nearest_bits(x):
-    """The bits of x rounded to binary32: what `nearest` says, in integers only, for very many numbers."""
+    """Returns the bits of x rounded to binary32. Faster than `nearest`, because it uses integers only."""
     n, d = abs(x.numerator), x.denominator
     if n == 0:
         return 0
@@ -168,8 +168,8 @@ def least_not_below(x, form):
 def nearest_root(square, sign, form):
     """The text of sign * sqrt(square), rounded like `nearest`.
 
-    The root is cut off two bits behind the last place that counts; one more bit says whether anything was
-    lost, which is all that rounding to nearest has to know about the rest.
+    The root is truncated two bits behind the last place of the result. A sticky bit says whether the rest is zero,
+    which is all that rounding to nearest needs.
     """
     if square == 0:
         return _ZEROS[0]

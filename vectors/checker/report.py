@@ -1,10 +1,10 @@
-"""What was compared, and what differs."""
+"""Collects comparisons and differences."""
 
 from .number import BINARY32, BINARY64, Malformed, float_text, rational_text, read_float, read_rational, show
 
 
 class Report:
-    """Of one case: how many numbers were compared, and (member, expected, found) of those that differ."""
+    """The number of numbers compared in a case, and (member, expected, found) of those that differ."""
 
     def __init__(self):
         self.numbers = 0
@@ -14,7 +14,7 @@ class Report:
         self.differences.append((where, show(expected), show(found)))
 
     def same(self, where, expected, found):
-        """Anything that has one text, such as an integer or a name."""
+        """Compares values with only one representation, such as integers and names."""
         self.numbers += 1
         if type(expected) is not type(found) or expected != found:
             self.differ(where, expected, found)
@@ -38,7 +38,7 @@ class Report:
             self.differ(where, expected, found)
 
     def interval(self, where, expected, found):
-        """The least and the greatest number accepted, or null."""
+        """Compares the least and the greatest accepted number, or null."""
         if expected is None or found is None:
             self.numbers += 1
             if expected is not found:
@@ -48,7 +48,7 @@ class Report:
                 self.number(member, float_text(x), y, BINARY32)
 
     def pairs(self, where, expected, found):
-        """(member, expected, found) for each item of two lists."""
+        """Returns (member, expected, found) for each item of two lists."""
         if not isinstance(found, list):
             raise Malformed(f"{where}: {show(found)} is not a list")
         if len(expected) != len(found):
@@ -57,7 +57,7 @@ class Report:
 
 
 def read(where, reader, *arguments):
-    """reader(*arguments), its complaint with the member in front."""
+    """Returns reader(*arguments). Puts the name of the member in front of the message of Malformed."""
     try:
         return reader(*arguments)
     except Malformed as fault:
@@ -65,7 +65,7 @@ def read(where, reader, *arguments):
 
 
 def members(found, where, required, optional=""):
-    """The members of an object are those that the format documents."""
+    """Raises Malformed unless the members of an object are those that the format documents."""
     if not isinstance(found, dict):
         raise Malformed(f"{where}: {show(found)} is not an object")
     missing = [name for name in required.split() if name not in found]
@@ -81,7 +81,7 @@ def integer(where, found, least=None):
     return found
 
 
-# A case of one of these levels: an answer that some text of the GL demands, or none.
+# Levels of cases: some text of the GL demands the answer, or none does.
 MUST, ADVISORY = "must", "advisory"
 FIRST_VERSION = "1.0"
 

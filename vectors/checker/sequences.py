@@ -44,7 +44,7 @@ def check_sequence(kind, case, report):
 
 
 def _check_errors(where, context, step, report):
-    """Codes may be asked for outside Begin and End only."""
+    """Compares the errors of a step. They can be queried outside Begin and End only."""
     if context.primitive:
         if "errors" in step:
             raise Malformed(f"{where}: between Begin and End nobody may ask")
@@ -56,7 +56,7 @@ def _check_errors(where, context, step, report):
 
 
 def _check_set(where, expected, found, report):
-    """Lists whose order means nothing; -0 counts as 0."""
+    """Compares lists as sets; -0 counts as 0."""
     if not isinstance(found, list) or any(type(x) not in (int, str) for x in found):
         raise Malformed(f"{where}: {show(found)} should be a list of integers or texts")
     if len(set(found)) != len(found):
@@ -67,7 +67,7 @@ def _check_set(where, expected, found, report):
 
 
 def _check_answers(where, call, answer, step, report, rounded_only):
-    """Colours and normals may be mapped to the whole range of int, unless the case is about rounding them."""
+    """Compares answers. Integer answers of colours and normals may be scaled, unless the case is about rounding."""
     if not isinstance(answer, list):
         if "answers" in step:
             raise Malformed(f"{where}: {call[0]} answers nothing")
@@ -92,7 +92,7 @@ def _check_answers(where, call, answer, step, report, rounded_only):
 
 
 def _kind_of_answer(call, form):
-    """f32, f64, i32, u8; or "return" where the command returns it."""
+    """Returns f32, f64, i32 or u8, or "return" if the command returns its answer."""
     if call[0].startswith("Get") and form:
         return OUTPUTS[form[-1]]
     return "return"
@@ -105,7 +105,7 @@ def _check_room(where, room, kind, count):
 
 
 def accepted_answers(value, kind):
-    """Every answer that is right for a Value when asked for in this type; None where none is sure to be."""
+    """Returns all correct answers for a Value in this type, or None if the specification leaves them open."""
     whole = value.kind in ("flag", "integer", "limit")
     x = Fraction(int(value.value)) if whole else read_float(value.value, BINARY64)
     if whole and kind == "f64":
@@ -120,7 +120,7 @@ def accepted_answers(value, kind):
 
 
 def _stored(x, kind):
-    """An implementation in single precision has one of the two numbers beside x."""
+    """Returns the answers for a value that an implementation may store in single precision."""
     if abs(x) > BINARY32.limit():
         return None
     singles = {float_text(y) for y in (greatest_not_above(x, BINARY32), least_not_below(x, BINARY32))}
@@ -128,7 +128,7 @@ def _stored(x, kind):
 
 
 def _rounded(x):
-    """The nearest integers, of those that an int can hold."""
+    """Returns the nearest integers (two for ties), saturated to the range of int."""
     floor = x.__floor__()
     rest = x - floor
     nearby = {floor} if rest < HALF else {floor + 1} if rest > HALF else {floor, floor + 1}
@@ -136,7 +136,7 @@ def _rounded(x):
 
 
 def _scaled(x):
-    """A number in [-1, 1] scaled to the range of an int, by the older rule or the newer one; 0 remains 0."""
+    """Returns a number in [-1, 1] scaled to the range of int, by the older and the newer rule; 0 stays 0."""
     return {0} if x == 0 else _rounded(((2**32 - 1) * x - 1) / 2) | _rounded((2**31 - 1) * x)
 
 
@@ -157,7 +157,7 @@ def _check_emits(where, context, step, report):
 
 
 def _check_summary(where, context, emitted, found, report):
-    """What stands for many vertices: runs of primitives of one size, a digest, some of the vertices."""
+    """Compares the summary of many vertices: runs of primitives of the same size, a digest, and some vertices."""
     members(found, where, "primitives digest samples")
     runs = []
     for primitive in emitted:
@@ -186,7 +186,7 @@ def _check_summary(where, context, emitted, found, report):
 
 
 def digest_of(vertices, shown, units):
-    """FNV-1a over the bits of all numbers, rounded to binary32, the least significant byte first."""
+    """Returns the FNV-1a hash of the bits of all numbers, rounded to binary32, the least significant byte first."""
     bits = 0xcbf29ce484222325
     for vertex in vertices:
         for name in shown:

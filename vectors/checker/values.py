@@ -12,7 +12,7 @@ COMMON = "id requirements flags level since map u"
 
 
 def check_values(kind, case, report):
-    """A case of any of the four kinds."""
+    """Checks a case of one of the four kinds."""
     target = case["map"].get("target") if isinstance(case.get("map"), dict) else None
     if not isinstance(target, str) or not target.startswith(TARGETS_OF[kind]):
         raise Malformed(f"map: target {target!r} in a case of {kind}")
@@ -48,7 +48,7 @@ def check_values(kind, case, report):
 
 
 def _argument(where, found, form, kind, report):
-    """A Fraction, or a Grid where the member describes a point of one."""
+    """Returns a Fraction, or a Grid if the member describes a point of one."""
     if not (kind == "grid" or (kind == "auto_normal" and isinstance(found, dict))):
         return read(where, read_float, found, form)
     members(found, where, "segments first last index exact")
@@ -94,7 +94,7 @@ def _check_intermediate(the_map, directions, components, found, report):
 
 
 def check_normal(found, normal, report, where="", derivatives=False):
-    """The members about a normal, `found` being the object that has them."""
+    """Checks the members about a normal of the object `found`."""
     if derivatives:
         members(found["derivatives"], where + "derivatives", "u v")
         for name, vector in (("u", normal.along_u), ("v", normal.along_v)):
@@ -112,7 +112,7 @@ def check_normal(found, normal, report, where="", derivatives=False):
 
 
 def _both_given(where, expected, found, report):
-    """Whether both are there to be compared; that only one is null is a difference."""
+    """True if neither is None. Reports a difference if only one of them is."""
     if expected is not None and found is not None:
         return True
     report.numbers += 1
@@ -142,6 +142,6 @@ def _check_acceptance(where, normal, found, report):
     report.numbers += 1
     if not normal.bounds(bound):
         report.differ(f"{where}.bound", f"just above {normal.bound_estimate():.9g}", found["bound"])
-    # Two readings of the derivatives differ in sign for each direction that is reversed.
+    # Two interpretations of the derivatives differ in sign for each reversed direction.
     open_ = sum(d.first > d.last for d in (normal.u, normal.v)) == 1
     report.same(f"{where}.either_sign", open_, found["either_sign"])

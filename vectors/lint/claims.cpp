@@ -24,7 +24,7 @@ bool is_accepted(const json& accept, const Rational& x) {
   return accept.is_null() || (x >= Rational(number(accept[0])) && x <= Rational(number(accept[1])));
 }
 
-// True if at this argument in this direction some component is none that is accepted.
+// Returns true if the exact value at another argument in the direction is not accepted, in some component.
 bool shows(const json& entry, bool along_v, double argument) {
   const auto map = std::make_shared<const Map>(read_map(entry["map"]));
   Argument u = read_argument(entry["u"]);
@@ -38,8 +38,9 @@ bool shows(const json& entry, bool along_v, double argument) {
   return false;
 }
 
-// An end of a grid that, counted from the other end in the precision of the type and in single precision, is
-// another number, at which the map has no accepted value.
+// Returns true if the case is at the first or last point of a grid and distinguishes its exact argument:
+// steps from the other end, in the precision of the type and in single precision, fused or not, lead to
+// another argument, at which the value is not accepted.
 bool tells_exact_end(const json& entry, bool last) {
   for (const bool along_v : {false, true}) {
     if (along_v && !entry.contains("v")) continue;
@@ -73,8 +74,8 @@ const std::map<std::string, Holds>& claims_of_requirements() {
   return claims;
 }
 
-// A query that is rejected answers nothing, be it outside Begin and End, where errors can be asked for, or
-// between them, where they cannot.
+// Returns a message if a rejected query has an answer. Queries without a member `errors` are between Begin
+// and End and so rejected.
 std::string broken_answer(const json& steps) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const json& step = steps[i];

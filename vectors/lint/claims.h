@@ -1,4 +1,4 @@
-// Claims of a case by its theme and its requirements, checked on its exact value.
+// Checks on its exact values that a case has the property that its theme or its requirements claim.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace evalcts::vectors {
 
-// Why the case is not what its theme or a requirement says; empty if it is. `entry` has passed
+// Returns a message about a claim that does not hold, or an empty string if all hold. `entry` has passed
 // check_structure().
 std::string broken_claim(const nlohmann::json& entry);
 

@@ -13,7 +13,7 @@ using nlohmann::json;
 
 namespace {
 
-// The case that holds the byte, as "id: "; a case is a line. Empty in front of the cases.
+// Returns "ID: " for the case that contains the byte, or an empty string before the first case.
 std::string place_of(const std::string& text, std::size_t byte) {
   constexpr std::string_view kBegin = "{\"id\":\"";
   const std::size_t begin = text.rfind(kBegin, byte);

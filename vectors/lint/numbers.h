@@ -1,4 +1,4 @@
-// Numbers of the files, read.
+// Reads numbers as the files write them (INTERPRETING.md, "Numbers").
 #pragma once
 
 #include <reference/rational.h>
@@ -9,12 +9,12 @@
 
 namespace evalcts::vectors {
 
-// "0x1.8p-3", "inf".
+// Reads a floating-point number, such as "0x1.8p-3" or "inf".
 inline double number(const nlohmann::json& text) {
   return std::strtod(text.get_ref<const std::string&>().c_str(), nullptr);
 }
 
-// "-3/8".
+// Reads a rational number, such as "-3/8".
 inline reference::Rational rational(const nlohmann::json& fraction) {
   const auto& text = fraction.get_ref<const std::string&>();
   const std::size_t slash = text.find('/');

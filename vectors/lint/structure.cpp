@@ -1,4 +1,4 @@
-// The structure of a file of vectors: the schema, and the counts that a schema cannot express.
+// Checks the structure of a file of vectors: the schema, and the counts that a schema cannot express.
 #include <fmt/format.h>
 
 #include <map>
@@ -21,8 +21,8 @@ const json& file_schema() {
   return schema;
 }
 
-// The schema of a file without its cases: each case is validated by the definition of its kind, so that a
-// message begins with the id of the case.
+// The schema of a file without its cases. The cases are validated one by one by the definition of their kind,
+// so that messages begin with the id of the case.
 const JsonSchema& head_schema() {
   static const JsonSchema schema([] {
     json head = file_schema();
@@ -45,7 +45,7 @@ const JsonSchema& case_schema(const std::string& kind, const json& entry) {
   return found == schemas.end() ? schemas.at("sequence") : found->second;
 }
 
-// Number of components of each target, by its name without the dimension.
+// Returns the number of components of a target, which is the same in both dimensions.
 std::size_t components_of(const std::string& target) {
   static const std::map<std::string, std::size_t> table = {
       {"COLOR_4", 4},         {"INDEX", 1},           {"NORMAL", 3},
@@ -61,7 +61,7 @@ void check_points(const json& points, const std::string& where, std::size_t comp
                fmt::format("{} values, expected {}", points[i].size(), components));
 }
 
-// Counts that follow from the target of the map, for cases that have one.
+// Checks the counts that follow from the target of the map, for cases that have a map.
 void check_counts(const json& entry, const std::string& id) {
   const json& map = entry["map"];
   const std::string target = map["target"];

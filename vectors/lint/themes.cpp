@@ -18,7 +18,7 @@ using Claim = std::function<bool(const ValueCase&)>;
 
 Rational power(int exponent) { return {std::ldexp(1.0, exponent)}; }
 
-// --- of the values
+// --- Claims about values
 
 Claim some_value(bool (*holds)(const Rational& value, const Rational& magnitude)) {
   return [=](const ValueCase& c) {
@@ -28,8 +28,8 @@ Claim some_value(bool (*holds)(const Rational& value, const Rational& magnitude)
   };
 }
 
-// Distance of x from the middle of the two numbers of the type beside it, as a part of their distance; a
-// half if x is a number of the type.
+// Returns the distance of x from the midpoint of the adjacent numbers of the type, as a fraction of their
+// distance; 1/2 if x is a number of the type.
 Rational distance_to_tie(const Rational& x, Type type) {
   const double nearest = rounded(x, type);
   if (!std::isfinite(nearest) || Rational(nearest) == x) return Rational(1) / 2;
@@ -46,7 +46,7 @@ Claim is_tie(Type type) {
   };
 }
 
-// Within 2^-bits of the distance of the two numbers, but no tie.
+// Claims that a value is no tie, but at most 2^-bits of the gap between two numbers away from one.
 Claim is_near_tie(Type type, int bits) {
   return [=](const ValueCase& c) {
     return std::ranges::any_of(c.values, [&](const Rational& x) {
@@ -56,13 +56,13 @@ Claim is_near_tie(Type type, int bits) {
   };
 }
 
-// x/w and y/w at distance 1 from the origin.
+// Returns true if (x/w, y/w) has the distance 1 from the origin.
 bool is_on_circle(const ValueCase& c) {
   const Rational &x = c.values[0], &y = c.values[1], &w = c.values[3];
   return abs(x * x + y * y - w * w) <= power(-20) * w * w;
 }
 
-// --- of the control values
+// --- Claims about control values
 
 Claim all_points(bool (*holds)(double value)) {
   return [=](const ValueCase& c) { return std::ranges::all_of(c.map.points, holds); };
@@ -93,7 +93,7 @@ bool spans(const ValueCase& c, int bits) {
   return std::abs(most) >= std::ldexp(std::abs(least), bits);
 }
 
-// Values of w, of maps with four components.
+// Claims a property of all w of a map with four components.
 Claim all_w(bool (*holds)(double w)) {
   return [=](const ValueCase& c) {
     for (std::size_t i = 3; i < c.map.points.size(); i += 4)
@@ -109,7 +109,7 @@ std::vector<double> numbers_of(const ValueCase& c) {
   return all;
 }
 
-// --- of the directions
+// --- Claims about directions
 
 Claim some_direction(bool (*holds)(const ValueDirection&)) {
   return [=](const ValueCase& c) { return std::ranges::any_of(c.directions, holds); };
@@ -138,7 +138,7 @@ bool is_short(double x) {
   return static_cast<double>(static_cast<float>(std::ldexp(x, 10))) == std::trunc(std::ldexp(x, 10));
 }
 
-// Next to a number of the type, or to zero by 2^-24.
+// Returns true if the argument of a curve is adjacent to an end of the domain, or +-2^-24 if the end is 0.
 bool is_next_to_end(const ValueCase& c) {
   const ValueDirection& d = c.directions[0];
   const double u = d.argument.coordinate();
@@ -148,7 +148,7 @@ bool is_next_to_end(const ValueCase& c) {
   return false;
 }
 
-// --- of grids
+// --- Claims about grids
 
 bool is_awkward(const ValueCase& c) {
   return std::ranges::any_of(c.directions, [&](const ValueDirection& d) {

@@ -1,4 +1,4 @@
-// Themes that are what they say.
+// Checks that the cases of a theme have the property that its name claims.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace evalcts::vectors {
 
-// Returns the theme of a case that asks for a value or a normal if the case is not what the theme claims;
-// empty if it is, or if the claim is not one about exact values.
+// Returns the theme of a case if the case does not have its property, otherwise an empty string; also if
+// there is no check for the theme. `entry` asks for a value or a normal.
 std::string broken_theme(const nlohmann::json& entry);
 
 }  // namespace evalcts::vectors

@@ -1,4 +1,4 @@
-// A case that asks for a value or a normal, read from its JSON.
+// Reads a case that asks for a value or a normal from its JSON.
 #pragma once
 
 #include <reference/component.h>
@@ -14,8 +14,7 @@ Map read_map(const nlohmann::json& data);
 reference::Argument read_argument(const nlohmann::json& data);
 Type type_of(const nlohmann::json& entry);
 
-// One direction of a case: the domain and order of the map, the argument, and the argument as a fraction of
-// the domain.
+// One direction of a case: the domain and order of the map, the argument, and t = (argument - u1)/(u2 - u1).
 struct ValueDirection {
   Direction domain;
   reference::Argument argument;

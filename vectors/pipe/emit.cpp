@@ -14,7 +14,7 @@ void append(std::string& line, const json& number) {
   line += number.is_string() ? number.get_ref<const std::string&>() : number.dump();
 }
 
-// All numbers of nested lists, in order.
+// Appends all numbers of nested lists in order.
 void append_all(std::string& line, const json& list) {
   for (const json& entry : list) {
     if (entry.is_array())

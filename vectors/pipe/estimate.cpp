@@ -10,12 +10,13 @@ namespace {
 
 using Real = long double;
 
-// Bound on the relative error of one operation, and some: twice the rounding error.
+// Bound on the relative error of one operation: twice the unit roundoff, which leaves some reserve.
 constexpr Real kUnit = std::numeric_limits<Real>::epsilon();
-// An argument that is not known better than this is left to exact arithmetic.
+// Largest relative error of an argument's distance from the ends of the domain; otherwise exact arithmetic
+// decides.
 constexpr Real kWorst = 0x1p-20L;
 
-// t, s = 1 - t and the bound on their relative errors.
+// t, s = 1 - t, and a bound on their relative errors.
 struct Fraction {
   Real t, s, error;
 };
@@ -37,7 +38,7 @@ std::optional<Fraction> fraction_of(const Argument& argument, const Direction& d
   return Fraction{above / width, below / width, (absolute == 0 ? 0 : absolute / least) + 3 * kUnit};
 }
 
-// The values of the Bernstein polynomials and the bound on their relative errors.
+// The values of the Bernstein polynomials, and a bound on their relative errors.
 struct Basis {
   std::vector<Real> values;
   Real error;
@@ -60,7 +61,7 @@ Basis basis(int degree, const Fraction& at) {
   return result;
 }
 
-// The sum of weights and values that `value(i, j)` gives, its magnitude given by `size(i, j)`.
+// Returns the sum of u_i * v_j * value(i, j). size(i, j) bounds the magnitude of value(i, j).
 template <class Value, class Size>
 Estimate weighed(const Basis& u, const Basis& v, const Value& value, const Size& size) {
   Real sum = 0, magnitude = 0;
@@ -77,7 +78,7 @@ Estimate weighed(const Basis& u, const Basis& v, const Value& value, const Size&
   return {sum, magnitude, magnitude * (u.error + v.error + terms * kUnit)};
 }
 
-// The control values of a component.
+// The control values of one component.
 class Net {
  public:
   Net(const Map& map, int component) : map_(&map), component_(static_cast<std::size_t>(component)) {}
@@ -92,7 +93,7 @@ class Net {
   std::size_t component_;
 };
 
-// Curves have one point along v.
+// Returns t and s of both directions. Curves have one point along v.
 std::optional<std::pair<Fraction, Fraction>> place_of(const Problem& problem) {
   const auto u = fraction_of(problem.u, problem.map.u);
   const auto v = problem.v ? fraction_of(*problem.v, problem.map.v) : Fraction{0, 1, 0};
@@ -100,7 +101,7 @@ std::optional<std::pair<Fraction, Fraction>> place_of(const Problem& problem) {
   return std::pair(*u, *v);
 }
 
-// x*y - z*w.
+// Returns x*y - z*w.
 Estimate difference(const Estimate& x, const Estimate& y, const Estimate& z, const Estimate& w) {
   const Real first = x.value * y.value, second = z.value * w.value;
   const Real magnitude = x.magnitude * y.magnitude + z.magnitude * w.magnitude;

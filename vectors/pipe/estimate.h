@@ -1,4 +1,4 @@
-// Values and normals in extended precision with bounds on their errors: they decide nearly all answers at a
+// Values and normals in extended precision with bounds on their errors. They decide nearly all answers, at a
 // thousandth of the cost of exact arithmetic.
 #pragma once
 
@@ -10,17 +10,18 @@
 
 namespace evalcts::vectors {
 
-// The exact value lies within `error` of `value`. `magnitude` is the sum of the magnitudes of its terms,
-// `reach` is (|t| + |s|)^n times the largest control value (surfaces: both factors), up to which the accuracy
-// rule applies.
+// A value whose exact value lies within `error` of `value`. `magnitude`: the sum of the magnitudes of its
+// terms; `reach`: (|t| + |s|)^n (for surfaces the product of both directions) times the largest control
+// value, which the accuracy rule limits.
 struct Estimate {
   long double value, magnitude, error, reach = 0;
 };
 
-// One for each component; nothing if the argument is too near to an end of the domain to be told from it.
+// Returns an estimate for each component, or nothing if rounding may change the relative distance of the
+// argument from an end of the domain too much.
 std::optional<std::vector<Estimate>> estimate(const Problem& problem);
 
-// The unit normal within 2^-18, in each component; nothing if it cannot be had to that.
+// Returns the unit normal, accurate to 2^-18 in each component, or nothing if this accuracy is not certain.
 std::optional<std::array<double, 3>> estimate_normal(const Problem& problem);
 
 }  // namespace evalcts::vectors

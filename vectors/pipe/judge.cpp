@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-// Returns the error in the values; empty if there is none.
+// Returns a message about the first value that is not accepted, or an empty string.
 std::string wrong_values(const json& components, const std::vector<double>& got) {
   for (std::size_t c = 0; c < got.size(); ++c) {
     const json& accept = components[c]["accept"];
@@ -32,8 +32,8 @@ std::string wrong_values(const json& components, const std::vector<double>& got)
   return {};
 }
 
-// The method of computing normals is open (EV-AUTON-METHOD), and what the rounded components that are
-// compared with are off is nothing beside that.
+// The specification leaves the method of computing normals open (EV-AUTON-METHOD). The rounding error of the
+// components to which normals are compared is negligible.
 constexpr double kMethodAllowance = 2e-3, kRounding = 0x1p-50;
 
 std::string wrong_normal(const json& entry, const std::vector<double>& got) {
@@ -50,15 +50,15 @@ std::string wrong_normal(const json& entry, const std::vector<double>& got) {
                      number(normal[0]["double"]), number(normal[1]["double"]), number(normal[2]["double"]));
 }
 
-// --- quality
+// --- Quality
 
 constexpr const char* kNormalTarget = "GL_AUTO_NORMAL";
-// Good single precision has this part of the errors that the accuracy rule grants to normals: 2^-24 stands
-// for its 10738 * 2^-30, up to a factor.
+// The bound of single precision for normals, as a fraction of the bound of the accuracy rule: about the ratio
+// of 2^-24 and eps = 10738 * 2^-30, times a factor.
 constexpr double kSingleNormal = 0x1p-7;
 
-// Error of good single precision: 2^-24 * 2(n + 2) times the magnitude (surfaces: n + m), and the same of the
-// least normal number for tiny magnitudes.
+// Returns the bound of single precision for values: 2^-24 * 2(n + 2) times the magnitude, but at least times
+// the least normal number. `degrees`: n, for surfaces n + m.
 long double quality_bound(int degrees, long double magnitude) {
   return 0x1p-24L * 2 * (degrees + 2) * std::max(magnitude, 0x1p-126L);
 }
@@ -67,7 +67,7 @@ bool is_at_end(const json& argument, const json& first, const json& last) {
   return number(argument) == number(first) || number(argument) == number(last);
 }
 
-// Assesses the values of a case of single precision at a coordinate.
+// Adds the quality of the answer to a case of type "f" at a coordinate to the score.
 void assess(const json& entry, const std::vector<double>& got, Score& score) {
   const json &map = entry["map"], &domain = map["domain"];
   if (as_text(map["type"]) != "f" || entry["u"].is_object()) return;
@@ -118,7 +118,7 @@ void measure(const json& entry, const std::vector<double>& got, Score& score) {
   }
 }
 
-// One answer in words; empty if it is all right.
+// Returns a message about a wrong answer, or an empty string if it conforms. Adds its accuracy to the score.
 std::string judge_one(const json& entry, const std::vector<double>& got, Score& score) {
   const bool is_normal = entry.contains("derivatives");
   const std::size_t expected = is_normal ? 3 : entry["components"].size();
@@ -132,15 +132,15 @@ std::string judge_one(const json& entry, const std::vector<double>& got, Score& 
   return wrong_values(entry["components"], got);
 }
 
-// --- random cases
+// --- Random cases
 
-// Part of the least distance that the accuracy rule accepts up to which an answer is accepted without exact
-// arithmetic. The rest is far more than the distance of the floats at the ends of the interval.
+// Answers are accepted without exact arithmetic up to this fraction of a lower bound on the accepted error.
+// The rest is much more than the gap between floats at the ends of the acceptance interval.
 constexpr long double kSurePart = 0.9L;
-// Values whose relative distance from a limit is smaller are left to exact arithmetic.
+// Exact arithmetic decides if the relative distance of a value from a limit is smaller.
 constexpr long double kMargin = 0x1p-16L;
 
-// Distance of the floats around a value, or half of it next to a power of two.
+// Returns the gap between the floats around a value, or half of it next to a power of two.
 long double least_gap(long double value) {
   int exponent = 0;
   const long double fraction = std::frexp(std::abs(value), &exponent);
@@ -156,9 +156,9 @@ Verdict judge_surely(const Estimate& estimate, double got, int operations, int r
   if (reach > limit * (1 - kMargin)) return Verdict::kUnsure;
   const long double least = 0x1p-30L * 10738 * operations * magnitude;
   if (!(std::abs(got - value) + error <= kSurePart * least)) return Verdict::kUnsure;
-  // Rounds to the same float wherever the exact value lies.
+  // The exact value has to round to the same float wherever it lies.
   if (static_cast<float>(value - error) != static_cast<float>(value + error)) return Verdict::kUnsure;
-  // An error that may be the largest is measured exactly.
+  // An error that may be the largest one is measured exactly.
   const long double distance = std::abs(static_cast<float>(got) - value) + error;
   return distance > largest_ulp * least_gap(value) * (1 - kMargin) ? Verdict::kUnsure : Verdict::kAccepted;
 }
@@ -167,8 +167,8 @@ bool is_at_end(const Argument& argument, const Direction& domain) {
   return argument.coordinate() == domain.first || argument.coordinate() == domain.last;
 }
 
-// Accepts the values if that is sure, and measures them; returns false if exact arithmetic has to decide. The
-// domains of random cases are such that the accuracy rule applies to them.
+// Returns true if the values are certainly accepted, and measures them; false if exact arithmetic has to
+// decide. The accuracy rule applies to the domains of all random cases.
 bool accepts_surely(const Problem& problem, const std::vector<double>& got, const std::string& id,
                     Score& score) {
   const auto estimates = estimate(problem);
@@ -200,7 +200,7 @@ bool accepts_surely(const Problem& problem, const std::vector<double>& got, cons
   return true;
 }
 
-// The same for a normal, which the method allowance alone accepts.
+// The same for a normal. It is accepted if its error is within the method allowance alone.
 bool accepts_normal_surely(const Problem& problem, const std::vector<double>& got) {
   const auto normal = estimate_normal(problem);
   if (!normal || got.size() != 3) return false;

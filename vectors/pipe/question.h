@@ -1,4 +1,4 @@
-// A random case as a line of text.
+// Converts random cases to lines of text.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace evalcts::vectors {
 
-// Returns the case that was drawn last, with the end of the line.
+// Returns the case that was drawn last as a line with a newline.
 std::string question(const RandomCases& cases);
 
 }  // namespace evalcts::vectors

@@ -9,7 +9,7 @@
 namespace evalcts::vectors {
 namespace {
 
-// Rounds without exact arithmetic, which is the same everywhere, too.
+// Rounds to the type in hardware, which gives the same result on every machine.
 double to_type(double x, Type type) { return type == Type::kSingle ? static_cast<float>(x) : x; }
 
 }  // namespace
@@ -24,21 +24,22 @@ RandomCases::RandomCases(const std::string& kind, std::uint64_t seed)
 
 Direction RandomCases::direction(int low_orders, int high_orders) {
   Direction u;
-  // Order 1 in a direction leaves no normal.
+  // Order 1 in a direction makes the normal undefined.
   const int least = is_normal_ && !dice_.one_in(16) ? 2 : 1;
   u.order = dice_.between(least, dice_.one_in(16) ? high_orders : low_orders);
   if (dice_.one_in(2)) return u;
   const int bits = bits_of(problem_.type);
   const double first = dice_.scaled(bits, -3, 6);
   const double last = to_type(first + dice_.scaled(bits, -6, 6), problem_.type);
-  // Ends that single precision cannot tell apart are not judged.
+  // The accuracy rule does not apply if the ends are equal in single precision.
   if (static_cast<float>(first) == static_cast<float>(last)) return u;
   u.first = first;
   u.last = last;
   return u;
 }
 
-// A number in the direction, in one of ten cases an end or a number outside.
+// Returns a number inside the domain; in one of ten cases an end, and in another one possibly a number
+// outside.
 double RandomCases::coordinate(const Direction& u) {
   const std::int64_t place = dice_.below(10);
   if (place == 0) return dice_.one_in(2) ? u.first : u.last;
@@ -75,7 +76,7 @@ double RandomCases::control_value(int style, int place) {
   }
 }
 
-// A vertex map with control points over i and j, so that it has a normal.
+// Makes a vertex map whose points lie near (i, j), so that it has a normal.
 void RandomCases::fill_surface() {
   Map& map = problem_.map;
   const int k = map.components();

@@ -1,4 +1,4 @@
-// Random cases for a pipe that never ends.
+// Random cases for a pipe of any length.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace evalcts::vectors {
 
-// The same kind ("map1_eval", "map2_eval", "grid" or "auto_normal") and seed give the same cases everywhere.
-// Maps have orders up to 30 (surfaces 12), domains of any place, direction and width, and control values with
-// few bits, with all bits, of very different sizes, and of alternating signs. Arguments lie inside of the
-// domain, at its ends, and outside.
+// A generator of cases that are the same on every machine for a kind ("map1_eval", "map2_eval", "grid" or
+// "auto_normal") and a seed. Maps have orders up to 30 (surfaces 12), domains of various positions,
+// directions and widths, and control values with few or all bits, of very different magnitudes, or with
+// alternating signs. Arguments lie inside the domain, at its ends, and outside.
 class RandomCases {
  public:
   RandomCases(const std::string& kind, std::uint64_t seed);

@@ -1,4 +1,4 @@
-// The least and the greatest float within a bound, against all floats around.
+// Tests of accepted(): the least and the greatest float within a bound, compared with all floats around.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ bool is_within(float x, const Rational& exact, const Rational& bound) {
   return std::isfinite(x) && abs(Rational(x) - exact) <= bound;
 }
 
-// The ends are within, and the floats beyond them are not.
+// Expects the ends of the interval to be within the bound, and the floats beyond them not to be.
 void expect_ends(const Rational& exact, const Rational& bound) {
   const std::optional<Interval> interval = accepted(exact, bound);
   ASSERT_TRUE(interval) << exact << " " << bound;
@@ -39,14 +39,14 @@ TEST(Accepted, EndsAtTheLastFloatsWithin) {
   for (int i = 0; i < 4000; ++i) {
     const double center = dice.scaled(53, -160, 126);
     const Rational exact = Rational(center) + Rational(dice.real(20)) * Rational::power_of_two(-150) / 3;
-    // Wide enough for the nearest float.
+    // The bound is large enough for the nearest float.
     const Rational bound =
         abs(exact) * Rational::power_of_two(-dice.between(2, 23)) + Rational::power_of_two(-149);
     expect_ends(exact, bound);
   }
 }
 
-// All floats from below the interval to above it, one by one.
+// Compares the interval with a search of all floats in [from, to].
 void expect_by_counting(const Rational& exact, const Rational& bound, float from, float to) {
   float least = kInfinity, greatest = -kInfinity;
   for (float x = from; x <= to; x = std::nextafter(x, kInfinity))
@@ -62,11 +62,11 @@ void expect_by_counting(const Rational& exact, const Rational& bound, float from
 
 TEST(Accepted, IsEveryFloatWithinByCounting) {
   const Rational small = Rational::power_of_two(-20);
-  // Around 1 the spacing changes.
+  // The spacing of floats changes at 1.
   expect_by_counting(1, small, 0.99999f, 1.00001f);
   expect_by_counting(Rational(1) + Rational::power_of_two(-26), small, 0.99999f, 1.00001f);
   expect_by_counting(Rational(-1) / 3, small, -0.33335f, -0.33332f);
-  // Subnormal numbers on both sides of zero.
+  // The interval contains subnormal numbers on both sides of zero.
   expect_by_counting(0, Rational(100) * Rational::power_of_two(-149), -0x1p-140f, 0x1p-140f);
   expect_by_counting(Rational(1) / 3 * Rational::power_of_two(-148),
                      Rational(7) * Rational::power_of_two(-148), -0x1p-140f, 0x1p-140f);

@@ -101,7 +101,7 @@ class Numbers(unittest.TestCase):
 
 
 def plain_error(net, u, v, single, k_more=0):
-    """The accuracy rule as it stands in INTERPRETING.md, term by term."""
+    """The accuracy rule of INTERPRETING.md, term by term."""
     n, m = len(net) - 1, len(net[0]) - 1
 
     def form(a, b, c, d):
@@ -233,7 +233,7 @@ class Evaluation(unittest.TestCase):
 
 
 class Sequences(unittest.TestCase):
-    """The model of the GL: commands, and the errors or answers that they should give."""
+    """Tests of the model of the GL: commands with their expected errors and answers."""
 
     def run_all(self, *calls):
         context = gl.Context()
@@ -285,7 +285,7 @@ class Sequences(unittest.TestCase):
         self.assertEqual(context.errors, {gl.UNDERFLOW})
 
     def test_enumerants_by_number(self):
-        """Only where they have no right name."""
+        """Enumerants are numbers only where no valid name has this number."""
         self.assertEqual(self.run_all(("EvalMesh1", 7, 0, 1), ("Begin", 4096)).errors, {gl.ENUM})
         self.assertRaises(Malformed, self.run_all, ("EvalMesh1", 0x1B01, 0, 1))
         self.assertRaises(Malformed, self.run_all, ("Begin", 0))
@@ -316,7 +316,7 @@ class Sequences(unittest.TestCase):
                          + [("POINTS", 9)])
 
     def test_many_vertices_are_summarised(self):
-        """A right summary, and whatever may be wrong with one."""
+        """A correct summary is accepted, and each change of it is found."""
         context = self.run_all(("Enable", "GL_MAP1_VERTEX_3"), ("EvalMesh1", "GL_POINT", 0, 64))
         vertex = {"position": [{"exact": "0/1", "magnitude": "0/1", "float": gl.ZERO, "double": gl.ZERO,
                                 "accept": ["0x0p+0", "0x0p+0"]}] * 3 + [gl.ONE]}
@@ -380,7 +380,7 @@ class Sequences(unittest.TestCase):
         self.assertEqual(found(("PushAttrib", "GL_ENABLE_BIT|GL_EVAL_BIT"), ("Enable", "GL_AUTO_NORMAL"))[1], "1.0")
 
     def test_texture_coordinates_beyond_2_to_the_10(self):
-        """They are promised from GL 2.0 on."""
+        """GL guarantees the range of large texture coordinates from version 2.0 on."""
         def needs(target, greatest):
             the_map = maps.Map(1, target, [F(0), F(1)], [[[F(greatest)]]])
             return the_map.components(the_map.directions([F(1, 2)]))[0].needs_gl_2
@@ -400,7 +400,7 @@ class Sequences(unittest.TestCase):
 
 
 def leaves(node, path=()):
-    """The places of all results, the names of steps and of targets left out."""
+    """Returns the places of all results, without the names of steps and of targets."""
     if isinstance(node, dict):
         inputs = "id", "requirements", "flags", "map", "call", "segments", "first", "last", "index"
         for name, child in node.items():

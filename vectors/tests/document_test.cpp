@@ -1,4 +1,4 @@
-// Files while they are made.
+// Tests of Document, Theme and Dice.
 #include "write/document.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(Document, RefusesWhatDoesNotHoldTogether) {
   EXPECT_THROW(document.text(), std::logic_error);
 }
 
-// A theme draws the same whatever else is in the file.
+// A theme draws the same data whatever other themes a file has.
 TEST(Theme, HasDiceOfItsOwn) {
   Document one("grid", "Words."), two("grid", "Words.");
   Theme other(two, "other", "meaning", {"EV-A"});
@@ -58,7 +58,8 @@ TEST(Theme, HasDiceOfItsOwn) {
   EXPECT_NE(Dice("grid.theme").below(1 << 30), Dice("grid.other").below(1 << 30));
 }
 
-// The sequence of std::mt19937_64 is laid down by the standard, what is made of it is ours.
+// The C++ standard defines the sequence of std::mt19937_64; this test fixes the numbers that Dice derives
+// from it.
 TEST(Dice, AreTheSameEverywhere) {
   Dice dice("vectors");
   EXPECT_EQ(dice.below(1000000), 510225);

@@ -1,4 +1,4 @@
-// Errors in a file are found, and reported with the case they are in.
+// Tests of the linter: it finds errors in a file and names the case.
 #include <evalcts/vectors/lint.h>
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ const std::set<std::string>& requirements() {
   return ids;
 }
 
-// The first cases of a shipped file, and the flags that they use.
+// Returns a file with the first cases of a shipped one and the notes of their flags.
 json first_cases(const std::string& kind) {
   std::ifstream stream(std::string(VECTORS_FOLDER) + "/" + kind + ".json");
   json file = json::parse(stream), few = json::array(), notes = json::object();
@@ -92,7 +92,7 @@ const json& shipped_file(const std::string& kind) {
   return files.emplace(kind, json::parse(stream)).first->second;
 }
 
-// A case of a shipped file by its id.
+// Returns a file with one case of a shipped one.
 json shipped(const std::string& kind, const std::string& id) {
   const json& all = shipped_file(kind);
   json file = {}, only = json::array(), notes = json::object();
@@ -112,12 +112,12 @@ TEST(Lint, ChecksWhatExactEndsClaim) {
     json file = shipped("grid", id);
     EXPECT_EQ(complaint(file), "");
     const std::string requirement = file["cases"][0]["requirements"][0];
-    // Everything is accepted.
+    // Makes the case accept all values.
     for (json& component : file["cases"][0]["components"]) component["accept"] = nullptr;
     EXPECT_EQ(complaint(file),
               std::string(id) + ": claims " + requirement + ", but accepts a result that violates it");
   }
-  // The grid from 0 to 1 in 43 segments ends at 1 by any arithmetic.
+  // On the grid from 0 to 1 with 43 segments, the steps reach exactly 1 in every precision, fused or not.
   json file = shipped("grid", "grid.exact-last.1");
   file["cases"][0]["u"].update({{"segments", 43}, {"first", "0x0p+0"}, {"last", "0x1p+0"}, {"index", 43}});
   EXPECT_NE(complaint(file), "");
@@ -126,8 +126,8 @@ TEST(Lint, ChecksWhatExactEndsClaim) {
   EXPECT_NE(complaint(file), "");
 }
 
-// Themes with a change of the first case after which it is no longer what the theme says. A change is a
-// place and what takes the place of the value there.
+// A theme, and a change (a JSON pointer and the new value) after which its first case does not have its
+// property.
 struct BrokenTheme {
   const char *kind, *theme, *place;
   json value;
@@ -209,7 +209,7 @@ TEST(Lint, ChecksWhatThemesSay) {
 TEST(Lint, KnowsThatRefusedQueriesAnswerNothing) {
   json file = shipped("errors", "errors.enable-begin-end.1");
   EXPECT_EQ(complaint(file), "");
-  // Between Begin and End, and where the error can be asked for.
+  // The first query is between Begin and End, the second one outside.
   file["cases"][0]["steps"][2]["answers"] = json::parse("[[0]]");
   EXPECT_EQ(complaint(file), "errors.enable-begin-end.1: step 2: a rejected query has an answer");
   file = shipped("errors", "errors.getmap-target.1");
@@ -260,7 +260,7 @@ TEST(Lint, SaysWhatIsMalformed) {
                   .starts_with("grid.inside.7: no JSON: "));
 }
 
-// Accepted with another number in it, whatever else is wrong then.
+// Returns true if the file is well-formed with another number at the place, even if it violates other rules.
 bool is_well_formed(const char* place, const json& number) {
   return !changed("map1_eval", place, number).starts_with("malformed");
 }

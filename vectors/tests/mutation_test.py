@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Wrong evaluators and wrong state machines are caught by the theme that each names; right ones by none."""
+"""The named theme detects each wrong evaluator and each wrong state machine; no theme rejects the correct ones."""
 
 import json
 import sys
@@ -47,7 +47,7 @@ class WrongOnes(unittest.TestCase):
 
 class RightOnes(unittest.TestCase):
     def test_normals_by_either_reading_of_the_derivatives(self):
-        """By the variables of the domain each reversed direction turns the normal; both readings conform."""
+        """With derivatives by u and v, each reversed direction turns the normal; both interpretations conform."""
         class ByDomain(Evaluator):
             def oriented(self, normal, domain):
                 turned = (domain[0] > domain[1]) != (domain[2] > domain[3])

@@ -1,4 +1,5 @@
-// Random cases in a pipe: the same everywhere, judged as exact arithmetic judges them, and fast.
+// Tests of random cases in a pipe: they are the same on every machine, judged like exact arithmetic, and
+// fast.
 #include <evalcts/vectors/pipe.h>
 
 #include <fmt/format.h>
@@ -42,7 +43,8 @@ TEST(RandomCases, AreTheSameEverywhere) {
   EXPECT_NE(questions("grid", 8, 1), questions("grid", 7, 1));
 }
 
-// Answers of any kind to a case, from the right one to those around the limit of what is accepted.
+// Returns an answer to a case that depends on `turn`: the correct one, one near the limits of acceptance, or
+// a wrong one.
 std::vector<double> answer(const json& entry, std::uint64_t turn) {
   std::vector<double> values;
   if (entry.contains("derivatives")) {
@@ -76,7 +78,7 @@ std::vector<double> answer(const json& entry, std::uint64_t turn) {
   return values;
 }
 
-// The cases with their exact answers, as a file has them.
+// Returns a file of random cases with their exact answers.
 json exact_file(const std::string& kind, std::uint64_t seed, std::uint64_t count) {
   json file = {{"kind", kind}, {"cases", json::array()}};
   RandomCases cases(kind, seed);
@@ -115,7 +117,7 @@ TEST(RandomCases, AreJudgedAsExactArithmeticJudges) {
     EXPECT_EQ(quick.largest_ulp, exact.largest_ulp) << kind;
     EXPECT_EQ(quick.values, exact.values) << kind;
     EXPECT_EQ(quick.correctly_rounded, exact.correctly_rounded) << kind;
-    if (kind == std::string("auto_normal")) continue;  // those that are surely accepted are not assessed
+    if (kind == std::string("auto_normal")) continue;  // normals that are certainly accepted are not assessed
     ASSERT_EQ(quick.quality.size(), exact.quality.size()) << kind;
     for (const auto& [target, quality] : exact.quality) {
       EXPECT_EQ(quick.quality.at(target).values, quality.values) << target;
@@ -124,7 +126,7 @@ TEST(RandomCases, AreJudgedAsExactArithmeticJudges) {
   }
 }
 
-// The largest error is that of the exact value, and the counts are those of all values that are judged.
+// The largest error and the counts are the same as with exact arithmetic.
 TEST(RandomCases, AreMeasured) {
   constexpr std::uint64_t kCount = 400, kSeed = 5;
   const json file = exact_file("map1_eval", kSeed, kCount);
@@ -148,7 +150,7 @@ TEST(RandomCases, AreMeasured) {
   EXPECT_GT(quick.values, quick.correctly_rounded);
 }
 
-// Answers that are changed by `change(value, entry, component)` from the correctly rounded ones.
+// Returns the score of answers change(value, entry, component), where `value` is the correctly rounded one.
 template <class Change>
 Score score_of(const json& file, const Change& change) {
   Answers answers;
@@ -171,8 +173,8 @@ TEST(Quality, IsSeenWhereTheRuleAcceptsAll) {
   const auto right = [](double x, const json&, std::size_t) { return x; };
   EXPECT_EQ(quality_in_words({score_of(curves, right), score_of(normals, right)}),
             "quality: as good as single precision for 10 of 10 targets");
-  // Results of 16 bits, the larger neighbour of a control point at an end of the domain, and normals that are
-  // off by 0.12 degrees: all of them conform.
+  // Results with 16 significant bits, the float adjacent to the control point at an end of the domain, and
+  // normals with an error of 0.12 degrees: all of them conform.
   const auto verdict = [&](const json& file, const auto& change) {
     const Score score = score_of(file, change);
     EXPECT_TRUE(score.wrong.empty()) << (score.wrong.empty() ? "" : score.wrong[0].message);
@@ -226,7 +228,8 @@ TEST(RandomCases, MayBeAnsweredInAnyOrder) {
 }
 
 #ifndef EVALCTS_SANITIZED
-// 10^5 cases a second each for asking and judging are wanted; half of it leaves room for a busy machine.
+// The aim is 10^5 cases per second each for asking and for judging; half of it leaves room for a busy
+// machine.
 TEST(RandomCases, AreFast) {
   constexpr std::uint64_t kCount = 20000;
   const auto seconds = [](std::clock_t since) {

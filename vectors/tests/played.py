@@ -1,7 +1,7 @@
-"""Evaluators and state machines that answer the vectors, to be replaced in one step each by wrong ones.
+"""A correct evaluator and a correct state machine, of which tests replace single steps by wrong ones.
 
-The right ones are exact up to a last rounding. `wrong_evaluator` and `wrong_state_machine` run a case and
-say what is not accepted about the answers, which is empty for the right ones.
+Both are exact up to a final rounding. `wrong_evaluator` and `wrong_state_machine` run a case and return a message
+about the first answer that is not accepted, or an empty string.
 """
 
 import sys
@@ -63,7 +63,7 @@ class Evaluator:
         return sum(b * x for b, x in zip(self.basis(len(values) - 1, t), values))
 
     def component(self, rows, t, s):
-        """Of the surface rows[i][j] at (t, s); a curve has one j."""
+        """The value of the surface rows[i][j] at (t, s); a curve has one column."""
         return self.combined([self.combined(row, s) for row in rows], t)
 
     def derivative(self, values, t):
@@ -124,7 +124,7 @@ def wrong_normal(found, normal):
 
 
 def wrong_evaluator(evaluator, case):
-    """What is wrong with the answer to a case of map1_eval, map2_eval, grid or auto_normal."""
+    """Returns a message about the answer to a case of map1_eval, map2_eval, grid or auto_normal; empty if accepted."""
     the_map, form = read_map(case["map"], members)
     evaluator.form = form
 
@@ -224,7 +224,7 @@ def _wrong_step(machine, step, answer, primitive):
 
 
 def wrong_state_machine(kind, case):
-    """What is wrong about a sequence as the machine of this class (of Context) runs it."""
+    """Returns a message about a sequence that a machine of this class runs; empty if all steps are accepted."""
     machine = kind()
     for i, step in enumerate(case["steps"]):
         answer = machine.issue(step["call"][0], step["call"][1:])

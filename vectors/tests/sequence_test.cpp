@@ -1,4 +1,4 @@
-// Sequences of commands as data.
+// Tests of the JSON of sequences.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -78,7 +78,7 @@ TEST(Sequence, AnswersNothingWhereTheQueryIsRefused) {
   EXPECT_EQ(steps(d)[1]["answers"], Json::array());
 }
 
-// {level, since, levels of the steps that have one}.
+// Returns {level, since, names of the commands whose step has a level}.
 Json standing(const gl::Case& c, const Shown& shown = {}) {
   const Json found = sequence(c, shown);
   Json list = Json::array({found["level"], found["since"]});
@@ -116,7 +116,7 @@ TEST(Sequence, SaysWhatIsAdvisoryAndSinceWhen) {
   initial.GetMapfv(GL_MAP2_TEXTURE_COORD_1, GL_COEFF, gl::out<GLfloat>(1));
   EXPECT_EQ(standing(initial), Json({"must", "1.1", "GetMapiv"}));
 
-  // In a list a map is defined when the list is called.
+  // A display list defines its map when it is called.
   gl::Case list;
   list.NewList(1, GL_COMPILE);
   define_texture(list, 1, 1);

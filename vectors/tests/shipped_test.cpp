@@ -1,4 +1,4 @@
-// The files that are shipped are what the writer makes.
+// Tests that the shipped files are those that the writer makes, and tests of the command line.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -31,7 +31,7 @@ class Shipped : public testing::TestWithParam<std::string> {};
 TEST_P(Shipped, IsWhatIsWritten) {
   const std::string shipped = content_of(fs::path(VECTORS_FOLDER) / (GetParam() + ".json"));
   const std::string written = text_of(GetParam());
-  // Not EXPECT_EQ, which would print megabytes.
+  // EXPECT_EQ would print megabytes.
   if (shipped == written) return;
   const auto [a, b] = std::mismatch(shipped.begin(), shipped.end(), written.begin(), written.end());
   const auto line = 1 + std::count(shipped.begin(), a, '\n');
@@ -52,7 +52,7 @@ TEST_P(Shipped, FollowsTheSchema) {
 INSTANTIATE_TEST_SUITE_P(All, Shipped, testing::ValuesIn(kinds()),
                          [](const auto& kind) { return kind.param; });
 
-// --- the command line
+// --- The command line
 
 int run(const std::string& arguments) {
   const int status =
@@ -107,7 +107,7 @@ TEST_F(VectorsCommand, FindsWhatIsWrong) {
   EXPECT_EQ(run("lint " + (folder_ / "grid.json").string()), 1);
 }
 
-// A program that skips most cases has not passed.
+// `check` does not pass a program that skips most cases.
 TEST_F(VectorsCommand, RefusesToPassWhatIsMostlySkipped) {
   const fs::path answers = folder_ / "answers.txt";
   ASSERT_EQ(run(R"(emit --kind grid | awk '{print $2, "skip"}' | tee )" + answers.string()), 0);

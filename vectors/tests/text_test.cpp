@@ -1,4 +1,4 @@
-// Numbers as text, read back by ways that are not ours.
+// Tests of numbers as text, which are read back with other libraries.
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>

@@ -1,4 +1,4 @@
-"""Wrong evaluators, each with the theme of the vectors that has to catch it."""
+"""Wrong evaluators, each with the theme of the vectors that has to detect it."""
 
 from fractions import Fraction
 from math import comb
@@ -9,7 +9,7 @@ from played import Evaluator, f32, f64, rounded, unit
 
 
 def _counted(first, last, segments, index, rounding, fused=False):
-    """index * du + first, rounded after each operation; `fused`: not after the product."""
+    """Returns index * du + first, rounded after each operation; if `fused`, not after the product."""
     step = rounding(rounding(last - first) / segments)
     way = index * step
     return rounding((way if fused else rounding(way)) + first)
@@ -24,14 +24,14 @@ def _from_last_end(rounding, fused=False):
 
 
 def _orders(condition, change):
-    """`component` with other rows where condition(uorder, vorder) holds."""
+    """Returns the override of `component` that changes the rows if condition(uorder, vorder) is true."""
     def component(self, rows, t, s):
         return Evaluator.component(self, change(rows) if condition(len(rows), len(rows[0])) else rows, t, s)
     return {"component": component}
 
 
 def _components(condition, change):
-    """`values` changed where condition(target, form) holds."""
+    """Returns the override of `values` that changes the values if condition(map, arguments) is true."""
     def values(self, the_map, arguments):
         found = Evaluator.values(self, the_map, arguments)
         return change(found) if condition(the_map, arguments) else found
@@ -67,17 +67,17 @@ def _first_and_last_swapped(values):
 
 
 def _fraction(of):
-    """`fraction_of` by of(u, first, last)."""
+    """Replaces `fraction_of` by of(u, first, last)."""
     return {"fraction_of": lambda self, u, first, last: of(u, first, last)}
 
 
 def _parameters(change):
-    """t and s after change(t, s)."""
+    """Replaces t and s by change(t, s)."""
     return {"parameters": lambda self, the_map, arguments: change(*Evaluator.parameters(self, the_map, arguments))}
 
 
 def _basis(change):
-    """The Bernstein polynomials after change(list, t)."""
+    """Replaces the list of Bernstein polynomials by change(list, t)."""
     return {"basis": lambda self, n, t: change(Evaluator.basis(self, n, t), t)}
 
 
@@ -86,19 +86,19 @@ def _combined(of):
 
 
 def _result(of):
-    """Results after of(value)."""
+    """Replaces each result by of(value)."""
     return {"result": lambda self, x: of(x)}
 
 
 def _index(of):
-    """Points of grids at another index."""
+    """Evaluates points of grids at the index of(grid)."""
     def grid_argument(self, g):
         return g.first + Fraction(of(g) * (g.last - g.first), g.segments)
     return {"grid_argument": grid_argument}
 
 
 def _significant(bits):
-    """Rounding to so many significant bits."""
+    """Returns a function that rounds to `bits` significant bits."""
     form = Format("short", bits, -10**6, 10**6)
     return lambda x: rounded(x, form)
 
@@ -108,7 +108,7 @@ def _clamped(x, low=0, high=1):
 
 
 def _polygon(values, t):
-    """On the control polygon."""
+    """Returns the point of the control polygon at t."""
     n = len(values) - 1
     if n == 0:
         return values[0]
@@ -117,7 +117,7 @@ def _polygon(values, t):
 
 
 def _lagrange(values, t):
-    """Through the control points at equal distances."""
+    """Interpolates the control points at equidistant arguments."""
     n = len(values) - 1
     total = Fraction(0)
     for i, value in enumerate(values):
@@ -140,21 +140,21 @@ def _without_w(the_map):
 
 
 def _by_chords(self, rows, t, s):
-    """Derivatives by the outer control points."""
+    """Derivatives from the outer control points."""
     along_v = [self.combined(column, t) for column in zip(*rows)]
     along_u = [self.combined(row, s) for row in rows]
     return along_u[-1] - along_u[0], along_v[-1] - along_v[0]
 
 
 def _by_differences(step):
-    """Derivatives by divided differences."""
+    """Derivatives from divided differences."""
     def derivatives(self, rows, t, s):
         at = self.component(rows, t, s)
         return self.component(rows, t + step, s) - at, self.component(rows, t, s + step) - at
     return {"derivatives": derivatives}
 
 
-# Name: (kind.theme, {method of Evaluator: what takes its place}).
+# Name: (kind.theme, {method of Evaluator: its replacement}).
 WRONG_EVALUATORS = {
     # Ends of grids
     "last end by float arithmetic": ("grid.exact-last", {"grid_argument": _without_exact_end(f32)}),

@@ -1,4 +1,4 @@
-"""Wrong state machines, each with the theme of the vectors that has to catch it."""
+"""Wrong state machines, each with the theme of the vectors that has to detect it."""
 
 from checker.accuracy import Grid
 from checker.gl import Value
@@ -43,7 +43,7 @@ class Given:
 
 
 def _summed(rounding, along=(0, 1)):
-    """Arguments of meshes are summed up, from the first index on, each sum rounded."""
+    """Computes arguments of grids as sums of steps from the first end, each sum rounded."""
     def evaluate_point(self, dimension, indices):
         def sums(n, first, last, upto):
             sums_of = self.__dict__.setdefault("sums", {}).setdefault((n, first, last), [
@@ -60,7 +60,7 @@ def _summed(rounding, along=(0, 1)):
 
 
 def _forward_differences(rounding):
-    """Positions of long strips by forward differences."""
+    """Computes positions of long primitives by forward differences."""
     def primitive_of(self, mode, points):
         if len(points) < 8:
             return Machine.primitive_of(self, mode, points)
@@ -82,7 +82,7 @@ def _forward_differences(rounding):
 
 
 def _leaves(kind, name):
-    """After a mesh a current value is that of its last vertex."""
+    """Sets a current value to that of the last vertex of a mesh."""
     def eval_mesh(self, form, mode, *indices):
         before = len(self.emitted)
         Machine.eval_mesh(self, form, mode, *indices)
@@ -103,7 +103,7 @@ def _after_mesh(change):
 
 
 def _errors(method, change):
-    """The codes of a command changed: change(machine, codes, form, *arguments)."""
+    """Replaces the error codes of a command by change(machine, codes, form, *arguments)."""
     def errors(self, form, *arguments):
         return change(self, getattr(Machine, method)(self, form, *arguments), form, *arguments)
     return {method: errors}
@@ -114,7 +114,7 @@ def _no_error_if(condition):
 
 
 def _no_map_error_if(condition):
-    """An erroneous map is ignored without an error: condition(machine, form, target, *rest)."""
+    """Raises no error for an erroneous map if condition(machine, form, target, *rest)."""
     def map_(self, form, target, *rest):
         try:
             Machine.map(self, form, target, *rest)
@@ -129,7 +129,7 @@ def _order_limit(most):
 
 
 def _in_list(lost):
-    """Errors of compiled commands are lost: lost(command name, codes)."""
+    """Loses the errors of compiled commands if lost(command name, codes)."""
     def call(self, name):
         for command, arguments in self.lists.get(name, ()):
             held, self.errors = self.errors, set()
@@ -159,7 +159,7 @@ def _errors_when_compiled():
 
 
 def _packed_in_lists(wrong_stride):
-    """Compiled maps whose strides are changed, while the data are those of the right ones."""
+    """Changes the arguments of compiled maps by wrong_stride(name, arguments), but not their data."""
     def issue(self, name, arguments):
         if self.open_list and name.startswith("Map") and not name.startswith("MapGrid"):
             arguments = wrong_stride(name, list(arguments))
@@ -183,7 +183,7 @@ def _size(target):
     return TARGETS[int(target[6])][target]
 
 
-# Name: (kind.theme, {method or attribute of Machine: what takes its place}).
+# Name: (kind.theme, {method or attribute of Machine: its replacement}).
 WRONG_STATE_MACHINES = {
     # Ends of grids
     "last end by float arithmetic": ("state.exact-ends", _counted_from_first(f32)),

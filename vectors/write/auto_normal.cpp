@@ -1,4 +1,4 @@
-// Automatic normals.
+// Writes auto_normal.json: automatic normals.
 #include <cmath>
 
 #include "kinds.h"
@@ -31,7 +31,7 @@ Map four(const Direction& u, const Direction& v, const ValueOf& value) {
   return surface(GL_MAP2_VERTEX_4, u, v, value);
 }
 
-// A net over i and j with small random heights.
+// Returns a surface with the points (i, j, height) of small random heights, times `scale`.
 Map landscape(Dice& dice, const Direction& u, const Direction& v, double scale = 1) {
   return three(u, v, [&](int i, int j, int c) {
     const double height = simple(dice);
@@ -39,7 +39,7 @@ Map landscape(Dice& dice, const Direction& u, const Direction& v, double scale =
   });
 }
 
-// --- ordinary surfaces
+// --- Ordinary surfaces
 
 void planes(Document& document) {
   Theme theme(document, "plane", "planes: the same normal everywhere",
@@ -50,7 +50,8 @@ void planes(Document& document) {
     double sides[2][3];
     for (auto& side : sides)
       for (double& x : side) x = simple(dice);
-    // The first ones along the axes: exactly (0, 0, 1), (0, 0, -1) and so on.
+    // The sides of the first planes lie along the axes, so that the normals are exactly (0, 0, 1), (0, 0, -1)
+    // etc.
     if (i < 12)
       for (int c = 0; c < 3; ++c) {
         sides[0][c] = c == i % 3 ? 1 : 0;
@@ -107,7 +108,7 @@ void places(Document& document) {
       const Direction u = along(dice.between(2, 5)), v = along(dice.between(2, 5));
       const Map map = landscape(dice, u, v);
       constexpr double kPlaces[] = {0, 0.5, 1};
-      // A border in the place of the middle.
+      // The centre (0.5, 0.5) is replaced by a point of a border.
       const double x = kPlaces[i % 3], y = kPlaces[i / 3 % 3];
       borders.add(normal_case({map, kTypes[i % 2], at(x), at(x == 0.5 && y == 0.5 ? 1 : y)}));
     }
@@ -156,11 +157,11 @@ void places(Document& document) {
   }
 }
 
-// --- rational surfaces
+// --- Rational surfaces
 
 constexpr double kHalfRoot = 0x1.6a09e667f3bcdp-1;  // sqrt(1/2)
 
-// A quarter of a circle with weights: cosine, sine, weight.
+// Returns component c (cosine, sine, weight) of control point i of a rational quarter circle.
 double circle(int i, int c, double w) {
   const double weight = i == 1 ? w : 1;
   return c == 0 ? (i < 2 ? weight : 0) : c == 1 ? (i > 0 ? weight : 0) : weight;
@@ -180,7 +181,7 @@ void rational(Document& document) {
       return c == 2 ? 2 * j * circle(i, 2, w) : circle(i, c == 3 ? 2 : c, w);
     });
     const Map ball = four(along(3), along(3), [&](int i, int j, int c) {
-      // Products of two circles, the second from the equator to the pole.
+      // The points are products of two circles, the second of which goes from the equator to the pole.
       if (c == 2) return rounded(Rational(circle(i, 2, w)) * Rational(circle(j, 1, w)), type);
       return rounded(Rational(circle(i, c == 3 ? 2 : c, w)) * Rational(circle(j, c == 3 ? 2 : 0, w)), type);
     });
@@ -240,7 +241,7 @@ void rational(Document& document) {
   }
 }
 
-// --- degenerate and extreme surfaces
+// --- Degenerate and extreme surfaces
 
 void degenerate(Document& document) {
   const Names requirements = {"EV-AUTON-DEGENERATE"};
@@ -333,7 +334,8 @@ void extreme(Document& document) {
   }
 }
 
-// Nets around the origin, looked at near it: the differences of the others would be lost in their errors.
+// Adds surfaces of high orders with nets around the origin, evaluated near it, because elsewhere the errors
+// of the values would exceed the differences of control points.
 void highest_orders(Document& document) {
   Theme theme(document, "highest-order", "orders from 12 to 30 in both directions",
               {"EV-AUTON-CURVED", "EV-AUTON-RATIONAL"});

@@ -1,4 +1,4 @@
-// A file of vectors while it is made.
+// Builds a file of vectors.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace evalcts::vectors {
 
-// Members stay in the order in which they are put in.
+// JSON whose members keep the order of their insertion.
 using Json = nlohmann::ordered_json;
 
 inline constexpr const char* kFormat = "evalcts-vectors-1";
-// Version of the schema: the second number is raised if members are added.
+// Version of the schema. The second number is incremented if members are added.
 inline constexpr const char* kSchemaVersion = "1.1";
-// Raised with each change of the cases.
+// Incremented with each change of the cases.
 inline constexpr const char* kGeneratorVersion = "2";
 
-// The first version of the GL that demands the answers of a case, and of a case that any version demands.
+// The value of `since` of a case whose answers all versions of GL demand.
 inline constexpr const char* kFirstVersion = "1.0";
 
 using Names = std::vector<std::string>;
@@ -27,15 +27,16 @@ class Document {
  public:
   Document(std::string kind, std::string description);
 
-  // Adds the meaning of a flag to the notes. Explaining it again with other words throws std::logic_error.
+  // Adds the meaning of a flag to the notes. Throws std::logic_error if it already has another meaning.
   void explain(const std::string& flag, const std::string& meaning);
-  // Adds a case of level "must" that holds from GL 1.0 on, unless `content` has other values of "level" and
-  // "since". Throws std::logic_error for a flag that is not explained and an id that is there already.
+  // Adds a case with the members of `content`. "level" is "must" and "since" is "1.0" unless `content` has
+  // these members. Throws std::logic_error for a flag without a meaning.
   void add(const std::string& id, const Names& requirements, const Names& flags, const Json& content);
 
   const std::string& kind() const { return kind_; }
   std::size_t size() const { return cases_.size(); }
-  // The file: one case a line.
+  // Returns the text of the file, with each case on its own line. Throws std::logic_error if two cases have
+  // the same id.
   std::string text() const;
 
  private:
@@ -44,9 +45,9 @@ class Document {
   std::vector<std::string> ids_, cases_;
 };
 
-// Cases about one thing. Its name is a flag of all of them and, with a running number, their id; random data
-// is drawn from dice of its own. Themes can so be added and lengthened at their ends, and no other case
-// changes.
+// A group of cases about one property. All have the name of the theme as a flag, and ids made from the kind,
+// the theme and a number. Each theme draws random data from its own dice, so that new themes, and new cases
+// at the end of a theme, change no other case.
 class Theme {
  public:
   Theme(Document& document, const std::string& name, const std::string& meaning, Names requirements);

@@ -1,4 +1,4 @@
-// Errors, and that what fails changes nothing.
+// Writes errors.json: errors of commands, and that rejected commands change nothing.
 #include <limits>
 
 #include <evalcts/gl/tokens.h>
@@ -13,7 +13,7 @@ constexpr const char* kLimit = "max-order-64";
 
 int k_of(GLenum target) { return gl::components_of(target); }
 
-// The arguments of a map of either dimension, all in order; a case spoils some.
+// The arguments of a map of either dimension. All are legal; a case changes some of them.
 struct Arguments {
   GLenum target;
   int k = k_of(target);
@@ -29,7 +29,7 @@ void issue(gl::Case& c, Type type, bool two, const Arguments& a) {
     map1(c, type, a.target, a.u1, a.u2, a.ustride, a.uorder, a.points);
 }
 
-// A map before, whatever fails, and the map afterwards. In the second dimension it is one of 3 by 2 points.
+// before() defines a legal map of 3, or 3 by 2, points; after() queries it.
 void before(gl::Case& c, GLenum target) {
   const int k = k_of(target);
   if (reference::is_map2_target(target))
@@ -48,7 +48,7 @@ constexpr std::span<const GLenum> targets(bool two) {
 std::string dimension(bool two) { return two ? "2" : "1"; }
 std::string rule(bool two, const std::string& name) { return "EV-MAP" + dimension(two) + "-" + name; }
 
-// One theme for each error rule of Map1 (or Map2), with every target and in turn with either type.
+// Adds a theme for each error rule of Map1 or Map2, with every target and with both types in turn.
 class MapErrors {
  public:
   MapErrors(Document& document, bool two) : document_(document), two_(two) {}
@@ -71,7 +71,7 @@ class MapErrors {
   Theme theme(const std::string& name, const std::string& meaning, const std::string& requirement) const {
     return Theme(document_, named(name), meaning, {rule(two_, requirement), rule(two_, "ERR-NOEFFECT")});
   }
-  // One case for each way to spoil the arguments.
+  // Adds a case whose arguments `change` makes illegal.
   void spoil(Theme& into, GLenum target, const std::function<void(Arguments&)>& change,
              const Names& requirements = {}, const Names& flags = {}) {
     gl::Case c;
@@ -158,7 +158,7 @@ class MapErrors {
     }
   }
 
-  // A stride that nothing is read with is an error all the same.
+  // Strides of order 1, with which nothing is read, are errors as well.
   void add_stride_of_one_column() {
     Theme theme_ =
         theme("vstride-order1", "vorder 1, vstride below the number of values of a point", "ERR-VSTRIDE");
@@ -172,7 +172,7 @@ class MapErrors {
           });
   }
 
-  // Between Begin and End, and while another texture unit is active.
+  // Adds calls between Begin and End, and calls while another texture unit is active.
   void add_places() {
     Theme inside = theme("begin-end", "between Begin and End", "ERR-BEGINEND");
     Theme unit = theme("active-texture", "another texture unit than 0 is active, whatever the target",
@@ -199,7 +199,7 @@ class MapErrors {
     }
   }
 
-  // Once more, with two reasons at a time.
+  // Adds calls with two errors at a time.
   void add_several() {
     const GLenum last = targets(two_).back();
     Theme several(document_, named("several"),
@@ -253,7 +253,7 @@ class MapErrors {
       }
   }
 
-  // A list for each condition. It holds a command behind the one that fails, which is executed.
+  // Adds a display list for each condition. The command after the rejected one has to be executed.
   void add_compiled() {
     Theme compiled = Theme(document_, named("compiled"),
                            "a compiled map with each error: raised by the call of the list, which goes on",
@@ -302,7 +302,7 @@ class MapErrors {
   int turn_ = 0;
 };
 
-// --- grids
+// --- Grids
 
 void query_grids(gl::Case& c) {
   c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
@@ -358,7 +358,7 @@ void grids(Document& document) {
   }
 }
 
-// --- meshes
+// --- Meshes
 
 void meshes(Document& document) {
   const auto ready = [](gl::Case& c) {
@@ -416,7 +416,7 @@ void meshes(Document& document) {
   }
 }
 
-// --- queries
+// --- Queries
 
 void queries(Document& document) {
   Theme target(document, "getmap-target", "GetMap of what is no map: nothing is written",
@@ -471,7 +471,7 @@ void queries(Document& document) {
       if (form == 1) c.GetnMapdv(of, what, size, gl::out<GLdouble>(24));
       if (form == 2) c.GetnMapiv(of, what, size, gl::out<GLint>(24));
     };
-    // Colours and normals as integers have no certain answer (C-GETMAPIV-NORM).
+    // The specification leaves integer answers for colours and normals open (C-GETMAPIV-NORM).
     const std::tuple<GLenum, GLenum, int> kAnswers[] = {
         {form == 2 ? GL_MAP1_VERTEX_4 : GL_MAP1_COLOR_4, GL_COEFF, 12},
         {form == 2 ? GL_MAP2_VERTEX_3 : GL_MAP2_NORMAL, GL_COEFF, 18},
@@ -502,7 +502,7 @@ void queries(Document& document) {
   }
 }
 
-// --- the rest of the state
+// --- Other state
 
 void add(Theme& theme, const std::function<void(gl::Case&)>& what) {
   gl::Case c;
@@ -555,7 +555,7 @@ void primitives_and_units(Document& document) {
   Theme begin(document, "begin-end", "Begin and End themselves, and what is legal between them",
               {"EV-BE-ALLOWED", "EV-COORD-INBEGIN", "EV-COORD-NOERR"});
   add(begin, [](gl::Case& c) { c.End(); });
-  // The numbers right after GL_POLYGON are modes of later versions.
+  // The values directly above GL_POLYGON are modes of later versions.
   for (const GLenum mode : {GL_POLYGON + 20, GL_TEXTURE_2D}) add(begin, [&](gl::Case& c) { c.Begin(mode); });
   for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode)
     add(begin, [&](gl::Case& c) {
@@ -587,7 +587,7 @@ void primitives_and_units(Document& document) {
   });
 }
 
-// Conditions of commands that are not maps, in lists.
+// Adds display lists with the errors of commands other than maps.
 void compiled_errors(Document& document) {
   Theme theme(
       document, "compiled",

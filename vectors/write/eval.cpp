@@ -1,4 +1,4 @@
-// Values of curves and surfaces: what the themes share, and the two documents.
+// Writes map1_eval.json and map2_eval.json, and defines what their themes share.
 #include "eval.h"
 
 #include "kinds.h"

@@ -1,4 +1,4 @@
-// Sections of map1_eval.json and map2_eval.json: values of curves and surfaces (eval.cpp puts them together).
+// Sections of map1_eval.json and map2_eval.json: values of curves and surfaces. eval.cpp combines them.
 #pragma once
 
 #include <evalcts/gl/tokens.h>
@@ -10,16 +10,16 @@ namespace evalcts::vectors {
 using Ends = std::pair<double, double>;
 Direction along(int order, const Ends& ends = {0, 1});
 Argument at(double u);
-// A place inside the domain, a multiple of a part of it as far as the type can say.
+// Returns u1 + i/parts * (u2 - u1) for a random i from 0 to `parts`, rounded to the type.
 double inside(Dice& dice, const Direction& u, Type type, int parts = 32);
 
-// Each function adds its themes.
+// Each function with a document adds its themes to it.
 namespace curves {
 
-// Curves of simple numbers, or of full ones.
+// Return curves of simple() numbers, or of full() ones.
 Map some_curve(Dice& dice, GLenum target, const Direction& u);
 Map full_curve(Dice& dice, GLenum target, const Direction& u, Type type);
-// A small target for what grows with the order.
+// Returns a target with one or two components, for cases whose size grows with the order.
 GLenum small_target(int i);
 
 void ordinary(Document& document);
@@ -50,9 +50,9 @@ namespace surfaces {
 Map some_surface(Dice& dice, GLenum target, const Direction& u, const Direction& v);
 Map full_surface(Dice& dice, GLenum target, const Direction& u, const Direction& v, Type type);
 GLenum any_target(int i);
-// A small target for what has many control points.
+// Returns a target with few components, for cases with many control points.
 GLenum small_target(int i);
-// A surface at a random place inside of its domain.
+// Returns a case at inside() arguments of the map.
 Json inside_case(Dice& dice, const Map& map, Type type, Detail detail = Detail::kNone);
 
 void ordinary(Document& document);

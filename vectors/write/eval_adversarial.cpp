@@ -8,12 +8,12 @@ namespace evalcts::vectors {
 
 namespace {
 
-// A sum of integers over 2^kNearDegree is near to a tie if its numerator is 1 away from it.
+// From this degree on, a sum over 2^degree of integers is near a tie if its numerator is off by 1.
 constexpr int kNearDegree = 7;
 
-// Replaces integer control values in [2^23, 3 * 2^22), whose weights in the sum over 2^degree are given and
-// begin with 1: the sum is a tie but for the last control value, which is a small fraction of the sign of
-// `more`.
+// Changes integer control values in [2^23, 3 * 2^22), whose weighted sum over 2^degree is the value, so that
+// the value is a tie except for the contribution of the last control value, which becomes a small fraction
+// with the sign of `more`. The first weight is 1.
 void leave_crumb(Values& values, const std::vector<std::int64_t>& weights, int degree, int more) {
   std::int64_t sum = 0;
   for (std::size_t i = 0; i + 1 < values.size(); ++i) {
@@ -32,8 +32,8 @@ namespace curves {
 
 namespace {
 
-// Control values, all integers, whose sum SUM C(n,i) * R_i / 2^n at 1/2 is an odd multiple of 1/2, `more`
-// added to the numerator. If that is not near to the tie, a fraction takes the place of the last value.
+// Returns integer control values whose value at 1/2, SUM C(n,i) * R_i / 2^n, is an odd multiple of 1/2, plus
+// more / 2^n. If that is not near a tie, the last value is a small fraction instead, see leave_crumb().
 Values tied(Dice& dice, int n, int more) {
   Values values;
   std::vector<std::int64_t> weights;
@@ -68,14 +68,14 @@ void float_ties(Document& document) {
       const double sign = dice.sign();
       const int exponent = dice.between(-40, 40);
       const int more = !is_near ? 0 : dice.one_in(2) ? 1 : -1;
-      if (is_near && n == 1) continue;  // half an integer: nothing lies between
+      if (is_near && n == 1) continue;  // the value is an integer or a tie
       Values values = tied(dice, n, more);
       for (double& value : values) value = sign * std::ldexp(value, exponent);
       theme->add(value_case({index_curve(0, 1, values), kTypes[i / 12 % 2], at(0.5)}));
     }
   }
-  // The middle of two numbers in the first two terms, and a crumb in the last that no few bits more would
-  // see.
+  // The sum of the first two terms is a tie, and the last term is so small that a few more bits of precision
+  // do not show it.
   for (int i = 0; i < 24; ++i) {
     const double a = std::abs(nearly.dice().significand(24));
     const double crumb = std::ldexp(i % 2 == 0 ? 1.0 : -1.0, -nearly.dice().between(60, 120));
@@ -89,25 +89,25 @@ void double_ties(Document& document) {
   Theme nearly(document, "near-tie-double", "just beside the middle of two binary64", {"EV-NUM-ACCURACY"});
   for (const auto& [theme, is_near] : {std::pair(&exactly, false), std::pair(&nearly, true)}) {
     Dice& dice = theme->dice();
-    // (2^30 * R_0 - R_0 + R_1)/2^30 has 54 bits, the last of which is set where R_1 - R_0 is odd.
+    // (2^30 * R_0 - R_0 + R_1)/2^30 has 54 bits, the last of which is set if R_1 - R_0 is odd.
     for (int i = 0; i < 40; ++i) {
       const double sign = dice.sign();
-      // Odd, where the crumb decides.
+      // With a crumb, R_0 is odd, so that the value is a tie except for the crumb.
       const std::int64_t first =
           ((std::int64_t{1} << 23) + 2 + dice.below(std::int64_t{1} << 22)) | (is_near ? 1 : 0);
       const std::int64_t second = first - 1 - 2 * dice.below(1 << 20);
       const double crumb = !is_near ? 0 : dice.power(-90, -30);
       const double a = sign * static_cast<double>(first), b = sign * static_cast<double>(second);
-      // The crumb is the last control value of a quadratic whose others give the line.
+      // The crumb is the last control value of a quadratic curve; the others make the line.
       if (is_near)
         theme->add(value_case({index_curve(0, 1, {a, a, crumb}), kTypes[i % 2], at(0x1p-15)}));
       else
         theme->add(value_case({index_curve(0, 1, {a, b}), kTypes[i % 2], at(0x1p-30)}));
     }
-    // Two neighbours.
+    // Adjacent numbers a and b.
     for (int i = 0; i < 30; ++i) {
       const double a = dice.significand(53), b = next_after(a, 4, Type::kReal);
-      if (is_near)  // (a + 2*b + crumb)/4 is no tie, 2*(a + b)/4 + crumb/4 is one but for the crumb
+      if (is_near)  // the value is (2*a + 2*b + crumb)/4, a tie except for the crumb
         theme->add(value_case({index_curve(0, 1, {2 * a, b, 0x1p-80}), Type::kReal, at(0.5)}));
       else
         theme->add(value_case({index_curve(0, 1, {a, b}), Type::kReal, at(0.5)}));
@@ -194,7 +194,7 @@ void special_nets(Document& document) {
                          order < 12 ? Detail::kIntermediate : Detail::kNone));
 
       if (order < 3) continue;
-      // t^2 has the coefficients i*(i-1)/(n*(n-1)).
+      // The Bernstein coefficients of t^2 are i*(i-1)/(n*(n-1)).
       Values parabola;
       for (int i = 0; i < order; ++i)
         parabola.push_back(rounded(Rational(i * (i - 1)) / ((order - 1) * (order - 2)), type));
@@ -238,8 +238,8 @@ void rational(Document& document) {
       const double size = static_cast<double>(dice.between(1, 64)) / 16;
       if (kind == 0) return size;                             // positive
       if (kind == 1) return -size;                            // negative
-      if (kind == 2) return std::ldexp(size, -12 * (j % 3));  // of very different size
-      if (kind == 3) return x;                                // any: w may come near zero
+      if (kind == 2) return std::ldexp(size, -12 * (j % 3));  // very different magnitudes
+      if (kind == 3) return x;                                // any sign: w may be near zero
       return j % 2 == 0 ? 1.0 : -1.0;                         // zero at 1/2, for even orders
     });
     const double argument = kind == 4 ? 0.5 : inside(dice, u, type, 64);
@@ -280,7 +280,8 @@ void ties(Document& document) {
     Theme theme(document, name, meaning, {"EV-NUM-ACCURACY"});
     Dice& dice = theme.dice();
     for (int i = 0; i < 40; ++i) {
-      // SUM C(n,i) * C(m,j) * R_ij / 2^(n+m) at (1/2, 1/2), the last control value chosen for a half.
+      // The value at (1/2, 1/2) is SUM C(n,i) * C(m,j) * R_ij / 2^(n+m). The last control value makes it a
+      // tie.
       const int n = dice.between(1, 4), m = dice.between(1, 4);
       Values values;
       std::vector<std::int64_t> weights;
@@ -327,7 +328,7 @@ void cancellation(Document& document) {
     {
       Dice& dice = zero.dice();
       const Direction u = along(dice.between(2, 6)), v = along(dice.between(1, 6));
-      // Odd in u about the middle.
+      // The map is an odd function of u about 1/2.
       Map map = full_surface(dice, GL_MAP2_INDEX, u, v, type);
       for (int j = 0; j < u.order; ++j)
         for (int k = 0; k < v.order; ++k) {

@@ -59,8 +59,8 @@ const std::vector<Magnitude>& magnitude_kinds() {
   return all;
 }
 
-// Puts a huge or a tiny control value beside the others of a map that happens to have none, and beside a
-// single one.
+// Makes the last control value huge or tiny if all have similar magnitudes. A map with one control value gets
+// a second one.
 void widen(Map& map) {
   const auto size = [](double x) { return std::abs(x); };
   const auto [least, most] = std::ranges::minmax(map.points, {}, size);
@@ -102,14 +102,15 @@ void overflow(Document& document) {
     const double most = type == Type::kSingle ? kFloatMost : kDoubleMost;
     const int order = dice.between(2, 4);
     const double sign = dice.sign();
-    // Inside the domain, constant: exactly the largest. Outside: beyond it by more or less, because the
-    // weight of the smaller control value, of the other sign, is negative there.
+    // The first two of six cases are constant, with exactly the largest number as the value. In the others
+    // the value is beyond it, because the weight of the smaller control value, which has the other sign, is
+    // negative outside the domain.
     Values values(static_cast<std::size_t>(order), sign * most);
     if (i % 6 >= 2) values[order == 3 ? 1 : 0] = -sign * std::ldexp(most, -dice.between(1, 40));
     constexpr double kArguments[] = {0.5, 1, 1.25, 2, 1 + 0x1p-20, 1 + 0x1p-23};
     theme.add(value_case({index_curve(0, 1, values), type, at(kArguments[i % 6])}));
   }
-  // Halfway between the largest number and the power of two above, and one step below: 2^128 - 2^103.
+  // The midpoint of the largest number and the power of two above it, 2^128 - 2^103, and a number just below.
   for (const double sign : {1.0, -1.0}) {
     for (const double step : {0.0, 0x1p75}) {
       const double beyond = 0x1p128 - 0x1p103 - step;
@@ -131,7 +132,7 @@ void underflow(Document& document) {
   for (int i = 0; i < 48; ++i) {
     const Type type = kTypes[i % 2];
     const int degree = dice.between(1, 6);
-    // Only the last control value is not zero: V = R * u^n.
+    // Only the last control value is not zero, so that the value is R * u^n.
     const int exponent = -dice.between(126, degree == 1 ? 144 : 160) / degree;
     double u = std::abs(std::ldexp(dice.significand(6), exponent));
     Values values(static_cast<std::size_t>(degree) + 1, 0.0);
@@ -139,7 +140,7 @@ void underflow(Document& document) {
     while (std::abs(values.back()) * std::pow(u, degree) >= kFloatLeastNormal) u /= 2;
     theme.add(value_case({index_curve(0, 1, values), type, at(u)}));
   }
-  // Half the least subnormal number, and a little more: 0, and that number.
+  // Half the least subnormal number, which rounds to 0, and values around it.
   for (const double least : {kFloatLeast, kDoubleLeast}) {
     const Type type = least == kFloatLeast ? Type::kSingle : Type::kReal;
     for (const double u : {0.5, 0.5 + 0x1p-20, 0.5 - 0x1p-20, 0.25, 0.75})

@@ -159,7 +159,7 @@ void near_ends(Document& document) {
     const Direction u = i % 4 < 2 ? along(dice.between(2, 8), {1, 3}) : along(dice.between(2, 5));
     const Map map = some_curve(dice, small_target(i), u);
     const double end = i % 8 < 4 ? u.first : u.last;
-    // Next to zero is the least subnormal number: a step of 2^-24 is enough there.
+    // The number adjacent to zero is the least subnormal one; 2^-24 is used instead.
     const double towards = dice.one_in(2) ? 100 : -100;
     const double argument = end == 0 ? std::copysign(0x1p-24, towards) : next_after(end, towards, type);
     theme.add(value_case({map, type, at(argument)}));
@@ -260,13 +260,13 @@ void highest_orders(Document& document) {
   constexpr std::pair<int, int> kOrders[] = {{64, 64}, {40, 40}, {64, 33}, {35, 64}};
   for (std::size_t i = 0; i < 4; ++i)
     for (const Type type : kTypes) {
-      if (i > 0 && type == kTypes[i % 2]) continue;  // either type of those that are not the largest
+      if (i > 0 && type == kTypes[i % 2]) continue;  // both types for the largest orders only
       Dice& dice = both.dice();
       const Direction u = along(kOrders[i].first), v = along(kOrders[i].second);
       both.add(inside_case(dice, some_surface(dice, GL_MAP2_INDEX, u, v), type));
     }
-  // Near a corner the last points count. Of 64 by 64 points the rule judges hardly anything: its part for
-  // underflow has a sum of 2^126.
+  // Near the corner the last points matter. These nets have fewer than 64 by 64 points, for which the
+  // accuracy rule accepts nearly everything, because the sum of binomials in its underflow term is 2^126.
   for (const auto& [uorder, vorder] : {std::pair(50, 50), std::pair(33, 64)}) {
     const Map map = some_surface(both.dice(), GL_MAP2_INDEX, along(uorder), along(vorder));
     both.add(value_case({map, kTypes[uorder % 2], at(0x1.f8p-1), at(0x1.f8p-1)}));

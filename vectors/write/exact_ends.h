@@ -1,5 +1,5 @@
-// Grids whose end comes out as another number where an evaluator computes it from the other end
-// (EV-POINT-EXACT-0, EV-POINT-EXACT-N), and maps that show it.
+// Grids with an end that an evaluator misses if it computes the end from the other one (EV-POINT-EXACT-0,
+// EV-POINT-EXACT-N), and maps whose values show this.
 #pragma once
 
 #include "maps.h"
@@ -11,22 +11,23 @@ struct GridEnds {
   double first, last;
 };
 
-// The point with index N of a grid, counted from the end `from`, in the arithmetic of the type: N * du +
-// from, du = (to - from)/N, each operation rounded; `fused`: the product is not.
+// Returns N * du + from with du = (to - from)/N and N = `segments`, with each operation rounded to the type;
+// if `fused`, the product is not rounded.
 double counted_end(int segments, double from, double to, Type type, bool fused);
 
-// A grid of random single-precision ends whose last (or first) end is missed by counted_end() from the other
-// end in single precision, fused or not, and for Type::kReal in double precision, too.
+// Returns a grid of random single-precision ends whose last (or first) end differs from counted_end() from
+// the other end, fused or not, in single precision and, for Type::kReal, in double precision as well.
 GridEnds missed_end(Dice& dice, bool last, Type type, int most_segments = 200);
 
-// A direction of a map on which an argument that misses `end` shows: the control points at the end (0 in the
-// first row, or in the last) have to be zero.
+// A direction of a map whose values show an argument that misses the end. The control points at the end have
+// to be 0: the first ones if `zero_first`, otherwise the last ones.
 struct Probe {
   Direction direction;
   bool zero_first;
 };
-// Probes that begin at the end and are as wide as 1, narrow ones (1e-5 of the end), and narrow ones that stop
-// at the end, which show what single precision misses only.
+// Return probes whose domain begins at the end and has the width 1; begins at the end and has the width 1e-5
+// of the end's magnitude; or has the latter width and stops at the end, which shows errors of single
+// precision only.
 Probe wide_probe(Dice& dice, int order, double end);
 Probe narrow_probe(int order, double end);
 Probe probe_up_to(int order, double end);

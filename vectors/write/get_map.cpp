@@ -1,4 +1,4 @@
-// Answers to queries of maps.
+// Writes get_map.json: answers to queries of maps.
 #include <algorithm>
 
 #include <evalcts/gl/tokens.h>
@@ -27,15 +27,16 @@ std::size_t values_of(const Map& map, GLenum query) {
   return map.points.size();
 }
 
-// GetMapfv, GetMapdv, GetMapiv with some room to spare, which stays as it is.
+// Appends GetMapfv, GetMapdv or GetMapiv (form 0, 1, 2) with room for `spare` more values than the answer
+// has.
 void ask(gl::Case& c, int form, const Map& map, GLenum query, std::size_t spare = 2) {
   const std::size_t room = values_of(map, query) + spare;
   if (form == 0) c.GetMapfv(map.target, query, gl::out<GLfloat>(room));
   if (form == 1) c.GetMapdv(map.target, query, gl::out<GLdouble>(room));
   if (form == 2) c.GetMapiv(map.target, query, gl::out<GLint>(room));
 }
-// Returns true if a query has one answer by every reading: colours and normals as integers have two
-// (C-GETMAPIV-NORM).
+// Returns true if every documented interpretation gives the same answer: integer queries of colours and
+// normals have two (C-GETMAPIV-NORM).
 bool is_certain(int form, GLenum target, GLenum query) {
   const bool is_normalized = target == GL_MAP1_COLOR_4 || target == GL_MAP2_COLOR_4 ||
                              target == GL_MAP1_NORMAL || target == GL_MAP2_NORMAL;
@@ -139,7 +140,8 @@ void integers(Document& document) {
                {"EV-GETMAP-ROUND"});
   Theme saturating(document, "saturating", "GetMapiv of what no int can hold: the nearest that it can",
                    {"EV-GETMAP-SATURATE"});
-  // Colours and normals as well: the text makes no exception for them, though some read one into it.
+  // These themes include colours and normals, for which the specification makes no exception, with a flag for
+  // implementations that scale them.
   constexpr double kBetween[] = {1.4, -1.6, 2.51, -0.25, 0.49, 1e6 + 0.75, 123456.25, -7.9};
   constexpr double kHalves[] = {0.5, -0.5, 1.5, 2.5, -3.5, 8388607.5};
   constexpr double kBeyond[] = {1e20, -1e20, 0x1p31, -0x1p31, 0x1p127, -0x1p100, 2147483520, 4e9};
@@ -151,7 +153,7 @@ void integers(Document& document) {
     const Names flags = kind == 0 || kind == 2 ? Names{"normalized-reading"} : Names{};
     const auto add = [&](Theme& theme, const auto& values) {
       const Type type = kTypes[theme.count() % 2];
-      // A power of two of points, and at least as many values as there are.
+      // The map has as many points as there are values.
       Map map{target, {static_cast<int>(std::size(values)), 0, 1}, {}, {}};
       map.u.first = rounded(values[0], type);
       map.u.last = rounded(values[1], type);

@@ -1,4 +1,4 @@
-// Points of grids.
+// Writes grid.json: values at points of grids.
 #include <cmath>
 #include <limits>
 
@@ -18,7 +18,7 @@ Ends of_type(const Ends& ends, Type type) { return {rounded(ends.first, type), r
 
 Direction along(int order, const Ends& ends = {0, 1}) { return {order, ends.first, ends.second}; }
 
-// Curves and surfaces of one or a few components.
+// Return curves and surfaces of one to three components.
 Map some_curve(Dice& dice, int i, const Direction& u) {
   constexpr GLenum kTargets[] = {GL_MAP1_INDEX, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_VERTEX_3};
   return curve(kTargets[i % 3], u, [&](int, int) { return simple(dice); });
@@ -28,17 +28,17 @@ Map some_surface(Dice& dice, int i, const Direction& u, const Direction& v) {
   return surface(kTargets[i % 3], u, v, [&](int, int, int) { return simple(dice); });
 }
 
-// A theme of both dimensions: grids with their indices, and the domains of the maps.
+// A theme with cases of both dimensions: its grids, indices, and the domains of its maps.
 struct Kind {
   const char *name, *meaning;
   Names requirements;
   std::vector<Ends> grids;
   std::vector<GLint> segments;
-  // The index for so many segments.
+  // Returns an index for a grid with this number of segments.
   std::function<std::int64_t(Dice&, GLint segments)> index;
   std::vector<Ends> domains = {{0, 1}};
   int curves = 40, surfaces = 24;
-  // The length of a segment is to be no number of the type.
+  // True if the length of a segment must not be a number of the type.
   bool inexact_step = false;
 };
 
@@ -146,7 +146,7 @@ const std::vector<Kind>& all_kinds() {
   return kinds;
 }
 
-// One direction of a grid, and the argument at its point.
+// Returns a point of a grid of the kind in one direction.
 Argument grid_point(Dice& dice, const Kind& kind, Type type, std::size_t& turn) {
   auto [first, last] = of_type(kind.grids[turn % kind.grids.size()], type);
   const GLint segments = kind.segments[static_cast<std::size_t>(dice.below(std::ssize(kind.segments)))];
@@ -159,7 +159,7 @@ Argument grid_point(Dice& dice, const Kind& kind, Type type, std::size_t& turn) 
   return Argument::grid(kind.index(dice, segments), segments, first, last);
 }
 
-// One direction at the end of a grid: the probe, and the point of the grid.
+// A direction with a point at an end of a grid: the probe, and the argument.
 struct AtEnd {
   Probe probe;
   Argument argument;
@@ -173,7 +173,7 @@ AtEnd at_end(Dice& dice, bool last, Type type, int order, int turn) {
   return {probe, Argument::grid(last ? grid.segments : 0, grid.segments, grid.first, grid.last)};
 }
 
-// A point between the ends of a grid in the direction that is not looked at.
+// Returns an interior point of a grid, for the direction that is not under test.
 AtEnd across(Dice& dice, int order) {
   const int segments = dice.between(2, 9);
   return {{{order, 0, 1}, true}, Argument::grid(dice.between(1, segments - 1), segments, 0, 1)};

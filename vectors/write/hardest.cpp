@@ -14,11 +14,11 @@ namespace {
 
 using reference::Rational;
 
-// The bits of a binary64 that a binary32 does not have, and the first of them.
+// The number of significant bits that a binary64 has more than a binary32, their mask, and the first of them.
 constexpr int kExtraBits = 29;
 constexpr std::uint64_t kExtra = (std::uint64_t{1} << kExtraBits) - 1,
                         kMiddle = std::uint64_t{1} << (kExtraBits - 1);
-// The largest distance of the nearest binary64 from the middle, in its own units.
+// Maximum distance of the nearest binary64 from the midpoint, in ulps of binary64.
 constexpr std::int64_t kNear = 1 << 10;
 
 bool is_near(double value) {
@@ -26,7 +26,7 @@ bool is_near(double value) {
   return std::abs(extra - static_cast<std::int64_t>(kMiddle)) <= kNear;
 }
 
-// The middle of two binary32 that is nearest to x, in units of their distance from x.
+// Returns the distance of x from the midpoint of the adjacent binary32, in ulps of binary32.
 Rational distance_to_middle(const Rational& x) {
   const double middle =
       std::bit_cast<double>((std::bit_cast<std::uint64_t>(x.to_double()) & ~kExtra) | kMiddle);

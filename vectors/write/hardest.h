@@ -1,4 +1,4 @@
-// The arguments that are hardest to round, found by trying all.
+// Finds the arguments whose values are hardest to round by exhaustive search.
 #pragma once
 
 #include <reference/bernstein.h>
@@ -7,10 +7,10 @@
 
 namespace evalcts::vectors {
 
-// Returns the binary32 in [low, high), 0 < low, at which the curve, whose values are normal binary32 there,
-// lies nearest to the middle of two binary32, beginning with the nearest; values in the middle itself are
-// left out. `count` of them, or fewer where fewer are within 2^-18 of the distance of the two. Takes some 10
-// ns for each argument tried.
+// Returns the arguments, among the binary32 in [low, high), 0 < low, whose exact values are nearest to a
+// midpoint of two binary32 but not equal to it, the nearest first. Returns at most `count`, all within 2^-18
+// of the gap between the two numbers. The values have to be in the range of normal binary32. Takes some 10 ns
+// for each argument.
 std::vector<float> hardest_arguments(const reference::Curve& curve, float low, float high, std::size_t count);
 
 }  // namespace evalcts::vectors

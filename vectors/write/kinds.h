@@ -1,4 +1,4 @@
-// The seven files.
+// The functions that make the seven files.
 #pragma once
 
 #include "document.h"

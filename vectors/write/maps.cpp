@@ -58,7 +58,7 @@ double of_magnitude(Dice& dice, Type type, int least, int most) {
 }
 
 std::vector<Rational> with_roots(const std::vector<Rational>& roots) {
-  // In the basis t^i * (1-t)^(n-i) a factor t - r is -r * (1-t) + (1-r) * t.
+  // The factor t - r is -r * (1-t) + (1-r) * t, so that the product stays in the basis t^i * (1-t)^(n-i).
   std::vector<Rational> scaled{1};
   for (const Rational& root : roots) {
     std::vector<Rational> product(scaled.size() + 1);

@@ -1,4 +1,4 @@
-// Making maps for the vectors.
+// Makes maps for the vectors.
 #pragma once
 
 #include <reference/map.h>
@@ -13,38 +13,38 @@ using reference::Map;
 using reference::Rational;
 using Direction = reference::Map::Direction;
 
-// 'f' or 'd': whether everything about a map is single or double precision.
+// The type of a map, "f" or "d": all its numbers are binary32 or binary64.
 enum class Type { kSingle, kReal };
 inline constexpr Type kTypes[] = {Type::kSingle, Type::kReal};
 
-// The significant bits of the type.
+// Returns the number of significant bits of the type.
 int bits_of(Type type);
-// x rounded to the nearest number of the type.
+// Returns x rounded to the nearest number of the type.
 double rounded(const Rational& x, Type type);
-// a + part * (b - a), rounded.
+// Returns a + part * (b - a) rounded to the type.
 double between(double a, double b, const Rational& part, Type type);
-// The next number of the type in the direction of `towards`.
+// Returns the number of the type adjacent to x in the direction of `towards`.
 double next_after(double x, double towards, Type type);
 
-// Component c of R_ij.
+// A function that returns component c of R_ij.
 using ValueOf = std::function<double(int i, int j, int c)>;
 Map curve(GLenum target, const Direction& u, const std::function<double(int i, int c)>& value);
 Map surface(GLenum target, const Direction& u, const Direction& v, const ValueOf& value);
 
-// Control values of one component by the number of their point.
+// Control values of one component, by the index of their point.
 using Values = std::vector<double>;
-// A curve or a surface (in rows of v) of target INDEX: the one component says it all.
+// Return a curve, or a surface (v varies fastest), of target INDEX, which has one component.
 Map index_curve(double u1, double u2, const Values& values);
 Map index_surface(const Direction& u, const Direction& v, const Values& values);
 
-// Small numbers: multiples of 1/16 up to 8.
+// Returns a multiple of 1/16 of magnitude up to 8.
 double simple(Dice& dice);
-// All significant bits of the type, of magnitude 2^-3 to 2^4.
+// Returns a number with all significant bits of the type and a magnitude from 2^-3 to 2^4.
 double full(Dice& dice, Type type);
-// A magnitude from 2^least to 2^(most + 1), with all bits that the type has there.
+// Returns a number with a magnitude from 2^least to 2^(most + 1) and all bits that the type has there.
 double of_magnitude(Dice& dice, Type type, int least, int most);
 
-// The Bernstein coefficients on [0, 1] of (t - r_1) * ... * (t - r_n).
+// Returns the Bernstein coefficients on [0, 1] of (t - r_1) * ... * (t - r_n).
 std::vector<Rational> with_roots(const std::vector<Rational>& roots);
 
 }  // namespace evalcts::vectors

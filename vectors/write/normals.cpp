@@ -13,7 +13,7 @@ using reference::Vector;
 
 constexpr int kEnclosureBits = 80;
 
-// dq/duh x dq/dvh; none where w is zero.
+// Returns dq/duh x dq/dvh, or nothing if w is zero.
 std::optional<Vector> exact(const AutomaticNormal& normal, const std::vector<Surface>& surfaces) {
   if (surfaces.size() == 4 && reference::evaluate(surfaces[3], normal.u, normal.v).is_zero()) return {};
   return reference::normal_vector(surfaces, normal.u, normal.v);
@@ -36,8 +36,8 @@ Json accept(const AutomaticNormal& normal) {
   const auto acceptance = reference::acceptance(normal);
   if (!acceptance || !acceptance->must_applies || !acceptance->bound) return nullptr;
   const Map& map = *normal.map;
-  // The bound comes out of binary64, whose last bits may differ from machine to machine: rounded up to
-  // binary32 it is the same everywhere.
+  // The bound is computed in binary64, whose last bits may differ between machines. Rounded up to binary32 it
+  // is the same on all of them.
   return {{"bound", hexadecimal(round_up(*acceptance->bound))},
           {"either_sign", (map.u.first > map.u.last) != (map.v.first > map.v.last)}};
 }

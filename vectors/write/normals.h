@@ -1,4 +1,4 @@
-// Statements of the vectors on automatic normals (INTERPRETING.md, "Automatic normals").
+// Makes the members of cases about automatic normals (INTERPRETING.md, "Automatic normals").
 #pragma once
 
 #include <reference/component.h>
@@ -8,10 +8,10 @@
 
 namespace evalcts::vectors {
 
-// {"m", "normal", "accept"}.
+// Returns {"m", "normal", "accept"}.
 Json entry_of(const reference::AutomaticNormal& normal);
 
-// {"level", "map", "u", "v", "derivatives"} and the members above. `problem` has a v.
+// Returns {"level", "map", "u", "v", "derivatives"} and the members above. `problem` has a v.
 Json normal_case(const Problem& problem);
 
 }  // namespace evalcts::vectors

@@ -25,10 +25,10 @@ namespace {
 
 using gl::Scalar;
 
-// Some implementations have fewer; cases that need more than the 8 of all say so by a flag.
+// MAX_EVAL_ORDER of the executable specification. Cases with orders above 8, the minimum, have a flag.
 constexpr int kMaxEvalOrder = 64;
 
-// --- commands
+// --- Commands
 
 std::string bits(std::int64_t mask) {
   constexpr std::pair<GLbitfield, const char*> kBits[] = {
@@ -107,7 +107,7 @@ Json call(const gl::Command& command) {
   return data;
 }
 
-// --- answers
+// --- Answers
 
 constexpr std::pair<gl::EntryPoint, gl::EntryPoint> kAsDouble[] = {
     {gl::EntryPoint::GetMapfv, gl::EntryPoint::GetMapdv},
@@ -121,10 +121,10 @@ constexpr std::pair<gl::EntryPoint, gl::EntryPoint> kAsDouble[] = {
     {gl::EntryPoint::GetIntegerv, gl::EntryPoint::GetDoublev},
     {gl::EntryPoint::GetBooleanv, gl::EntryPoint::GetDoublev}};
 
-// More values than any query here answers.
+// At least the number of values of any answer.
 constexpr std::size_t kRoom = 4 * kMaxEvalOrder * kMaxEvalOrder;
 
-// The same commands with each query asking for doubles, which are exact.
+// Returns the commands with each query in its form for doubles, whose answers are exact.
 gl::Case with_exact_queries(const gl::Case& script) {
   gl::Case exact;
   for (const gl::Command& command : script.commands()) {
@@ -134,7 +134,7 @@ gl::Case with_exact_queries(const gl::Case& script) {
       exact.add(command);
       continue;
     }
-    // The size that GetnMap is given goes, all that is left of the arguments are the names.
+    // Only the names stay of the arguments; the size of GetnMap is dropped.
     gl::Command query{found->second, {command.arguments[0]}};
     if (query.entry == gl::EntryPoint::GetMapdv) query.arguments.push_back(command.arguments[1]);
     query.arguments.push_back(gl::Output{Scalar::kF64, kRoom});
@@ -145,7 +145,7 @@ gl::Case with_exact_queries(const gl::Case& script) {
 
 Json accepted_integers(double exact) {
   using Limits = std::numeric_limits<GLint>;
-  const double low = std::ceil(exact - 0.5), high = std::floor(exact + 0.5);  // differ for halves only
+  const double low = std::ceil(exact - 0.5), high = std::floor(exact + 0.5);  // differ only for n + 1/2
   Json values = Json::array();
   for (const double value : {low, high}) {
     const auto saturated = static_cast<GLint>(std::clamp<double>(value, Limits::min(), Limits::max()));
@@ -159,8 +159,8 @@ bool asks_for_integers(const gl::Command& command) {
   return name && (*name == GL_MAP1_GRID_SEGMENTS || *name == GL_MAP2_GRID_SEGMENTS);
 }
 
-// Returns the floats or doubles that are accepted for it: itself or, if no float holds it, either of those
-// beside it.
+// Returns the accepted answers for a value: the value itself if it is a float, otherwise both adjacent floats
+// and, for a query of doubles, the value.
 Json accepted_reals(double exact, bool as_double) {
   const auto interval = accepted(Rational(exact), 0);
   if (interval) return Json::array({hexadecimal(exact == 0 ? exact : interval->low)});
@@ -180,7 +180,7 @@ bool is_normalized(const gl::Command& command) {
          (*name == GL_CURRENT_COLOR || *name == GL_CURRENT_NORMAL);
 }
 
-// The least value that every implementation has.
+// The minimum of MAX_EVAL_ORDER.
 constexpr int kLeastMaxEvalOrder = 8;
 
 bool asks_for_limit(const gl::Command& command) {
@@ -207,7 +207,7 @@ Json answers(const gl::Command& command, const std::vector<double>& exact) {
   return values;
 }
 
-// --- the level, and the first version
+// --- The level, and the first version
 
 bool is_map(const gl::Command& command) {
   const std::string name = name_of(command);
@@ -228,7 +228,7 @@ double real(const gl::Value& value) {
 }
 GLenum token(const gl::Value& value) { return static_cast<GLenum>(std::get<std::int64_t>(value)); }
 
-// Domain ends +0 and -0, which are equal as numbers.
+// Returns true if a domain has the ends +0 and -0, which are equal as numbers.
 bool has_zeros_of_both_signs(const gl::Command& map) {
   const std::size_t count = name_of(map).starts_with("Map2") ? 2 : 1;
   for (std::size_t i = 0; i < count; ++i) {
@@ -276,7 +276,7 @@ class Standing {
           if (is_initial(sample->map->target)) need("1.1");
         }
   }
-  // True if only the reference pages give the answer: the domain of a map that was never defined.
+  // Returns true if only the reference pages give the answer: the domain of a map that was never defined.
   bool is_advisory(const gl::Command& query) const {
     return is_query_of_map(query) && token(query.arguments[1]) == GL_DOMAIN &&
            is_initial(token(query.arguments[0]));
@@ -290,14 +290,14 @@ class Standing {
 
   std::string level_ = "must", since_ = kFirstVersion;
   bool pushes_enables_ = false, names_automatic_normals_ = false;
-  // Targets of the maps that were defined, and of those that the lists would define.
+  // Targets of the maps that are defined, and of those that each display list defines when it is called.
   std::set<GLenum> defined_;
   std::map<GLuint, std::set<GLenum>> compiled_;
   GLuint list_ = 0;
   bool is_compiling_ = false;
 };
 
-// --- vertices
+// --- Vertices
 
 Json component(const reference::Component& value) {
   if (const float* plain = std::get_if<float>(&value)) return hexadecimal(*plain);
@@ -336,11 +336,11 @@ Json emitted(const reference::Primitive& primitive, const Shown& shown, Standing
   return {{"mode", gl::primitive_name(primitive.mode)}, {"vertices", std::move(vertices)}};
 }
 
-// --- what a step with many vertices emits, in short
+// --- Summaries of steps with many vertices
 
 using Primitives = std::vector<const reference::Primitive*>;
 
-// More are summarised.
+// The vertices of a step are summarised if there are more.
 constexpr std::size_t kMostListed = 64;
 constexpr std::size_t kSpreadSamples = 9;
 
@@ -350,7 +350,7 @@ std::size_t vertices_of(const Primitives& primitives) {
   return count;
 }
 
-// Numbers of vertices: both ends, and some spread evenly over those between.
+// Returns the indices of the vertices to list: two at each end, and some spread evenly between.
 std::vector<std::size_t> sampled(std::size_t count) {
   std::vector<std::size_t> numbers{0, 1, count - 2, count - 1};
   for (std::size_t i = 1; i <= kSpreadSamples; ++i)
@@ -360,7 +360,7 @@ std::vector<std::size_t> sampled(std::size_t count) {
   return numbers;
 }
 
-// FNV-1a over the bits of correctly rounded numbers, the least significant byte first.
+// FNV-1a hash of the bits of correctly rounded numbers, with the least significant byte first.
 class Digest {
  public:
   template <std::size_t kCount>
@@ -434,7 +434,7 @@ Json sequence(const gl::Case& script, const Shown& shown) {
 
   Json steps = Json::array();
   Standing standing;
-  std::vector<GLenum> pending;  // what was raised since Begin
+  std::vector<GLenum> pending;  // errors that were raised since the last step outside Begin and End
   std::size_t completed = 0;
   for (std::size_t i = 0; i < script.commands().size(); ++i) {
     const gl::Command& command = script.commands()[i];

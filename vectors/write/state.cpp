@@ -1,4 +1,5 @@
-// Longer sequences: what is enabled, what wins, what is emitted, what stays as it was.
+// Writes state.json: longer sequences about enables, precedence, emitted vertices, and state that must not
+// change.
 #include <algorithm>
 #include <cmath>
 
@@ -75,7 +76,7 @@ void query_grids(gl::Case& c) {
   c.GetFloatv(GL_MAP2_GRID_DOMAIN, gl::out<GLfloat>(4));
 }
 
-// --- state
+// --- State
 
 void initial(Document& document) {
   Theme theme(document, "initial", "a new context",
@@ -197,7 +198,7 @@ void grids(Document& document) {
       });
 }
 
-// --- evaluation
+// --- Evaluation
 
 void attributes(Document& document) {
   Theme theme(document, "attribute",
@@ -291,7 +292,7 @@ void nothing(Document& document) {
     for (const GLenum other : {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_VERTEX_3})
       add(theme, kEverything, [&](gl::Case& c) {
         current_values(c);
-        // A vertex map of the other dimension, anything else of this.
+        // The vertex map is of the other dimension, all other maps are of this one.
         define_and_enable(c, target_of(other == GL_MAP1_VERTEX_3 ? !two : two, other));
         c.Enable(GL_AUTO_NORMAL);
         c.Begin(GL_POINTS);
@@ -425,7 +426,7 @@ void currents(Document& document) {
     });
 }
 
-// --- meshes
+// --- Meshes
 
 void meshes(Document& document) {
   Theme one(document, "mesh1", "EvalMesh1: points and one line strip",
@@ -509,7 +510,7 @@ void meshes(Document& document) {
     });
 }
 
-// --- normals
+// --- Normals
 
 void normals(Document& document) {
   Theme theme(document, "auto-normal", "which normal a vertex has: generated, of a map, the current one",
@@ -532,7 +533,7 @@ void normals(Document& document) {
             c.Normal3f(0.5f, -1, 2);
             define(c, Type::kSingle, plane(target, false));
             c.Enable(target);
-            if (how == 1) {  // both vertex maps, of opposite normals
+            if (how == 1) {  // both vertex maps, with opposite normals
               const GLenum other = target == GL_MAP2_VERTEX_3 ? GL_MAP2_VERTEX_4 : GL_MAP2_VERTEX_3;
               define(c, Type::kSingle, plane(other, true));
               c.Enable(other);
@@ -557,7 +558,7 @@ void normals(Document& document) {
   });
 }
 
-// --- saved state and lists
+// --- Saved state and lists
 
 void attribute_stack(Document& document) {
   Theme theme(document, "attribute-stack", "what each bit saves and brings back: never the maps themselves",
@@ -605,7 +606,7 @@ void attribute_stack(Document& document) {
   });
 }
 
-// --- random programs
+// --- Random programs
 
 bool fits_every_implementation(const gl::Case& program) {
   for (const gl::Command& command : program.commands()) {
@@ -631,7 +632,7 @@ void random_programs(Document& document) {
     if (!fits_every_implementation(random.program) || vertices < kFewestVertices || vertices > kMostVertices)
       continue;
     gl::Case program;
-    // Players of a sequence ask for errors after each step.
+    // Programs that replay a sequence query the errors after each step.
     for (const gl::Command& command : random.program.commands())
       if (command.entry != gl::EntryPoint::GetError) program.add(command);
     theme.add(sequence(program, {.color = true, .normal = true, .texture_units = 2}));

@@ -12,16 +12,16 @@ inline constexpr Shown kPositions{};
 inline constexpr Shown kEverything{.color = true, .normal = true, .texture_units = 1};
 
 bool is_two(GLenum target);
-// The target of the other dimension, or of this.
+// Returns the one-dimensional target itself, or the two-dimensional target of the same name.
 GLenum target_of(bool two, GLenum map1_target);
-// A map of order 2 or 3 with small numbers that depend on the target, so that no two give the same values.
+// Returns a map with small numbers that depend on the target, so that no two targets have the same values.
 Map some_map(GLenum target, int order = 2);
 void define_and_enable(gl::Case& c, GLenum target, Type type = Type::kSingle);
 
 // Sets the current values that a map can replace.
 void current_values(gl::Case& c);
 
-// EvalCoord1f or EvalCoord2f, in draw() as a point.
+// evaluate() appends EvalCoord1f or EvalCoord2f, draw() a point of it.
 void evaluate(gl::Case& c, bool two, double u = 0.25, double v = 0.75);
 void draw(gl::Case& c, bool two, double u = 0.25, double v = 0.75);
 

@@ -1,4 +1,4 @@
-// Display lists in the sequences of state.json.
+// The themes of display lists in state.json.
 #include "state.h"
 
 namespace evalcts::vectors::states {
@@ -6,7 +6,7 @@ namespace {
 
 void single_lists(Theme& theme, GLenum mode, bool two) {
   const GLenum vertex = target_of(two, GL_MAP1_VERTEX_3);
-  // All of it in one list.
+  // One list contains all commands.
   add(theme, kPositions, [&](gl::Case& c) {
     c.NewList(1, mode);
     define_and_enable(c, vertex);
@@ -23,7 +23,7 @@ void single_lists(Theme& theme, GLenum mode, bool two) {
     c.IsEnabled(vertex);
     c.CallList(1);
   });
-  // Evaluation in a list: with the maps and grids of the moment of its execution.
+  // A list evaluates with the maps and grids at the time of its execution.
   add(theme, kEverything,
       [&](gl::Case& c) {
         define_and_enable(c, vertex);
@@ -42,7 +42,7 @@ void single_lists(Theme& theme, GLenum mode, bool two) {
 
 void nested_lists(Theme& theme, GLenum mode, bool two) {
   const GLenum vertex = target_of(two, GL_MAP1_VERTEX_3);
-  // Nested: the inner list is the one of the moment.
+  // A nested list is the one that is defined at the time of the call.
   add(theme, kPositions,
       [&](gl::Case& c) {
         define_and_enable(c, vertex);
@@ -62,7 +62,7 @@ void nested_lists(Theme& theme, GLenum mode, bool two) {
         c.CallList(2);
       },
       {"EV-DL-NESTED", "EV-DL-INBEGIN"});
-  // A primitive split over lists and commands.
+  // Begin, vertices and End come from lists and from commands outside them.
   add(theme, kPositions,
       [&](gl::Case& c) {
         define_and_enable(c, vertex);
@@ -83,7 +83,7 @@ void nested_lists(Theme& theme, GLenum mode, bool two) {
 
 void several_lists(Theme& theme, GLenum mode, bool two) {
   const GLenum vertex = target_of(two, GL_MAP1_VERTEX_3);
-  // Several lists at once.
+  // CallLists calls several lists.
   add(theme, kPositions, [&](gl::Case& c) {
     define_and_enable(c, vertex);
     for (GLuint list = 1; list <= 3; ++list) {
@@ -99,7 +99,7 @@ void several_lists(Theme& theme, GLenum mode, bool two) {
     c.IsList(3);
     c.CallList(3);
   });
-  // ActiveTexture matters when the list is executed.
+  // The active texture unit at the time of execution decides.
   add(theme, kPositions,
       [&](gl::Case& c) {
         define(c, Type::kSingle, some_map(vertex));

@@ -1,4 +1,4 @@
-// Meshes in the sequences of state.json whose vertices show at which argument each point is evaluated.
+// The themes of meshes in state.json whose vertices show the arguments at which points are evaluated.
 #include <evalcts/gl/tokens.h>
 #include "exact_ends.h"
 #include "state.h"
@@ -6,7 +6,7 @@
 namespace evalcts::vectors::states {
 namespace {
 
-// The grid under test in u or v, with a step of [0, 1] in the other direction.
+// Sets the grid under test in u or v, with one segment over [0, 1] in the other direction.
 void grid_along(gl::Case& c, Type type, bool two, bool along_v, const GridEnds& grid) {
   if (!two)
     grid1(c, type, grid.segments, grid.first, grid.last);
@@ -37,7 +37,7 @@ struct Along {
 };
 constexpr Along kAlong[] = {{false, false}, {true, false}, {true, true}};
 
-// A map whose x and z are 0 at `end` in the direction of the probe.
+// Returns a map whose position is 0 at the end of the probe.
 Map probing_map(const Along& along, const Probe& probe) {
   const Direction across{2, 0, 1};
   const int zero = probe.zero_first ? 0 : probe.direction.order - 1;
@@ -88,7 +88,7 @@ void exact_ends(Document& document) {
 
 namespace {
 
-// A curve or surface of degree 3 (in v 2) whose values are near 1, so that errors of arguments show.
+// Returns a curve or surface of degree 3 (in v 2) whose values are near 1.
 Map smooth_map(Dice& dice, bool two, const std::pair<double, double>& u, const std::pair<double, double>& v) {
   const auto value = [&] { return 1 + simple(dice) / 16; };
   const Direction along_u{4, u.first, u.second};
@@ -96,8 +96,9 @@ Map smooth_map(Dice& dice, bool two, const std::pair<double, double>& u, const s
   return surface(GL_MAP2_VERTEX_3, along_u, {3, v.first, v.second}, [&](int, int, int) { return value(); });
 }
 
-// x falls from 1000 to 0 with all derivatives but the last, y rises so, z is 0 at both ends: what differences
-// summed up lose where the values are large is far more than what is accepted where they are small.
+// Returns a map with x falling from 1000 to 0 with all derivatives except the last, y rising in the same way,
+// and z equal to 0 at both ends. The errors of forward differences where values are large are much more than
+// is accepted where values are small.
 Map falling_map(bool two, bool along_v, int order) {
   const auto value = [=](int i, int c) {
     if (c == 2) return i == 0 || i == order - 1 ? 0.0 : 1000.0 / order;
@@ -122,7 +123,7 @@ void long_meshes(Document& document) {
       "EvalMesh2 with 10^3 and 10^4 points on grids far from zero beside their steps, long in u, in v, or "
       "in both",
       {"EV-MESH2-NOACCUM", "EV-MESH2-COORDS"});
-  // Ends of the grid and of the domain: the grid goes over all of the map.
+  // Ends of both the grid and the domain.
   const std::pair<double, double> kEnds[] = {{16, 17}, {-33, -32}, {0.1, 0.7}, {17.3, 16.1}};
   const auto of_type = [](const std::pair<double, double>& ends, Type type) {
     return std::pair(rounded(ends.first, type), rounded(ends.second, type));

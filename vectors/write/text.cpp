@@ -18,7 +18,7 @@ std::string hexadecimal(double value) {
   std::string text = std::signbit(value) ? "-" : "";
   if (std::isinf(value)) return text + "inf";
   if (value == 0) return text + "0x0p+0";
-  // Subnormal numbers are written like all others, which printf does not do.
+  // printf does not normalise subnormal numbers.
   const int exponent = std::ilogb(value);
   constexpr std::uint64_t kFraction = (std::uint64_t{1} << 52) - 1;
   std::uint64_t digits = std::bit_cast<std::uint64_t>(std::scalbn(value, -exponent)) & kFraction;
@@ -34,7 +34,7 @@ std::string fraction(const Rational& x) {
   const Integer common = gcd(numerator, denominator);
   numerator /= common;
   denominator /= common;
-  // Both are odd now (or the numerator zero), so that the power of two goes to one of them whole.
+  // Both are odd (or the numerator is zero), so that the power of two belongs to one of them entirely.
   if (x.is_zero()) return "0/1";
   (x.exponent() >= 0 ? numerator : denominator) <<= static_cast<unsigned>(std::abs(x.exponent()));
   return numerator.str() + "/" + denominator.str();
@@ -44,7 +44,7 @@ namespace {
 
 constexpr float kLargest = std::numeric_limits<float>::max();
 
-// The least float that is not below x, which is at most kLargest.
+// Returns the least float that is not below x. x is at most kLargest.
 float least_not_below(const Rational& x) {
   if (x < Rational(-kLargest)) return -kLargest;
   const float nearest = reference::round_to_float(x);

@@ -1,4 +1,4 @@
-// Numbers as the vectors write them (INTERPRETING.md, "Numbers").
+// Writes numbers as the files have them (INTERPRETING.md, "Numbers").
 #pragma once
 
 #include <reference/rational.h>
@@ -8,20 +8,21 @@
 
 namespace evalcts::vectors {
 
-// "0x1.8p-3", "-0x0p+0", "inf": one digit before the point, no zeros at the end. Floats are given as doubles,
-// which is exact. Throws std::domain_error for NaN.
+// Returns a number as in "0x1.8p-3", "-0x0p+0" or "inf": one digit before the point, no trailing zeros.
+// Throws std::domain_error for NaN.
 std::string hexadecimal(double value);
 
-// "-3/8": in lowest terms, the denominator positive and always there.
+// Returns a number as in "-3/8" or "2/1": in lowest terms, always with a denominator, which is positive.
 std::string fraction(const reference::Rational& x);
 
-// The least and the greatest finite floats within `bound` >= 0 of `exact`; zero is +0. None if there is none.
+// Returns the least and the greatest finite float within `bound` >= 0 of `exact`, or nothing if there is
+// none. Zero is +0.
 struct Interval {
   float low, high;
 };
 std::optional<Interval> accepted(const reference::Rational& exact, const reference::Rational& bound);
 
-// The least binary32 that is not below x. Throws std::domain_error beyond the largest.
+// Returns the least binary32 that is not below x. Throws std::domain_error if x is above the largest one.
 float round_up(const reference::Rational& x);
 
 }  // namespace evalcts::vectors

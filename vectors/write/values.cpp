@@ -17,7 +17,7 @@ using reference::Sample;
 
 namespace {
 
-// The last version that promises less.
+// The last version (10 * major + minor) that guarantees smaller ranges.
 constexpr int kBefore2 = 15;
 
 int range_of(const Map& map) { return reference::guaranteed_range(map.target, kNewestVersion); }
@@ -54,7 +54,7 @@ Rational normalised(const Argument& u, const Direction& direction) {
   return (u.value() - Rational(direction.first)) / (Rational(direction.last) - Rational(direction.first));
 }
 
-// B_0 ... B_n at t, by Pascal's triangle.
+// Returns B_0 ... B_n at t, by their recurrence.
 std::vector<Rational> basis(int order, const Rational& t) {
   std::vector<Rational> values{1};
   while (static_cast<int>(values.size()) < order) {
@@ -68,7 +68,7 @@ std::vector<Rational> basis(int order, const Rational& t) {
   return values;
 }
 
-// The rows of the triangle for the first component of a curve.
+// Returns the rows of de Casteljau's triangle for the first component of a curve.
 Json de_casteljau(const Map& map, const Rational& t) {
   std::vector<Rational> row;
   for (int i = 0; i < map.u.order; ++i)

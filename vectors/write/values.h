@@ -1,4 +1,4 @@
-// Statements of the vectors on evaluated values (INTERPRETING.md, "Maps" and "Values").
+// Makes the members of cases about evaluated values (INTERPRETING.md, "Maps" and "Values").
 #pragma once
 
 #include <reference/component.h>
@@ -12,10 +12,11 @@ namespace evalcts::vectors {
 
 using reference::Argument;
 
-// The version of the GL whose promises the vectors take: the newest texts promise more than the oldest.
+// The GL version (10 * major + minor) whose guaranteed ranges the vectors use. Later versions guarantee the
+// same, earlier ones less.
 inline constexpr int kNewestVersion = 21;
 
-// A map and where it is evaluated; `v` for surfaces.
+// A map and its argument. Surfaces have `v`.
 struct Problem {
   Map map;
   Type type;
@@ -23,25 +24,25 @@ struct Problem {
   std::optional<Argument> v = {};
 };
 
-// The map as it is defined. Throws std::logic_error where a number is not of the type.
+// Returns the member "map". Throws std::logic_error if a number is not of the type.
 Json map_as_json(const Map& map, Type type);
-// A hexadecimal number, or an object for a point of a grid.
+// Returns a hexadecimal number, or an object for a point of a grid.
 Json argument_as_json(const Argument& argument);
-// Numbers as text.
+// Return numbers as texts.
 Json hexadecimals(const Values& values);
 Json fractions(const std::vector<Rational>& values);
 
-// {"exact", "magnitude", "float", "double", "accept"} of an evaluated component.
+// Returns {"exact", "magnitude", "float", "double", "accept"} of an evaluated component.
 Json entry_of(const reference::Sample& sample);
 
-// Returns true if only GL 2.0 and later promise what `entry_of` accepts: texture coordinates beyond 2^10.
+// Returns true if a value has an acceptance interval only from GL 2.0 on: texture coordinates beyond 2^10.
 bool needs_gl_2(const reference::Sample& sample);
 
-// More than the components.
+// Additional members of a case: none, or "intermediate".
 enum class Detail { kNone, kIntermediate };
 
-// {"level", "since", "map", "u", "v", "components"}, "quotients" for maps of four vertex coordinates where w
-// is not zero, and "intermediate".
+// Returns {"level", "since", "map", "u", "v", "components"}, "quotients" for maps of VERTEX_4 whose w is not
+// zero, and "intermediate" if `detail` requests it.
 Json value_case(const Problem& problem, Detail detail = Detail::kNone);
 
 }  // namespace evalcts::vectors

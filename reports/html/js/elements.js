@@ -1,8 +1,8 @@
-// Parts of the page that are made of text. All of them make text nodes, never markup.
+// Functions that make parts of the page from text. They make text nodes, never markup.
 
 const byId = (id) => document.getElementById(id);
 
-// Attributes are set as they are; "onclick" and the like are listeners, undefined and false leave one out.
+// Returns an element. "onclick" and the like add listeners; attributes that are undefined or false are omitted.
 function el(tag, attributes, ...children) {
   const out = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes || {})) {
@@ -14,7 +14,7 @@ function el(tag, attributes, ...children) {
   return out;
 }
 
-// A name with places to break it.
+// Returns the parts of a name with line break opportunities between them.
 const named = (name) => name.split(/(?<=[./])/).flatMap((part, i) => (i ? [el('wbr'), part] : [part]));
 const faint = (...children) => el('span', {class: 'faint'}, ...children);
 const count = (n, noun) => `${n} ${noun}${n === 1 ? '' : 's'}`;
@@ -23,7 +23,7 @@ const count = (n, noun) => `${n} ${noun}${n === 1 ? '' : 's'}`;
 
 const HEX_FLOAT = /(-?)0x([0-9a-f]+)(?:\.([0-9a-f]*))?p([+-]?\d+)(f?)/gi;
 
-// The shortest decimal that gives the same binary32, or binary64, number.
+// Returns the shortest decimal that gives the same binary32 (if `single`) or binary64 number.
 function decimalOf(value, single) {
   if (single) {
     for (let digits = 1; digits <= 9; ++digits) {
@@ -48,8 +48,8 @@ function decimalText(string) {
   });
 }
 
-// Literals of C keep their values to the bit: those without an "f" are binary64. "0x1p-1 /* 0.5 */" becomes
-// "0.5".
+// Returns C code with decimal literals of exactly the same values: "0x1p-1 /* 0.5 */" becomes "0.5". Literals
+// without an "f" are binary64.
 function decimalCode(string) {
   const uncommented = string.replace(/(p[+-]?\d+f?) \/\* -?[\d.e+-]+f? \*\//gi, '$1');
   return uncommented.replace(HEX_FLOAT, (_, sign, whole, fraction, exponent, single) => {
@@ -61,7 +61,8 @@ function decimalCode(string) {
 const shownText = (string) => (state.hex ? string : decimalText(string));
 const shownCode = (string) => (state.hex ? string : decimalCode(string));
 
-// Captured components that differ from the expected ones stand out: "{0, 0, 1}" beside "{0, 0, 0}".
+// Returns the captured text with marks on the components that differ from the expected ones, such as the last one
+// of "{0, 0, 1}" for "{0, 0, 0}".
 function markedDifferences(expected, captured) {
   const parts = (string) => shownText(string).split(/([{}]|, )/);
   const left = parts(expected.replace(/ as .*/s, '')), right = parts(captured);
@@ -74,7 +75,7 @@ function markedDifferences(expected, captured) {
 async function copy(string) {
   try {
     await navigator.clipboard.writeText(string);
-  } catch {  // no clipboard for this page, or no permission
+  } catch {  // the page has no clipboard or no permission to use it
     const field = el('textarea', {class: 'off-screen'});
     field.value = string;
     document.body.append(field);
@@ -96,7 +97,7 @@ function copyButton(label, string) {
 
 // --- lists
 
-// The first `most` of the items as elements, and a button that adds as many again.
+// Returns the first `most` items as elements, and a button that adds as many again if there are more.
 function limited(items, most, make, tag = 'li') {
   const out = items.slice(0, most).map(make);
   if (items.length <= most) return out;
@@ -109,7 +110,7 @@ function limited(items, most, make, tag = 'li') {
   return [...out, line];
 }
 
-// A fold that is filled when it is first opened.
+// Returns a fold; `fill` makes its content when it is first opened.
 function fold(attributes, summary, fill) {
   const out = el('details', attributes, el('summary', null, summary));
   const open = () => { if (out.open && out.childElementCount === 1) out.append(...[fill()].flat(Infinity)); };

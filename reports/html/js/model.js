@@ -1,13 +1,14 @@
-// The data of the page (html/data.cpp writes it) and questions to it; no part of it touches the document.
+// The data of the page, which html/data.cpp writes, and functions on it. Except for reading the data, they do not
+// use the document.
 
 const data = JSON.parse(document.getElementById('data').textContent);
 const text = (number) => data.strings[number];
 const words = data.verdicts.map(([word]) => word);
 const FAIL = words.indexOf('fail'), WARNING = words.indexOf('quality-warning'), PASS = words.indexOf('pass');
 
-// Fields of records and failures.
+// The indices of the fields of records and failures.
 const VERDICT = 0, SEVERITY = 1, FLAGS = 2, MESSAGE = 3, BASELINE = 4, FACTS = 5, ACCURACY = 6, VIOLATED = 7, FAILURES = 8;
-const UNEXPECTED = 1, KNOWN = 2, FLAKE = 4;  // flags
+const UNEXPECTED = 1, KNOWN = 2, FLAKE = 4;  // bits of FLAGS
 const CASE = 0, MESSAGE_OF_FAILURE = 1, WHAT = 2, EXPECTED = 3, CAPTURED = 4, EXACT = 5, CAPTURE = 6, DISTANCE = 7, CALLS = 8, PLOT = 9;
 
 const tests = data.tests.map(([name, level, ...requirements], number) => ({
@@ -16,7 +17,7 @@ const testNamed = new Map(tests.map((test) => [test.name, test]));
 const requirements = data.requirements.map(([id, section, rule, source, since], number) => ({
   number, id: text(id), section: text(section) || 'Not in the catalogue', rule: text(rule), source: text(source),
   since: text(since), tests: []}));
-// The tests that are about a requirement, and those that found it violated.
+// Each requirement gets the tests that name it and those that found it violated.
 for (const test of tests) {
   const its = new Set(test.requirements);
   for (const outcomes of data.outcomes)
@@ -33,11 +34,11 @@ const requirementNamed = new Map(requirements.map((requirement) => [requirement.
 const bugNamed = new Map(data.bugs.map((bug) => [bug.id, bug]));
 for (const bug of data.bugs)
   bug.found = new Map(bug.found.map(([column, known, ...numbers]) => [column, {known, tests: numbers.map((number) => tests[number])}]));
-const current = data.columns.length - data.earlier;  // columns from there on are earlier results
+const current = data.columns.length - data.earlier;  // number of current columns; the earlier results follow
 
 const recordOf = (test, column) => data.records[data.outcomes[column][test.number]];
 
-// States, worst first; they colour cells. An unexpected pass is as unexpected as a failure.
+// The states that colour cells, worst first. Every unexpected result is BAD, even a pass.
 const BAD = 0, EXPECTED_FAILURE = 1, NOTICE = 2, GOOD = 3, UNDECIDED = 4;
 const stateClasses = ['bad', 'known', 'notice', 'good', 'none'];
 function stateOf(record) {
@@ -50,8 +51,8 @@ const stateOfRecord = Uint8Array.from(data.records, stateOf);
 
 // --- text search
 
-let joined = null;  // all strings in lower case, one a line
-let starts = null;  // of the lines
+let joined = null;  // all strings in lower case, one on each line
+let starts = null;  // the offset of each line in `joined`
 function stringsWith(needle) {
   if (!joined) {
     const lower = data.strings.map((string) => string.toLowerCase().replaceAll('\n', ' '));
@@ -72,7 +73,7 @@ function stringsWith(needle) {
   return hits;
 }
 
-// For each test, 1 if its name, a requirement, or the record of one of the columns has the text.
+// Returns for each test 1 if its name, a requirement of it, or its record in one of the columns contains the text.
 function testsWith(needle, columns) {
   const hit = stringsWith(needle), out = new Uint8Array(tests.length);
   const calls = Uint8Array.from(data.calls, (lines) => lines.some((line) => hit[line]));
@@ -103,8 +104,8 @@ const verdictFilters = {
 
 const isFiltered = (state) => Boolean(state.q.trim() || state.theme || state.verdict || state.level || state.differs);
 
-// The tests that the filters let through, in the order of the run. The latest answer is kept, because most
-// changes of the state are not of the filters.
+// Returns the tests that pass the filters, in the order of the run. The latest result is kept, because most
+// changes of the state do not change the filters.
 let latestFilters = null, latestTests = null;
 function matchingTests(state) {
   const filters = JSON.stringify([state.columns, state.q, state.theme, state.verdict, state.level, state.differs]);
@@ -152,16 +153,16 @@ function worstFirst(some, columns) {
   return [...some].sort((a, b) => severities.get(a) - severities.get(b));
 }
 
-// How many tests of a group are in each state, in one column.
+// Returns the number of tests of a group in each state, in one column.
 function statesOf(some, column) {
   const counts = [0, 0, 0, 0, 0], outcomes = data.outcomes[column];
   for (const {number} of some) if (outcomes[number] >= 0) ++counts[stateOfRecord[outcomes[number]]];
   return counts;
 }
 
-// The verdict on a requirement in one column: what any of these tests found violated, then a warning, then a
-// pass; undecided only if all tests are. A test that fails for other requirements decides this one not. None if
-// there is no test.
+// Returns the verdict on a requirement in one column: the worst failure that violates it, otherwise a warning,
+// otherwise a pass; undecided only if all tests are. A test that fails for other requirements does not decide this
+// one. Returns null without a test.
 function verdictOn(requirement, some, column) {
   let worst = null, all = 0, hidden = 0;
   const counts = new Array(words.length).fill(0), knownFailures = [0, 0];
@@ -188,7 +189,8 @@ function verdictOn(requirement, some, column) {
   return {verdict, state, known, n: counts[verdict], of: all};
 }
 
-// What was not decided: one entry for each verdict, reason and list of tests; columns that agree share it.
+// Returns the tests that decided nothing: one entry for each verdict, reason and list of tests; columns with the
+// same entry share it.
 function undecided(columns) {
   const groups = new Map();
   for (const column of columns) {
@@ -210,6 +212,6 @@ function undecided(columns) {
 
 const comparisonOf = (from, to) => data.comparisons.find((pair) => pair.from === from && pair.to === to);
 
-// The bugs that explain a test in any of the columns.
+// Returns the bugs that explain the test in any of the columns.
 const bugsOf = (test, columns) =>
   data.bugs.filter((bug) => columns.some((column) => bug.found.get(column)?.tests.includes(test)));

@@ -1,11 +1,11 @@
-// Connects the sections with the filters, the address and the browser's history.
+// The main script of the page: it connects the sections with the filters, the address and the browser's history.
 
 let state = emptyState();
 let matching = [];
 
 // --- rendering
 
-// Replaces the content of a section; the focus stays on the element with the same key.
+// Replaces the content of a section and keeps the focus on the element with the same key.
 function replace(id, ...content) {
   const section = byId(id), focused = section.contains(document.activeElement) && document.activeElement.dataset.key;
   section.replaceChildren(...content.flat(Infinity).filter(Boolean));
@@ -39,7 +39,7 @@ function renderForm() {
   for (const box of document.querySelectorAll('.column-switch')) box.checked = state.columns.includes(Number(box.value));
 }
 
-// The columns of the change view: those chosen, or else the first pair of earlier and current results.
+// Returns the columns of the change view: the chosen ones, otherwise the first pair of earlier and current results.
 function compared() {
   const from = data.columns.indexOf(state.from), to = data.columns.indexOf(state.to);
   if (from >= 0 && to >= 0) return [from, to];
@@ -73,7 +73,7 @@ function render() {
   renderUndecided();
 }
 
-// A table that fits needs no region of its own to scroll in, and its header stays at the top of the window.
+// Marks tables that fit: they need no scrolling region, so that their headers can stay at the top of the window.
 function fit() {
   for (const region of document.querySelectorAll('.scroll')) {
     region.classList.remove('fits');
@@ -83,7 +83,7 @@ function fit() {
 
 // --- the address
 
-let typed = false;  // the latest entry of the history is that of a text being typed
+let typed = false;  // whether the latest entry of the history is for a text that is being typed
 
 function change(changes, typing = false) {
   Object.assign(state, changes);
@@ -95,7 +95,7 @@ function change(changes, typing = false) {
 
 function unfold(set, name, open) {
   const names = new Set(state[set]);
-  // Of groups, the state holds those that are not as they would be without it.
+  // The set of groups has those that are not in their default state (see isOpen), so a click adds or removes one.
   if (set === 'group') names.has(name) ? names.delete(name) : names.add(name);
   else if (open) names.add(name);
   else names.delete(name);
@@ -103,7 +103,7 @@ function unfold(set, name, open) {
   if (set === 'bug') renderBugs(); else renderTests();
 }
 
-// Shows what a link leads to, whatever the filters say, and moves the focus to it.
+// Shows the target of a link, even if filters would hide it, and moves the focus to it.
 function show({kind, name}) {
   const test = kind === 'open' && testNamed.get(name);
   const requirement = kind === 'requirement' && requirementNamed.get(name);
@@ -214,7 +214,7 @@ function listen() {
     });
   }
   byId('copy-link').replaceWith(linkButton(null));
-  // Links within the page leave the state in the address alone.
+  // Links to headings do not change the address, because it has the state.
   for (const anchor of document.querySelectorAll('nav a, .skip')) {
     anchor.addEventListener('click', (event) => {
       event.preventDefault();
@@ -225,17 +225,17 @@ function listen() {
   }
   addEventListener('popstate', follow);
   addEventListener('resize', fit);
-  // A link to a test, requirement or bug keeps the state there is when it is followed.
+  // A link to a test, requirement or bug keeps the state of the moment when it is followed.
   document.addEventListener('click', (event) => {
     const anchor = event.target.closest('a[href^="#"]');
     const at = anchor && new URLSearchParams(anchor.hash.slice(1)).get('at');
     if (!at) return;
     anchor.href = fragmentOf(state, at);
-    if (anchor.hash === location.hash) setTimeout(follow);  // the same address once more is no event
+    if (anchor.hash === location.hash) setTimeout(follow);  // browsers send no event if the address stays the same
   });
 }
 
-// --- printing: bugs and unexpected results with their evidence, besides what is open
+// --- printing: bugs and unexpected results are opened in addition to what is open
 
 let unprinted = null;
 addEventListener('beforeprint', () => {

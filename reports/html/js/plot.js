@@ -1,6 +1,6 @@
-// Pictures of what was expected and what was captured, side by side and in the same scale.
+// Pictures of the expected and the captured primitives, side by side and on the same scale.
 
-// The name space is the parser's: the page holds no address.
+// The parser supplies the namespace, so that the page contains no address.
 const svgNames = new DOMParser().parseFromString('<svg></svg>', 'text/html').querySelector('svg').namespaceURI;
 const svg = (tag, attributes, ...children) => {
   const out = document.createElementNS(svgNames, tag);
@@ -9,7 +9,8 @@ const svg = (tag, attributes, ...children) => {
   return out;
 };
 
-// "GL_LINES 0 0 0 1 1 0" as a mode and points of the plane: z goes up and to the right, at a third.
+// Returns the mode and the points in the plane of each line like "GL_LINES 0 0 0 1 1 0"; a third of z is added to x
+// and to y.
 function plottedPrimitives(string) {
   return string.split('\n').filter(Boolean).map((line) => {
     const [mode, ...numbers] = line.split(' '), points = [];
@@ -21,7 +22,7 @@ function plottedPrimitives(string) {
   });
 }
 
-// The edges of a primitive, as pairs of indices.
+// Returns the edges of a primitive of n vertices as pairs of indices.
 function edgesOf(mode, n) {
   const edges = [], chain = (first, last, step) => { for (let i = first; i + step <= last; ++i) edges.push([i, i + step]); };
   const rings = (size) => {
@@ -44,7 +45,7 @@ function edgesOf(mode, n) {
 
 const isFinitePoint = (point) => point.every(Number.isFinite);
 
-// "2 LINE_STRIP, 5 vertices", and how many of the vertices have no place in a picture.
+// Returns "2 LINE_STRIP, 5 vertices" and, if there are any, the number of vertices that are not finite.
 function contentOf(primitives) {
   const points = primitives.flatMap((primitive) => primitive.points), modes = groupsBy(primitives, (primitive) => primitive.mode);
   const lost = points.filter((point) => !isFinitePoint(point)).length;
@@ -106,7 +107,7 @@ function plotOf(failure) {
     const offset = scale * (point[axis] - (low[axis] + high[axis]) / 2);
     return extents[axis] / 2 + (axis ? -offset : offset);
   });
-  // A captured vertex where none is expected.
+  // A captured vertex is wrong if no vertex is expected at its place.
   const wanted = pointsOf(expected);
   const isWrong = ([x, y]) => !wanted.some(([a, b]) => Math.hypot(a - x, b - y) <= 1e-3 * size);
 

@@ -1,13 +1,13 @@
-// The sections that are rendered on demand, from the state and the data.
+// Functions that render the sections of the page from the state and the data.
 
-const MOST_ROWS = 100, MOST_OPEN = 40;  // rows of a group; matching tests up to which their groups are open at once
+const MOST_ROWS = 100, MOST_OPEN = 40;  // rows of a group; number of matching tests up to which groups are opened
 
 const link = (at, ...children) => el('a', {href: fragmentOf(emptyState(), at)}, ...children);
 const linkToTest = (test) => link(`open=${test.name}`, named(test.name));
 
 // --- tables of groups and rows by implementation
 
-// A button that unfolds what is below its row; `set` names the part of the state, `name` what it holds.
+// Returns a button that unfolds the rows below its own; `name` is the name in the set `set` of the state.
 function toggle(set, name, open, ...children) {
   return el('button', {type: 'button', class: 'toggle', 'aria-expanded': String(open), 'data-key': `${set}=${name}`,
                        onclick: () => unfold(set, name, !open)}, ...children);
@@ -26,7 +26,7 @@ function table(name, first, columns, bodies) {
 const wide = (columns, className, ...children) =>
   el('tr', {class: className}, el('td', {colspan: columns.length + 1}, el('div', {class: 'body'}, ...children)));
 
-// How many of a group are in which state; the worst gives the colour.
+// Returns a cell with the numbers of a group in each state, in the colour of the worst one.
 function summaryCell(counts, noun) {
   const total = counts.reduce((sum, n) => sum + n, 0);
   if (!total) return el('td', {class: 'absent'}, `no ${noun}`);
@@ -56,14 +56,15 @@ function requirementCell(requirement, tests, column) {
             notes.length ? el('small', null, ` ${notes.join(', ')}`) : null);
 }
 
-// A group is open if the state says so, or if the filters left so little that nothing has to be looked for.
+// Returns true if the group is open. The default is open if its theme is chosen or if at most MOST_OPEN tests match;
+// the groups in state.group are not in their default state.
 function isOpen(group, matching) {
   const open = state.theme === group || (isFiltered(state) && matching.length <= MOST_OPEN) ||
       (matching.length && matching.length === tests.length && matching.length <= MOST_OPEN);
   return state.group.has(group) !== Boolean(open);
 }
 
-// The row of a test, and below it the evidence if it is open.
+// Returns the row of a test, and a row with its evidence if it is open.
 function testRows(test) {
   const {columns} = state, open = state.open.has(test.name);
   const records = columns.map((column) => recordOf(test, column)).filter(Boolean);
@@ -76,7 +77,7 @@ function testRows(test) {
   return open ? [row, wide(columns, 'detail', evidence(test))] : [row];
 }
 
-// Rows of `items`, limited; those that are open stand there in any case.
+// Returns the rows of the first items and of all open ones, and a button for more if there are any.
 function rows(items, make, isItOpen) {
   const first = items.slice(0, MOST_ROWS), rest = items.slice(MOST_ROWS);
   const opened = rest.filter(isItOpen), closed = rest.filter((item) => !isItOpen(item));
@@ -118,7 +119,7 @@ function requirementRows(requirement, some) {
                     el('ul', {class: 'plain'}, testList(worstFirst(some, columns))))];
 }
 
-// Tests as links, each with the verdicts that it got.
+// Returns links to the tests, each with its verdicts.
 function testList(list) {
   return limited(list, MOST_ROWS, (test) => {
     const chips = groupsBy(state.columns.filter((column) => recordOf(test, column)), (column) => {
@@ -190,7 +191,8 @@ function bugDetails(bug) {
                                                                         (test) => el('li', null, linkToTest(test), ' ', chip(recordOf(test, column)))))))];
 }
 
-// The bug's minimal program, for the tests that fail because of it: their own cases may be long.
+// Returns the minimal program of the bug for the evidence of its tests, because their own cases may be long; null
+// if there is none.
 function reducedCase(bug) {
   const failure = data.failures[bug.failure], lines = callsOf(failure);
   if (bug.whyNotReduced || !lines.length) return null;
@@ -243,7 +245,7 @@ function failureDetails(failure) {
                       ['Exact', code(text(failure[EXACT]))], ['Capture', text(failure[CAPTURE])]]);
 }
 
-// `above`: the failure before it. Several of one case have their calls in common.
+// Returns a failure. `above` is the failure before it; several failures of one case have the same calls.
 function failureOf(number, above) {
   const failure = data.failures[number], lines = callsOf(failure);
   const same = above !== undefined && data.failures[above][CALLS] === failure[CALLS] && lines.length;
@@ -261,7 +263,7 @@ function commandLine(purpose, command, button) {
   return command ? el('p', {class: 'run'}, faint(`${purpose}: `), el('code', null, command), ' ', copyButton(button, command)) : null;
 }
 
-// The requirements that the failure violates, and those of the test that it leaves undecided.
+// Returns the requirements that the failure violates, and those of the test that are not decided because of it.
 function violations(test, record) {
   if (record[VERDICT] > FAIL) return null;
   const ids = (numbers) => numbers.map((number, i) => [i ? ', ' : '', link(`requirement=${requirements[number].id}`, requirements[number].id)]);
@@ -270,7 +272,7 @@ function violations(test, record) {
           hidden.length ? el('p', null, 'Not decided because of this failure: ', ids(hidden)) : null];
 }
 
-// One description for all columns that came out alike, to the last word.
+// Returns one description for all columns with equal records.
 function outcome(test, columns) {
   const record = recordOf(test, columns[0]), failures = record.slice(FAILURES);
   return el('section', {class: 'outcome'},

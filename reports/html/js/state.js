@@ -1,8 +1,8 @@
-// The state of the page, which the fragment of its address holds: "#verdict=fail&on=osmesa&open=Mesh2.FillOrder".
+// The state of the page, which is in the fragment of its address: "#verdict=fail&on=osmesa&open=Mesh2.FillOrder".
 
-// Fields that are one text, and those that are sets of names.
+// The members of the state that are one text, sets of names, and switches.
 const TEXTS = ['view', 'q', 'theme', 'verdict', 'level', 'from', 'to'];
-const SETS = ['group', 'open', 'requirement', 'bug'];  // what is unfolded
+const SETS = ['group', 'open', 'requirement', 'bug'];  // unfolded groups, tests, requirements and bugs
 const SWITCHES = ['differs', 'hex'];
 
 function emptyState() {
@@ -13,7 +13,7 @@ function emptyState() {
   return state;
 }
 
-// `at`: the test, requirement or bug that a link leads to, as "open=NAME".
+// Returns the fragment for the state. `at` is the test, requirement or bug that the link leads to, as "open=NAME".
 function fragmentOf(state, at = null) {
   const parameters = new URLSearchParams();
   if (String(state.columns) !== String(emptyState().columns))
@@ -25,7 +25,8 @@ function fragmentOf(state, at = null) {
   return `#${parameters}`;
 }
 
-// Unknown names and values are ignored, because anybody may have written the address.
+// Returns the state of a fragment and its `at`. Unknown names and values are ignored, because anybody may have
+// written the address.
 function stateOfFragment(fragment) {
   const state = emptyState(), parameters = new URLSearchParams(fragment.replace(/^#/, ''));
   const on = parameters.getAll('on').map((label) => data.columns.indexOf(label)).filter((column) => column >= 0);

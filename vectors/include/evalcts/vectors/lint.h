@@ -1,4 +1,4 @@
-// Looks after files of vectors: whether they are what INTERPRETING.md says, and agree with themselves.
+// Checks files of vectors: their format (INTERPRETING.md), and the consistency of their cases.
 #pragma once
 
 #include <set>
@@ -10,24 +10,25 @@
 
 namespace evalcts::vectors {
 
-// A file that is no file of vectors: no JSON, or not of the structure. Says where and what.
+// The text is not JSON or does not follow the format. The message names the place and the problem.
 struct Malformed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Checks schema/vectors-1.schema.json and the counts that follow from the targets of maps. Throws Malformed.
+// Checks a file by schema/vectors-1.schema.json, and the numbers of components that follow from the targets
+// of maps. Throws Malformed.
 void check_structure(const nlohmann::json& file);
 
 struct Report {
   std::string kind;
   std::size_t cases = 0, flags = 0;
-  std::vector<std::string> findings;  // in words, with the id of the case
+  std::vector<std::string> findings;  // messages, each with the id of the case
 };
 
-// Ids that stand twice, requirements that do not exist, flags without a note, notes without a flag, a wrong
-// number of tests, cases that are not what their theme or a requirement of theirs claims, rejected queries
-// that answer. Throws Malformed as check_structure does, and for text
-// that is no JSON.
+// Returns the findings in the text of a file: duplicate ids, requirements that are not in `requirements`,
+// flags without a note, notes without a case, a wrong number of tests, cases that do not have the property
+// that their theme or a requirement claims, and answers of rejected queries. Throws Malformed if the text is
+// not JSON or check_structure() fails.
 Report lint(const std::string& text, const std::set<std::string>& requirements);
 
 }  // namespace evalcts::vectors

@@ -1,5 +1,4 @@
-// The vectors as lines of text, and the answers to them: for judging a program in any language ("In a pipe"
-// of INTERPRETING.md).
+// The vectors as lines of text, and the judgement of a program's answers ("In a pipe" of INTERPRETING.md).
 #pragma once
 
 #include <cstddef>
@@ -14,28 +13,28 @@
 
 namespace evalcts::vectors {
 
-// One line for each case of a file, each with its end of line; nothing for kinds that are not asked in this
-// way (sequences). `file` has passed check_structure().
+// Returns a line for each case of a file, or an empty string for sequences, which a pipe does not ask. `file`
+// has passed check_structure().
 std::string emit(const nlohmann::json& file);
 
 // The answers of a program.
 struct Answers {
-  // Answers by id; no numbers: skipped.
+  // Answers by id. An answer without numbers is a skipped case.
   std::map<std::string, std::vector<double>> of;
   std::vector<std::string> answered_twice;  // ids
-  std::vector<std::string> malformed;       // "line 3: ...", in words
-  std::size_t lines = 0;                    // that were read
+  std::vector<std::string> malformed;       // messages that begin with the number of the line
+  std::size_t lines = 0;                    // number of lines read
 };
 
-// Reads a line; returns false at the end.
+// Reads a line and adds its answer. Returns false at the end of the stream.
 bool read_answer(std::istream& lines, Answers& answers);
-// Reads lines to the end; numbers in hexadecimal or decimal, "inf" and "nan" too. Empty lines and what begins
-// with # are left out.
+// Reads all lines. Numbers are hexadecimal or decimal, "inf" or "nan". Ignores empty lines and lines that
+// begin with #.
 Answers read_answers(std::istream& lines);
 
 struct Wrong {
   std::string id;
-  std::string message;  // which component, what came, what is accepted
+  std::string message;  // the component, its value, and the accepted values
 };
 
 // The score of the answers to one file.
@@ -44,19 +43,20 @@ struct Score {
   std::size_t cases = 0, skipped = 0;
   std::vector<std::string> missing;
   std::vector<Wrong> wrong;
-  // Flag: how many cases were answered, and how many of them wrong.
+  // Numbers of answered cases and of wrong ones among them, by flag.
   struct Count {
     std::size_t answered = 0, wrong = 0;
   };
   std::map<std::string, Count> by_flag;
-  // Values with an acceptance interval (normals have none), the number of those that are the nearest
-  // binary32, and the largest error in ULP of binary32, with the case it is in.
+  // Number of values that have an acceptance interval (normals have none), the number of these that are
+  // correctly rounded to binary32, and the largest error in ULP of binary32, with the id of its case.
   std::size_t values = 0, correctly_rounded = 0;
   double largest_ulp = 0;
   std::string largest_id;
-  // Quality by target: single-precision values at coordinates that are judged, those that are not as good as
-  // single precision, and the largest error as a multiple of the bound, with its case. Infinity stands for a
-  // corner of the domain that does not give its control point. Normals are GL_AUTO_NORMAL.
+  // Quality by target (GL_AUTO_NORMAL for normals): the number of judged values of maps of type "f" at
+  // coordinates (not at points of grids), the number of these that are worse than single precision, and the
+  // largest error as a multiple of the bound of single precision, with the id of its case. Infinity means
+  // that the value at a corner of the domain is not its control point.
   struct Quality {
     std::size_t values = 0, worse = 0;
     double largest = 0;
@@ -68,18 +68,20 @@ struct Score {
   std::map<std::string, Quality> quality;
 };
 
-// One line: the targets for which a program is as good as single precision, and the others with their worst
-// cases. Empty if nothing was measured.
+// Returns one line: the number of targets for which a program is as good as single precision, and the other
+// targets with their worst cases. Empty if nothing was measured.
 std::string quality_in_words(const std::vector<Score>& scores);
 
-// Random cases in the place of a file, for tests without end: the first `count` of a kind and a seed, which
-// are the same everywhere. Kinds are "map1_eval", "map2_eval", "grid" and "auto_normal".
+// Writes the first `count` random cases of a kind ("map1_eval", "map2_eval", "grid" or "auto_normal") and a
+// seed. They are the same on every machine.
 void emit_random(const std::string& kind, std::uint64_t seed, std::uint64_t count, std::ostream& lines);
-// Reads answers as far as they are needed, so that answers in the order of the cases take no memory.
+// Judges the answers to these cases, and removes them from `answers`. Reads lines only until the answer to
+// the next case is found, so that answers in the order of the cases take no memory.
 Score judge_random(const std::string& kind, std::uint64_t seed, std::uint64_t count, std::istream& lines,
                    Answers& answers);
 
-// Judges the answers to a file and takes them out of `answers`: what is left at the end has unknown ids.
+// Judges the answers to the cases of a file and removes them from `answers`. Those that remain after all
+// files have unknown ids.
 Score judge(const nlohmann::json& file, Answers& answers);
 
 }  // namespace evalcts::vectors

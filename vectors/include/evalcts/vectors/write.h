@@ -1,4 +1,4 @@
-// All vectors, byte for byte the same whenever and wherever they are made.
+// Generates the files of vectors, byte for byte the same on every machine.
 #pragma once
 
 #include <filesystem>
@@ -8,14 +8,15 @@
 
 namespace evalcts::vectors {
 
-// "map1_eval", "map2_eval", "grid", "auto_normal", "errors", "get_map", "state".
+// Returns the names of all kinds: "map1_eval", "map2_eval", "grid", "auto_normal", "errors", "get_map",
+// "state".
 const std::vector<std::string>& kinds();
 
-// The text of the file of that kind. Throws std::invalid_argument for another name.
+// Returns the text of the file of a kind. Throws std::invalid_argument for another name.
 std::string text_of(const std::string& kind);
 
-// Writes KIND.json for all kinds, each whole or not at all, and calls `wrote` after each with its name, cases
-// and bytes. Throws std::runtime_error where one cannot be written.
+// Writes KIND.json to the folder for each kind, atomically, and calls `wrote` after each file with its kind
+// and its numbers of cases and bytes. Throws std::runtime_error if a file cannot be written.
 struct Written {
   std::string kind;
   std::size_t cases, bytes;
