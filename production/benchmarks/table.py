@@ -334,16 +334,16 @@ def where(results):
 
 
 def model_tables(results):
-    words = (f"{where(results)} ns for a point; in brackets how many times as long as the loop that takes. The work that "
-             "takes longest beside it stands first.")
-    other_words = "Other work, in ns for a point if nothing else is said; what misses its goal most stands first:"
+    words = (f"{where(results)} Times are in ns per point, with the ratio to the time of the loop in brackets; the rows are "
+             "sorted by this ratio.")
+    other_words = "Other work, in ns per point unless a row says otherwise, sorted by how far the goal is missed:"
     return "\n".join([words, "", *models(results), "", other_words, "", *others(results)]) + "\n"
 
 
 def peer_tables(results):
-    words = (f"{where(results)} ns for a point; in brackets how many times as fast as "
-             "float Horner that is, and the share of the floor that is reached.")
-    hard_words = "Data that is hard to round, the same polynomial in three components, but for the last line:"
+    words = (f"{where(results)} Times are in ns per point; in brackets are the speedup over "
+             "float Horner and the share of the floor that is reached.")
+    hard_words = "Data that is hard to round; all rows but the last have the same polynomial in three components:"
     return "\n".join([words, "", *goals(results), "", "All sides:", "", *peers(results), "", hard_words, "",
                       *hard(results)]) + "\n"
 
