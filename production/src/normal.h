@@ -1,6 +1,6 @@
 // Automatic normals: n = m / |m|, m = a x b, where for VERTEX_3 a = p_u and b = p_v, for VERTEX_4 a = w p_u -
 // w_u p and b = w p_v - w_v p: w^2 times the derivatives of (x, y, z) / w. Derivatives are by the normalised
-// coordinates; The degrees are omitted, because positive factors do not matter.
+// coordinates. The degrees are omitted, because positive factors do not matter.
 //
 // The majorants of components k, from the largest magnitudes P, U and V of the components of control points
 // and of their differences (which are the control points of the tangents):
