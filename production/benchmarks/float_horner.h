@@ -12,8 +12,8 @@ namespace evalcts::bench {
 
 // Evaluates a curve over [0,1]. Control point i begins at points[i * components].
 void horner_curve(const float* points, int order, int components, float u, float* result);
-// Evaluates a surface over [0,1] x [0,1]. Control point (i, j), i in the direction of u, begins at points[(j
-// * u_order + i) * components].
+// Evaluates a surface over [0,1] x [0,1]. Control point (i, j), i in the direction of u, begins at
+// points[(j * u_order + i) * components].
 void horner_surface(const float* points, int u_order, int v_order, int components, float u, float v,
                     float* result);
 // The same with the derivatives, up to positive factors. Orders must be at least 2.

@@ -66,7 +66,7 @@ float round_in(int mode, const glev::Component& component, const std::array<Grid
 
 std::uint32_t float_bits(float x) { return std::bit_cast<std::uint32_t>(x); }
 
-// The result is `expected` in the first `modes` modes, whatever the stride.
+// The result is `expected` in the first `modes` modes, for dense and strided points.
 void expect_rounded(const Problem& problem, float expected, int modes = std::size(kModes)) {
   constexpr int kStride = 3;
   std::vector<double> spread(problem.points.size() * kStride, kNaN);
