@@ -1,5 +1,5 @@
-// An implementation as its users see it: glMap, glEnable, glBegin(GL_POINTS), glEvalCoord, glEnd, and what a
-// capture observes of it.
+// The subject that measures a GL: it calls glMap, glEnable, glBegin(GL_POINTS), glEvalCoord and glEnd as
+// users do, and takes the results from a capture.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ gl::Case commands_of(GLenum target, const Map& map, std::span<const float> u, st
     return static_cast<GLint>(std::lround(part_of(x, map.domain[i], map.domain[i + 1]) * map.segments));
   };
   c.Enable(target);
-  // Without an enabled vertex map nothing comes out at all: the initial one is of order 1.
+  // Nothing is drawn without an enabled vertex map. The initial map, of order 1, is sufficient.
   if (attribute_of(target) != kPosition) c.Enable(two_dimensional ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3);
   c.Begin(GL_POINTS);
   for (std::size_t i = 0; i < u.size(); ++i) {

@@ -1,3 +1,4 @@
+// Writes, reads and merges checkpoints of sweeps.
 #include <evalcts/accuracy/checkpoint.h>
 
 #include <fmt/format.h>
@@ -45,7 +46,7 @@ SweepResult::Largest largest_from(const json& value) {
           value.value("component", 0)};
 }
 
-// Nothing of what is a curve of one component as texture coordinate.
+// Returns the member "map", which the file omits for a plain curve (SweptMap::is_plain_curve).
 json map_as_json(const SweptMap& map) {
   json value = {{"target", map.target}, {"components", map.map.components}, {"orders", {map.map.uorder}}};
   if (map.two_dimensional) {
@@ -74,7 +75,8 @@ SweptMap map_from(const json& checkpoint) {
   return map;
 }
 
-// Its JSON without the checksum, which fits.
+// Returns the JSON of a file without its checksum. Throws std::invalid_argument if the checksum does not
+// match.
 json read_whole(const std::filesystem::path& file) {
   json checkpoint = json::parse(read_file(file), nullptr, false);
   if (!checkpoint.is_object() || !checkpoint.contains("checksum"))
@@ -85,7 +87,7 @@ json read_whole(const std::filesystem::path& file) {
   return checkpoint;
 }
 
-// The names of the counts in a file.
+// Calls each(name, count) for the counts of a result, with their names in the file.
 template <class Result, class Each>
 void for_counts(Result& result, const Each& each) {
   each("values", result.values);
@@ -189,7 +191,7 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
 
 namespace {
 
-// The blocks and the result. Throws json::exception, std::logic_error.
+// Reads the finished blocks and the result. Throws json::exception, std::logic_error.
 SweepState state_from(const json& checkpoint, const SweepTask& task) {
   SweepState state{BlockSet(task.blocks()), {}};
   for (const json& range : checkpoint.at("blocks_done"))
@@ -229,7 +231,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, const SweepIdentit
           fmt::format("{} is of another sweep: its {} is {}, not {}; name another file with --checkpoint, or "
                       "move it away",
                       file.string(), name, other.dump(), value.dump()));
-  // A file that has a field more is of another sweep, too.
+  // A file with an additional member belongs to another sweep, too.
   if (checkpoint.contains("map") && !asked.contains("map"))
     throw BadCheckpoint(
         fmt::format("{} is of another sweep: of another kind of map; name another file with "
@@ -245,7 +247,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, const SweepIdentit
 }
 
 Checkpoint merged(const std::vector<std::filesystem::path>& files) {
-  std::optional<Checkpoint> whole;  // as of the first file's sweep without shards
+  std::optional<Checkpoint> whole;  // identity of the first file, but without shards
   json first;
   std::vector<bool> seen;
   for (const std::filesystem::path& file : files) {

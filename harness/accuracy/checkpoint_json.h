@@ -1,4 +1,4 @@
-// The text of a checkpoint, for those who have to make a damaged one.
+// Writes the text of a checkpoint. Tests use this function to make damaged files with a valid checksum.
 #pragma once
 
 #include <string>

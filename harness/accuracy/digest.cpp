@@ -1,3 +1,4 @@
+// Computes the digest of the results on random maps.
 #include <evalcts/accuracy/digest.h>
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 namespace evalcts::accuracy {
 namespace {
 
-// Results of one map: as many for maps of one to four components.
+// Number of results of one map. It is a multiple of 1, 2, 3 and 4 components.
 constexpr std::uint64_t kOfMap = 1200;
 
 SweptMap random_swept_map(Random& random) {

@@ -1,3 +1,4 @@
+// Collects the errors of results.
 #include <evalcts/accuracy/errors.h>
 
 #include <algorithm>
@@ -18,7 +19,7 @@ reference::Surface Input::surface() const {
 
 std::size_t Errors::bin_of(double ulp) {
   int exponent = 0;
-  const double significand = std::frexp(ulp, &exponent);  // ulp = significand * 2^exponent, 1/2 <= it < 1
+  const double significand = std::frexp(ulp, &exponent);  // in [1/2, 1); times 2^exponent is ulp
   if (ulp <= 0.5) return 0;
   return static_cast<std::size_t>(std::clamp(exponent + (significand == 0.5 ? 0 : 1), 0, kBins - 1));
 }

@@ -1,3 +1,4 @@
+// Correctly rounded evaluation of lines in double, by rounding to odd.
 #include <evalcts/accuracy/exact_line.h>
 
 #include <algorithm>
@@ -14,10 +15,10 @@ namespace {
 
 using reference::Rational;
 
-constexpr int kFactorBits = 53 - 24;  // times a float: exact in double
-constexpr int kLeast = -149;          // floats are multiples of 2^this
+constexpr int kFactorBits = 53 - 24;  // a product with a float is exact in double
+constexpr int kLeast = -149;          // floats are multiples of 2^kLeast
 
-// x is a multiple of 2^last_bit(x), and of no larger power of two. x is not zero.
+// Returns the exponent of the largest power of two that divides x. x must not be zero.
 int last_bit(double x) {
   int exponent = 0;
   const auto significand = static_cast<std::uint64_t>(std::ldexp(std::abs(std::frexp(x, &exponent)), 53));
@@ -26,13 +27,13 @@ int last_bit(double x) {
 
 bool is_short(double x) { return x == 0 || std::ilogb(x) - last_bit(x) < kFactorBits; }
 
-// The least e with |x| <= 2^e.
+// Returns an e with |x| <= 2^e, at most 2 above the least.
 int exponent_above(const Rational& x) {
   const double size = std::abs(reference::round_to_double(x));
   return std::ilogb(size) + 2;  // one for rounding
 }
 
-// Coefficients of the powers of u: C(n,k) times the k-th difference.
+// Returns the coefficients of the powers of u: C(n,k) times the k-th difference.
 std::vector<Rational> power_basis(const std::vector<double>& points) {
   std::vector<Rational> differences(points.begin(), points.end()), coefficients;
   Rational binomial = 1;
@@ -63,19 +64,20 @@ std::optional<ExactLine> ExactLine::of(const std::vector<double>& points) {
   if (lowest == power.size()) return line;
   if (line.first_ == 0 && line.slope_ == 0) return std::nullopt;
 
-  // For |u| <= 2^e the rest is at most twice its first term, whose sign it has:
+  // For |u| <= 2^e, the rest of the polynomial is at most twice its first term and has the sign of that term.
   Rational others = 0;
   for (std::size_t k = lowest + 1; k < power.size(); ++k) others += abs(power[k]);
   int e = -1;
   if (!others.is_zero()) e = std::min(e, -1 - exponent_above(others / abs(power[lowest])));
-  // and it is less than half of 2^last, of which all are multiples: first, product, and the floats near their
-  // sum with the middles between them. Nothing is then between the sum and the value but what decides ties.
+  // The rest must also be less than half of 2^last, where `first`, the product, and the floats and midpoints
+  // near their sum are all multiples of 2^last. Then no float and no midpoint lies between the sum and the
+  // value, so the rest matters only for the side of a tie.
   const int rest_at_one = exponent_above(power[lowest]) + 1;
   const auto n = static_cast<int>(lowest);
   while (e >= kLeast) {
     int last = std::numeric_limits<int>::max();
     if (line.first_ != 0) last = std::min(last_bit(line.first_), std::ilogb(line.first_) - 25);
-    // u has 24 bits. Of smaller ones all of this is smaller, and the rest is by more.
+    // u has 24 bits. For smaller |u| these quantities are smaller, and the rest decreases faster.
     if (line.slope_ != 0) last = std::min(last, last_bit(line.slope_) + e - 25);
     // The sum is at least half of `first`.
     const bool no_zero =
@@ -92,10 +94,11 @@ std::optional<ExactLine> ExactLine::of(const std::vector<double>& points) {
 }
 
 float ExactLine::to_float(float u) const {
-  // The product is exact: 24 and 29 bits, and floats are far from the ends of the range of double. Knuth's
-  // TwoSum gives the rest that their sum leaves; with it the sum is rounded to odd, after which rounding to
-  // float is as of the exact value (Boldo, Melquiond, "Emulation of FMA and correctly rounded sums: proved
-  // algorithms using rounding to odd", 2008). The rest of the polynomial decides where their sum leaves none.
+  // The product is exact, because its factors have 24 and 29 bits and floats are far from the ends of the
+  // range of double. Knuth's TwoSum gives the error of the sum. With this error, the sum is rounded to odd,
+  // after which rounding to float gives the rounded exact value (Boldo, Melquiond, "Emulation of FMA and
+  // correctly rounded sums: proved algorithms using rounding to odd", 2008). If the sum is exact, the rest of
+  // the polynomial takes the place of its error.
   const double product = slope_ * static_cast<double>(u);
   double sum = first_ + product;
   const double of_product = sum - first_;

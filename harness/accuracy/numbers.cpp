@@ -1,3 +1,4 @@
+// Converts numbers to and from JSON.
 #include "numbers.h"
 
 #include <bit>
@@ -32,7 +33,7 @@ float float_from(const json& value) {
       static_cast<std::uint32_t>(std::stoul(value.at("bits").get<std::string>(), nullptr, 16)));
 }
 
-// By strtod, because std::stod rejects subnormal numbers.
+// Uses strtod, because std::stod rejects subnormal numbers.
 double hex_from(const json& value) {
   const auto text = value.get<std::string>();
   char* end = nullptr;

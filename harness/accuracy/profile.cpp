@@ -1,3 +1,4 @@
+// The curves of profiles, their zeros, and the measurement of their errors.
 #include <evalcts/accuracy/profile.h>
 
 #include <fmt/format.h>
@@ -45,7 +46,7 @@ const std::vector<ProfileCurve>& profile_curves() {
   return all;
 }
 
-// By bisection, where the sign changes on a grid that is fine enough for curves like these.
+// Finds sign changes on a grid that is fine enough for these curves, then uses bisection.
 std::vector<double> zeros_of(const ProfileCurve& curve) {
   constexpr int kLog2Grid = 10;
   const reference::BernsteinForm form = form_of(curve);
@@ -74,7 +75,7 @@ Profile measure_profile(Subject& subject, const std::string& target_name, const 
   Map map{static_cast<int>(curve.points.size()), 1, gl::components_of(target), true, {0, 1, 0, 1}, {}};
   for (const double point : curve.points) map.points.insert(map.points.end(), map.components, point);
   constexpr int kWidth = (1 << kLog2Steps) / kProfileBins;
-  // Not all of them in the middle between two fractions of short denominators.
+  // Random offsets avoid arguments that all lie midway between two fractions of small denominators.
   Random random(1, 0);
   const reference::BernsteinForm form = form_of(curve);
   std::vector<float> u(kProfileBins), results(u.size() * map.components);
@@ -94,7 +95,7 @@ Profile measure_profile(Subject& subject, const std::string& target_name, const 
       if (!exact.value.is_zero()) ulp[bin] = std::max(ulp[bin], reference::ulp_distance(got, exact.value));
     }
   }
-  // Four digits are more than a picture shows.
+  // A picture does not show more than four digits.
   const auto round = [](std::vector<double>& errors) {
     for (double& error : errors)
       if (std::isfinite(error)) error = std::stod(fmt::format("{:.4g}", error));

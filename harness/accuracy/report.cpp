@@ -1,3 +1,4 @@
+// Converts the results of `evalcts ulp` to and from JSON.
 #include <evalcts/accuracy/report.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Draws the control points of random maps.
 #include <evalcts/accuracy/samples.h>
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ std::vector<double> component_points(const Class& what, Random& random) {
   } else if (what.data == "integers") {
     each([&](int, int) { return static_cast<double>(random.below(19)) - 9; });
   } else if (what.data == "lines") {
-    // Maps that are of degree 1 or less in each direction.
+    // The maps have degree 1 or less in each direction.
     const double first = static_cast<double>(random.below(200)) - 100,
                  a = static_cast<double>(random.below(9)) - 4, b = static_cast<double>(random.below(9)) - 4;
     each([&](int i, int j) { return first + a * i + b * j; });
@@ -35,7 +36,7 @@ std::vector<double> component_points(const Class& what, Random& random) {
   } else if (what.data == "wide") {
     each([&](int, int) { return as_float(random.scaled(-1, 1, static_cast<int>(random.below(120)) - 60)); });
   } else if (what.data == "extreme") {
-    // Around both ends of the range of float.
+    // The values are near the upper or the lower end of the range of float.
     const bool large = random.once_in(2);
     each([&](int, int) {
       return as_float(random.scaled(
@@ -48,7 +49,8 @@ std::vector<double> component_points(const Class& what, Random& random) {
   return points;
 }
 
-// Another significand or sign, or an exponent of these: 2^(exponent-1) <= |x| < 2^exponent.
+// Returns x with one changed significand bit, the opposite sign, or another exponent e from least_exponent to
+// least_exponent + exponents - 1, where 2^(e-1) <= |x| < 2^e.
 float varied(float x, int least_exponent, int exponents, Random& random) {
   int exponent = 0;
   const float significand = std::frexp(x, &exponent);
@@ -92,7 +94,7 @@ void draw_points(Map& map, const Class& what, Random& random) {
 }
 
 void vary_points(std::vector<double>& points, const Class& what, Random& random) {
-  // Lines and cancelling maps are what they are by all of their points.
+  // The properties of lines and cancelling maps depend on all of their points, so the points are drawn again.
   if (what.data == "lines" || what.data == "cancelling" || random.once_in(64)) {
     points = component_points(what, random);
     return;

@@ -1,3 +1,4 @@
+// The hill-climbing search for large errors.
 #include <evalcts/accuracy/search.h>
 
 #include <algorithm>
@@ -12,11 +13,11 @@ namespace evalcts::accuracy {
 namespace {
 
 constexpr std::uint64_t kSteps = 1u << 24;  // arguments are multiples of 2^-24
-constexpr int kPatience = 24;               // generations without a worse input, before another start
-// Numbers of their own for each climb, apart from those of the sample, whose items count from 0.
+constexpr int kPatience = 24;               // generations without a worse input before a restart
+// The first item of the random numbers of climbs; items of the sample count from 0.
 constexpr std::uint64_t kFirstItem = std::uint64_t{1} << 40;
 
-// The argument near to u, in a domain from first to last; on a grid, if it has segments.
+// Returns an argument near u in the domain; a grid point if there are segments.
 float varied_argument(float u, double first, double last, int segments, Random& random) {
   auto step = static_cast<std::uint64_t>(std::lround(std::ldexp(part_of(u, first, last), 24)));
   switch (random.below(8)) {
@@ -51,16 +52,16 @@ class Climb {
   // Number of results of the subject in one generation.
   std::uint64_t generation() const { return arguments_of_a_map(request_.what) * map_.components; }
 
-  // Starts there, or anywhere.
+  // Starts from a result of the sample, or from a random input if there is none.
   void start(const Worst& worst) {
     current_ = worst;
     if (current_.error < 0) restart();
   }
 
-  // One generation.
+  // Runs one generation. Replaces `worst` if the generation has found a larger error.
   void step(Worst& worst) {
     Worst best;
-    best.error = std::nextafter(current_.error, -INFINITY);  // as bad will do, so that plateaus are crossed
+    best.error = std::nextafter(current_.error, -INFINITY);  // equal errors pass, to cross plateaus
     neighbours(best);
     if (best.input.points.empty()) {
       if (++waited_ > kPatience) restart();
@@ -98,7 +99,7 @@ class Climb {
     const bool two_dimensional = current_.input.two_dimensional;
     std::vector<Input> components(map_.components, current_.input);
     for (int k = 0; k < map_.components; ++k) {
-      // A curve of one component would never change if the first always were the current one.
+      // With a single component, the polynomial must change sometimes, too.
       if (k > 0 || random_.once_in(2)) vary_points(components[k].points, request_.what, random_);
       map_.points.resize(components[k].points.size() * map_.components);
       for (std::size_t i = 0; i < components[k].points.size(); ++i)
@@ -119,7 +120,7 @@ class Climb {
         const float got = results[a * map_.components + k];
         const reference::Evaluation value =
             exact.evaluate_with_magnitude(input.argument_u(), input.argument_v());
-        if (value.value.is_zero()) continue;  // these are counted apart
+        if (value.value.is_zero()) continue;  // exact zeros are counted separately
         best.keep(by_ulp_ ? reference::ulp_distance(got, value.value)
                           : reference::condition_distance(got, value.value, value.magnitude),
                   input, got, value.value);

@@ -1,3 +1,4 @@
+// The streams of libglevaluator, of GLs with transform feedback, and of other subjects.
 #include <evalcts/accuracy/stream.h>
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 namespace evalcts::accuracy {
 namespace {
 
-// libglevaluator's batches.
+// Streams of libglevaluator, by its batches.
 class ProductionStream final : public Stream {
  public:
   ProductionStream(const SweptMap& what, const std::string& instruction_set)
@@ -77,7 +78,7 @@ class ProductionStream final : public Stream {
   glev_plan* plan_ = nullptr;
 };
 
-// Anything, through Subject.
+// Streams of any subject.
 class SubjectStream final : public Stream {
  public:
   SubjectStream(std::unique_ptr<Subject> subject, SweptMap map)
@@ -95,7 +96,7 @@ class SubjectStream final : public Stream {
   SweptMap map_;
 };
 
-// Returns a vertex shader's name for the components of a map of this kind.
+// Returns the GLSL expression for the components of an attribute, such as "gl_Vertex.xyz".
 std::string in_shader(Attributes attribute, int components) {
   const std::string name = attribute == kPosition ? "gl_Vertex"
                            : attribute == kColor  ? "gl_Color"
@@ -104,8 +105,8 @@ std::string in_shader(Attributes attribute, int components) {
   return name + "." + std::string("xyzw").substr(0, components);
 }
 
-// A GL whose transform feedback records the components of each vertex. One context for all: nothing changes
-// in it but the buffer's contents. Calls go straight to the library.
+// Streams of a GL whose transform feedback records the components of each vertex. One context serves all
+// calls, because only the contents of the buffer change. Calls go directly to the library.
 class RecordingStream final : public Stream {
  public:
   RecordingStream(Implementation& implementation, const SweptMap& what)

@@ -1,3 +1,4 @@
+// The targets of maps, and the list of subjects.
 #include <evalcts/accuracy/subject.h>
 
 #include <fmt/format.h>

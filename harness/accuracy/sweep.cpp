@@ -1,3 +1,4 @@
+// Evaluates the blocks of a sweep, judges their results, and distributes blocks among threads.
 #include <evalcts/accuracy/sweep.h>
 
 #include <algorithm>
@@ -20,24 +21,26 @@ namespace evalcts::accuracy {
 namespace {
 
 constexpr std::int64_t kMagnitudeMask = 0x7fffffff;
-// Relative, of what is computed in double: far above its rounding errors, far below what anybody reads.
+// Relative margin of errors computed in double: far above their rounding errors, far below the printed
+// digits.
 constexpr double kSlack = 0x1p-30;
 constexpr auto kBetweenReports = std::chrono::seconds(1);
 
-// Sets components apart.
+// Makes the hashes of different components different.
 constexpr std::uint64_t kComponent = 0x9e3779b97f4a7c15;
 
-// Harrison's ULP of a double, which may be off by its own rounding where it is a power of two.
+// Returns the ULP for binary32 (Harrison) of a double that approximates an exact value. It may be wrong by a
+// factor of two if x is a power of two.
 double ulp_of(double x) {
   if (std::abs(x) <= 0x1p-126) return 0x1p-149;
   int exponent = 0;
-  const double significand = std::frexp(std::abs(x), &exponent);  // 1/2 <= it < 1
+  const double significand = std::frexp(std::abs(x), &exponent);  // 1/2 <= significand < 1
   return std::ldexp(1.0, std::clamp(exponent - 24 - (significand == 0.5 ? 1 : 0), -149, 104));
 }
 
 double extended(float x) { return std::isinf(x) ? std::copysign(0x1p128, x) : x; }
 
-// One thread's view of one component.
+// Judges the results of one component, in one thread.
 class Judge {
  public:
   Judge(const SweptMap& map, int component) : component_(component), polynomial_(map, component) {}
@@ -55,7 +58,7 @@ class Judge {
                              static_cast<std::uint64_t>(component_) * kComponent);
     wrong_.clear();
     for (std::size_t i = 0; i < count; ++i)
-      // A right result that is zero may be an exact one or the nearest to something small.
+      // A correct result 0 may be an exact zero or a rounded small value.
       if (!(got[i] == rights_[i]) || rights_[i] == 0) wrong_.push_back(i);
     measure(first, u, got, result);
     return result;
@@ -85,7 +88,7 @@ class Judge {
       const double difference = std::abs((extended(got[i]) - high) - low);
       const double unit = ulp_of(high);
       const double ulp = difference / unit;
-      // Near an end of a bin, or where the enclosure says little, the exact value decides.
+      // The exact value decides if the error is near the boundary of a bin or the enclosure is too wide.
       const double uncertain = bound / unit + ulp * kSlack;
       const bool doubtful = std::isnan(got[i]) || !(uncertain < kSlack * 16 * std::max(ulp, 0.5)) ||
                             Errors::bin_of(ulp - uncertain) != Errors::bin_of(ulp + uncertain) ||
@@ -116,14 +119,14 @@ class Judge {
   std::vector<reference::Enclosure> enclosures_;
 };
 
-// All components.
+// Judges the results of all components.
 class Judges {
  public:
   explicit Judges(const SweptMap& map) {
     for (int k = 0; k < map.map.components; ++k) judges_.emplace_back(map, k);
   }
 
-  // Results of an argument stand next to each other.
+  // The components of each argument are adjacent in `results`.
   SweepResult judge(std::span<const float> u, std::span<const float> results) {
     const std::int64_t first = number_of(u.front());
     if (judges_.size() == 1) return judges_[0].judge(first, u, results);
@@ -141,7 +144,7 @@ class Judges {
   std::vector<float> own_;
 };
 
-// The arguments of a block, and their results where another thread has evaluated them.
+// The arguments and results of a block.
 struct Job {
   Job(const SweepTask& task, std::int64_t position)
       : block(position), u(task.arguments(position)), results(u.size() * task.map.map.components) {}
@@ -149,7 +152,7 @@ struct Job {
   std::vector<float> u, results;
 };
 
-// From the thread that evaluates to those that judge; short, so that memory stays small.
+// The queue between the evaluating thread and the judging threads. Its capacity is small to limit memory.
 class Queue {
  public:
   explicit Queue(std::size_t room) : room_(room) {}

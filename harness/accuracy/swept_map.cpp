@@ -1,3 +1,4 @@
+// Correctly rounded values, enclosures and magnitudes of a swept map.
 #include <evalcts/accuracy/swept_map.h>
 
 #include <cmath>
@@ -20,7 +21,8 @@ Surface surface_of(const Map& map, const std::vector<double>& points) {
   return {points.data(), map.vorder, 1, map.uorder, map.vorder, 0, 1, 0, 1};
 }
 
-// Control point i of the curve along the swept argument is a curve in the other one: its points.
+// Control point i of the curve along the swept argument is a curve in the other argument. Returns the control
+// points of the latter.
 std::vector<double> across(const SweptMap& map, const std::vector<double>& points, int i) {
   std::vector<double> own;
   const int others = map.along_v ? map.map.uorder : map.map.vorder;
@@ -29,7 +31,7 @@ std::vector<double> across(const SweptMap& map, const std::vector<double>& point
   return own;
 }
 
-// SUM |B_i(u)| points_i
+// Returns SUM |B_i(u)| * points[i].
 double sum_of_terms(const std::vector<double>& points, double u) {
   const auto order = static_cast<int>(points.size());
   const double s = std::abs(1 - u), t = std::abs(u);

@@ -1,3 +1,4 @@
+// The classes of the accuracy table, and the measurement of a row.
 #include <evalcts/accuracy/table.h>
 
 #include <fmt/format.h>
@@ -16,8 +17,8 @@ namespace {
 constexpr std::size_t kArguments = 256, kArgumentsOfLarge = 64;
 constexpr int kLarge = 200;  // control points
 
-// Mostly any multiple of 2^-24 from 0 to 1; one in sixteen of 1/16, where exact zeros and ties are. A point
-// of a grid, if there is one.
+// Returns a multiple of 2^-24 in [0,1], or with probability 1/16 a multiple of 1/16, where exact zeros and
+// ties occur. If there is a grid, returns one of its points.
 double random_part(Random& random, int segments) {
   if (segments > 0)
     return static_cast<double>(random.below(static_cast<std::uint64_t>(segments) + 1)) / segments;

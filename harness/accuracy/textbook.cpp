@@ -1,6 +1,6 @@
-// Algorithms of textbooks, for comparison. A surface is one polynomial after the other: those in the
-// direction of v give the control points of the one in the direction of u. Compiled without contraction, so
-// that the results are the same on every machine with IEEE arithmetic.
+// Textbook algorithms, for comparison. On a surface, polynomials in v give the control points of a polynomial
+// in u. This file is compiled without contraction, so that the results are the same on every machine with
+// IEEE arithmetic.
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kMaxOrder = 64;
 
-// Each gives SUM C(n,i) t^i (1-t)^(n-i) R_i, n = order - 1, for the points in `points`, which may change.
+// An algorithm that returns SUM C(n,i) t^i (1-t)^(n-i) R_i, n = order - 1, for the control values `points`.
+// It may overwrite `points`.
 template <class Real>
 using Polynomial = Real (*)(std::span<Real> points, Real t);
 
@@ -24,7 +25,7 @@ Real de_casteljau(std::span<Real> points, Real t) {
   return points[0];
 }
 
-// Horner's scheme in s = 1 - t, with binomials and powers of t multiplied up on the way.
+// Horner's scheme in s = 1 - t; binomial coefficients and powers of t are computed incrementally.
 template <class Real>
 Real horner(std::span<Real> points, Real t) {
   const Real s = 1 - t;

@@ -1,3 +1,4 @@
+// Compares captured values with predicted ones, and two observations with each other.
 #include <evalcts/judge/judge.h>
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ std::string text(const std::array<float, 3>& vector) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g})", vector[0], vector[1], vector[2]);
 }
 
-// "order 4 at u = 0.5 (0x1p-1)", "order 4x2 at u = ..., v = ..."
+// Returns a text such as "order 4 at u = 0.5 (0x1p-1)" or "order 4x2 at u = ..., v = ...".
 std::string place(const Sample& sample) {
   std::string order = std::to_string(sample.map->u.order);
   if (sample.v) order += fmt::format("x{}", sample.map->v.order);
@@ -158,7 +159,7 @@ class VertexJudge {
       return;
     }
     const reference::Map::Direction &u = normal.map->u, &v = normal.map->v;
-    // The readings of the derivatives agree where both directions are reversed (U-AUTON-REVSIGN).
+    // The readings of the derivatives agree if both directions are reversed (U-AUTON-REVSIGN).
     const bool either_sign = (u.first > u.last) != (v.first > v.last);
     const Rational bound =
         *acceptance->bound +
@@ -335,7 +336,7 @@ class VertexJudge {
   const JudgeOptions& options_;
   const Observation& observation_;
   Judgement& judgement_;
-  bool is_evaluated_ = false;  // the vertex in hand, by a map
+  bool is_evaluated_ = false;  // true if a map supplies the position of the current vertex
   std::size_t index_ = 0;
   bool measured_ = true;
 };
@@ -379,14 +380,14 @@ Judgement judge(const Prediction& prediction, const Topology& topology, const Ob
     mismatch.got = static_cast<double>(flat(observation).size());
     mismatch.lowest = mismatch.highest = static_cast<double>(topology.vertices.size());
     judgement.mismatches.push_back(std::move(mismatch));
-    return judgement;  // which vertex is missing or too many is not known: comparing the rest would mislead
+    return judgement;  // unknown which vertex is missing or superfluous: comparing values would mislead
   }
   std::vector<const reference::Vertex*> expected;
   for (const reference::Primitive& primitive : prediction.primitives)
     for (const reference::Vertex& vertex : primitive.vertices) expected.push_back(&vertex);
   const std::vector<const ObservedVertex*> got = flat(observation);
   VertexJudge vertex_judge(options, observation, judgement);
-  // A vertex of a strip comes out up to three times, and exact arithmetic is needed once.
+  // A vertex of a strip is captured up to three times, but exact arithmetic is needed only once.
   std::vector<const ObservedVertex*> accepted(expected.size());
   for (std::size_t i = 0; i < got.size(); ++i) {
     const std::size_t vertex = topology.vertices[i];

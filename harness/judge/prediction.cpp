@@ -1,3 +1,4 @@
+// Runs cases on the executable specification.
 #include <evalcts/judge/prediction.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Reads topologies from explicit vertices, and matches captured quads and meshes.
 #include <evalcts/judge/topology.h>
 
 #include <fmt/format.h>
@@ -134,7 +135,7 @@ std::optional<Topology> read_topology(const Prediction& prediction, const Observ
 
 namespace {
 
-using Quad = std::array<std::size_t, 4>;  // vertices of the case, in the order of its winding
+using Quad = std::array<std::size_t, 4>;  // indices of vertices of the case, in winding order
 
 // Appends the quads of a primitive whose first vertex has the index `first`. Returns false if the primitive
 // does not consist of quads.
@@ -254,7 +255,7 @@ std::vector<Piece> pieces_of(const Observation& observation) {
   return pieces;
 }
 
-// A point, line or polygon of a mesh that must be captured, and whether it has been found.
+// A point, line or polygon of a mesh that must be captured; `found` is true if it was.
 struct ExpectedPiece {
   GLenum mode;
   std::vector<std::size_t> vertices;
@@ -347,7 +348,7 @@ class MeshMatch {
 std::optional<Topology> match_meshes(const Prediction& prediction, const Topology& topology,
                                      const Observation& observation) {
   if (!prediction.has_meshes()) return {};
-  std::vector<std::size_t> mesh_of;  // each vertex
+  std::vector<std::size_t> mesh_of;  // for each vertex
   std::map<std::size_t, std::vector<Quad>> quads;
   for (const reference::Primitive& primitive : prediction.primitives) {
     if (primitive.mesh != 0 && primitive.mode == GL_QUAD_STRIP)
@@ -378,7 +379,7 @@ std::optional<Topology> match_quads(const Prediction& prediction, const Observat
   const std::optional<std::vector<Quad>> quads = quads_of(prediction);
   if (!quads || quads->empty()) return {};
   const std::vector<ObservedPrimitive>& seen = observation.primitives;
-  // A strip that comes out as it was given is no quad, even if it has four vertices.
+  // A strip that is captured unchanged is not a quad, even if it has four vertices.
   if (std::ranges::count(seen, GL_QUAD_STRIP, &ObservedPrimitive::mode) > 0) return {};
   const Distance distance(prediction, observation);
   Topology topology{shape_of(observation), {}};

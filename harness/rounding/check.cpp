@@ -1,3 +1,4 @@
+// Compares libglevaluator with the oracle in batches, single calls, meshes and patches.
 #include <evalcts/rounding/check.h>
 
 #include <fmt/format.h>
@@ -36,8 +37,8 @@ std::array<double, 2> random_domain(Random& random) {
   }
 }
 
-// Data that models have, where ties and zeros are ordinary: multiples of a power of two, short decimals, and
-// such decimals in nets that are symmetric or antisymmetric.
+// Returns true for the data of typical models, for which ties and zeros are frequent: multiples of a power of
+// two, short decimals, and short decimals in symmetric or antisymmetric nets.
 bool is_tie_rich(const Class& what) {
   return what.data == "dyadic" || what.data == "decimal" || what.data == "symmetric";
 }
@@ -89,7 +90,7 @@ Map random_map(const Class& what, Random& random) {
   return map;
 }
 
-// A float, mostly inside the interval: uniform, dyadic, near an end, or anywhere.
+// Returns a number, mostly inside the interval: uniform, dyadic, near an end, or slightly outside.
 double random_argument(double u1, double u2, Random& random) {
   const auto place = [&](double t) { return static_cast<double>(static_cast<float>(u1 + t * (u2 - u1))); };
   switch (random.below(8)) {
@@ -106,7 +107,7 @@ double random_argument(double u1, double u2, Random& random) {
   }
 }
 
-// ---- The sides
+// ---- The library under test and the oracle
 
 glev_output output_of(std::vector<float>& results, int components) {
   glev_output output{};
@@ -155,7 +156,7 @@ class Production {
 
   const std::string& target() const { return target_; }
 
-  // Texture coordinates, which come in every number of components.
+  // Defines the map as texture coordinates, which have maps of one to four components.
   void define(const Map& map, bool two_dimensional, const std::optional<std::array<Grid, 2>>& grid) {
     const auto dimension_token = [&](glev_enum one) { return one + (two_dimensional ? 0x20 : 0); };
     for (glev_enum k = 0; k < 4; ++k) glevDisable(context_, dimension_token(GLEV_MAP1_TEXTURE_COORD_1 + k));
@@ -174,7 +175,7 @@ class Production {
       for (glev_enum k = 0; k < 2; ++k) glevDisable(vertices_, dimension_token(GLEV_MAP1_VERTEX_3 + k));
       define_in(vertices_, dimension_token(GLEV_MAP1_VERTEX_3 + map.components - 3));
     }
-    glevEnable(context_, dimension_token(GLEV_MAP1_VERTEX_3));  // a vertex is what shows them in single calls
+    glevEnable(context_, dimension_token(GLEV_MAP1_VERTEX_3));  // single calls need a vertex map
     if (grid) {
       const auto& [u, v] = *grid;
       if (two_dimensional) {
@@ -219,8 +220,8 @@ class Production {
     if (glevEvaluateMesh(plan_, &mesh) != GLEV_SUCCESS) throw std::logic_error("a mesh is rejected");
   }
 
-  // `count` patches like the map, of which `points` are the control points, at all points of grids over the
-  // domain.
+  // Evaluates `count` patches with the orders and domain of the map and the control points `points`, at all
+  // points of a grid over the domain.
   void patches(const Map& map, const std::vector<double>& points, std::size_t count,
                const std::array<int, 2>& segments, std::vector<float>& results) {
     const std::vector<float> floats(map.is_float ? points.begin() : points.end(), points.end());
@@ -253,8 +254,8 @@ class Production {
     glevEnd(context_);
     return single_;
   }
-  // The same for vertex maps, of 3 or 4 components, which calls between Begin and End evaluate by a way of
-  // their own.
+  // Evaluates the vertex map of 3 or 4 components at many coordinates. Consecutive calls between Begin and
+  // End have their own code path.
   const std::vector<std::array<float, 4>>& coords(const std::vector<double>& u,
                                                   const std::vector<double>& v) {
     positions_.clear();
@@ -288,7 +289,8 @@ std::vector<std::string> all_targets() {
   return names;
 }
 
-// The right values of one component. Grid points where there is a grid: u and v are indices then.
+// Computes the correctly rounded values of component k. With a grid, u and v are indices of grid points.
+// Returns the number of values that took the exact route.
 std::uint64_t right_values(const Map& map, bool two_dimensional, int k, Oracle oracle,
                            const std::vector<double>& u, const std::vector<double>& v,
                            const std::optional<std::array<Grid, 2>>& grid, std::vector<float>& results) {
@@ -370,7 +372,7 @@ class Item {
   }
 
  private:
-  // Right values of all components, one after the other.
+  // Returns the correctly rounded values of each component.
   std::vector<std::vector<float>> right(const std::vector<double>& u, const std::vector<double>& v) {
     std::vector<std::vector<float>> values(map_.components, std::vector<float>(u.size()));
     for (int k = 0; k < map_.components; ++k)
@@ -471,7 +473,7 @@ class Item {
     }
   }
 
-  // The map among other patches, which are evaluated side by side.
+  // Checks the map as one of several patches that are evaluated in one call.
   void on_patches(std::size_t count) {
     const auto most =
         two_dimensional_ ? static_cast<std::uint64_t>(std::sqrt(static_cast<double>(count))) : count;
@@ -525,7 +527,7 @@ std::vector<std::unique_ptr<Production>> make_sides(const Request& request) {
   return sides;
 }
 
-// Items 0, 1, ... in threads of their own. What is first is the wrong value of the smallest item.
+// Runs the items 0, 1, ... in `jobs` threads. `first_wrong` is that of the smallest item with a wrong value.
 template <class Run>
 Outcome in_threads(int jobs, std::uint64_t items, const std::atomic<bool>& stop, const Run& run) {
   std::atomic<std::uint64_t> next{0};
@@ -582,10 +584,10 @@ std::vector<Class> classes() {
 }
 
 Outcome check(const Request& request, const std::atomic<bool>& stop) {
-  // Few arguments for the large ones, so that there are many maps.
+  // Large maps get fewer arguments, so that there are many maps.
   const std::size_t count = request.what.uorder * std::max(request.what.vorder, 1) > 200 ? 64 : 512;
   const std::uint64_t items = (request.samples + count - 1) / count;
-  make_sides(request);  // an unknown instruction set ends it here
+  make_sides(request);  // throws if an instruction set is unknown
   return in_threads(request.jobs, items, stop, [&] {
     return [&request, count, sides = make_sides(request)](std::uint64_t item) mutable {
       return Item(request, sides, item).run(count);

@@ -1,5 +1,5 @@
-// Bernstein polynomials in float with order and number of components known to the compiler: loops over
-// arguments that it vectorizes. Compiled for this machine, with -O3.
+// Bernstein polynomials in float with compile-time order and number of components. The compiler vectorizes
+// the loops over arguments. This file is compiled for the machine, with -O3.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -21,7 +21,7 @@ constexpr std::array<float, kOrder> kBinomials = [] {
   return result;
 }();
 
-// GCC unrolls loops of 30 only when told to, and loops around loops are not vectorized.
+// GCC needs a pragma to unroll loops of 30 iterations, and does not vectorize outer loops.
 template <int kOrder, int kComponents>
 void evaluate(const float* __restrict points, const float* __restrict u, std::size_t count,
               float* __restrict results) {
@@ -40,7 +40,7 @@ void evaluate(const float* __restrict points, const float* __restrict u, std::si
   }
 }
 
-// The value at t of each Bernstein polynomial.
+// Returns the value of each Bernstein polynomial at t.
 template <int kOrder>
 std::array<float, kOrder> basis(float t) {
   std::array<float, kOrder> result;
@@ -62,7 +62,7 @@ std::array<float, kOrder> derivatives(float t) {
   return result;
 }
 
-// The control points of the curve of one row.
+// Computes the control points of the curve of one row.
 template <int kOrder, int kComponents>
 void contract(const float* points, const std::array<float, kOrder>& weights, float* curve) {
   for (int i = 0; i < kOrder * kComponents; ++i) curve[i] = 0;
@@ -72,8 +72,8 @@ void contract(const float* points, const std::array<float, kOrder>& weights, flo
   }
 }
 
-// A bicubic row of positions and unit normals: B values and D derivatives of the polynomials in u, by
-// columns.
+// Computes a bicubic row of positions and unit normals, from the values and derivatives of the polynomials in
+// u at each column.
 void normals(const float* __restrict p, const float* __restrict q, const float* __restrict values,
              const float* __restrict slopes, std::size_t columns, float* __restrict results) {
   for (std::size_t i = 0; i < columns; ++i) {
@@ -148,7 +148,8 @@ void add_order() {
   }
 }
 
-// The basis at the points of the grid is computed once, like a plan. With a map it is computed each time.
+// The basis at the points of the grid is computed once, like a plan. If `with_map`, it is computed for each
+// patch.
 template <int kOrder>
 PatchSide patch_side(const Model& model, bool with_map) {
   const auto points = static_cast<std::size_t>(model.segments) + 1;
@@ -175,7 +176,7 @@ PatchSide patch_side(const Model& model, bool with_map) {
   };
 }
 
-// Blocks of many patches, whose control points have v fastest.
+// Evaluates a block of ManyPatches, whose control points have v fastest.
 void evaluate_block(const float* points, float* results) {
   constexpr std::size_t kPoints = ManyPatches::kSegments + 1;
   static const auto kPlaces = [] {

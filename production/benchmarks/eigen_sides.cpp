@@ -1,4 +1,5 @@
-// Eigen: a whole grid as one product of float matrices. Compiled for this machine, with -O3.
+// Benchmarks Eigen: a whole grid is one product of float matrices. This file is compiled for the machine,
+// with -O3.
 #include <Eigen/Core>
 #include <cmath>
 #include <memory>
@@ -12,7 +13,7 @@ using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMa
 using Net = Eigen::Map<const Matrix>;
 using Rows = Eigen::Map<Matrix>;
 
-// The value of Bernstein polynomial j at argument i.
+// Returns the matrix of the values of Bernstein polynomial j at argument i.
 Matrix basis(int order, const Eigen::VectorXf& t) {
   Matrix result(t.size(), order);
   const int degree = order - 1;
@@ -24,7 +25,7 @@ Matrix basis(int order, const Eigen::VectorXf& t) {
   return result;
 }
 
-// Up to the degree as a factor.
+// Returns the derivatives of the Bernstein polynomials, divided by the degree.
 Matrix derivatives(int order, const Eigen::VectorXf& t) {
   const Matrix lower = basis(order - 1, t);
   Matrix result = Matrix::Zero(t.size(), order);
@@ -33,7 +34,8 @@ Matrix derivatives(int order, const Eigen::VectorXf& t) {
   return result;
 }
 
-// The left factor of a row of the grid is a row of `v`; the right one has x y z of all columns side by side.
+// The factors of the product. The left factor of a row of the grid is a row of `v`; the right factor has x y
+// z of all columns side by side.
 struct Factors {
   Matrix v, right;
 };
@@ -50,7 +52,7 @@ Matrix right_factor(const Mesh& mesh, const Matrix& u) {
 
 Eigen::VectorXf grid(int count) { return Eigen::VectorXf::LinSpaced(count, 0, 1); }
 
-// Both factors are made with each mesh, as somebody with a new surface has to.
+// Both factors are computed for each mesh, as a new surface requires.
 MeshSide positions(const Mesh& mesh) {
   return [&mesh, factors = std::make_shared<Factors>()](int row, int rows, float* results) {
     if (row == 0) {

@@ -1,4 +1,4 @@
-// Cost of a decision by integers, per component.
+// Benchmarks exact evaluation in integers. Items are components.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -14,7 +14,7 @@ namespace {
 
 using glev::Component, glev::Domain, glev::GridArgument;
 
-constexpr int kArguments = 64;  // that take turns
+constexpr int kArguments = 64;  // used round-robin
 
 GridArgument plain(double u) { return {{u, u, 1}, 0}; }
 
@@ -24,7 +24,8 @@ struct Problem {
   std::array<std::vector<GridArgument>, 2> at;
 };
 
-// Floats below 1 in magnitude with exponents that differ by up to `spread`, at floats of [0, 1].
+// Returns a problem with random floats below 1 in magnitude, whose exponents differ by up to `spread`, at
+// floats in [0, 1].
 Problem random_floats(std::array<int, 2> order, int spread) {
   std::mt19937_64 random(1);
   const auto unit = [&random] { return static_cast<float>(static_cast<double>(random() >> 11) * 0x1p-53); };
@@ -53,7 +54,7 @@ void ExactCurve(benchmark::State& state) {
 }
 BENCHMARK(ExactCurve)->Arg(2)->Arg(4)->Arg(10)->Arg(30)->Arg(64);
 
-// u = 2^-32 x: the fractions of a float next to zero
+// Evaluates at u = 2^-32 x, fractions of a float close to zero.
 void ExactCurveNextToTheEnd(benchmark::State& state) {
   Problem problem = random_floats({static_cast<int>(state.range(0)), 1}, 36);
   for (GridArgument& at : problem.at[0]) at = plain(at.grid.u1 * 0x1p-31);
@@ -67,7 +68,7 @@ void ExactPatch(benchmark::State& state) {
 }
 BENCHMARK(ExactPatch)->Arg(4)->Arg(8)->Arg(30)->Arg(64);
 
-// Integers of at most 3 digits at multiples of 1/1024.
+// Evaluates integers of at most 3 digits at multiples of 1/1024.
 void ExactSmallIntegers(benchmark::State& state) {
   const int order = static_cast<int>(state.range(0)), order_v = static_cast<int>(state.range(1));
   Problem problem = random_floats({order, order_v}, 0);
@@ -79,7 +80,7 @@ void ExactSmallIntegers(benchmark::State& state) {
 }
 BENCHMARK(ExactSmallIntegers)->Args({2, 1})->Args({4, 1})->Args({10, 1})->Args({4, 4});
 
-// Thirds of a domain that is no power of two.
+// Evaluates at thirds of a domain whose width is not a power of two.
 void ExactGrid(benchmark::State& state) {
   const int order = static_cast<int>(state.range(0)), order_v = static_cast<int>(state.range(1));
   Problem problem = random_floats({order, order_v}, 36);
@@ -92,7 +93,7 @@ void ExactGrid(benchmark::State& state) {
 }
 BENCHMARK(ExactGrid)->Args({4, 1})->Args({10, 1})->Args({4, 4});
 
-// Doubles on a domain that is no power of two: every argument divides.
+// Evaluates doubles over a domain whose width is not a power of two, so every argument needs a division.
 void ExactDoubles(benchmark::State& state) {
   const int order = static_cast<int>(state.range(0)), order_v = static_cast<int>(state.range(1));
   Problem problem = random_floats({order, order_v}, 0);
@@ -102,7 +103,7 @@ void ExactDoubles(benchmark::State& state) {
 }
 BENCHMARK(ExactDoubles)->Args({4, 1})->Args({10, 1})->Args({30, 1})->Args({4, 4})->Args({30, 30});
 
-// A tie that takes everything to see: constant, on a domain that is no power of two.
+// Evaluates a tie that needs all digits: a constant over a domain whose width is not a power of two.
 void ExactTie(benchmark::State& state) {
   const int order = static_cast<int>(state.range(0)), order_v = static_cast<int>(state.range(1));
   Problem problem = random_floats({order, order_v}, 0);
@@ -112,8 +113,8 @@ void ExactTie(benchmark::State& state) {
 }
 BENCHMARK(ExactTie)->Args({4, 1})->Args({10, 1})->Args({30, 1})->Args({4, 4});
 
-// The worst there is: domains, grids and arguments across the whole range of double, and a tie, for which the
-// denominator is multiplied out as well.
+// Evaluates the worst case: domains, grids and arguments across the whole range of double, and a tie, which
+// needs the exact denominator as well.
 void ExactWorst(benchmark::State& state) {
   constexpr double kHuge = std::numeric_limits<double>::max(), kTiny = 0x1p-1074;
   const int order = static_cast<int>(state.range(0)), order_v = static_cast<int>(state.range(1));
@@ -132,7 +133,7 @@ BENCHMARK(ExactWorst)
     ->Args({64, 64})
     ->Unit(benchmark::kMicrosecond);
 
-// ---- When a plan is made
+// ---- Degree reduction, when a plan is made
 
 void run_reduce(benchmark::State& state, const Problem& problem) {
   std::vector<double> reduced(problem.points.size());
@@ -146,7 +147,7 @@ void ReduceRandom(benchmark::State& state) {
 }
 BENCHMARK(ReduceRandom)->Args({4, 1})->Args({64, 1})->Args({4, 4})->Args({64, 64});
 
-// Planes: i + 3 j.
+// Reduces planes: i + 3 j.
 void ReducePlane(benchmark::State& state) {
   const int order = static_cast<int>(state.range(0)), order_v = static_cast<int>(state.range(1));
   Problem problem = random_floats({order, order_v}, 0);

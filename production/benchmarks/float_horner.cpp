@@ -1,3 +1,4 @@
+// The functions of "float Horner".
 #include "float_horner.h"
 
 namespace evalcts::bench {
@@ -5,7 +6,7 @@ namespace {
 
 constexpr int kMaxOrder = 64, kMaxComponents = 4;
 
-// Divisions would cost more than all the rest.
+// Reciprocals of integers. Divisions would take most of the time.
 struct Reciprocals {
   float of[kMaxOrder];
   Reciprocals() : of() {
@@ -14,8 +15,7 @@ struct Reciprocals {
 };
 const Reciprocals kReciprocals;
 
-// de Casteljau's construction of `order` points that lie `stride` apart, in place, until the first two are
-// left.
+// Runs de Casteljau's construction of `order` points, `stride` apart, in place, until two points are left.
 void reduce_to_two(float* points, int order, int stride, int components, float t) {
   const float s = 1 - t;
   for (int left = order - 1; left >= 2; --left) {
@@ -46,7 +46,7 @@ void reduce_to_two(float* points, int order, int stride, int components, float t
   }
 }
 
-// One direction makes the control points of a curve in the other one.
+// Evaluates the surface in one direction, which gives the control points of a curve in the other direction.
 [[gnu::noinline]] void horner_surface(const float* points, int u_order, int v_order, int components, float u,
                                       float v, float* result) {
   float curve[kMaxOrder * kMaxComponents];

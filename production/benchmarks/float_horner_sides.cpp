@@ -1,4 +1,4 @@
-// The loops of "float Horner" apart from the functions that they call, so that nothing is inlined.
+// The loops of "float Horner", in another file than the functions that they call, so that nothing is inlined.
 #include <cmath>
 
 #include "float_horner.h"

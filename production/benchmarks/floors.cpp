@@ -1,4 +1,4 @@
-// Peak rates of the machine for each instruction set: multiply-adds a second, and stores.
+// Measures the peak rates of the machine for each instruction set: multiply-adds and stores per second.
 #include <benchmark/benchmark.h>
 
 #include <cstddef>
@@ -20,12 +20,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr std::size_t kRounds = 1024;
 
-// Chains enough for two units with a latency of five. Returns how many numbers were multiplied and added.
+// Runs enough independent chains for two units with a latency of five cycles. Returns the number of
+// multiply-adds.
 template <typename T>
 std::size_t multiply_add(T* result) {
   const hn::ScalableTag<T> tag;
   const auto factor = hn::Set(tag, static_cast<T>(0.5)), summand = hn::Set(tag, *result);
-  // Different numbers, so that the chains stay apart.
+  // The chains have different numbers, so that the compiler does not merge them.
   auto a = summand, b = hn::Add(a, a), c = hn::Add(b, a), d = hn::Add(c, a), e = hn::Add(d, a);
   auto f = hn::Add(e, a), g = hn::Add(f, a), h = hn::Add(g, a), i = hn::Add(h, a), j = hn::Add(i, a);
   for (std::size_t round = 0; round < kRounds; ++round) {
@@ -93,7 +94,7 @@ void add_multiply_add(const std::string& name, std::size_t (*function)()) {
   });
 }
 
-// Items are bytes.
+// Adds a benchmark of stores. Items are bytes.
 void add_stores(const std::string& name, void (*function)(float*, std::size_t), std::size_t floats) {
   add(name, [function, floats]() -> Measured {
     return {[function, floats] { function(results(), floats); },

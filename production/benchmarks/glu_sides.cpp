@@ -1,6 +1,6 @@
-// The NURBS evaluator of GLU, which hands its vertices to callbacks. It chooses the order, in meshes it
-// delivers the vertices that strips share twice, and curves it samples at equal steps; measured is what one
-// delivered vertex takes.
+// Benchmarks the NURBS evaluator of GLU, which passes its vertices to callbacks in an order that it chooses.
+// In meshes, it delivers the vertices that strips share twice; curves are sampled at equal steps. The time is
+// that of one delivered vertex.
 #include <GL/glu.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kMaxOrder = 24;
 constexpr int kMeshRows = 16;
-constexpr std::size_t kPlaces = 4096;  // of results, in turn
+constexpr std::size_t kPlaces = 4096;  // number of results, used round-robin
 
 #define EVALCTS_GLU(name) decltype(&::name) name = library.find<decltype(&::name)>(#name)
 struct Glu {
@@ -42,7 +42,7 @@ const Glu& glu() {
   return kFunctions;
 }
 
-// The memory that receives the vertices.
+// The state of the callbacks that receive the vertices.
 struct Delivery {
   std::size_t components, vertices = 0;
 };
@@ -61,7 +61,7 @@ GLUnurbs* renderer(float u_steps, float v_steps, Delivery& delivery) {
   set(GLU_SAMPLING_METHOD, GLU_DOMAIN_DISTANCE);
   set(GLU_U_STEP, u_steps);
   set(GLU_V_STEP, v_steps);
-  // Without a GL there are no matrices to load.
+  // There is no GL whose matrices GLU could load.
   set(GLU_AUTO_LOAD_MATRIX, GL_FALSE);
   const GLfloat identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   const GLint viewport[4] = {0, 0, 1024, 1024};
@@ -77,8 +77,8 @@ std::vector<float> knots(int order) {
   return result;
 }
 
-// The vertices of one round, of control points whose first component (of meshes: the first two) is the
-// argument: the third and fourth have to be those of float Horner there.
+// Checks the vertices of one run. The first component of the control points (for meshes: the first two) is
+// the argument. The third and fourth component must be those of float Horner at this argument.
 template <class Workload, class Expected>
 void check(const Workload& workload, std::size_t vertices, std::size_t at_least, const Expected& expected) {
   if (vertices < at_least) throw std::runtime_error("GLU delivers too few vertices");
@@ -96,7 +96,7 @@ Measured curve_side(const Curve& curve) {
   const auto delivery = std::make_shared<Delivery>(Delivery{static_cast<std::size_t>(curve.components)});
   GLUnurbs* const nurbs = renderer(static_cast<float>(curve.u.size() - 1), 1, *delivery);
   const auto draw = [&curve, nurbs, knot = knots(curve.order)](const std::vector<float>& points) {
-    std::vector<float> k = knot, p = points;  // not const for GLU
+    std::vector<float> k = knot, p = points;  // GLU needs non-const arrays
     glu().gluBeginCurve(nurbs);
     glu().gluNurbsCurve(nurbs, 2 * curve.order, k.data(), curve.components, p.data(), curve.order,
                         curve.components == 3 ? GL_MAP1_VERTEX_3 : GL_MAP1_VERTEX_4);
@@ -143,7 +143,7 @@ Measured mesh_side(const Mesh& mesh) {
     if (curve.order <= kMaxOrder) add(curve.name + "/GLU", [&curve] { return curve_side(curve); });
   }
   for (const Mesh& mesh : meshes()) {
-    // GLU divides four components by the last one.
+    // Meshes of four components are omitted, because GLU divides by the last one.
     if (mesh.order <= kMaxOrder && mesh.components == 3 && mesh.ring != mesh.rows && !mesh.normals)
       add(mesh.name + "/GLU", [&mesh] { return mesh_side(mesh); });
   }

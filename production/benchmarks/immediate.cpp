@@ -1,3 +1,4 @@
+// Registers the benchmarks of single calls, and checks their results.
 #include "immediate.h"
 
 #include <cstring>
@@ -9,7 +10,7 @@
 namespace evalcts::bench {
 namespace {
 
-std::size_t stored = 0;  // vertices
+std::size_t stored = 0;  // number of vertices
 
 void store(void*, const glev_vertex* vertex) {
   const std::size_t place = stored++ % called_curve().u.size();

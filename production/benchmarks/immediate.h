@@ -1,4 +1,4 @@
-// One call after another, each with a vertex for the sink, as programs with GL's commands have them.
+// Benchmarks of single calls, each of which sends a vertex to the sink, as programs use the GL commands.
 #pragma once
 
 #include <glevaluator.h>
@@ -10,7 +10,7 @@
 
 namespace evalcts::bench {
 
-// The work of all sides: EvalCoord1(u[i]), and EvalCoord2(u[i], u[last - i]).
+// The calls of all sides: EvalCoord1(u[i]), and EvalCoord2(u[i], u[last - i]).
 const Curve& called_curve();
 const Mesh& called_surface();
 template <class Call>
@@ -23,10 +23,10 @@ void call_surface(const Call& eval_coord) {
   for (std::size_t i = 0; i < u.size(); ++i) eval_coord(u[i], u[u.size() - 1 - i]);
 }
 
-// A sink that stores positions in the results, in turn.
+// Returns a sink that stores positions in the results, round-robin.
 glev_sink storing_sink();
 
-// Registers a benchmark. prepare returns what makes all calls, with a storing_sink.
+// Registers a benchmark. `prepare` returns a function that makes all calls with a storing_sink().
 using Calls = std::function<void()>;
 void add_curve_calls(const std::string& side, std::function<Calls()> prepare);
 void add_surface_calls(const std::string& side, std::function<Calls()> prepare);

@@ -1,3 +1,4 @@
+// The models of the benchmarks, and the check and registration of their benchmarks.
 #include "models.h"
 
 #include <random>
@@ -23,7 +24,7 @@ std::vector<std::vector<float>> teapot() {
   return patches;
 }
 
-// Random numbers in [-1,1]: floats, or multiples of 2^-bits.
+// Returns patches of random numbers in [-1,1]: floats, or multiples of 2^-bits.
 std::vector<std::vector<float>> random_patches(int order, int count, int bits) {
   std::mt19937 generator(3);
   std::vector<std::vector<float>> patches(static_cast<std::size_t>(count));

@@ -1,5 +1,5 @@
-// OpenCASCADE: the geometry itself, and its adaptors, which keep the polynomial of the span they were in.
-// Three components, degree 25 at most.
+// Benchmarks OpenCASCADE: its geometry classes, and its adaptors, which cache the polynomial of the last
+// span. It supports three components and degrees up to 25.
 #include <GeomAdaptor_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <Geom_BezierCurve.hxx>
@@ -36,7 +36,7 @@ opencascade::handle<Geom_BezierSurface> geometry(const Mesh& mesh) {
   return new Geom_BezierSurface(points);
 }
 
-// `evaluator`: what points to a curve or surface, or to an adaptor of one.
+// `evaluator`: a pointer to a curve or surface, or to an adaptor.
 template <class Evaluator>
 CurveSide points_of(const Curve& curve, const Evaluator& evaluator) {
   return [&curve, evaluator](float* results) {

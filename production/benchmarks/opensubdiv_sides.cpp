@@ -1,5 +1,5 @@
-// OpenSubdiv: bicubic B-splines on its CPU evaluator, whose control points are such that they are the Bezier
-// patches of the workloads.
+// Benchmarks the CPU evaluator of OpenSubdiv, with bicubic B-splines that are equal to the Bezier patches of
+// the workloads.
 #include <opensubdiv/far/patchTableFactory.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 #include <opensubdiv/osd/cpuEvaluator.h>
@@ -18,7 +18,7 @@ namespace Far = OpenSubdiv::Far;
 namespace Osd = OpenSubdiv::Osd;
 namespace Sdc = OpenSubdiv::Sdc;
 
-// B-spline control points from Bezier ones, in one direction.
+// The matrix that converts Bezier control points to B-spline control points in one direction.
 constexpr double kFromBezier[4][4] = {{6, -7, 2, 0}, {0, 2, -1, 0}, {0, -1, 2, 0}, {0, 2, -7, 6}};
 
 std::vector<float> spline_points(const Mesh& mesh) {

@@ -1,5 +1,5 @@
-// OSMesa from end to end: evaluators of a GL, whose vertices go through a vertex shader into a buffer
-// (transform feedback), nothing is rasterized.
+// Benchmarks the evaluators of OSMesa. Vertices go through a vertex shader into a buffer (transform
+// feedback), and nothing is rasterized.
 #include <GL/gl.h>
 #include <GL/glext.h>
 
@@ -74,7 +74,7 @@ struct OSMesa {
     return result;
   }
 
-  // Only this vertex map counts, and there is room for so many positions.
+  // Enables only this vertex map, and makes room for `points` positions.
   void select(GLenum map, int components, std::size_t points) {
     for (const GLenum other : {GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4, GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}) {
       if (other == map) {
@@ -100,7 +100,7 @@ struct OSMesa {
   }
 
   std::array<GLuint, 5> programs{};
-  GLsizeiptr room = 0;  // of the buffer, in bytes
+  GLsizeiptr room = 0;  // size of the buffer in bytes
   std::array<unsigned char, 16 * 16 * 4> pixels{};
 };
 #undef EVALCTS_GL

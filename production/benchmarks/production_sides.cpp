@@ -1,4 +1,4 @@
-// The evaluator of this project, on each instruction set that it can use here.
+// Benchmarks libglevaluator, on each instruction set that the machine supports.
 #include <glevaluator.h>
 
 #include <algorithm>
@@ -201,16 +201,16 @@ std::function<void(const float*, float*)> many_patches_side(const char* target) 
   };
 }
 
-// All patches of a bicubic model in one call, after a check that the bits are those of plans.
+// Evaluates all patches of a bicubic model in one call, after a check that results have the bits of plans.
 Measured model_by_patches(const Model& model, const char* target) {
   require(model.order == 4, "not bicubic");
-  // At most so many that their points fit into the memory for results.
+  // The number of patches is limited, so that their points fit into the memory for results.
   const std::size_t count = std::min(model.patches.size(), std::size_t{32}),
                     own = 3 * model.points_of_patch();
   std::vector<float> points, expected(count * own);
   const PatchSide plans = side(model, target, GLEV_CORRECTLY_ROUNDED);
   for (std::size_t p = 0; p < count; ++p) {
-    // Models have u fastest.
+    // In models, u is fastest.
     points.insert(points.end(), model.patches[p].begin(), model.patches[p].end());
     plans(p, expected.data() + p * own);
   }
@@ -260,7 +260,7 @@ struct DoubleOutputs {
   std::vector<unsigned char> scratch;
 };
 
-// Results of a mesh: vertices as doubles, or the tangents u and v as floats or doubles.
+// The results of a mesh: vertices as doubles, or both tangents as floats or doubles.
 enum class Wanted { kDoubles, kTangents, kDoubleTangents };
 
 Measured mesh_of(const char* target, Wanted wanted, glev_precision precision) {
@@ -305,7 +305,7 @@ Measured mesh_of(const char* target, Wanted wanted, glev_precision precision) {
   return {run, static_cast<std::int64_t>(points)};
 }
 
-// `count` arguments of a curve of order 4 at a time, to doubles or floats.
+// Evaluates batches of `count` arguments of a curve of order 4, to doubles or floats.
 Measured batches_of(const char* target, std::size_t count, bool is_double) {
   const Curve& curve = curves().front();
   const Plan plan = make_plan(make_context(target, curve), 1);
@@ -334,7 +334,7 @@ Measured batches_of(const char* target, std::size_t count, bool is_double) {
           static_cast<std::int64_t>(count)};
 }
 
-// Scattered points of a bicubic surface.
+// Evaluates scattered points of a bicubic surface.
 Measured scattered(const char* target, glev_precision precision) {
   const Mesh& surface = called_surface();
   const std::vector<float>& u = called_curve().u;
@@ -356,7 +356,7 @@ Measured scattered(const char* target, glev_precision precision) {
           static_cast<std::int64_t>(u.size() / 2)};
 }
 
-// EvalMesh2 of a bicubic patch with 64 segments to a sink.
+// Calls EvalMesh2 of a bicubic patch with 64 segments, with a sink.
 Measured mesh_to_sink(const char* target) {
   const Context context = make_context(target, called_surface());
   const glev_sink sink = storing_sink();

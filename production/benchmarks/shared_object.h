@@ -1,4 +1,4 @@
-// A library that is opened at run time, so that nothing here links to GL. It stays open.
+// A library that is opened at run time, so that the benchmarks are not linked to a GL. It is never closed.
 #pragma once
 
 #include <dlfcn.h>
@@ -9,7 +9,7 @@ namespace evalcts::bench {
 
 class SharedObject {
  public:
-  // Throws the loader's words.
+  // Throws std::runtime_error with the message of the loader.
   explicit SharedObject(const char* name) : handle_(dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
     if (!handle_) throw std::runtime_error(dlerror());
   }

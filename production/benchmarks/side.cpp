@@ -1,3 +1,4 @@
+// Checks the results of sides against float Horner, and registers benchmarks.
 #include "side.h"
 
 #include <benchmark/benchmark.h>
@@ -15,9 +16,9 @@
 namespace evalcts::bench {
 namespace {
 
-constexpr int kStrip = 16;  // rows
+constexpr int kStrip = 16;  // number of rows
 
-// That of a unit normal, which float computes badly where the tangents are nearly parallel.
+// The tolerance of unit normals, which have large errors in float if the tangents are nearly parallel.
 constexpr double kNormalTolerance = 1e-2;
 
 void check(const Mesh& mesh, const MeshSide& side, Unit unit) {
@@ -44,7 +45,7 @@ void check(const Mesh& mesh, const MeshSide& side, Unit unit) {
   }
 }
 
-// Aligned to pages.
+// Returns the memory for results, aligned to pages.
 std::span<float> memory() {
   static const std::span<float> kFloats = [] {
     std::size_t count = 0;
@@ -90,7 +91,7 @@ void add(const std::string& name, std::function<Measured()> prepare) {
   benchmark::RegisterBenchmark(name.c_str(), [shared](benchmark::State& state) {
     try {
       if (const auto first = std::exchange(shared->prepare, nullptr)) {
-        // Values that the side before has left must not pass for results.
+        // Results of the previous side must not pass the check.
         std::ranges::fill(memory(), NAN);
         shared->measured = first();
       }

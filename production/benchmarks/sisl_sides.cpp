@@ -1,4 +1,4 @@
-// SISL: points of curves one by one, and whole grids; it computes in double.
+// Benchmarks SISL: points of curves one by one, and whole grids. It computes in double.
 #include <sisl.h>
 
 #include <memory>

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Measures the evaluator beside its peers and prints the tables of the README.
 
-Every side of every workload is measured in one process, in random order, many times; what counts is the
-fastest time. Numbers are ns for a point (all components of one result) of processor time of one core.
+Every side of every workload is measured many times in one process, in random order; the result is the
+fastest time. Numbers are ns of processor time of one core per point (all components of one result).
 """
 import argparse
 import datetime
@@ -20,15 +20,15 @@ FILTERS = {"models": "^(Model|Patches|Plan|Double|Tangents|Batch|Scattered|Sink|
 HORNER, EXACT, FAST, PRODUCT = "float_Horner", "production", "production_fast", "Eigen"
 LOOP = "constant_order"
 WIDTHS = ("AVX2", "AVX-512")  # the instruction sets of the goals
-FAMILY = {"AVX2": "AVX2", "AVX-512": "AVX3"}  # how the names begin that Highway has for them
+FAMILY = {"AVX2": "AVX2", "AVX-512": "AVX3"}  # prefixes of the names in Highway
 
 
 class Goal:
     """A line of the first table.
 
-    must: ratios to float Horner on AVX2 and AVX-512. product: at most so many times what the matrix product
-    takes. fma and size are the multiply-adds and bytes of one point, store is the kind of memory they go to;
-    without fma there is no floor to speak of.
+    must: ratios to float Horner on AVX2 and AVX-512. product: largest ratio to the time of the matrix product.
+    fma and size are the multiply-adds and bytes of one point, store is the kind of memory they are stored to;
+    without fma there is no floor.
     """
 
     def __init__(self, words, name, must, stretch, fma=None, size=12, product=None, side=EXACT,
@@ -131,7 +131,7 @@ MODELS += [
     Model("teapot, 64 segments, GLEV_FAST, plan at hand", "Model/teapot/segments:64", None, FAST),
 ]
 
-# Work without a peer: what it may take, in ns, or None.
+# Work without a peer, with its limit in ns, or None.
 OTHERS = [
     ("Map2, plan and release, bicubic, a plan", "Plan/bicubic", 400),
     ("Map2, plan and release, 64 x 64, a plan", "Plan/order:64", 15000),
@@ -154,7 +154,7 @@ OTHERS = [
 class Results:
     def __init__(self, data):
         self.context = data["context"]
-        self.rate = {}  # highest items a second, by name
+        self.rate = {}  # highest items per second, by name
         errors = {}
         for run in data["benchmarks"]:
             name = run.get("run_name", run["name"])
@@ -166,7 +166,7 @@ class Results:
             warn(f"{name}: {error}")
         targets = {name.rsplit("/", 1)[1] for name in self.rate if f"/{EXACT}/" in name}
         self.targets = sorted(targets)
-        # Highway has several kinds of AVX-512; the one that counts is the fastest at meshes.
+        # Highway has several kinds of AVX-512; the table uses the fastest one at meshes.
         self.target = {width: max((t for t in self.targets if t.startswith(FAMILY[width])), default=None,
                                   key=lambda t: self.rate.get(f"Mesh/order:4/dim:3/ring/{EXACT}/{t}", 0))
                        for width in WIDTHS}
@@ -356,7 +356,7 @@ def measure(program, quick, repetitions, which):
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder, "results.json")
         if not program:
-            # Installs and builds, on all cores.
+            # Installs prerequisites and builds on all cores.
             subprocess.run([ROOT / "evalcts", "bench", "--benchmark_list_tests"], check=True,
                            stdout=subprocess.DEVNULL)
             program = ROOT / "build/release/harness/benchmarks/evalcts-bench"

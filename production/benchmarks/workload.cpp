@@ -1,3 +1,4 @@
+// Generates the workloads.
 #include "workload.h"
 
 #include <algorithm>
@@ -9,9 +10,10 @@
 namespace evalcts::bench {
 namespace {
 
-constexpr std::size_t kArguments = 4096;  // with their results they stay in L2
+constexpr std::size_t kArguments = 4096;  // arguments and results fit into the L2 cache
 
-// The distributions of the standard library differ from one to the next; the generator does not.
+// Random numbers that are the same on every machine. The distributions of the standard library differ between
+// libraries; the generator does not.
 class Random {
  public:
   explicit Random(unsigned seed) : generator_(seed) {}
@@ -48,7 +50,7 @@ Mesh random_mesh(int order, int components, int side, int ring, bool normals) {
       side, ring,  normals,    random.uniform(static_cast<std::size_t>(order) * order * components, -1, 1)};
 }
 
-// The same polynomial in three components.
+// Returns a curve with the same polynomial in three components.
 Curve hard_curve(const std::string& kind, const std::vector<double>& coefficients, std::vector<float> u) {
   const int order = static_cast<int>(coefficients.size());
   std::vector<float> points;
@@ -56,7 +58,7 @@ Curve hard_curve(const std::string& kind, const std::vector<double>& coefficient
   return {"Hard/" + kind + "/order:" + std::to_string(order), order, 3, std::move(points), std::move(u)};
 }
 
-// (1 - 2u)^n
+// Returns the coefficients of (1 - 2u)^n.
 std::vector<double> power(int order) {
   std::vector<double> result(order);
   for (int i = 0; i < order; ++i) result[i] = i % 2 ? -1 : 1;
@@ -69,8 +71,9 @@ std::vector<double> line(int order) {
   return result;
 }
 
-// The product of u - j/order for j from 1 to order - 1, to a largest coefficient of 1: with binomials taken
-// in, the coefficients of Bernstein polynomials multiply like those of ordinary ones.
+// Returns the coefficients of the product of u - j/order for j from 1 to order - 1, scaled to a largest
+// coefficient of 1. Bernstein coefficients times binomial coefficients multiply like the coefficients of
+// ordinary polynomials.
 std::vector<double> roots(int order) {
   std::vector<double> scaled = {1};
   for (int j = 1; j < order; ++j) {

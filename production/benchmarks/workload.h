@@ -1,4 +1,4 @@
-// Workload of the benchmarks: the same for every side, from seeds.
+// The workloads of the benchmarks. They are generated from seeds and are the same for every side.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace evalcts::bench {
 
-// Points of one curve over [0,1] at scattered arguments.
+// A workload: points of one curve over [0,1] at scattered arguments.
 struct Curve {
   std::string name;
   int order, components;
@@ -15,19 +15,20 @@ struct Curve {
   std::vector<float> u;
 };
 
-// Points of one surface over [0,1] x [0,1] on the grid (i / (columns - 1), j / (rows - 1)), row by row.
+// A workload: points of one surface over [0,1] x [0,1] on the grid (i / (columns - 1), j / (rows - 1)), row
+// by row.
 struct Mesh {
   std::string name;
   int order, components;  // both orders are the same
   int columns, rows;
-  int ring;      // the results go into memory for so many rows, again and again
-  bool normals;  // after each position its unit normal
+  int ring;      // number of rows of the memory for results, which is reused
+  bool normals;  // each position is followed by its unit normal
   std::vector<float>
       points;  // control point (i, j), i in the direction of u, begins at (j * order + i) * components
 
   float u(int i) const { return static_cast<float>(i) / static_cast<float>(columns - 1); }
   float v(int j) const { return static_cast<float>(j) / static_cast<float>(rows - 1); }
-  int values() const { return components + (normals ? 3 : 0); }  // of one point
+  int values() const { return components + (normals ? 3 : 0); }  // number of values of a point
 };
 
 // Ordinary data: control points uniform in [-1,1], arguments in [0,1].
@@ -35,7 +36,7 @@ const std::vector<Curve>& curves();
 const std::vector<Mesh>& meshes();
 
 // Curves that are hard to round: exact ties, lines given as curves of higher degree, and cancellation. Every
-// component has the same polynomial, but for `offset`.
+// component has the same polynomial, except in Hard/offset.
 const std::vector<Curve>& hard_curves();
 
 }  // namespace evalcts::bench

@@ -1,4 +1,4 @@
-// An array that grows, without the C++ run time.
+// A growing array that does not need the C++ run time.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,8 @@ class Array {
   T& operator[](std::size_t i) { return data_[i]; }
   void clear() { size_ = 0; }
 
-  // Room for `count` more behind the last one, to be filled; null, and nothing changed, without memory.
+  // Appends `count` elements for the caller to fill, and returns the first of them. Returns null, and changes
+  // nothing, if there is no memory.
   T* grow(std::size_t count) {
     if (size_ + count > capacity_) {
       const std::size_t capacity = (size_ + count) + (size_ + count) / 2;
@@ -43,7 +44,7 @@ class Array {
     return true;
   }
   void erase(std::size_t place, std::size_t count = 1) {
-    if (count == 0) return;  // an empty one has no address
+    if (count == 0) return;  // an empty array has no address
     std::memmove(data_ + place, data_ + place + count, (size_ - place - count) * kBytes);
     size_ -= count;
   }
@@ -55,7 +56,7 @@ class Array {
   }
 
  private:
-  // Also of pointers, and a constant for all that.
+  // T may be a pointer, and kBytes is a constant despite the warning.
   // NOLINTNEXTLINE(bugprone-sizeof-expression,bugprone-dynamic-static-initializers)
   static constexpr std::size_t kBytes = sizeof(T);
 

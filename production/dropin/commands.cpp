@@ -1,17 +1,17 @@
-// The commands of the GL that this library takes the place of, but for those that set current values.
+// The GL commands that this library replaces, except those that set current values.
 #include "context.h"
 #include "src/target.h"
 
 using namespace glev::dropin;  // NOLINT(google-build-using-namespace): what follows is C
 
-// If the GL has no evaluators any more, or never had any, its own answer counts.
+// If the GL does not have evaluators, the command is passed on to it.
 #define OF_EVALUATORS(name, ...)              \
   Context* const context = current_context(); \
   if (context == nullptr) return gl_below().name(__VA_ARGS__)
 
 namespace {
 
-// A command that lists take.
+// Issues a command that lists can contain.
 template <class Operation>
 void issue(Context* context, const Operation& operation) {
   evaluators_used.note();
@@ -20,7 +20,8 @@ void issue(Context* context, const Operation& operation) {
 
 // --- Maps
 
-// Number of values that Map reads of a control point; 0 where it reads none, because its arguments are wrong.
+// Returns the number of values that Map reads for each control point; 0 if it reads none because its
+// arguments are invalid.
 template <int kDimension>
 std::size_t components_of(GLenum name, const GLint (&orders)[kDimension],
                           const GLint (&strides)[kDimension]) {
@@ -32,7 +33,7 @@ std::size_t components_of(GLenum name, const GLint (&orders)[kDimension],
   return static_cast<std::size_t>(components);
 }
 
-// The control points of a list are copied, packed.
+// Executes Map1, or compiles it with a packed copy of the control points.
 template <class Real>
 void define_map1(Context* context, GLenum target, Real u1, Real u2, GLint stride, GLint order,
                  const Real* points) {
@@ -105,7 +106,7 @@ DROPIN_EXPORT void glMap2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustrid
   define_map2(context, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
 }
 
-// Executed at once, and rejected between Begin and End.
+// These commands are executed at once and rejected between Begin and End.
 #define GET_MAP(letter, type)                                                                       \
   DROPIN_EXPORT void glGetMap##letter##v(GLenum target, GLenum query, type* v) {                    \
     OF_EVALUATORS(GetMap##letter##v, target, query, v);                                             \
@@ -209,7 +210,7 @@ void ask(glev_context* evaluators, GLenum pname, GLint64* v) {
   for (int k = 0; k < count; ++k) v[k] = values[k];
 }
 
-// Answers the query and returns true, unless the GL below answers it.
+// Answers a query and returns true. Returns false if the GL below must answer it.
 template <class Number>
 bool answer(GLenum pname, Number* v) {
   const bool of_list = pname == GL_LIST_INDEX || pname == GL_LIST_MODE;

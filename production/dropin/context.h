@@ -1,5 +1,5 @@
-// State that the drop-in library keeps for a context of the GL below: its evaluators, and other state that it
-// must follow to leave the current values alone and display lists in order.
+// The state that the drop-in library keeps for a context of the GL below: its evaluators, and the state that
+// it must track to preserve the current values and the order of display lists.
 #pragma once
 
 #include <atomic>
@@ -11,12 +11,12 @@
 #include "gl_below.h"
 #include "lists.h"
 
-// In front of what programs call.
+// Marks the functions that programs call.
 #define DROPIN_EXPORT extern "C" __attribute__((visibility("default")))
 
 namespace glev::dropin {
 
-// An act that the program has done once, in any thread.
+// A flag that is set once the program has done something, in any thread.
 class Once {
  public:
   void note() {
@@ -27,19 +27,19 @@ class Once {
  private:
   std::atomic<bool> noted_{false};
 };
-// A command of evaluators: until then lists are left to the driver wherever possible.
+// Set by the first command of evaluators. Until then, display lists are left to the driver if possible.
 inline Once evaluators_used;
-// NewList.
+// Set by NewList.
 inline Once lists_used;
-// ListBase: until then it is 0.
+// Set by ListBase. Until then, the list base is 0.
 inline Once list_base_used;
 
 class Context {
  public:
   enum class Kind {
     kUnknown,
-    kEvaluators,  // all but the following
-    kRemoved,     // core profile or forward-compatible: the GL has no evaluators any more
+    kEvaluators,  // the GL has evaluators
+    kRemoved,     // core profile or forward-compatible: evaluators were removed
     kForeign      // OpenGL ES
   };
 
@@ -47,7 +47,7 @@ class Context {
   void destroy();
 
   Kind kind = Kind::kUnknown;
-  int version = 0;  // 45: 4.5
+  int version = 0;  // 45 for version 4.5
   bool no_error = false;
   bool multitexture = false;
   bool vertex_programs = false;
@@ -57,16 +57,16 @@ class Context {
   std::uint32_t enabled = 0;  // a bit for each map and AUTO_NORMAL
   bool out_of_memory = false;
 
-  // False: certainly not between Begin and End.
+  // False if the context is certainly not between Begin and End.
   bool maybe_inside = false;
-  // Between Begin and End: `current` is what the GL has.
+  // True if `current` holds the current values of the GL, between Begin and End.
   bool tracking = false;
   Setter current[kAttributeCount];
-  bool keeps_length = false;  // of automatic normals: a vertex shader is active
+  bool keeps_length = false;  // automatic normals are not normalised, because a vertex shader is active
   bool in_mesh = false;
   int emitting = 0;  // dimension of the maps that are being evaluated
 
-  // By depth, true if that group of the attribute stack is one of the evaluators'.
+  // For each depth of the attribute stack, true if the entry was pushed to the stack of `evaluators`, too.
   bool pushed[64] = {};
   bool list_base_known = true;
   GLuint list_base = 0;
@@ -75,17 +75,16 @@ class Context {
 
   void identify();
 
-  // Errors arise in the GL below, so that its GetError answers for both.
+  // Raises an error in the GL below, so that its GetError returns the errors of both.
   void raise_error(GLenum error);
-  // Hands on what the evaluators have recorded.
+  // Passes on the error that the evaluators have recorded.
   void report();
-  // False, and INVALID_OPERATION, between Begin and End.
+  // Returns true outside Begin/End. Otherwise raises INVALID_OPERATION and returns false.
   bool is_outside();
 
   GLint get_integer(GLenum pname, GLint otherwise);
 
-  // Execution of commands.
-  // --- state.cpp
+  // The functions below execute commands. --- state.cpp
   void update_enabled();
   bool has_vertex_map() const;
   void set_enabled(GLenum cap, bool on);
@@ -100,8 +99,8 @@ class Context {
   void pop_attrib();
   void copy_eval_attributes(const Context& from, bool grids);
 
-  // --- evaluation.cpp
-  // To be called before Begin: queries what evaluation between Begin and End is going to change.
+  // --- evaluation.cpp Must be called before Begin. Queries the state that evaluation between Begin and End
+  // changes.
   void before_primitive();
   void eval_coord1(double u);
   void eval_coord2(double u, double v);
@@ -110,14 +109,14 @@ class Context {
   void eval_mesh1(GLenum mode, GLint i1, GLint i2);
   void eval_mesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2);
 
-  // --- lists.cpp
-  // Executes the operation, or makes it part of the list that is open, or both.
+  // --- lists.cpp Executes the operation, appends it to the open list, or both.
   template <class Operation>
   void issue(const Operation& operation) {
     if (!list.open) return operation(*this, nullptr);
     if (begin_recording()) end_recording(list.code.append(operation) != nullptr);
   }
-  // The same for one that needs a copy of `bytes` bytes: written by copy(unsigned char*).
+  // The same for an operation that needs a copy of `bytes` bytes, which copy(unsigned char*) writes. Requires
+  // an open list.
   template <class Operation, class Copy>
   void issue_with(const Operation& operation, std::size_t bytes, const Copy& copy) {
     if (!begin_recording()) return;
@@ -169,12 +168,12 @@ class Context {
   void begin_deferral();
   void end_deferral();
 
-  double normal_length_ = 1;  // of the next vertex, see keeps_length
+  double normal_length_ = 1;  // length of the normal of the next vertex, see keeps_length
 };
 
-// The context that is current in this thread, if its GL has evaluators.
+// Returns the current context of this thread if its GL has evaluators, otherwise null.
 Context* current_context();
-// The same, whatever it has; null where none is current.
+// Returns the current context of this thread; null if there is none.
 Context* current_context_of_any_kind();
 
 }  // namespace glev::dropin

@@ -1,4 +1,4 @@
-// The current context and its state.
+// Tracks the contexts of the process and of each thread, and identifies their GL.
 #include <pthread.h>
 
 #include <cstdio>
@@ -10,25 +10,25 @@ namespace glev::dropin {
 
 namespace {
 
-// A context by the handle of its window system.
+// A context and its handle in the window system.
 struct Known {
   const void* handle;
   Context* context;
-  int bound;  // threads that it is current in
+  int bound;  // number of threads in which it is current
   bool destroyed;
 };
 
 pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
 
-// Never destroyed: threads may outlive the end of main.
+// The array is never destroyed, because threads may outlive the end of main.
 Array<Known*>& known_contexts() {
   static Array<Known*>* all = nullptr;
   if (all == nullptr) all = new (std::malloc(sizeof *all)) Array<Known*>();
   return *all;
 }
 
-// The last call to the window system in this thread; if it did not go through this library, the window system
-// is asked each time.
+// The current context of this thread. If `told` is false, no call of this thread has made a context current
+// through this library, so the window system is queried each time.
 struct ThisThread {
   bool told;
   Known* bound;
@@ -84,7 +84,7 @@ Known* find_or_add(const void* handle) {
 void note_created(const void* handle, const void* shared) {
   if (handle == nullptr) return;
   const Lock lock;
-  // Another one's, which was destroyed without a word.
+  // A known context with this handle was destroyed without notice.
   if (const std::size_t place = place_of(handle); place < known_contexts().size()) forget(place);
   add_context(handle, shared != nullptr ? find_or_add(shared)->context->group : nullptr);
 }
@@ -146,10 +146,10 @@ bool has_extension(int version, const char* name) {
 
 }  // namespace
 
-// Asks for nothing that the version does not have: errors would be the program's.
+// Queries only state that the version has, because errors would become visible to the program.
 void Context::identify() {
   const auto* const text = reinterpret_cast<const char*>(gl_below().GetString(GL_VERSION));
-  if (text == nullptr) return;  // not yet current
+  if (text == nullptr) return;  // the context is not yet current
   if (std::strncmp(text, "OpenGL ES", 9) == 0) {
     kind = Kind::kForeign;
     return;
@@ -201,13 +201,13 @@ bool Context::is_outside() {
     return false;
   }
   if (!maybe_inside) return true;
-  // A Begin may have failed. Between Begin and End the GL answers nothing, and records the error that is due.
+  // A Begin may have failed. Between Begin and End, the query fails and the GL records the error.
   if (get_integer(GL_MAX_TEXTURE_SIZE, -1) == -1) return false;
   maybe_inside = tracking = false;
   return true;
 }
 
-// With commands that do nothing else, and that no list takes.
+// Uses commands that have no other effect and are never compiled.
 void Context::raise_error(GLenum error) {
   if (no_error) return;
   if (error == GL_INVALID_ENUM) {

@@ -1,5 +1,5 @@
-// The commands that set what maps stand in for: passed on, and kept while something may have to be brought
-// back.
+// The commands that set current values which maps can replace. They are passed on, and recorded if the values
+// may have to be restored.
 #include <limits>
 
 #include "context.h"
@@ -8,7 +8,7 @@ using namespace glev::dropin;  // NOLINT(google-build-using-namespace): what fol
 
 namespace {
 
-// The context, if it has to know the value.
+// Returns the context if it must record the value, otherwise null.
 Context* watching_context() {
   if (!evaluators_used && !lists_used) return nullptr;
   Context* const context = current_context();
@@ -24,7 +24,8 @@ Setter make_setter(void (*send)(const void*), const Values& values) {
   return setter;
 }
 
-// The values that a command of fewer leaves at (0, 0, 0, 1): of colours, 1 is the largest of an integer.
+// The values of a command, completed with those of (0, 0, 0, 1). For colours, the 1 of an integer type is its
+// largest value.
 template <class Type, int kMost>
 struct Complete {
   Complete(Attribute attribute, int count, const Type* v) : of{} {
@@ -35,8 +36,8 @@ struct Complete {
   Type of[kMost];
 };
 
-// Mesa may keep the last values of one command for the next one that has fewer; so where evaluation may come
-// between, the same values are sent by the longest form.
+// Mesa may keep the last values of one command for the next command, if that has fewer. So once evaluators
+// are used, values are always sent by the form with the most values.
 template <auto kCommand, auto kLongest, int kCount, int kMost, class Type>
 void set(Attribute attribute, const Type* v) {
   Context* const context = watching_context();
@@ -53,7 +54,7 @@ void set(Attribute attribute, const Type* v) {
                     values));
 }
 
-// Maps give the texture coordinates of unit 0.
+// Only unit 0 is recorded, because maps replace only its texture coordinates.
 template <auto kCommand, auto kLongest, int kCount, class Type>
 void SetUnit(GLenum unit, const Type* v) {
   Context* const context = unit == GL_TEXTURE0 ? watching_context() : nullptr;

@@ -1,4 +1,4 @@
-// The enabled maps, and the attributes that they give together.
+// The enabled maps, and the attributes that they generate.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,8 @@ inline GLenum cap_of(int bit) {
   return static_cast<GLenum>(bit < kMaps ? GL_MAP1_COLOR_4 + bit : GL_MAP2_COLOR_4 + bit - kMaps);
 }
 
-// Attributes of the enabled maps of a dimension: components, 0 for none.
+// The attributes that the enabled maps of a dimension generate. `texture` and `vertex` are numbers of
+// components, 0 for none.
 struct Given {
   bool color, normal;
   int texture, vertex;

@@ -1,5 +1,5 @@
-// Evaluated vertices go to the GL below as Color4, Normal3, TexCoord4 and Vertex commands, with the current
-// values brought back behind them.
+// Evaluation: vertices are sent to the GL below as Color4, Normal3, TexCoord4 and Vertex commands, after
+// which the current values are restored.
 #include "context.h"
 #include "enables.h"
 
@@ -18,7 +18,7 @@ Setter keep(const GLfloat (&values)[4]) {
 
 // --- Current values
 
-// Saves the current values that maps replace; between Begin and End they cannot be queried.
+// Saves the current values that maps replace. They cannot be queried between Begin and End.
 void Context::take_snapshot() {
   GLfloat values[4] = {};
   for (Setter& setter : current) setter.send = nullptr;
@@ -83,7 +83,8 @@ void Context::on_vertex(void* user, const glev_vertex* vertex) {
     gl_below().Vertex3fv(vertex->position);
 }
 
-// Outside Begin and End evaluation of a point is undefined in the GL: nothing happens.
+// Returns false if nothing must be evaluated: without a vertex map, and outside Begin/End, where the GL
+// leaves evaluation of a point undefined.
 bool Context::prepare_evaluation(int dimension) {
   if (!maybe_inside || given_by(enabled, dimension).vertex == 0) return false;
   emitting = dimension;
@@ -165,7 +166,7 @@ void Context::eval_mesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   report();
 }
 
-// The loops of GL 2.1 5.1. 64 bits, so that they come to an end.
+// The loops of GL 2.1 section 5.1. Indices have 64 bits, so that the loops end for i2 = INT_MAX.
 void Context::mesh_by_points(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   const std::int64_t i_last = i2, j_last = j2;
   const auto point = [this](std::int64_t i, std::int64_t j) {

@@ -1,3 +1,4 @@
+// Finds the commands of the GL below.
 #include "gl_below.h"
 
 #include <dlfcn.h>
@@ -31,7 +32,7 @@ void open_named_library() {
 
 using GetProcAddress = void* (*)(const char*);
 
-// The commands of a program that is linked to its window system only.
+// Finds a command by the window system, for programs that are linked only to the window system.
 void* ask_window_system(const char* command) {
   for (const char* const name :
        {"eglGetProcAddress", "glXGetProcAddressARB", "glXGetProcAddress", "OSMesaGetProcAddress"})
@@ -48,7 +49,7 @@ void* find_command(const char* name) {
   return kUsual != nullptr ? dlsym(kUsual, name) : nullptr;
 }
 
-// Commands that were extensions before they became part of the GL have a second name.
+// Finds a command by its name or, if it was an extension before, by the name of the extension.
 template <class Command>
 void find(const char* name, const char* name_of_extension, Command* command) {
   void* address = find_command(name);

@@ -1,4 +1,4 @@
-// The GL that is loaded: what the drop-in library stands in front of.
+// The GL below: the GL that is loaded and to which the drop-in library passes commands.
 #pragma once
 
 #include <GL/gl.h>
@@ -8,7 +8,7 @@
 
 namespace glev::dropin {
 
-// Every command of the GL that this library issues itself or passes on, apart from those of setters.h.
+// The GL commands that this library issues or passes on, except those of setters.h.
 // clang-format off
 #define DROPIN_EVALUATORS(X)                                                                \
   X(Map1f) X(Map1d) X(Map2f) X(Map2d) X(MapGrid1f) X(MapGrid1d) X(MapGrid2f) X(MapGrid2d)   \
@@ -27,7 +27,7 @@ namespace glev::dropin {
   X(GetAttachedShaders) X(GetShaderiv) X(GetProgramPipelineiv)
 // clang-format on
 
-// A null pointer: the GL has no such command.
+// The commands of the GL below. A pointer is null if the GL does not have the command.
 struct GlBelow {
 #define X(name) decltype(&::gl##name) name;
   DROPIN_EVALUATORS(X)
@@ -46,11 +46,11 @@ struct GlBelow {
 #undef X
 };
 
-// Finds them when it is first called; says so and ends the program where there is no GL.
+// Returns the commands. The first call finds them, and aborts the program with a message if there is no GL.
 const GlBelow& gl_below();
 
-// A symbol that the library below exports: the one that GLEVALUATOR_GL names, or else the next one that is
-// loaded. Null where there is none.
+// Returns a symbol of the library that GLEVALUATOR_GL names or, if it is not set, of the next loaded library
+// that exports the symbol. Returns null if there is none.
 void* find_below(const char* symbol);
 
 }  // namespace glev::dropin

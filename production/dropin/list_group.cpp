@@ -1,4 +1,4 @@
-// The lists of contexts that share them, by name.
+// The display lists of contexts that share lists, by name.
 #include <pthread.h>
 
 #include "lists.h"
@@ -6,7 +6,7 @@
 namespace glev::dropin {
 namespace {
 
-// The first element that is not less than `name`, in an array sorted by `name_of`.
+// Returns the first element that is not less than `name` in an array sorted by `name_of`.
 template <class T, class NameOf>
 std::size_t lower_bound_in(Array<T>& sorted, GLuint name, const NameOf& name_of) {
   std::size_t first = 0, last = sorted.size();
@@ -44,7 +44,7 @@ void Group::retain() {
   ++references_;
 }
 
-// The driver's lists go with its last context.
+// The driver deletes its own lists with its last context.
 void Group::release() {
   {
     const Lock lock;
@@ -86,7 +86,7 @@ bool Group::is_empty() {
   return lists_.size() == 0;
 }
 
-// With the lock held.
+// Requires the lock.
 void Group::drop(List* list) {
   if (--list->references > 0) return;
   for (const GLuint segment : list->segments) {

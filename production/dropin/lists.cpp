@@ -1,5 +1,6 @@
-// Display lists. The driver cannot compile commands of evaluators, so that each of them closes the driver's
-// list that is open, is kept here, and opens another one: a list of the program is a sequence of both.
+// Display lists. The driver cannot compile commands of evaluators. Each of them therefore closes the open
+// list of the driver, is recorded here, and opens another list of the driver. A list of the program is a
+// sequence of lists of the driver (segments) and recorded commands.
 #include "context.h"
 #include "src/list_offsets.h"
 
@@ -31,7 +32,7 @@ void Context::new_list(GLuint name, GLenum mode) {
   list.deferring = false;
   list.code.clear();
   list.segments.clear();
-  // Until EndList the name stands for the list that it stands for now.
+  // Until EndList, the name keeps its previous meaning.
   list.begins_elsewhere = static_cast<bool>(evaluators_used) && gl_below().IsList(name);
   if (list.begins_elsewhere) {
     open_segment();
@@ -95,7 +96,7 @@ void Context::end_list() {
   defined->code.swap(list.code);
   defined->segments.swap(list.segments);
   group->define(defined);
-  // The former content of the list is gone.
+  // Removes the former content of the driver's list.
   if (list.begins_elsewhere) {
     gl_below().NewList(list.name, GL_COMPILE);
     gl_below().EndList();
@@ -103,7 +104,8 @@ void Context::end_list() {
 }
 
 bool Context::begin_recording() {
-  // The first command of evaluators, in a primitive that is being executed: nothing can be enabled yet.
+  // This is the first command of evaluators, in a primitive that is being executed. No map can be enabled
+  // yet, so the command has no effect.
   if (executes() && maybe_inside) return false;
   close_segment();
   list.recorded = list.code.size();
@@ -132,9 +134,9 @@ void Context::end_deferral() {
   open_segment();
 }
 
-// Drivers do not bring back all of a primitive that ends in another list than the one it begins in (Mesa
-// forgets attributes before the first vertex, and strips of few vertices altogether). So Begin stands beside
-// their lists.
+// Drivers do not replay primitives correctly that end in another list than they begin in (Mesa forgets
+// attributes before the first vertex, and strips of few vertices altogether). So Begin is recorded here and
+// not compiled into a list of the driver.
 void Context::issue_begin(GLenum mode) {
   if (!list.open) return begin(mode);
   const bool legal = mode <= 0x000E;  // PATCHES
@@ -179,7 +181,7 @@ void Context::issue_call_list(GLuint name) {
   if (!list.open) return call_list(name);
   const Primitive primitive = group->primitive_of(name);
   if (executes() && maybe_inside) {
-    gl_below().CallList(name);  // nothing of evaluators is in there
+    gl_below().CallList(name);  // it contains no commands of evaluators
     return;
   }
   if (executes() && primitive == Primitive::kOpen) begin_deferral();
@@ -203,7 +205,8 @@ void Context::issue_call_lists(GLsizei n, GLenum type, const void* lists) {
              });
 }
 
-// Errors of what a list has of these show when the driver's list is executed.
+// Records the changes of the attribute stack by the open list. Their errors arise when the list of the driver
+// is executed.
 void Context::issue_push_attrib(GLbitfield mask) {
   if (executes())
     push_attrib(mask);
@@ -275,7 +278,7 @@ void Context::run_segment(GLuint name, const Summary* summary) {
   if (depth >= 0) follow_stack(*summary, depth);
 }
 
-// Follows the changes of the attribute stack that a list makes in the GL below.
+// Applies to the evaluators the changes of the attribute stack that a list has made in the GL below.
 void Context::follow_stack(const Summary& summary, GLint depth) {
   for (unsigned i = 0; i < summary.pops && depth > 0; ++i) {
     --depth;

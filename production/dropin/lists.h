@@ -1,4 +1,4 @@
-// Display lists of the drop-in library: what they are made of, and which there are.
+// The display lists of the drop-in library: their contents, the lists of a share group, and the open list.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,13 @@ namespace glev::dropin {
 
 class Context;
 
-// The current values that maps can stand in for.
+// The current values that maps can replace.
 enum Attribute { kColor, kNormal, kTexCoord, kAttributeCount };
 
-// The command that set a current value, to bring it back by the same one: no conversion is done twice.
+// The command that set a current value. The value is restored by the same command, so that it is not
+// converted twice.
 struct Setter {
-  void (*send)(const void* values);  // null: not known
+  void (*send)(const void* values);  // null if unknown
   alignas(8) unsigned char values[32];
 
   void apply() const {
@@ -29,11 +30,11 @@ struct Setter {
 // The effect of a list on Begin/End.
 enum class Primitive { kUnchanged, kOpen, kClosed };
 
-// The effects of a driver's list, as far as they matter here. It holds no command of evaluators.
+// The effects of a driver's list that this library must track. The list contains no commands of evaluators.
 struct Summary {
   Primitive primitive;
   Setter last[kAttributeCount];
-  // PopAttrib that match no PushAttrib of the list come first.
+  // Numbers of PopAttrib without a PushAttrib in the list, and of later PushAttrib without a PopAttrib.
   unsigned pops, pushes;
   GLbitfield pushed[16];
 
@@ -41,18 +42,19 @@ struct Summary {
   bool is_empty() const;
 };
 
-// Every part of a list begins at a multiple of this.
+// The alignment of every part of a list.
 inline constexpr std::size_t kCodeUnit = 16;
 constexpr std::size_t round_up_to_code_unit(std::size_t bytes) {
   return (bytes + kCodeUnit - 1) / kCodeUnit * kCodeUnit;
 }
 
-// The commands of a display list in order. Where no command of evaluators stands in it, that is one driver's
-// list of the same name; else driver's lists of other names, with the commands of evaluators between them.
+// The commands of a display list in order. A list without commands of evaluators is one driver's list of the
+// same name. Otherwise it consists of driver's lists with other names and the commands of evaluators between
+// them.
 class Code {
  public:
-  // `operation` can be copied as bytes, and is called with a Context& and what stands behind it: `bytes`
-  // bytes for the caller to fill. Null without memory.
+  // Appends an operation, which must be trivially copyable and is called with a Context& and a pointer to the
+  // `bytes` bytes that follow it. Returns these bytes for the caller to fill; null if there is no memory.
   template <class Operation>
   unsigned char* append(const Operation& operation, std::size_t bytes = 0) {
     static_assert(std::is_trivially_copyable_v<Operation> && alignof(Operation) <= kCodeUnit);
@@ -69,7 +71,7 @@ class Code {
   }
   std::size_t size() const { return bytes_.size(); }
   bool empty() const { return size() == 0; }
-  // Runs the commands that were appended at or after `begin`, a former size().
+  // Runs the commands from `begin`, an earlier size(), on.
   void run(Context& context, std::size_t begin) {
     while (begin < bytes_.size()) {
       Header header;
@@ -94,27 +96,28 @@ class Code {
 struct List {
   GLuint name = 0;
   unsigned references = 1;
-  Primitive primitive = Primitive::kUnchanged;  // lists that it calls included, as they were
+  Primitive primitive = Primitive::kUnchanged;  // includes called lists, as they were at compilation
   Code code;
-  Array<GLuint> segments;  // names of driver's lists that stand for nothing else
+  Array<GLuint> segments;  // names of driver's lists that belong to this list
 };
 
-// The lists of contexts that share them. A list that is not here is the driver's, and does nothing of note.
+// The lists of contexts that share lists. Lists that are not in the group belong to the driver alone and have
+// no effects that must be tracked.
 class Group {
  public:
   static Group* create();
   void retain();
   void release();
 
-  // A list with one more reference; null where there is none.
+  // Returns a list with one more reference; null if there is none.
   List* find(GLuint name);
   bool is_empty();
   void release_list(List* list);
   Primitive primitive_of(GLuint name);
-  // Takes the place of the list of that name.
+  // Adds a list, and replaces an earlier list of the same name.
   void define(List* list);
   void delete_lists(GLuint first, GLuint last);
-  // A name for a driver's list that no program will come upon.
+  // Returns an unused, very large name for a driver's list.
   GLuint new_segment();
   bool is_segment(GLuint name);
 
@@ -126,7 +129,7 @@ class Group {
   void drop(List* list);
 
   unsigned references_ = 1;
-  Array<List*> lists_;      // by name
+  Array<List*> lists_;      // sorted by name
   Array<GLuint> segments_;  // sorted
   GLuint next_segment_ = 0x7e000000;
 };
@@ -136,18 +139,18 @@ struct OpenList {
   bool open = false;
   GLuint name = 0;
   GLenum mode = 0;
-  GLuint segment = 0;  // the driver's list that is open now
+  GLuint segment = 0;  // name of the open driver's list
   bool driver_is_open = false;
-  bool begins_elsewhere = false;                // its first driver's list has not its name
-  Summary summary;                              // of that
-  Primitive primitive = Primitive::kUnchanged;  // of all before it
+  bool begins_elsewhere = false;                // its first driver's list has another name
+  Summary summary;                              // of the open driver's list
+  Primitive primitive = Primitive::kUnchanged;  // of all commands before it
   Code code;
   Array<GLuint> segments;
-  // Between Begin and End the GL closes no list, so where a list is executed while it is compiled, its
-  // primitives are compiled first, and executed at End.
+  // The GL does not close lists between Begin and End. Therefore, with COMPILE_AND_EXECUTE, a primitive is
+  // only compiled first and executed at End.
   bool deferring = false;
-  std::size_t deferred = 0;  // where the primitive begins in the code
-  std::size_t recorded = 0;  // where the last operation begins
+  std::size_t deferred = 0;  // position of the primitive in the code
+  std::size_t recorded = 0;  // position of the last operation in the code
 };
 
 }  // namespace glev::dropin

@@ -1,5 +1,5 @@
-// The commands that set what maps evaluate, and of which the GL has many forms: X(attribute, command, number
-// of values, the largest number of them, letter of the type, type).
+// The commands that set the current values that maps can replace, in all forms of the GL: X(attribute,
+// command, number of values, largest number of values, letter of the type, type).
 #pragma once
 
 // clang-format off
@@ -20,14 +20,14 @@
   DROPIN_TYPES_OF_COORDINATES(X, kTexCoord, TexCoord, 3, 4)                                 \
   DROPIN_TYPES_OF_COORDINATES(X, kTexCoord, TexCoord, 4, 4)
 
-// Setters with the texture unit in front.
+// Setters whose first argument is the texture unit.
 #define DROPIN_UNIT_SETTERS(X)                                                              \
   DROPIN_TYPES_OF_COORDINATES(X, kTexCoord, MultiTexCoord, 1, 4)                            \
   DROPIN_TYPES_OF_COORDINATES(X, kTexCoord, MultiTexCoord, 2, 4)                            \
   DROPIN_TYPES_OF_COORDINATES(X, kTexCoord, MultiTexCoord, 3, 4)                            \
   DROPIN_TYPES_OF_COORDINATES(X, kTexCoord, MultiTexCoord, 4, 4)
 
-// Setters of packed values, with their type in front: X(attribute, command).
+// Setters of packed values, whose first argument is the type: X(attribute, command).
 #define DROPIN_PACKED_SETTERS(X)                                                            \
   X(kColor, ColorP3ui) X(kColor, ColorP4ui) X(kNormal, NormalP3ui)                          \
   X(kTexCoord, TexCoordP1ui) X(kTexCoord, TexCoordP2ui) X(kTexCoord, TexCoordP3ui)          \

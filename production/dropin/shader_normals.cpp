@@ -1,4 +1,5 @@
-// Automatic normals with a vertex shader: m = q_u x q_v as it is (GL 2.0 5.1, ARB_vertex_program issue 92).
+// Automatic normals with a vertex shader: m = q_u x q_v is not normalised (GL 2.0 section 5.1,
+// ARB_vertex_program issue 92).
 #include <cmath>
 
 #include "context.h"
@@ -27,10 +28,10 @@ bool Context::is_vertex_shader_active() {
     gl_below().GetShaderiv(shaders[i], GL_SHADER_TYPE, &type);
     if (type == GL_VERTEX_SHADER) return true;
   }
-  return count == 0;  // detached after linking
+  return count == 0;  // shaders may be detached after linking; assumes a vertex shader
 }
 
-// Returns the length for one point, whose arguments are in the batch or the mesh.
+// Returns the length of m at one point, whose arguments are in the batch or the mesh.
 double Context::length_of_normal(const glev_batch* batch, const glev_mesh* mesh) {
   const glev_plan_info info = {sizeof info, 2};
   glev_plan* plan = nullptr;
@@ -61,7 +62,7 @@ double Context::length_of_normal(const glev_batch* batch, const glev_mesh* mesh)
   }
   glevReleasePlan(plan);
   if (result != GLEV_SUCCESS) return 1;
-  // q = p / w. Without w it is 1 and its derivatives are 0.
+  // q = p / w. For three components, w is 1 and its derivatives are 0.
   double a[3], b[3];
   for (int k = 0; k < 3; ++k) {
     a[k] = (p_u[k] * p[3] - p[k] * p_u[3]) / (p[3] * p[3]);

@@ -1,4 +1,4 @@
-// The evaluators' state: enables, maps, grids, and their part of the attribute stack.
+// The state of the evaluators: enables, maps, grids, and their part of the attribute stack.
 #include "context.h"
 #include "enables.h"
 
@@ -24,7 +24,7 @@ void Context::set_enabled(GLenum cap, bool on) {
   update_enabled();
 }
 
-// Map wants unit 0 to be the active one.
+// Passes on the active texture unit, because Map requires unit 0.
 void Context::set_active_texture() {
   const bool is_first = !multitexture || get_integer(GL_ACTIVE_TEXTURE, GL_TEXTURE0) == GL_TEXTURE0;
   glevActiveTexture(evaluators, is_first ? GL_TEXTURE0 : GL_TEXTURE1);
@@ -73,7 +73,7 @@ void Context::map_grid2(GLint un, double u1, double u2, GLint vn, double v1, dou
   report();
 }
 
-// The GL below knows if there was room, or anything to pop.
+// The depth of the stack in the GL below shows if the command was successful.
 void Context::push_attrib(GLbitfield mask) {
   const GLint before = get_integer(GL_ATTRIB_STACK_DEPTH, -1);
   gl_below().PushAttrib(mask);
@@ -88,7 +88,7 @@ void Context::pop_attrib() {
   const GLint before = get_integer(GL_ATTRIB_STACK_DEPTH, -1);
   if (evaluators_used && before > 0) {
     GLfloat color[4];
-    gl_below().GetFloatv(GL_CURRENT_COLOR, color);  // Mesa: what is still pending would come after PopAttrib
+    gl_below().GetFloatv(GL_CURRENT_COLOR, color);  // flushes values that Mesa would set after PopAttrib
   }
   gl_below().PopAttrib();
   list_base_known = false;

@@ -11,7 +11,7 @@
 namespace glev::dropin {
 namespace {
 
-// The one below, of the type of this one.
+// Returns the function of this name in the library below, with the type of the first argument.
 template <class Function>
 Function* find_function_below(Function*, const char* name) {
   return reinterpret_cast<Function*>(find_below(name));
@@ -38,7 +38,7 @@ const void* ask_for_current() {
 
 namespace {
 
-// A function of this library: what it stands in front of must not be found in its place.
+// Returns a function of this library, and null for functions of the library below.
 void* find_own(const char* name) {
   static const struct Self {
     void* handle = nullptr;
@@ -59,7 +59,7 @@ void* find_own(const char* name) {
   return address;
 }
 
-// Functions that the GL below lacks are missing here, too, except for those of evaluators.
+// Looks up a command. Commands that the GL below does not have are not found, except those of evaluators.
 template <class Get, class Name>
 void* look_up(Get* below, Name* name) {
   void* const address = reinterpret_cast<void*>(below(name));
@@ -76,7 +76,7 @@ void* look_up(Get* below, Name* name) {
 
 using namespace glev::dropin;  // NOLINT(google-build-using-namespace): what follows is C
 
-// Types are spelled as they are passed, so that no header of a window system is needed.
+// Parameters have equivalent basic types, so that no header of a window system is needed.
 
 // --- OSMesa
 

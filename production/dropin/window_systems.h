@@ -1,18 +1,20 @@
-// The window systems tell which context is current and which contexts share their lists.
+// Calls to the window systems show which context is current and which contexts share lists.
 #pragma once
 
 namespace glev::dropin {
 
 class Context;
 
-// Handles are those of GLX, EGL or OSMesa. `shared`: of a context to share with, or null.
+// Note that a context was made or destroyed. Handles are those of GLX, EGL or OSMesa. `shared`: handle of the
+// context to share lists with, or null.
 void note_created(const void* handle, const void* shared);
 void note_destroyed(const void* handle);
-// In this thread; null for none.
+// Notes that a context is current in this thread; null for none.
 void note_current(const void* handle);
 Context* context_of(const void* handle);
 
-// The handle of what is current in this thread, by the word of the window systems below; null for none.
+// Asks the window systems below for the current context of this thread. Returns its handle; null if there is
+// none.
 const void* ask_for_current();
 
 }  // namespace glev::dropin

@@ -1,6 +1,6 @@
-/* A circle, which no polynomial curve is but a rational one (GL_MAP1_VERTEX_4) is exactly: four quarters with
- * integer control points (x, y, z, w). Prints points, and how far the vertices are from the circle for float
- * and double. */
+/* A circle. No polynomial curve is a circle, but rational curves (GL_MAP1_VERTEX_4) are exact: four quarters
+ * with integer control points (x, y, z, w). Prints points, and the distance of the vertices from the circle
+ * for float and double results. */
 #include <glevaluator.h>
 #include <math.h>
 #include <stdio.h>
@@ -11,7 +11,8 @@ static float u[STEPS + 1];
 static float floats[STEPS + 1][4];
 static double doubles[STEPS + 1][4];
 
-/* The curve ((1 - u^2) / (1 + u^2), 2u / (1 + u^2)), a quarter of the circle, `quarter` times turned. */
+/* Defines the curve ((1 - u^2) / (1 + u^2), 2u / (1 + u^2)), a quarter of the circle, rotated by `quarter`
+ * quarters. */
 static void define_quarter(glev_context* gl, int quarter) {
   float points[3][4] = {{1, 0, 0, 1}, {1, 1, 0, 1}, {0, 2, 0, 2}};
   for (int turn = 0; turn < quarter; ++turn)

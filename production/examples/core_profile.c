@@ -1,3 +1,4 @@
+/* Makes the context with EGL, and looks up the commands. */
 #include "core_profile.h"
 
 #include <EGL/egl.h>

@@ -1,5 +1,5 @@
-/* A core-profile context of OpenGL 3.3 without a window, by EGL, and the commands that the picture needs. A
- * core profile has no evaluators: what curves and surfaces it draws, somebody else has evaluated. */
+/* A core-profile context of OpenGL 3.3 without a window, made by EGL, and the commands that the picture
+ * needs. A core profile has no evaluators, so curves and surfaces must be evaluated by a library. */
 #ifndef CORE_PROFILE_H_
 #define CORE_PROFILE_H_
 
@@ -51,7 +51,7 @@ typedef struct core_profile {
 #undef GL_MEMBER
 } core_profile;
 
-/* Makes the context, and it current, until the program ends. 0 if there is none to be had. */
+/* Makes the context and makes it current until the program ends. Returns 0 if that is not possible. */
 int make_core_profile(core_profile* gl);
 
 #endif /* CORE_PROFILE_H_ */

@@ -1,5 +1,6 @@
-/* A curve, point by point: the GL's calls with a context in front, and a sink that gets the vertices. What an
- * old program draws with glMap1f and glEvalMesh1 comes out as numbers. curve.f does the same in Fortran. */
+/* A curve, point by point: the GL commands with a context as first argument, and a sink that gets the
+ * vertices. It prints as numbers what an old program draws with glMap1f and glEvalMesh1. curve.f does the
+ * same in Fortran. */
 #include <glevaluator.h>
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
-C     A curve, point by point: the GL's calls in fixed-form Fortran, and
-C     a sink that gets the vertices. curve.c does the same in C.
+C     A curve, point by point: the GL commands in fixed-form Fortran,
+C     and a sink that gets the vertices. curve.c does the same in C.
       PROGRAM CURVE
       INCLUDE 'fglev.inc'
       EXTERNAL BEGINS, PRINTS, ENDS

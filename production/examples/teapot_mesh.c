@@ -5,9 +5,9 @@
 
 #include "teapot_patches.h"
 
-/* All patches become vertices, normals and indices in two calls. At a pole a whole edge of a patch is one
- * point: there the normals are limits. Triangles are counterclockwise where the normals point to the viewer.
- */
+/* Evaluates vertices and normals of all patches in one call, and computes their indices in another. At a
+ * pole, a whole edge of a patch is one point, and the normals are limits. Triangles are counterclockwise if
+ * the normals point to the viewer. */
 static int fill(int segments, teapot_mesh* mesh) {
   float points[TEAPOT_PATCHES][4][4][3];
   for (int patch = 0; patch < TEAPOT_PATCHES; ++patch) teapot_patch(patch, points[patch]);

@@ -1,4 +1,4 @@
-/* The teapot as one vertex buffer and one index buffer, as glDrawElements wants them. */
+/* The teapot as one vertex buffer and one index buffer for glDrawElements. */
 #ifndef TEAPOT_MESH_H_
 #define TEAPOT_MESH_H_
 
@@ -9,15 +9,15 @@ typedef struct teapot_vertex {
   float normal[3];
 } teapot_vertex;
 
-/* Patch after patch, each with vertices of its own; triangles that are counterclockwise seen from outside. */
+/* The mesh. Each patch has its own vertices; triangles are counterclockwise seen from outside. */
 typedef struct teapot_mesh {
   size_t vertex_count, index_count;
   teapot_vertex* vertices;
   unsigned* indices;
 } teapot_mesh;
 
-/* Makes the mesh with segments x segments quadrilaterals a patch. 0 if a call fails or there is no memory:
- * then there is nothing to free. */
+/* Makes the mesh with segments x segments quadrilaterals for each patch. Returns 0, with nothing to free, if
+ * a call fails or there is no memory. */
 int teapot_create_mesh(int segments, teapot_mesh* mesh);
 void teapot_free_mesh(teapot_mesh* mesh);
 

@@ -1,6 +1,6 @@
 /* Writes the teapot as an OBJ file: teapot_obj FILE [SEGMENTS]
- * Patches that touch have the same bits along their common edge, so that comparing bits is enough to make one
- * surface of them. */
+ * Adjacent patches have the same bits along their common edge, so comparing bits is sufficient to connect
+ * them to one surface. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,15 +9,15 @@
 
 static const teapot_mesh* sorted;
 
-/* Orders vertices by the bits of their positions, and equal ones by their numbers. */
+/* Orders vertices by the bits of their positions, and equal positions by the numbers of the vertices. */
 static int compare(const void* a, const void* b) {
   const unsigned i = *(const unsigned*)a, j = *(const unsigned*)b;
   const int order = memcmp(sorted->vertices[i].position, sorted->vertices[j].position, 3 * sizeof(float));
   return order ? order : (i > j) - (i < j);
 }
 
-/* For each vertex, the number (from 1) of its position, and one of each as a list. Returns how many there
- * are. */
+/* Computes the number (from 1) of the position of each vertex, and a list of one vertex for each position.
+ * Returns the number of positions. */
 static unsigned weld(const teapot_mesh* mesh, unsigned* numbers, unsigned* list) {
   unsigned count = 0;
   for (unsigned i = 0; i < mesh->vertex_count; ++i) list[i] = i;

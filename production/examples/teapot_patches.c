@@ -1,8 +1,8 @@
 #include "teapot_patches.h"
 
-/* Most of it is round. A ring is a quarter of a circle, nearly, of radius r at height z: the control points
- * (r,0), (r,k), (k,r), (0,r). Four make a patch, from the top down, and the last is the first of the next
- * one. */
+/* Body, lid, rim and bottom are round. A ring is approximately a quarter of a circle of radius r at height z,
+ * with the control points (r,0), (r,k), (k,r), (0,r). Four rings make a patch, from the top down; the last
+ * ring is the first one of the next patch. */
 static const struct ring {
   float r, k, z;
 } rings[] = {
@@ -29,7 +29,8 @@ static const struct ring {
 };
 static const int first_rings[6] = {0, 3, 7, 10, 13, 16};
 
-/* Handle and spout are tubes. A section is half around one: (x0,0,z0), (x0,-w,z0), (x1,-w,z1), (x1,0,z1). */
+/* Handle and spout are tubes. A section is half of the circumference: (x0,0,z0), (x0,-w,z0), (x1,-w,z1),
+ * (x1,0,z1). */
 static const struct section {
   float x0, z0, x1, z1, w;
 } sections[] = {
@@ -50,7 +51,7 @@ static void set(float point[3], float x, float y, float z) {
   point[2] = z;
 }
 
-/* A ring in the `quarter`th quarter, clockwise seen from above. */
+/* Computes the points of a ring in quarter number `quarter`, clockwise seen from above. */
 static void place_ring(struct ring ring, int quarter, float points[4][3]) {
   const float x[4] = {ring.r, ring.r, ring.k, 0}, y[4] = {0, -ring.k, -ring.r, -ring.r};
   for (int i = 0; i < 4; ++i) switch (quarter) {
@@ -68,7 +69,8 @@ static void place_ring(struct ring ring, int quarter, float points[4][3]) {
     }
 }
 
-/* A section, or its mirror image, which runs backwards so that the normal still points outward. */
+/* Computes the points of a section, or of its mirror image in reverse order, so that the normal still points
+ * outward. */
 static void place_section(struct section s, int mirrored, float points[4][3]) {
   set(points[mirrored ? 3 : 0], s.x0, 0, s.z0);
   set(points[mirrored ? 2 : 1], s.x0, mirrored ? s.w : -s.w, s.z0);

@@ -11,7 +11,7 @@
 #include "teapot_mesh.h"
 
 enum { WIDTH = 800, HEIGHT = 600, SCALE = 2, SAMPLES = 4, SEGMENTS = 24 };
-enum { BACKGROUND, SHADOW, TEAPOT }; /* what a pass draws */
+enum { BACKGROUND, SHADOW, TEAPOT }; /* the object that a pass draws */
 
 static const char vertex_shader[] =
     "#version 330 core\n"
@@ -26,7 +26,7 @@ static const char vertex_shader[] =
     "  if (drawn == 0) {\n" /* a triangle that covers everything */
     "    gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0.9999, 1);\n"
     "    at.z = gl_Position.y;\n"
-    "  } else if (drawn == 1) {\n" /* along the light onto the table, z = 0 */
+    "  } else if (drawn == 1) {\n" /* projects along the light onto the table, z = 0 */
     "    gl_Position = camera * vec4(position - light * (position.z / light.z), 1);\n"
     "  } else {\n"
     "    gl_Position = camera * vec4(position, 1);\n"
@@ -66,8 +66,8 @@ static void normalize(float v[3]) {
   for (int i = 0; i < 3; ++i) v[i] /= length;
 }
 
-/* Perspective from `eye` towards `target`, z up; `zoom` is the cotangent of half the vertical angle. By
- * columns. */
+/* Computes a perspective matrix, by columns, from `eye` towards `target`, with z up. `zoom` is the cotangent
+ * of half the vertical angle. */
 static void look(const float eye[3], const float target[3], float zoom, float camera[16]) {
   static const float up[3] = {0, 0, 1}, near = 1, far = 50;
   float axes[3][3]; /* right, up, back */
@@ -108,8 +108,8 @@ static GLuint make_program(const core_profile* gl) {
   return 0;
 }
 
-/* A framebuffer for sRGB colours, `scale` times as large as the picture; with a depth buffer if it has
- * samples. */
+/* Makes a framebuffer for sRGB colours, `scale` times as large as the picture, with a depth buffer if
+ * `samples` is not 0. */
 static GLuint make_framebuffer(const core_profile* gl, GLsizei scale, GLsizei samples) {
   GLuint framebuffer, renderbuffers[2];
   gl->GenFramebuffers(1, &framebuffer);
@@ -128,7 +128,7 @@ static GLuint make_framebuffer(const core_profile* gl, GLsizei scale, GLsizei sa
   return gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE ? framebuffer : 0;
 }
 
-/* The vertex buffer and the index buffer, exactly as the evaluator has filled them. */
+/* Uploads the vertex buffer and the index buffer unchanged. */
 static void upload(const core_profile* gl, const teapot_mesh* mesh) {
   GLuint array, buffers[2];
   gl->GenVertexArrays(1, &array);
@@ -140,7 +140,7 @@ static void upload(const core_profile* gl, const teapot_mesh* mesh) {
   gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
   gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(mesh->index_count * sizeof *mesh->indices),
                  mesh->indices, GL_STATIC_DRAW);
-  const char* const start = NULL; /* of the buffer */
+  const char* const start = NULL; /* start of the buffer */
   gl->VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(teapot_vertex),
                           start + offsetof(teapot_vertex, position));
   gl->VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(teapot_vertex),
@@ -154,7 +154,7 @@ static int draw(const core_profile* gl, const teapot_mesh* mesh, unsigned char* 
   float light[3] = {-0.45f, -0.35f, 1}, camera[16];
   normalize(light);
   look(eye, target, 3.1f, camera);
-  /* Four samples a pixel smooth edges, four pixels for one the highlights as well. */
+  /* Four samples per pixel smooth edges; rendering at twice the size smooths highlights as well. */
   const GLuint program = make_program(gl), shown = make_framebuffer(gl, 1, 0),
                large = make_framebuffer(gl, SCALE, 0), drawn = make_framebuffer(gl, SCALE, SAMPLES);
   if (!program || !shown || !large || !drawn) return 0;
@@ -189,7 +189,7 @@ static int draw(const core_profile* gl, const teapot_mesh* mesh, unsigned char* 
   return gl->GetError() == GL_NO_ERROR;
 }
 
-/* The GL's first row is the lowest one. */
+/* Writes the picture. The first row of the GL is the lowest one. */
 static int write_png(const char* name, const unsigned char* pixels) {
   png_image image = {
       .version = PNG_IMAGE_VERSION, .width = WIDTH, .height = HEIGHT, .format = PNG_FORMAT_RGBA};

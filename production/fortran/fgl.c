@@ -1,15 +1,15 @@
-/* The Fortran binding: what `CALL fglMap1f(...)` of a Fortran program calls. Every argument comes by
- * reference, and the names are gfortran's for external procedures: lower case and an underscore. fgl.inc
- * documents the commands.
+/* The Fortran binding: the functions that `CALL fglMap1f(...)` of a Fortran program calls. All arguments are
+ * passed by reference. Names are those of gfortran for external procedures: lower case with an underscore.
+ * fgl.inc documents the commands.
  *
- * Built twice: into libfglev, upon the current context of fglev_context.c, and, with FGL_GL, into libfgl,
- * upon the commands of the GL that the program is linked to.
+ * This file is compiled twice: for libfglev, which uses the current context of fglev_context.c, and, with
+ * FGL_GL, for libfgl, which calls the GL that the program is linked to.
  *
- * A command with an array has two names. fglmap1f_ gets the location of the array: this is what Fortran
- * passes where no declaration says otherwise. fglmap1fp_ gets the location of eight bytes that hold the
- * address: what a CHARACTER*8, an INTEGER*8 and a TYPE(C_PTR) are by reference, and also how an assumed-rank
- * array of a BIND(C) procedure comes (the first member of its descriptor is the address: Fortran
- * 2018, 18.5.3). fgl.inc chooses between them by the type of the argument. */
+ * A command with an array has two names. fglmap1f_ gets the address of the array, which Fortran passes
+ * without a declaration. fglmap1fp_ gets the address of eight bytes that hold the address of the array: a
+ * CHARACTER*8, an INTEGER*8 or a TYPE(C_PTR) by reference, or the descriptor of an assumed-rank array of a
+ * BIND(C) procedure, whose first member is the address (Fortran 2018, 18.5.3). fgl.inc chooses between the
+ * two by the type of the argument. */
 #include <string.h>
 
 #ifdef FGL_GL
@@ -18,7 +18,7 @@
 #define GL(command, ...) gl##command(__VA_ARGS__)
 #else
 #include "fglev_context.h"
-#define READY fglev_current() /* without a context commands do nothing */
+#define READY fglev_current() /* without a context, commands have no effect */
 #define GL(command, ...) glev##command(fglev_current(), ##__VA_ARGS__)
 #endif
 #define CALL(...) \
@@ -27,15 +27,15 @@
 typedef int integer; /* INTEGER*4, with the bits of a GLenum */
 _Static_assert(sizeof(void*) == 8 && sizeof(integer) == 4, "CHARACTER*8 holds an address");
 
-/* The address in a holder, which need not be aligned. */
+/* Returns the address in a holder, which need not be aligned. */
 static void* held(const void* holder) {
   void* address;
   memcpy(&address, holder, sizeof address);
   return address;
 }
 
-/* The commands with an array argument: at its location, and by a holder. `declared` and `passed` are the
- * arguments before it. */
+/* Defines both functions of a command with an array argument: by its address, and by a holder of the address.
+ * `declared` and `passed` are the preceding arguments. */
 #define UNWRAP(...) __VA_ARGS__
 #define ARRAY_COMMAND(symbol, command, type, declared, passed)                          \
   void symbol##_(UNWRAP declared, type* array) { CALL(command, UNWRAP passed, array); } \

@@ -1,4 +1,5 @@
-/* Contexts for Fortran: made, made current, given a sink, destroyed. fglev.inc documents the routines. */
+/* Contexts of Fortran programs: making, making current, sinks, destruction. fglev.inc documents the
+ * routines. */
 #include "fglev_context.h"
 
 #include <stdlib.h>
@@ -8,7 +9,7 @@ typedef void vertex_procedure(const float* position, const float* color, const f
                               const float* texcoord);
 typedef void end_procedure(void);
 
-/* The object whose address a program holds in an INTEGER*8. */
+/* The object whose address is the handle of a context, an INTEGER*8. */
 typedef struct fortran_context {
   glev_context* context;
   begin_procedure* begin;

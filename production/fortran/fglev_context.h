@@ -1,11 +1,10 @@
-/* The current context of a Fortran program: the routines that are not the GL's, and what fgl.c needs of them.
- */
+/* The current context of a Fortran program, for fgl.c. */
 #ifndef FGLEV_CONTEXT_H_
 #define FGLEV_CONTEXT_H_
 
 #include <glevaluator.h>
 
-/* The context that commands of this thread go to, or null. */
+/* Returns the current context of this thread, or null. */
 glev_context* fglev_current(void);
 
 #endif /* FGLEV_CONTEXT_H_ */

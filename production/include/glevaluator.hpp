@@ -1,7 +1,7 @@
-// glevaluator.h for C++20: owners of contexts and plans, and spans in place of pointers with sizes. Header
-// only; throws nothing and needs neither exceptions nor run-time type information. Functions return a
-// glev_result as those of glevaluator.h, which documents arguments, values and errors; memory that cannot be
-// had is OUT_OF_MEMORY.
+// A header-only C++20 interface to glevaluator.h: owners of contexts and plans, and spans instead of pointers
+// with sizes. It throws no exceptions and needs neither exceptions nor run-time type information. Functions
+// return the glev_result of the functions in glevaluator.h, which documents arguments, values and errors. If
+// they cannot allocate memory, they return OUT_OF_MEMORY.
 #ifndef GLEVALUATOR_HPP_
 #define GLEVALUATOR_HPP_
 
@@ -18,13 +18,13 @@
 
 namespace glevaluator {
 
-// float or double, and GLEV_FLOAT or GLEV_DOUBLE.
+// The types of values, and their tokens GLEV_FLOAT and GLEV_DOUBLE.
 template <class T>
 concept Real = std::is_same_v<T, float> || std::is_same_v<T, double>;
 template <Real T>
 inline constexpr glev_enum kTypeOf = std::is_same_v<T, float> ? GLEV_FLOAT : GLEV_DOUBLE;
 
-// A context, destroyed with its owner. get() is null if there is none: result() says why.
+// Owns a context. If it could not be made, get() is null and result() is the reason.
 class Context {
  public:
   explicit Context(const glev_context_info* info = nullptr) noexcept {
@@ -44,11 +44,12 @@ class Context {
   glev_result result_;
 };
 
-// A reference to a plan: copies share it. get() is null if there is none: result() says why.
+// A reference to a plan; copies share the plan. If it could not be made, get() is null and result() is the
+// reason.
 class Plan {
  public:
   Plan() noexcept = default;
-  // A snapshot of the maps of one dimension, 1 or 2.
+  // Makes a plan of the maps of one dimension, 1 or 2 (glevCreatePlan).
   Plan(const Context& context, std::size_t dimension) noexcept {
     if (!context) return;
     glev_plan_info info{};
@@ -56,7 +57,7 @@ class Plan {
     info.dimension = dimension;
     result_ = glevCreatePlan(context.get(), &info, &plan_);
   }
-  // One map, without a context.
+  // Makes a plan of one map, without a context (glevCreatePlanFromMap).
   explicit Plan(const glev_map_info& info) noexcept : result_(glevCreatePlanFromMap(&info, &plan_)) {}
 
   Plan(const Plan& other) noexcept : plan_(other.plan_), result_(other.result_) {
@@ -85,10 +86,10 @@ class Plan {
   glev_result result_ = kNone;
 };
 
-// Scratch memory that grows when it must, for one call after another.
+// Scratch memory that can be reused by consecutive calls. It grows if necessary.
 class Scratch {
  public:
-  // Returns false without memory.
+  // Returns false if there is no memory.
   bool reserve(std::size_t size) noexcept {
     if (size <= size_) return true;
     memory_.reset(new (std::nothrow) std::byte[size]);
@@ -103,20 +104,20 @@ class Scratch {
   std::size_t size_ = 0;
 };
 
-// The destinations of a call, each attribute at most once. Refers to memory of the caller.
+// The outputs of a call, at most one for each attribute. They refer to memory of the caller.
 class Outputs {
  public:
   Outputs() noexcept = default;
   Outputs(const Outputs&) = delete;
   Outputs& operator=(const Outputs&) = delete;
 
-  // Elements of `components` values one behind the other.
+  // Adds a packed array of elements of `components` values.
   template <Real T>
   Outputs& add(glev_attribute attribute, std::span<T> values, std::size_t components) noexcept {
     return add(attribute,
                make(values.data(), values.size_bytes(), components * sizeof(T), components, kTypeOf<T>));
   }
-  // A member of an array of structures, such as add(GLEV_ATTRIBUTE_NORMAL, vertices, &Vertex::normal).
+  // Adds a member of an array of structures, such as add(GLEV_ATTRIBUTE_NORMAL, vertices, &Vertex::normal).
   template <class Vertex, Real T, std::size_t kComponents>
   Outputs& add(glev_attribute attribute, std::span<Vertex> vertices,
                T (Vertex::*member)[kComponents]) noexcept {
@@ -126,7 +127,7 @@ class Outputs {
     return add(attribute,
                make(first, vertices.size_bytes() - before, sizeof(Vertex), kComponents, kTypeOf<T>));
   }
-  // Any layout. Outputs beyond the number of attributes make the call fail.
+  // Adds an output of any layout. The call fails if there are more outputs than attributes.
   Outputs& add(glev_attribute attribute, const glev_output& output) noexcept {
     const std::size_t place = count_ < kMost ? count_ : kMost - 1;
     outputs_[place] = output;
@@ -139,7 +140,7 @@ class Outputs {
   std::size_t size() const noexcept { return count_; }
 
  private:
-  // One more than there are attributes: then one of them is there twice, which is an error.
+  // One more than the number of attributes: the last output then repeats an attribute, which is an error.
   static constexpr std::size_t kMost = 7;
 
   static glev_output make(void* data, std::size_t size, std::size_t stride, std::size_t components,
@@ -166,7 +167,7 @@ glev_input make_input(std::span<const T> values) noexcept {
 
 // ---- Plans
 
-// glevEvaluate at arguments u, and v for plans of dimension 2, of which there must be as many.
+// Calls glevEvaluate with the arguments u and, for plans of dimension 2, as many arguments v.
 template <Real T>
 [[nodiscard]] glev_result evaluate(const Plan& plan, std::span<const T> u, std::span<const T> v,
                                    const Outputs& outputs,
@@ -184,8 +185,8 @@ template <Real T>
   return glevEvaluate(plan.get(), &batch);
 }
 
-// glevEvaluateMesh of points i1 to i2, and j1 to j2, of the grid. The scratch members of the mesh are set
-// here.
+// Calls glevEvaluateMesh for the points i1 to i2 and j1 to j2 of the grid. Sets the outputs and the scratch
+// memory of the mesh.
 [[nodiscard]] inline glev_result evaluate_mesh(const Plan& plan, glev_mesh mesh, const Outputs& outputs,
                                                Scratch& scratch) noexcept {
   mesh.size = sizeof mesh;
@@ -199,8 +200,8 @@ template <Real T>
 
 // ---- Patches
 
-// Returns as many patches of uorder * vorder control points without padding, v fastest, as the values are
-// enough for. Other strides and domains are members to set.
+// Returns patches of uorder * vorder control points without padding, v fastest, as many as the values are
+// sufficient for. Callers may then set other strides and domains.
 template <Real T>
 glev_patches make_patches(std::span<const T> values, std::size_t components, int uorder,
                           int vorder) noexcept {
@@ -239,8 +240,7 @@ glev_patch_grid make_list_grid(std::span<const T> u, std::span<const T> v) noexc
   return grid;
 }
 
-// Returns a grid of as many points as there are numbers of patches; `u` and `v` that are shorter make the
-// call fail.
+// Returns a grid with one point for each element of `patch`. The call fails if `u` or `v` is shorter.
 template <Real T>
 glev_patch_grid make_scattered_grid(std::span<const glev_uint> patch, std::span<const T> u,
                                     std::span<const T> v) noexcept {
@@ -263,8 +263,8 @@ glev_patch_grid make_scattered_grid(std::span<const glev_uint> patch, std::span<
 
 // ---- Indices
 
-// Triangles of patches of columns * rows points. Other modes, windings and shared vertices are members to
-// set.
+// Returns the triangles of patches of columns * rows points. Callers may then set other modes, windings and
+// shared vertices.
 inline glev_indices make_indices(std::size_t columns, std::size_t rows, std::size_t patches = 1) noexcept {
   glev_indices indices{};
   indices.size = sizeof indices;
@@ -283,7 +283,7 @@ void share_vertices(glev_indices& indices, std::span<const Vertex> vertices) noe
   indices.vertex_stride = indices.vertex_bytes = sizeof(Vertex);
 }
 
-// Writes to `numbers`, which has room for glevGetIndexCount of them.
+// Writes the indices to `numbers`, whose size must be at least glevGetIndexCount.
 template <class Index>
 requires std::is_same_v<Index, std::uint8_t> || std::is_same_v<Index, std::uint16_t> ||
     std::is_same_v<Index, std::uint32_t>

@@ -5,10 +5,9 @@
 //
 // A row of mutations.json has "name", "what" (the mistake in words), "file", "find" and "replace", or, for
 // several places, "edits" with these three. "find" is a snippet that occurs once in the file: a statement if
-// it ends with ; or }, otherwise an expression. Its declarations, if any, must not be used behind it. A
-// mutation that the conformance suite detects has a "level" (must or quality) and "requirements", IDs with
-// blanks between: for each, a test that names it must fail. "test" is a filter of tests of production that
-// detect it.
+// it ends with ; or }, otherwise an expression. Declarations in it must not be used after it. A mutation that
+// the conformance suite detects has a "level" (must or quality) and "requirements", IDs separated by blanks:
+// for each, a test that names the ID must fail. "test" is a filter of tests of production that detect it.
 #include <algorithm>
 #include <cctype>
 #include <exception>
@@ -32,7 +31,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 struct Replacement {
-  int number;  // of the mutation
+  int number;  // number of the mutation
   std::string name, code;
 };
 
@@ -48,7 +47,7 @@ std::string read(const fs::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// Leaves files that would not change untouched, so that nothing is compiled again without need.
+// Writes a file only if it changes, so that nothing is recompiled unnecessarily.
 void write(const fs::path& path, const std::string& text) {
   if (fs::exists(path) && read(path) == text) return;
   fs::create_directories(path.parent_path());
@@ -58,8 +57,8 @@ void write(const fs::path& path, const std::string& text) {
 
 bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
-// The end of the snippet if it begins at `begin` of the source, otherwise npos. Any white space matches any
-// other, so that formatting the sources does not invalidate mutations.
+// Returns the end of the snippet if it begins at `begin` of the source, otherwise npos. Any white space
+// matches any other, so that formatting the sources does not invalidate mutations.
 std::size_t end_of_match(std::string_view source, std::size_t begin, std::string_view snippet) {
   for (std::size_t i = 0; i < snippet.size();) {
     if (is_space(snippet[i])) {
@@ -73,7 +72,7 @@ std::size_t end_of_match(std::string_view source, std::size_t begin, std::string
   return begin;
 }
 
-// Throws std::runtime_error unless the snippet occurs exactly once.
+// Returns the place of the snippet. Throws std::runtime_error unless it occurs exactly once.
 Place find_place(std::string_view source, std::string_view snippet) {
   std::vector<Place> found;
   for (std::size_t begin = 0; begin < source.size(); ++begin) {
@@ -88,7 +87,7 @@ Place find_place(std::string_view source, std::string_view snippet) {
 
 bool is_statement(std::string_view snippet) { return snippet.ends_with(';') || snippet.ends_with('}'); }
 
-// The code that takes the place of the snippet.
+// Returns the code that replaces the snippet.
 std::string mutated(const std::string& snippet, const Place& place) {
   const auto condition = [](const Replacement& replacement) {
     return "::glev::mutation_is(" + std::to_string(replacement.number) + ")";
@@ -141,14 +140,15 @@ class Source {
   std::vector<Place> places_;
 };
 
-// A line of mutation_list.h: GLEV_MUTATION(name, level, requirements, what, test).
+// Returns a line of mutation_list.h: GLEV_MUTATION(name, level, requirements, what, test).
 std::string definition(const json& row) {
   const auto text = [&row](const char* key) { return json(row.value(key, "")).dump(); };
   return "GLEV_MUTATION(" + row.at("name").get<std::string>() + ", " + row.value("level", "must") + ", " +
          text("requirements") + ", " + text("what") + ", " + text("test") + ")\n";
 }
 
-// `from`: the folder of the sources; `to`: the root of the copies, below which they have the same paths.
+// Writes the mutated copies. `from`: the folder of the sources; `to`: the root of the copies, which have the
+// same relative paths.
 void apply(const fs::path& mutations, const fs::path& from, const fs::path& to) {
   std::map<std::string, Source> sources;
   for (const fs::directory_entry& file : fs::directory_iterator(from))

@@ -1,5 +1,5 @@
-// Each mutation of mutations.json that names a test of the library fails that test. The others are detected
-// by the conformance suite (evalcts faults).
+// Tests that each mutation of mutations.json that names a test of the library is detected by this test. The
+// conformance suite detects the others (evalcts faults).
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -32,7 +32,8 @@ std::vector<Mutation> mutations_with_test() {
   return chosen;
 }
 
-// The exit status of the tests of the library with that mutation; 124 after two minutes. Mutations may loop.
+// Returns the exit status of the tests of the library with a mutation; 124 after two minutes, because
+// mutations may loop.
 int status_of(int mutation, const std::string& filter) {
   const std::string command =
       "GLEV_MUTATION=" + std::to_string(mutation) +

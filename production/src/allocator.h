@@ -1,4 +1,4 @@
-// Memory from the caller's allocator: no exceptions, no globals.
+// Memory from the allocator of the caller, without exceptions or global state.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ inline std::byte* align(std::byte* memory) {
   return memory + (unaligned == 0 ? 0 : kCacheLine - unaligned);
 }
 
-// Returns the bytes of whole cache lines.
+// Rounds up to whole cache lines.
 constexpr std::size_t round_up(std::size_t bytes) {
   return (bytes + kCacheLine - 1) / kCacheLine * kCacheLine;
 }
@@ -30,7 +30,7 @@ class Allocator {
   explicit Allocator(const glev_allocator& given)
       : user_(given.user), allocate_(given.allocate), release_(given.release) {}
 
-  // Null when there is no memory.
+  // Returns null if there is no memory.
   void* allocate(std::size_t bytes, std::size_t alignment) const {
     return allocate_(user_, bytes, alignment);
   }
@@ -59,7 +59,8 @@ class DoubleBuffer {
   double* data() { return data_; }
   const double* data() const { return data_; }
 
-  // Room for count doubles; contents are lost if it has to grow. False, and unchanged, without memory.
+  // Makes room for `count` doubles; the contents are lost if the array grows. Returns false, and changes
+  // nothing, if there is no memory.
   bool reserve(const Allocator& allocator, std::size_t count) {
     if (count <= capacity_) return true;
     void* memory = allocator.allocate(count * sizeof(double), kCacheLine);

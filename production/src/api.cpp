@@ -1,4 +1,5 @@
-// The GL-named entry points: they strip the form (count, type, v) off a command and hand it to the context.
+// The GL-named entry points. They convert the forms of a command (count, type, v) to one and pass it to the
+// context.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -16,14 +17,14 @@ using glev::widen;
 
 namespace {
 
-// The first kCount values of `values` are those at v, as floats.
+// Returns `values` with the first kCount values replaced by those at v, as floats.
 template <std::size_t kCount, std::size_t kSize, class Real>
 std::array<float, kSize> load(std::array<float, kSize> values, const Real* v) {
   for (std::size_t k = 0; k < kCount; ++k) values[k] = static_cast<float>(v[k]);
   return values;
 }
 
-// GetMap trusts its caller with the size of the array.
+// GetMap does not know the size of the array.
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 
 bool rejected(glev_context* context, const void* v) {
@@ -34,7 +35,7 @@ bool rejected(glev_context* context, const void* v) {
 double widened(float x) { return widen(x); }
 double widened(double x) { return x; }
 
-// Apart, so that the short way has a small frame.
+// This is a separate function so that the fast path has a small stack frame.
 template <class Real>
 [[gnu::noinline]] void issue_eval_coord(glev_context* context, int dimension, Real u, Real v) {
   context->issue(glev::EvalCoordCommand{dimension, widened(u), widened(v)});

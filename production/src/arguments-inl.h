@@ -1,4 +1,4 @@
-// Arguments of curves and surfaces: loading them, and mapping them to the domain.
+// Loads the arguments of curves and surfaces, and maps them to the domain.
 #if defined(GLEVALUATOR_ARGUMENTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLEVALUATOR_ARGUMENTS_INL_H_
 #undef GLEVALUATOR_ARGUMENTS_INL_H_
@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
-// The values from which t and s are computed.
+// Computes t, s and x = t - s of arguments in one direction.
 struct Place {
   Place(const PreparedMap& map, int direction)
       : u1(hn::Set(kDoubles, map.surface.domain[direction].u1)),
@@ -32,17 +32,17 @@ struct Place {
   HWY_INLINE Vector t_of(Vector u) const { return divide_by_width(hn::Sub(u, u1)); }
   HWY_INLINE Vector s_of(Vector u) const { return divide_by_width(hn::Sub(u2, u)); }
 
-  // t - s where there is an inverse: it is a power of two, so that this is rounded once.
+  // Returns t - s. Requires has_inverse; the inverse is a power of two, so the result is rounded only once.
   HWY_INLINE Vector x_of(Vector u) const { return hn::MulSub(u, scale, middle); }
 
-  // The number of roundings of t and s.
+  // Returns the number of roundings of t and s.
   int roundings() const { return has_inverse ? 1 : 3; }
 
   Vector u1, u2, width, inverse, scale, middle;
-  bool has_inverse;  // that is exact
+  bool has_inverse;  // the inverse of the width is exact
 };
 
-// The arguments from `begin` on, kStep of them; those from `count` on are the last one.
+// Loads kStep arguments from `begin` on. If `count` < kStep, the last argument is repeated.
 HWY_INLINE void fetch(const Input& input, std::size_t begin, std::size_t count, double* arguments) {
   if (!input.is_double && input.stride == sizeof(float) && count == kStep) {
     const auto* floats = reinterpret_cast<const float*>(input.data) + begin;
@@ -53,7 +53,7 @@ HWY_INLINE void fetch(const Input& input, std::size_t begin, std::size_t count, 
   for (std::size_t i = 0; i < kStep; ++i) arguments[i] = input[begin + std::min(i, count - 1)];
 }
 
-// t inside the domain, NaN elsewhere.
+// Returns t inside the domain, otherwise NaN.
 HWY_INLINE Vector nan_outside(Vector t, Vector s) {
   const Vector nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
   return hn::IfThenElse(hn::Ge(hn::Min(t, s), hn::Zero(kDoubles)), t, nan);

@@ -1,4 +1,5 @@
-// The attribute stack: what PushAttrib saves and PopAttrib brings back (GL §21.6, the tables of chapter 23).
+// The attribute stack: the state that PushAttrib saves and PopAttrib restores (GL §21.6, the tables of
+// chapter 23).
 #pragma once
 
 #include <array>
@@ -12,15 +13,15 @@ namespace glev {
 
 inline constexpr int kAttribStackDepth = 16;
 
-// Group eval, of which ENABLE_BIT has the flags, too. Map specifications are in no group.
+// The group "eval". ENABLE_BIT has its flags, too. Map specifications belong to no group.
 struct EvalAttributes {
   // [dimension - 1]
   std::array<std::array<bool, kSlots>, 2> enabled{};
-  std::array<std::array<Grid, 2>, 2> grid;  // u, v; one-dimensional maps have no use for v
+  std::array<std::array<Grid, 2>, 2> grid;  // u, v; one-dimensional maps do not use v
   bool auto_normal = false;
 };
 
-// All groups are saved, the mask says which ones count.
+// All groups are saved; the mask selects the groups to restore.
 struct SavedAttributes {
   glev_bitfield mask;
   EvalAttributes eval;

@@ -1,4 +1,5 @@
-// Batches: arrays of arguments, or points of a grid, through a plan into memory of the caller.
+// Batches and meshes: evaluate a plan at arrays of arguments, or at points of its grid, and write to memory
+// of the caller.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -17,7 +18,7 @@ namespace {
 using glev::Attribute, glev::GridArgument, glev::kAttributes, glev::kCacheLine, glev::kOutputs,
     glev::kFirstTangent, glev::Output, glev::Outputs, glev::Stream;
 
-// ---- What has no kernel
+// ---- Evaluation without kernels
 
 void put(const Output& output, std::byte* to, const std::array<double, 4>& values) {
   std::array<float, 4> floats;
@@ -29,7 +30,7 @@ void put(const Output& output, std::byte* to, const std::array<double, 4>& value
   std::memcpy(to, floats.data(), output.stream.element);
 }
 
-// u(i) and v(j) of the columns and rows: one of both is constant in a batch of scattered arguments.
+// Writes function(u(i), v(i, j)) to each element (i, j) of the output.
 template <class U, class V, class Function>
 void for_each(const Output& output, const U& u, const V& v, const Function& function) {
   for (std::size_t j = 0; j < output.stream.rows; ++j) {
@@ -74,7 +75,7 @@ void evaluate_tangents(const glev_plan& plan, int direction, const Output& outpu
   });
 }
 
-// // Point by point. v: null for curves.
+// Evaluates point by point. `v` is null for curves.
 void evaluate_points(const glev_plan& plan, const glev::PreparedMap& map, const glev::Input& u,
                      const glev::Input* v, std::size_t count, const glev::Destination& to) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -88,8 +89,8 @@ void evaluate_points(const glev_plan& plan, const glev::PreparedMap& map, const 
   }
 }
 
-// All outputs: `evaluate` those of maps that have a kernel, `normals` automatic ones of floats and `doubles`
-// those of maps if they can.
+// Computes all outputs. `evaluate` computes float results of maps; `normals` and `doubles` compute automatic
+// normals as floats and double results of maps if they support these, and otherwise return false.
 template <class U, class V, class Evaluate, class Normals, class Doubles>
 void evaluate_all(const glev_plan& plan, const Outputs& outputs, const U& u, const V& v,
                   const Evaluate& evaluate, const Normals& normals, const Doubles& doubles) {
@@ -114,19 +115,19 @@ void evaluate_all(const glev_plan& plan, const Outputs& outputs, const U& u, con
 
 // ---- Meshes
 
-// Count of i1..i2; an int's range always fits.
+// Returns the number of indices i1..i2, which fits for all ints.
 std::size_t count_of(glev_int i1, glev_int i2) {
   return i1 > i2 ? 0 : static_cast<std::size_t>(static_cast<std::int64_t>(i2) - i1 + 1);
 }
 
-// Well formed, but for its outputs and scratch.
+// Copies the mesh. Returns false if it is invalid, apart from its outputs and scratch memory.
 bool read_mesh(const glev_plan* plan, const glev_mesh* given, glev_mesh* mesh) {
   if (plan == nullptr || !glev::read_struct(given, mesh) || !glev::is_precision(mesh->precision))
     return false;
   return plan->dimension() == 2 || (mesh->j1 == 0 && mesh->j2 == 0);
 }
 
-// Returns true if each normal follows its vertex, in floats, three components each.
+// Returns true if each normal directly follows its vertex, both as three floats.
 bool are_records(const glev_plan& plan, const Output& vertex, const Output& normal) {
   const auto are_triples = [](const Output& output) {
     return output.is_wanted && !output.is_double && output.components == 3;
@@ -166,7 +167,7 @@ void evaluate_arguments(const glev_plan& plan, const Input& u, const Input* v, s
       plan, outputs, [&](std::size_t i) { return argument_at(u[i]); },
       [&](std::size_t i, std::size_t) { return v != nullptr ? argument_at((*v)[i]) : GridArgument{}; },
       [&](const PreparedMap& map, const Destination& to) {
-        constexpr std::size_t kFew = 2;  // for which vectors are not worth their preparation
+        constexpr std::size_t kFew = 2;  // too few points for the set-up of vectors
         if (count <= kFew) {
           evaluate_points(plan, map, u, v, count, to);
         } else if (v != nullptr) {

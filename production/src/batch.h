@@ -1,4 +1,4 @@
-// Batches through a plan, after their arguments have been checked.
+// Evaluation of batches, after their arguments have been checked.
 #pragma once
 
 #include <array>
@@ -11,13 +11,13 @@
 
 namespace glev {
 
-// The components of each attribute of a plan.
+// Returns the number of components of each attribute of a plan.
 std::array<std::size_t, kOutputs> components_of(const glev_plan& plan);
 
-// Bytes of scratch memory, anywhere, that a mesh of so many columns needs.
+// Returns the bytes of scratch memory, of any alignment, that a mesh of `columns` columns needs.
 std::size_t scratch_of(const glev_plan& plan, std::size_t columns);
 
-// v: null for curves.
+// Evaluates the plan at `count` arguments. `v` is null for curves.
 void evaluate_arguments(const glev_plan& plan, const Input& u, const Input* v, std::size_t count,
                         const Outputs& outputs);
 

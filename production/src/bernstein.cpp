@@ -1,3 +1,4 @@
+// Polynomials in Bernstein form in double, by Horner's rule in a ratio of at most 1.
 #include "bernstein.h"
 
 #include <array>
@@ -20,14 +21,14 @@ double raise_to_power(double base, int exponent) {
   }
 }
 
-// Horner's rule in the ratio of the smaller to the larger of |s| and |t|: with a ratio of magnitude at most 1
-// it is stable, and no power underflows. This is what of it depends on the argument alone.
+// The quantities of Horner's rule that depend on the argument alone. The rule uses the ratio of the smaller
+// to the larger of |s| and |t|: with a ratio of magnitude at most 1 it is stable, and no power underflows.
 struct Step {
-  Parameter::End end;  // if at one, the result is the point there
-  bool from_last;      // t / s, or else s / t from the first point
+  Parameter::End end;  // at an end, the result is the control point there
+  bool from_last;      // ratio t / s from the last point, otherwise s / t from the first
   double ratio;
-  // The larger one to the power of the degree is power * 2^exponent; the exponent is 0 unless the power alone
-  // could overflow.
+  // The larger of s and t to the power of the degree is power * 2^exponent. The exponent is 0 unless the
+  // power could overflow.
   double power;
   int exponent;
 };
@@ -49,8 +50,8 @@ Step step_of(const Parameter& at, int degree) {
   return step;
 }
 
-// `count` curves of the same degree, one after the other, at one argument. The loops over components are
-// unrolled by hand, as sums that stay in registers make it several times as fast.
+// Evaluates `count` consecutive curves of the same degree at one argument. The loops over components are
+// unrolled by hand, because sums in registers are several times as fast.
 template <std::size_t... kComponent>
 void evaluate_steps(const double* first, int count, int degree, const Step& step, double* result,
                     std::index_sequence<kComponent...>) {

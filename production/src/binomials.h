@@ -22,10 +22,10 @@ constexpr auto pascals_triangle() {
   return triangle;
 }
 
-// Row after row. All entries up to C(63, 31) < 2^60 are exact.
+// The rows of Pascal's triangle, contiguous. All entries up to C(63, 31) < 2^60 are exact.
 inline constexpr auto kBinomials = pascals_triangle();
 
-// C(n, 0) ... C(n, n)
+// Returns C(n, 0) ... C(n, n).
 inline const std::uint64_t* binomial_row(int n) { return kBinomials.data() + pascals_row(n); }
 
 }  // namespace glev

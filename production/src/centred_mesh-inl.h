@@ -18,15 +18,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
-// t - s
+// Returns x = t - s.
 inline double centred_at(const Domain& domain, const GridArgument& argument) {
   const Parameter at = locate(domain, argument);
   return at.t - at.s;
 }
 
-// A row: its coefficients, four values for each power of x, after which vectors may read on; for x^0 both
-// ends of the interval. The error of the test contains the roundings of these and one more, as it contains
-// those of its own sums elsewhere.
+// The coefficients of a row: four values for each power of x, with padding that vectors may read. x^0 has
+// both ends of the interval. The error of the test covers the roundings of these ends and one more, as it
+// does for the sums of other tests.
 template <int kDegree>
 struct CentredRow {
   double power[4 * (kDegree + 1) + kLanes], high[4 + kLanes];
@@ -34,7 +34,7 @@ struct CentredRow {
   HWY_INLINE void set(const PreparedMap& map, const PreparedMap::Test& test, const GridArgument& v) {
     constexpr int kValues = 4 * (kDegree + 1);
     const int m = map.surface.degree[1];
-    // That of a curve does not matter.
+    // The y of a curve does not matter.
     const double y_of_row = m == 0 ? 0.5 : centred_at(map.surface.domain[1], v);
     const Vector y = hn::Set(kDoubles, y_of_row);
     for (std::size_t first = 0; first < kValues; first += kLanes) {
@@ -46,7 +46,7 @@ struct CentredRow {
       }
       hn::StoreU(sum, kDoubles, power + first);
     }
-    // On a boundary and in the middle nothing was rounded, so that a row of zeros is one.
+    // At y = -1, 0 and 1 nothing is rounded, so coefficients that are zero are exactly zero.
     const bool may_vanish = y_of_row == 0 || std::fabs(y_of_row) == 1;
     for (int k = 0; k < 4; ++k) {
       double error = test.error[k];
@@ -61,8 +61,8 @@ struct CentredRow {
   }
 };
 
-// The same in vectors, and what they give: both ends of the intervals, as floats. Where no operation rounds
-// the ends are the same, and one is computed.
+// A row in vectors. Computes both ends of the intervals as floats. If no operation rounds (kExact), the ends
+// are equal, and only one is computed.
 template <int kComponents, int kDegree, bool kExact>
 class CentredCurve {
  public:
@@ -97,7 +97,7 @@ HWY_INLINE void clear_zeros(const std::uint32_t* known, Half* low, Half* high) {
   *high = hn::And(*high, mask);
 }
 
-// The components that vanish along the lines x = -1, 0 and 1, as bits.
+// The components that are zero along the lines x = -1, 0 and 1, as bits.
 struct ZeroLines {
   explicit ZeroLines(const PreparedMap& map) {
     const auto [n, m] = map.surface.degree;
@@ -120,20 +120,20 @@ struct ZeroLines {
   unsigned at[3] = {};
 };
 
-// Intervals of which nothing is known; intervals, but zeros in certain columns; numbers.
+// The kinds of results: intervals; intervals with exact zeros in some columns; exact numbers.
 enum class Kind { kIntervals, kZeroColumns, kExact };
 
 template <int kComponents, int kDegree, Kind kKind>
 void evaluate_centred_rows(const PreparedMap& map, const PreparedMap::Test& test, const MeshRange& range,
                            const Destination& to, const double* x) {
   constexpr bool kExact = kKind == Kind::kExact, kZeros = kKind == Kind::kZeroColumns;
-  constexpr std::size_t kColumns = 512, kRows = 16;  // what stays in the first cache
+  constexpr std::size_t kColumns = 512, kRows = 16;  // fits into the L1 cache
   static_assert(kColumns % kLanes == 0);
   using Values = Sequence<Doubles, kComponents>;
   const Values sequence;
   HWY_ALIGN double places[kComponents * kColumns];
   HWY_ALIGN float values[kComponents * kColumns];
-  HWY_ALIGN std::uint32_t known[kZeros ? kComponents * kColumns : 1];  // 0 of zeros, else all bits
+  HWY_ALIGN std::uint32_t known[kZeros ? kComponents * kColumns : 1];  // 0 for zeros, else all bits
   CentredRow<kDegree> row[kRows];
   for (std::size_t r0 = 0; r0 < range.rows; r0 += kRows) {
     const std::size_t rows = std::min(kRows, range.rows - r0);
@@ -199,13 +199,13 @@ void evaluate_centred_rows_of(const PreparedMap& map, const PreparedMap::Test& t
   }
 }
 
-// False, and nothing done, for other maps and outside the domain.
+// Evaluates meshes of maps of low degree inside the domain. Returns false, and does nothing, for others.
 template <int kComponents>
 bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, const Destination& to, double* x) {
   const auto [n, m] = map.surface.degree;
   if (n == 0 || map.centred == nullptr) return false;
-  // The ends of intervals are compared as bits; those of NaN could agree. (Between columns that are sure all
-  // are.)
+  // The ends of intervals are compared as bits, and NaNs could be equal. (If the first and last column are
+  // sure, all columns are.)
   for (const double error : map.centred_test.error) {
     if (!std::isfinite(error)) return false;
   }
@@ -232,7 +232,7 @@ bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, const
       evaluate_centred_rows_of<kComponents, 1>, evaluate_centred_rows_of<kComponents, 2>,
       evaluate_centred_rows_of<kComponents, 3>};
   Kind kind = is_exact ? Kind::kExact : Kind::kIntervals;
-  // Elsewhere a place that is rounded to such a line need not be on it.
+  // In other grids, a column whose x is rounded to -1, 0 or 1 need not lie on that line.
   if (!is_exact && spans(range.u, domain_u)) {
     const auto [first, middle, last] = ZeroLines(map).at;
     if ((first | middle | last) != 0) kind = Kind::kZeroColumns;
@@ -241,7 +241,7 @@ bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, const
   return true;
 }
 
-// Correctly rounded.
+// Evaluates a mesh with correctly rounded results.
 template <int kComponents>
 void evaluate_exact_mesh(const PreparedMap& map, const MeshRange& range, const Destination& to,
                          double* scratch) {

@@ -1,10 +1,10 @@
-// Bernstein coefficients of low degree to coefficients of the powers of x = t - s. Included inside a
-// namespace, without a guard: by patch_kernels.cpp once for each instruction set, whose options a template
-// must be compiled with.
+// Converts Bernstein coefficients of low degree to coefficients of the powers of x = t - s. This file has no
+// include guard and is included inside a namespace, by patch_kernels.cpp once for each instruction set,
+// because templates must be compiled with the options of the instruction set.
 
-// Converts the coefficients of one direction, `step` apart, in place: R_i C(n,i) (1-x)^(n-i) (1+x)^i / 2^n,
-// with at most n + 1 roundings. Value is a number, a point or a vector, with sums, differences and products
-// with a double; the bits do not depend on which of these it is.
+// Converts the coefficients of one direction in place: the sum of R_i C(n,i) (1-x)^(n-i) (1+x)^i / 2^n, where
+// the R_i are `step` apart, with at most n + 1 roundings. Value is a number, a point or a vector, with sums,
+// differences, and products with a double. The bits are the same for each of these types.
 template <class Value>
 inline void centre_along(int n, int step, Value* points) {
   if (n == 0) return;

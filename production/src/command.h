@@ -1,5 +1,5 @@
-// The commands that a display list can hold, without the form of their arguments (f, d, v): what is stored of
-// each, and the method of the context that it is.
+// The commands that a display list can hold, without the forms of their arguments (f, d, v). Each structure
+// has the stored arguments and calls its method of the context.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct ErrorCommand {
   void run(glev_context& gl) const { gl.record_error(error); }
 };
 
-// In a list the control points follow, packed. The target is right and so are the arguments.
+// In a list, the packed control points follow. The target and the arguments are valid.
 struct DefineMapCommand {
   static constexpr Opcode kOpcode = Opcode::kDefineMap;
   int dimension;
@@ -142,7 +142,7 @@ struct CallListCommand {
   void run(glev_context& gl) const { gl.call_list(list); }
 };
 
-// In a list the offsets follow as they were given. Count and type are right.
+// In a list, the offsets follow in their original type. Count and type are valid.
 struct CallListsCommand {
   static constexpr Opcode kOpcode = Opcode::kCallLists;
   glev_int count;

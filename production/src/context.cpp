@@ -1,3 +1,4 @@
+// The commands of a context: maps, enables, evaluation, meshes, primitives, the attribute stack and queries.
 #include "context.h"
 
 #include <algorithm>
@@ -73,7 +74,7 @@ bool glev_context::is_rejected_in_primitive() {
 
 namespace {
 
-// The error of the arguments alone, NO_ERROR if there is none.
+// Returns the error of the arguments, independently of state; NO_ERROR if there is none.
 glev_enum find_map_error(int dimension, glev_enum name, const std::array<glev::MapDirection, 2>& directions,
                          const void* points) {
   const Target target = find_target(name);
@@ -194,7 +195,7 @@ void glev_context::set_enabled(glev_enum cap, bool enabled) {
   if (is_rejected_in_primitive()) return;
   if (*flag == enabled) return;
   *flag = enabled;
-  drop_plan(find_target(cap).dimension == 1 ? 1 : 2);  // AUTO_NORMAL belongs to 2
+  drop_plan(find_target(cap).dimension == 1 ? 1 : 2);  // AUTO_NORMAL belongs to dimension 2
 }
 
 bool glev_context::is_enabled(glev_enum cap) {
@@ -236,7 +237,7 @@ const glev_plan* glev_context::plan_to_draw(int dimension) {
   return plan->components(Attribute::kVertex) != 0 ? plan : nullptr;
 }
 
-// Vertices within a callback: it has the staged one in its hands.
+// Emits a vertex from within a callback. It does not use the staged vertex, which the callback is reading.
 void glev_context::emit_within(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
                                const glev::NormalRow* row) {
   glev_vertex vertex = current_.values();
@@ -286,7 +287,7 @@ void glev_context::evaluate_at(int dimension, const GridArgument& u, const GridA
   if (plan == nullptr) return;
   if (plan->automatic_normals()) return evaluate_with_row(*plan, u, v);
   emit_at(*plan, u, v, nullptr);
-  // A callback may have ended the primitive, and the plan.
+  // A callback may have ended the primitive or dropped the plan.
   if (plans_[dimension - 1] == plan && is_direct(*plan)) direct_[dimension - 1] = plan;
 }
 
@@ -295,7 +296,7 @@ bool glev_context::is_direct(const glev_plan& plan) const {
          in_default_environment_;
 }
 
-// Apart, for its large frame.
+// This is a separate function because of its large stack frame.
 void glev_context::evaluate_with_row(const glev_plan& plan, const GridArgument& u, const GridArgument& v) {
   glev::NormalRow row(plan);
   move_to(v, &row);
@@ -322,7 +323,7 @@ void glev_context::eval_point(int dimension, glev_int i, glev_int j) {
   evaluate_at(dimension, GridArgument{u, i}, GridArgument{v, j});
 }
 
-// ---- Meshes (the loops of GL §21.1). Indices are 64 bits wide: one past the last int is no problem then.
+// ---- Meshes (the loops of GL §21.1). Indices have 64 bits, so that last + 1 does not overflow.
 
 template <class Body>
 void glev_context::mesh_primitive(glev_enum mode, const Body& body) {
@@ -337,8 +338,8 @@ void glev_context::mesh_primitive(glev_enum mode, const Body& body) {
 
 namespace {
 
-// Positions of up to kMost columns and two rows of a mesh, or one column and kMost rows, by the kernel of
-// meshes.
+// Positions of at most kMost columns and two rows of a mesh, or of one column and at most kMost rows,
+// computed by the mesh kernel.
 class MeshPart {
  public:
   static constexpr std::int64_t kMost = 64;
@@ -374,7 +375,7 @@ static void for_each_part(std::int64_t first, std::int64_t last, const Body& bod
     body(i, std::min(MeshPart::kMost, last - i + 1));
 }
 
-// A row from (i1, j) on, or with is_column a column.
+// Emits the points from `first` to `last` of row `other` or, with is_column, of column `other`.
 void glev_context::emit_line(const glev_plan& plan, bool is_column, std::int64_t other, std::int64_t first,
                              std::int64_t last) {
   for_each_part(first, last, [&](std::int64_t k, std::int64_t count) {
@@ -383,7 +384,7 @@ void glev_context::emit_line(const glev_plan& plan, bool is_column, std::int64_t
   });
 }
 
-// Meshes of vertices alone.
+// Draws meshes of plans that have only vertices.
 void glev_context::mesh_of_vertices(const glev_plan& plan, glev_enum mode, std::int64_t i1, std::int64_t i2,
                                     std::int64_t j1, std::int64_t j2) {
   if (mode == GLEV_POINT) {
@@ -542,7 +543,7 @@ void glev_context::pop_attrib() {
     eval_.enabled = saved.eval.enabled;
     eval_.auto_normal = saved.eval.auto_normal;
     if ((saved.mask & GLEV_EVAL_BIT) != 0) eval_.grid = saved.eval.grid;
-    // A dimension whose state is as before keeps its plan.
+    // If the state of a dimension is unchanged, its plan is kept.
     const auto changed = [&](int d) {
       return eval_.enabled[d] != before.enabled[d] || eval_.grid[d] != before.grid[d];
     };

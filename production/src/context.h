@@ -1,4 +1,4 @@
-// The evaluator part of the GL's state machine.
+// The evaluator part of the state machine of the GL.
 #pragma once
 
 #include <array>
@@ -26,9 +26,9 @@ inline constexpr int kMaxListNesting = 64;
 
 // The list between NewList and EndList.
 struct OpenList {
-  glev_uint name = 0;  // 0 and mode 0: none is open
+  glev_uint name = 0;  // name and mode are 0 if no list is open
   glev_enum mode = 0;
-  bool broken = false;  // a command found no memory
+  bool broken = false;  // there was no memory for a command
   DisplayList list;
 };
 
@@ -36,13 +36,13 @@ struct OpenList {
 struct StateValues {
   int count;
   std::array<double, 4> values;
-  bool normalized = false;  // RGBA or normal, see convert()
+  bool normalized = false;  // a colour or normal, see convert()
 };
 
 }  // namespace glev
 
-// The methods are the commands, after the form of their arguments (f, d, v) is gone. Errors that depend on
-// arguments alone come first, then those that depend on state (GL §2.3.1).
+// The methods are the commands, independently of the form of their arguments (f, d, v). Errors that depend on
+// arguments alone have precedence over those that depend on state (GL §2.3.1).
 struct glev_context {
  public:
   glev_context(const glev::Allocator& allocator, const glev::Kernels* kernels);
@@ -57,8 +57,7 @@ struct glev_context {
   }
   glev_enum get_error();
 
-  // Takes a command that lists can hold: it goes into the list that is open, it is
-  // executed, or both. The commands are those of command.h.
+  // Compiles a command of command.h into the open list, executes it, or both.
   template <class Command>
   void issue(const Command& command) {
     if (is_compiling()) {
@@ -67,17 +66,17 @@ struct glev_context {
     }
     command.run(*this);
   }
-  // The same for the two whose arrays are read at once.
+  // The same for the two commands whose arrays are read at once.
   template <class Real>
   void issue_define_map(int dimension, glev_enum target, const std::array<glev::MapDirection, 2>& directions,
                         const Real* points);
   void issue_call_lists(glev_int count, glev_enum type, const void* offsets);
 
-  // u, and for dimension 2 v.
+  // Defines a map. `directions`: u, and v for dimension 2.
   template <class Real>
   void define_map(int dimension, glev_enum target, const std::array<glev::MapDirection, 2>& directions,
                   const Real* points);
-  // At most `bytes` bytes go to v.
+  // Writes at most `bytes` bytes to v.
   template <class Number>
   void get_map(glev_enum target, glev_enum query, std::uint64_t bytes, Number* v);
   template <class Number>
@@ -86,8 +85,8 @@ struct glev_context {
   bool is_enabled(glev_enum cap);
   void set_grid(int dimension, const std::array<glev::Grid, 2>& grid);
   void eval_coord(int dimension, double u, double v);
-  // The same in the most frequent case: one call after another between Begin and End. False, and nothing
-  // done, elsewhere.
+  // A fast path of eval_coord() for consecutive calls between Begin and End. Returns false, and does nothing,
+  // if it does not apply.
   bool eval_directly(int dimension, double u, double v);
   void eval_point(int dimension, glev_int i, glev_int j);
   void eval_mesh1(glev_enum mode, glev_int i1, glev_int i2);
@@ -115,7 +114,7 @@ struct glev_context {
   bool is_list(glev_uint list);
   void delete_lists(glev_uint list, glev_int range);
 
-  // Flush and Finish: nothing is ever pending.
+  // Flush and Finish only check for errors, because no commands are ever pending.
   void flush() { is_rejected_in_primitive(); }
 
   template <class Number>
@@ -124,32 +123,34 @@ struct glev_context {
 
   glev_result set_sink(const glev_sink* sink);
 
-  // The plan of the maps as they are now, without a reference of its own for the caller. Null without memory.
+  // Returns the plan of the current maps, without adding a reference; null if there is no memory.
   glev_plan* current_plan(int dimension);
 
  private:
-  // True, and INVALID_OPERATION recorded, between Begin and End.
+  // Between Begin and End, records INVALID_OPERATION and returns true.
   bool is_rejected_in_primitive();
-  // The same, also in callbacks: lists stay as they are while one may be executing.
+  // The same, also within callbacks, because lists must not change while one may be executing.
   bool is_rejected_with_lists();
-  // Commands of a callback are not compiled: executing the list will make it give them again.
+  // Commands of a callback are not compiled, because the callback issues them again when the list is
+  // executed.
   bool is_compiling() const { return open_.mode != 0 && callbacks_ == 0; }
-  // Appends to the open list: the command, and bytes for the caller to fill. Null, with the list broken,
-  // without memory.
+  // Appends the command to the open list. Returns `more_bytes` bytes for the caller to fill. If there is no
+  // memory, marks the list as broken and returns null.
   template <class Command>
   void* compile(const Command& command, std::uint64_t more_bytes = 0);
-  // The flag a capability stands for; null if there is none.
+  // Returns the flag of a capability; null if there is none.
   bool* find_flag(glev_enum cap);
-  // count 0 if there is no such state.
+  // Returns the values of a state variable; count 0 if there is no such variable.
   glev::StateValues find_state(glev_enum pname);
   void drop_plan(int dimension);
-  // Returns true if the next call may be one of eval_directly.
+  // Returns true if eval_directly() may evaluate the next call.
   bool is_direct(const glev_plan& plan) const;
-  // The plan to draw with; null if there is no vertex map, or, with the error, no memory.
+  // Returns the plan to draw with; null if there is no vertex map. If there is no memory, records the error
+  // and returns null.
   const glev_plan* plan_to_draw(int dimension);
-  // The evaluated vertex at u of the row.
+  // Emits the vertex at u of the row.
   void emit_row(const glev::NormalRow& row, const glev::GridArgument& u);
-  // The same at (u, v): row is where v is, or null if nothing of the plan needs one.
+  // Emits the vertex at (u, v). `row` must be at v, or null if the plan does not need a row.
   void emit_at(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
                const glev::NormalRow* row);
   void emit_within(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
@@ -159,13 +160,13 @@ struct glev_context {
   void evaluate_with_row(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v);
   static void move_to(const glev::GridArgument& v, glev::NormalRow* row);
   void evaluate_at(int dimension, const glev::GridArgument& u, const glev::GridArgument& v);
-  // A primitive of a mesh: what is drawn by `body`, between Begin and End.
+  // Draws a primitive of a mesh: begin, body(), end.
   template <class Body>
   void mesh_primitive(glev_enum mode, const Body& body);
-  // Meshes of plans with nothing but vertices, of which many are evaluated at a time.
+  // Draws meshes of plans that have only vertices, evaluating many vertices at a time.
   void mesh_of_vertices(const glev_plan& plan, glev_enum mode, std::int64_t i1, std::int64_t i2,
                         std::int64_t j1, std::int64_t j2);
-  // The points from `first` to `last` of row or column `other`.
+  // Emits the points from `first` to `last` of row or column `other`.
   void emit_line(const glev_plan& plan, bool is_column, std::int64_t other, std::int64_t first,
                  std::int64_t last);
   void emit_position(const glev_plan& plan, const float (&position)[4]);
@@ -183,21 +184,21 @@ struct glev_context {
   glev_enum error_ = GLEV_NO_ERROR;
   std::array<std::array<glev::Map, glev::kSlots>, 2> maps_;  // [dimension - 1]
   glev::EvalAttributes eval_;
-  std::array<glev_plan*, 2> plans_{};  // [dimension - 1]; null when out of date
+  std::array<glev_plan*, 2> plans_{};  // [dimension - 1]; null if out of date
   glev::CurrentVertex current_;
   unsigned active_unit_ = 0;
   bool in_primitive_ = false;
-  bool in_mesh_ = false;                      // the primitive is a mesh's, not for a callback to end
-  bool in_default_environment_ = false;       // when the primitive began
-  std::array<const glev_plan*, 2> direct_{};  // [dimension - 1]; what eval_directly evaluates, else null
+  bool in_mesh_ = false;                      // the primitive belongs to a mesh; callbacks must not end it
+  bool in_default_environment_ = false;       // at the start of the primitive
+  std::array<const glev_plan*, 2> direct_{};  // [dimension - 1]; plan of eval_directly(), or null
   glev_sink sink_{};
-  int callbacks_ = 0;  // of the sink, being called
+  int callbacks_ = 0;  // number of callbacks being executed
   int attrib_depth_ = 0;
   std::array<glev::SavedAttributes, glev::kAttribStackDepth> attribs_;
   glev::ListTable lists_;
   glev::OpenList open_;
   glev_uint list_base_ = 0;
-  int list_depth_ = 0;  // lists being executed
+  int list_depth_ = 0;  // number of lists being executed
 };
 
 inline bool glev_context::eval_directly(int dimension, double u, double v) {

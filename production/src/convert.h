@@ -12,10 +12,10 @@ namespace glev {
 // A double holds every value of state exactly: booleans, 32-bit integers, floats, doubles.
 enum class StateKind {
   kNumber,     // to integers by rounding
-  kNormalized  // RGBA components and normals: to integers by the map that takes 1 to the largest one
+  kNormalized  // RGBA components and normals: to integers by the linear map of 1 to the largest integer
 };
 
-// The nearest int, halves away from zero; too large values saturate, NaN gives 0.
+// Returns the nearest int, halves away from zero. Values out of range saturate; NaN gives 0.
 inline glev_int round_to_int(double value) {
   constexpr double kMost = std::numeric_limits<glev_int>::max(),
                    kLeast = std::numeric_limits<glev_int>::min();

@@ -5,8 +5,8 @@
 
 namespace glev {
 
-// A vertex is large, and from one evaluation to the next only the evaluated values differ: the last evaluated
-// one is kept, and is good for the same plan until a current value changes.
+// Keeps the current values and the last evaluated vertex. A vertex is large, and only the evaluated values
+// differ between evaluations, so the last vertex is reused for the same plan until a current value changes.
 class CurrentVertex {
  public:
   const glev_vertex& values() const { return current_; }  // position is not state
@@ -15,7 +15,8 @@ class CurrentVertex {
     return current_;
   }
 
-  // Everything but what `plan`, not null, evaluates has its current value.
+  // Returns a vertex in which all values that `plan` does not evaluate have their current values. `plan` must
+  // not be null.
   glev_vertex& staged_for(const void* plan) {
     if (staged_for_ != plan) {
       staged_ = current_;
@@ -23,9 +24,9 @@ class CurrentVertex {
     }
     return staged_;
   }
-  // The same if it is ready, else null.
+  // Returns this vertex if it is ready, otherwise null.
   glev_vertex* find_staged_for(const void* plan) { return staged_for_ == plan ? &staged_ : nullptr; }
-  // A plan may be gone, and another one be where it was.
+  // Must be called when a plan is dropped, because another plan may get the same address.
   void unstage() { staged_for_ = nullptr; }
 
  private:

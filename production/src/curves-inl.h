@@ -1,4 +1,4 @@
-// Curves at many arguments, a lane an argument.
+// Evaluates curves at many arguments, one in each lane.
 #if defined(GLEVALUATOR_CURVES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLEVALUATOR_CURVES_INL_H_
 #undef GLEVALUATOR_CURVES_INL_H_
@@ -27,7 +27,7 @@ HWY_INLINE Vector raise_to_power(Vector base, int exponent) {
   }
 }
 
-// In powers of t - s.
+// Evaluates curves of low degree in powers of x = t - s.
 template <int kComponents, int kDegree>
 void evaluate_low_curves(const PreparedMap& map, const Input& input, std::size_t count,
                          const Destination& to) {
@@ -71,8 +71,8 @@ void evaluate_low_curves(const PreparedMap& map, const Input& input, std::size_t
   }
 }
 
-// Horner's rule in t / s, which is stable for all of them from 0 on: where it is so large that something
-// could overflow the lane is not sure.
+// Evaluates curves by Horner's rule in t / s, which is stable for all ratios >= 0. If the ratio is so large
+// that a value could overflow, the lane is undecided.
 template <int kComponents>
 void evaluate_high_curves(const PreparedMap& map, const Input& input, std::size_t count,
                           const Destination& to) {
@@ -80,7 +80,7 @@ void evaluate_high_curves(const PreparedMap& map, const Input& input, std::size_
   const int degree = map.surface.degree[0];
   const double* const points = map.surface.scaled;
   const Writer<kComponents> writer(make_test(map, horner_units(degree, place.roundings()), 1), to, to.data);
-  // s^degree and (t/s)^degree stay within 2^800 and 2^-800 then.
+  // If s >= least, s^degree and (t/s)^degree are between 2^-800 and 2^800.
   const Vector least = hn::Set(kDoubles, std::exp2(-800.0 / degree));
   const Vector nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t begin = 0; begin < count; begin += kStep) {

@@ -1,4 +1,5 @@
-// Points of vertex maps for one call after another: without the set-up and the exact routes of Point.
+// Evaluates points of vertex maps for consecutive calls, without the set-up and the exact routes of
+// point-inl.h.
 #if defined(GLEVALUATOR_DIRECT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLEVALUATOR_DIRECT_INL_H_
 #undef GLEVALUATOR_DIRECT_INL_H_
@@ -26,7 +27,7 @@ inline bool is_nearest(const PreparedMap::Probe& probe) {
   return is_nearest;
 }
 
-// Stores the floats; whether the wanted ones are right.
+// Stores the floats. Returns true if all wanted components are correctly rounded.
 HWY_INLINE bool is_settled(const PreparedMap::Test& test, const FourVector (&sum)[kParts], unsigned wanted,
                            float* result) {
   unsigned settled = 0;
@@ -59,7 +60,7 @@ inline bool evaluate_directly(const glev_plan& plan, double u, double v, float* 
   return settled && is_nearest(map.probe);
 }
 
-// Cubics in powers of x and y, in a domain that has an exact inverse of its width.
+// Evaluates cubics in powers of x and y, in a domain whose width has an exact inverse.
 template <bool kSurface>
 bool evaluate_cubic_directly(const glev_plan& plan, double u, double v, float* position) {
   const DirectMap& direct = plan.direct_map();

@@ -1,3 +1,4 @@
+// The memory of display lists.
 #include "display_list.h"
 
 #include <algorithm>

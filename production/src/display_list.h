@@ -1,4 +1,4 @@
-// The contents of a display list: commands one after the other in one block of memory.
+// The contents of a display list: consecutive commands in one block of memory.
 #pragma once
 
 #include <cstddef>
@@ -33,28 +33,28 @@ enum class Opcode : std::uint32_t {
   kListBase
 };
 
-// Every part of a list begins at a multiple of this.
+// The alignment of every part of a list.
 inline constexpr std::size_t kListUnit = 8;
 
 constexpr std::uint64_t round_up_to_list_unit(std::uint64_t bytes) {
   return (bytes + kListUnit - 1) / kListUnit * kListUnit;
 }
 
-// Stands before each command.
+// The header of each command.
 struct alignas(kListUnit) Record {
   Opcode opcode;
-  std::uint32_t units;  // of the payload that follows: the command and what its pointers pointed to
+  std::uint32_t units;  // size of the payload that follows: the command and the memory behind its pointers
 };
 
-// A handle: copies share the memory, which stays until Free. An empty one has none.
+// A handle of a list. Copies share the memory, which is valid until free(). An empty list has no memory.
 class DisplayList {
  public:
   const std::byte* begin() const { return data_; }
   const std::byte* end() const { return data_ + size_; }
   bool empty() const { return size_ == 0; }
 
-  // Appends a record; the caller fills the payload that it returns. Null, and nothing changed, without
-  // memory.
+  // Appends a record and returns its payload for the caller to fill. Returns null, and changes nothing, if
+  // there is no memory.
   std::byte* append(const Allocator& allocator, Opcode opcode, std::uint64_t payload_bytes);
   void free(const Allocator& allocator);
 

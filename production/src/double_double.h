@@ -1,8 +1,9 @@
-// Double-double arithmetic: unevaluated sums of two doubles, high the nearest double to both.
+// Double-double arithmetic: numbers are unevaluated sums high + low of two doubles, where `high` is the
+// double nearest the sum.
 //
 // Algorithms of Knuth, Dekker and Veltkamp; see Joldes, Muller, Popescu, "Tight and rigorous error bounds for
 // basic building blocks of double-word arithmetic" (ACM TOMS 44, 2017). Errors are in units of u^2 = 2^-106
-// and hold as long as nothing overflows and no product is below 2^-960; all need rounding to nearest.
+// and hold if nothing overflows and no product is below 2^-960. All functions require rounding to nearest.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// Results of doubles: Horner's rule in powers of x = t - s and y in double-double, a lane an argument.
+// Double results of maps: Horner's rule in powers of x = t - s and y in double-double, one argument in each
+// lane.
 #if defined(GLEVALUATOR_DOUBLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLEVALUATOR_DOUBLES_INL_H_
 #undef GLEVALUATOR_DOUBLES_INL_H_
@@ -25,9 +26,10 @@ namespace doubles {
 using enclosure::Pairs, enclosure::add_pairs, enclosure::multiply_pairs, enclosure::two_sums;
 using VectorPairs = Pairs<Vector>;
 
-// With exact coefficients of magnitudes that are S together and x and y off by 4 units of 2^-106, a step adds
-// at most 13 units of S for its product and 4 for its sum. Results are taken if that is at most 2^-54 of
-// them; so they are within one ULP.
+// The least magnitudes of results that are accepted. Let S be the sum of the magnitudes of the coefficients,
+// which are exact; x and y have errors of 4 units of 2^-106. A step adds at most 13 units of S for its
+// product and 4 for its sum. Results are accepted if the total error is at most 2^-54 of their magnitude, so
+// they are within one ULP.
 struct Bounds {
   explicit Bounds(const PreparedMap& map) {
     const auto [n, m] = map.surface.degree;
@@ -37,10 +39,10 @@ struct Bounds {
       least[k] = is_claimed ? 0x1p54 * (20 * (n + m) + 8) * 0x1p-106 * map.centred_sum[k] : HUGE_VAL;
     }
   }
-  std::array<double, 4> least{};  // magnitudes of results
+  std::array<double, 4> least{};  // for each component
 };
 
-// A row: its coefficients, four values for each power of x.
+// The coefficients of a row, four values for each power of x.
 struct Row {
   static constexpr std::size_t kValues = 4 * (kMaxCentredDegree + 1);
   double high[kValues + kLanes], low[kValues + kLanes];
@@ -62,8 +64,8 @@ struct Row {
   }
 };
 
-// `count` points from `to` on, at places in x; resolve(i, k) where a result is not sure, outside the domain
-// among others.
+// Writes `count` points to `data`, at the arguments x. Calls resolve(i, k) for results that are not accurate
+// enough or outside the domain.
 template <class Resolver>
 HWY_INLINE void put_points(const PreparedMap& map, const Bounds& bounds, const Row& row, const VectorPairs& x,
                            std::size_t count, const Destination& to, std::byte* data,
@@ -92,7 +94,7 @@ HWY_INLINE void put_points(const PreparedMap& map, const Bounds& bounds, const R
   }
 }
 
-// x = (2 i - n) / n
+// Returns x = (2 i - n) / n of grid point i.
 inline DoubleDouble place_on(const Grid& grid, std::int64_t index) {
   const double n = grid.segments, part = static_cast<double>(2 * index) - n, quotient = part / n;
   const DoubleDouble product = two_product(quotient, n);
@@ -128,13 +130,13 @@ inline bool evaluate_mesh(const PreparedMap& map, const MeshRange& range, const 
   return true;
 }
 
-// Curves at scattered arguments, where the inverse of the width of the domain is exact: x is a sum of two
-// doubles.
+// Evaluates curves of low degree at scattered arguments if the inverse of the width of the domain is exact,
+// so that x is a sum of two doubles. Returns false, and does nothing, for others.
 inline bool evaluate_curve(const PreparedMap& map, const Input& input, std::size_t count,
                            const Destination& to) {
   const double inverse = map.inverse_width[0];
   const auto [u1, u2] = map.surface.domain[0];
-  // No place underflows.
+  // The limits of `inverse` prevent underflow of x.
   if (map.surface.degree[0] == 0 || map.centred == nullptr ||
       !(inverse != 0 && std::fabs(inverse) < 0x1p40 && std::fabs(inverse) > 0x1p-40))
     return false;

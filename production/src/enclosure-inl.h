@@ -1,6 +1,6 @@
-// Enclose with several control points at a time. The error bound is that of Enclose: sums take the same steps
-// in another order, or, along a curve, a quarter of them in the fourth power of the ratio, whose error is at
-// most that of four ratios and three products.
+// The function enclose() with several control points at a time. Its error bound is that of enclosure.h: sums
+// take the same steps in another order or, along a curve, a quarter of the steps in the fourth power of the
+// ratio, whose error is at most that of four ratios and three products.
 #if defined(GLEVALUATOR_ENCLOSURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLEVALUATOR_ENCLOSURE_INL_H_
 #undef GLEVALUATOR_ENCLOSURE_INL_H_
@@ -22,7 +22,7 @@ namespace enclosure {
 
 constexpr std::size_t kWidth = hn::MaxLanes(kFour);
 
-// Vectors of DoubleDouble, with the same names and errors.
+// Vectors of double-doubles. The operations have the errors of those in double_double.h.
 template <class V>
 struct Pairs {
   V high, low;
@@ -76,7 +76,7 @@ HWY_INLINE Pairs<V> multiply_pairs(const Pairs<V>& x, const Pairs<V>& y) {
   return fast_two_sums(product.high, hn::Add(product.low, cross));
 }
 
-// Up to 64 pairs, and zeros up to the next multiple of four.
+// At most 64 double-doubles, padded with zeros to a multiple of four.
 struct Row {
   alignas(32) double high[kMaxOrder], low[kMaxOrder];
 
@@ -92,17 +92,17 @@ struct Row {
 
 constexpr std::size_t round_up(int order) { return (static_cast<std::size_t>(order) + 3) / 4 * 4; }
 
-// Below 2^60: sums of two doubles.
+// Returns a binomial coefficient, which is below 2^60 and so a sum of two doubles.
 inline DoubleDouble load_binomial(int n, int i) {
   const std::uint64_t binomial = binomial_row(n)[i];
   return fast_two_sum(static_cast<double>(binomial & ~0xFFFull), static_cast<double>(binomial & 0xFFF));
 }
 
-// The sum of the terms times the powers of the ratio from 0 on.
+// Returns the sum of terms[i] * ratio^i.
 inline DoubleDouble sum_of(const Row& terms, int degree, const DoubleDouble& ratio) {
   const DoubleDouble square = ratio * ratio, third = square * ratio;
   const FourPairs fourth = pairs_of(square * square);
-  Row last;  // four sums of every fourth term, without its power below four
+  Row last;  // lane i: sum of terms[i + 4 k] * ratio^(4 k)
   const std::size_t end = round_up(degree + 1);
   for (std::size_t lane = 0; lane < 4; lane += kWidth) {
     FourPairs sum = terms.load(end - 4 + lane);
@@ -119,7 +119,8 @@ inline Enclosure enclose_all(const Component& component, double largest, const G
   const PreparedDirection in_u = prepare_direction(component.domain[0], u, n),
                           in_v = prepare_direction(component.domain[1], v, m);
   if (!is_claimed(in_u, in_v, largest)) return {{}, HUGE_VAL};
-  // The terms S_j of a curve in v: control points, or sums over i. A curve in u is one in v here.
+  // The terms S_j of a curve in v are control points, or sums over i. A curve in u is treated like a curve in
+  // v.
   const bool is_curve = m == 0;
   const PreparedDirection& along = is_curve ? in_u : in_v;
   const int degree = is_curve ? n : m;
@@ -150,7 +151,7 @@ inline Enclosure enclose_all(const Component& component, double largest, const G
       points.put(j, sum);
     }
   }
-  // The terms in the order of their powers.
+  // Sorts the terms by their powers.
   Row terms, binomials;
   for (std::size_t j = 0; j < padded; ++j) {
     const int i = static_cast<int>(j);

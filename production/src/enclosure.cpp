@@ -1,3 +1,4 @@
+// Enclosures of values and derivatives in double-double arithmetic.
 #include "enclosure.h"
 
 #include <algorithm>
@@ -23,12 +24,12 @@ DoubleDouble raise_to_power(DoubleDouble base, int exponent) {
   }
 }
 
-// Horner's rule, from the last point with ratio t / s or from the first with s / t.
+// Horner's rule, from the last point with the ratio t / s or from the first point with s / t.
 template <class Coefficient>
 DoubleDouble horner(int degree, const PreparedDirection& direction, const Coefficient& coefficient) {
   const std::uint64_t* binomials = binomial_row(degree);
   const auto term = [&](int i) {
-    // Below 2^60: the sum of two doubles.
+    // The coefficient is below 2^60, so it is a sum of two doubles.
     const double high = static_cast<double>(binomials[i] & ~0xFFFull),
                  low = static_cast<double>(binomials[i] & 0xFFF);
     return coefficient(i) * fast_two_sum(high, low);
@@ -88,7 +89,7 @@ PreparedDirection prepare_direction(const Domain& domain, const GridArgument& ar
   direction.ratio = smaller / larger;
   direction.power = raise_to_power(larger / width, degree);
   const double base = (std::fabs(a.high) + std::fabs(b.high)) / std::fabs(width.high) * (1 + 0x1p-50);
-  // Inside the domain the power would take as long as all the rest.
+  // Inside the domain, the power is avoided because it would double the time.
   direction.growth = base <= 1 + 0x1p-48 ? 1 + 0x1p-40 : std::pow(base, degree) * (1 + 0x1p-40);
   if (!(direction.growth <= 0x1p300)) direction.growth = HUGE_VAL;
   return direction;
@@ -137,13 +138,13 @@ Enclosure enclose_derivative(const Component& component, int direction, const Gr
 
 bool settle(const DoubleDouble& value, double error, float* result) {
   if (!(error < HUGE_VAL)) return false;
-  // The roundings of these sums are contained in what they are moved outward by.
+  // The sums are moved outward by more than their rounding errors.
   const auto outward = [](double x, double direction) { return x + direction * 0x1p-51 * std::fabs(x); };
   const double least = outward(value.high + outward(value.low - error, -1), -1);
   const double most = outward(value.high + outward(value.low + error, 1), 1);
   const float low = static_cast<float>(least), high = static_cast<float>(most);
   *result = high;
-  // NaN is not claimed either.
+  // NaN is not a valid result.
   return std::bit_cast<std::uint32_t>(low) == std::bit_cast<std::uint32_t>(high) && low == high;
 }
 

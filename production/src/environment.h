@@ -1,4 +1,4 @@
-// The floating-point environment that the arithmetic here relies on.
+// The floating-point environment that evaluation requires.
 #pragma once
 
 #include <bit>
@@ -14,8 +14,9 @@
 
 namespace glev {
 
-// Rounding to nearest, gradual underflow, no traps, while it lives; then what the caller had, whose flags
-// never change if it differed. Reading costs next to nothing, so calls for a single point may afford it.
+// Sets rounding to nearest, gradual underflow and no traps during its lifetime, then restores the environment
+// of the caller. If that was different, its flags do not change. Reading the environment is cheap enough for
+// calls that evaluate a single point.
 class DefaultEnvironment {
  public:
   DefaultEnvironment(const DefaultEnvironment&) = delete;
@@ -32,7 +33,7 @@ class DefaultEnvironment {
   static constexpr unsigned kFlags = 0x3F, kDefault = 0x1F80, kControl = 0xFFFF & ~kFlags;
   unsigned callers_;
 #else
-  // Flush-to-zero is part of the environment, and off in the default one, wherever the C library knows of it.
+  // If the C library supports flush-to-zero, it is part of the environment and off in the default one.
   DefaultEnvironment() {
     std::fegetenv(&callers_);
     std::fesetenv(FE_DFL_ENV);
@@ -44,7 +45,8 @@ class DefaultEnvironment {
 #endif
 };
 
-// Costs more than the evaluation of a cubic. The flags do not count.
+// Returns true if the environment is the default one, apart from flags. Takes longer than the evaluation of a
+// cubic.
 inline bool in_default_environment() {
 #if defined(__x86_64__) || defined(_M_X64)
   constexpr unsigned kFlags = 0x3F, kDefault = 0x1F80;
@@ -61,8 +63,8 @@ inline bool is_subnormal(double x) {
   return (std::bit_cast<std::uint64_t>(x) & 0x7FFFFFFFFFFFFFFF) - 1 < 0xFFFFFFFFFFFFF;
 }
 
-// The same number, whatever the environment: a conversion would take a subnormal float for zero where the
-// caller has denormals-are-zero, and trap where it is a signalling NaN.
+// Converts a float exactly in every environment. The conversion of the processor would turn subnormal floats
+// into zero if the caller has set denormals-are-zero, and could trap for a signalling NaN.
 inline double widen(float x) {
   const auto bits = std::bit_cast<std::uint32_t>(x);
   const std::uint32_t exponent = bits >> 23 & 0xFF, fraction = bits & 0x7FFFFF;

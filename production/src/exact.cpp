@@ -1,10 +1,10 @@
-// Everything becomes an integer. With t = a / (a + b) for integers a and b, V (a_u + b_u)^n (a_v + b_v)^m is
+// Exact evaluation in integers. With t = a / (a + b) for integers a and b, V (a_u + b_u)^n (a_v + b_v)^m is
 //   sum of C(n, i) a_u^i b_u^(n - i) sum of C(m, j) a_v^j b_v^(m - j) R_ij,
-// an integer times the power of two that all control points share. The sums go by Horner's rule from the last
-// point,
+// an integer times the power of two that divides all control points. The sums are computed by Horner's rule
+// from the last point,
 //   sum = sum * a + C R_i * b^(n - i),
-// with a running power of b, modulo a power of two that holds the result: so intermediate values need no
-// bounds, nor subtraction a sign.
+// with a running power of b, modulo a power of two that is large enough for the result. Therefore
+// intermediate values need no bounds, and subtractions no signs.
 #include "exact.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace glev {
 namespace {
 
-// The sum of one direction.
+// The quantities of the sum in one direction.
 struct Direction {
   int degree = 0;
   std::ptrdiff_t step = 0;  // from a control point to the next
@@ -32,14 +32,14 @@ struct Direction {
 struct Net {
   const double* points;
   const Direction &outer, &inner;
-  int low = 0, bits = 0;  // |R| < 2^(low + bits), and a multiple of 2^low
+  int low = 0, bits = 0;  // each R is a multiple of 2^low, |R| < 2^(low + bits)
 
-  // Bits of the inner sums and of the whole one, in two's complement.
+  // Return the numbers of bits of the inner sums and of the whole sum, in two's complement.
   int row_bits() const { return bits + inner.degree * inner.bits + 1; }
   int all_bits() const { return row_bits() + outer.degree * outer.bits; }
 };
 
-// ceil(log2(|a| + |b|)), at most one more if their signs differ
+// Returns ceil(log2(|a| + |b|)), or at most one more if the signs of a and b differ.
 int bits_of_sum(const Ratio& ratio) {
   const auto bits = [](const RatioPart& part) { return bit_width(part.limbs.data(), part.size); };
   if (ratio.a.negative || ratio.b.negative) return std::max(bits(ratio.a), bits(ratio.b)) + 1;
@@ -47,7 +47,8 @@ int bits_of_sum(const Ratio& ratio) {
   return whole - (trailing_zeros(ratio.whole.limbs.data()) == whole - 1 ? 1 : 0);
 }
 
-// A direction keeps degree 0 if the argument is at an end of the domain: then `points` are those there.
+// Sets up one direction. If the argument is at an end of the domain, the direction keeps degree 0 and
+// `points` is moved to the control points of that end.
 void set_direction(int order, std::ptrdiff_t step, const Domain& domain, const GridArgument& argument,
                    const double*& points, Ratio& ratio, Direction& direction) {
   if (order == 1) return;
@@ -64,13 +65,13 @@ void set_direction(int order, std::ptrdiff_t step, const Domain& domain, const G
   direction.b = &ratio.b;
   const auto width = [](const RatioPart& part) { return bit_width(part.limbs.data(), part.size); };
   if (width(ratio.b) <= width(ratio.a)) return;
-  // From the other end, because powers are taken of b.
+  // Control points are traversed backwards, because the running power is that of b.
   points += degree * step;
   direction.step = -step;
   std::swap(direction.a, direction.b);
 }
 
-// False if all control points are zero.
+// Sets the range of the control points. Returns false if all of them are zero.
 bool find_range(Net& net) {
   int low = 1024, high = -1075;
   for (int i = 0; i <= net.outer.degree; ++i) {
@@ -94,7 +95,7 @@ Limb2 signed_narrow(const RatioPart& part) {
   return part.negative ? 0 - magnitude : magnitude;
 }
 
-// term(i) for i from degree to 0
+// Returns the sum by Horner's rule; term(i) is called for i from degree to 0.
 template <class Term>
 Limb2 horner_narrow(const Direction& direction, const Term& term) {
   if (direction.degree == 0) return term(0);
@@ -122,7 +123,7 @@ Limb2 sum_narrow(const Net& net) {
 
 // ---- In limbs
 
-// sum += +-power * term * 2^(64 * position), modulo what it holds
+// Computes sum += +-power * term * 2^(64 * position), modulo 2^(64 * size).
 void add_term(Limb* sum, int size, const Limb* power, int power_size, Limb term, int position,
               bool negative) {
   if (term == 0 || position >= size) return;
@@ -148,14 +149,14 @@ int power_room(const Direction& direction) {
   return limbs_for(direction.degree * bit_width(b.limbs.data(), b.size)) + b.size;
 }
 
-// sum = sum of C(degree, i) a^i b^(degree - i) term_i, in `bits` bits with the sign; a term has term_bits
-// with its own. add(i, size, power, negative) adds +-C(degree, i) * term_i * power to the sum, modulo 2^(64 *
-// size).
+// Computes the sum of C(degree, i) a^i b^(degree - i) term_i in `bits` bits, sign included; terms have
+// term_bits bits, sign included. add(i, size, power, negative) must add +-C(degree, i) * term_i * power to
+// the sum, modulo 2^(64 * size).
 template <class Add>
 void horner(const Direction& direction, int term_bits, int bits, Limb* sum, Limb* room, const Add& add) {
   RunningPower power(room);
   const int all = limbs_for(bits);
-  // As long as it is shorter the sum grows with the degree.
+  // The sum starts short and grows with the degree.
   const int first_bits = term_bits + direction.binomial_bits();
   int size = std::min(all, limbs_for(first_bits));
   std::fill_n(sum, size, Limb{0});
@@ -201,7 +202,7 @@ struct Layout {
         all(sum +
             std::max(row + inner_power + outer_power, rounding_room(net.outer.whole, net.inner.whole))) {}
 
-  // Limbs. The rounding takes the place of all but the sum.
+  // Sizes in limbs. Rounding reuses the memory of everything except the sum.
   int sum, row, inner_power, outer_power, all;
 };
 
@@ -228,7 +229,7 @@ void sum_net(const Net& net, const Layout& layout, Limb* room) {
 
 // ---- The result
 
-// Rounds a sum in two's complement at the beginning of the room.
+// Rounds the sum, which is in two's complement at the beginning of `room`.
 template <class Real>
 Real round_sum(const Net& net, Limb* room, int size) {
   const bool negative = is_negative(room, size);
@@ -239,7 +240,7 @@ Real round_sum(const Net& net, Limb* room, int size) {
                               room + size);
 }
 
-// Functions of their own, so that only those who need much of the stack take it.
+// One function for each size, so that only large problems use much stack.
 template <class Real, int kLimbs>
 [[gnu::noinline]] Real round_in(const Net& net, const Layout& layout) {
   std::array<Limb, kLimbs> room;
@@ -250,7 +251,8 @@ template <class Real, int kLimbs>
 constexpr int kSmallRoom = 192;
 constexpr int kMediumRoom = 1536;
 
-// The largest: of order 64 in both directions, with the widest control points, domain and grid.
+// The size of the largest problem: order 64 in both directions, with the widest control points, domain and
+// grid.
 constexpr int kPointBits = 1074 + 1024, kMaxDegree = kMaxOrder - 1, kBinomialLimb = 1;
 constexpr int kRatioLimbs = limbs_for(kRatioBits);
 constexpr int kLargestSum = limbs_for(kPointBits + 2 * kMaxDegree * kRatioBits + 1);

@@ -1,4 +1,4 @@
-// Meshes for GLEV_FAST, in float.
+// Evaluates meshes with GLEV_FAST, in float.
 #if defined(GLEVALUATOR_FAST_MESH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLEVALUATOR_FAST_MESH_INL_H_
 #undef GLEVALUATOR_FAST_MESH_INL_H_
@@ -34,7 +34,7 @@ HWY_INLINE void store_floats(const hn::Vec<Floats> (&values)[kComponents], float
     hn::StoreInterleaved4(values[0], values[1], values[2], values[3], kFloats, to);
 }
 
-// The weights of a fast mesh along u, of each degree `padded` apart.
+// Computes the weights of a fast mesh along u. Those of each i are `padded` floats apart.
 HWY_NOINLINE inline void compute_fast_weights(const Domain& domain, const MeshRange& range, int degree,
                                               std::size_t padded, double* t, double* s, float* weights) {
   place_columns(domain, range, degree, kLargestGrowth, padded, t, s);
@@ -44,14 +44,14 @@ HWY_NOINLINE inline void compute_fast_weights(const Domain& domain, const MeshRa
     for (int i = 0; i <= degree; ++i) {
       const Vector binomial = hn::Set(kDoubles, static_cast<double>(binomial_row(degree)[i]));
       const Vector weight = hn::Mul(column[i], binomial);
-      // Subnormal floats would cost a hundred times as much, and this changes nothing that can be seen.
+      // Tiny weights become zero, because subnormal floats are a hundred times slower; results do not change.
       const Vector seen = hn::IfThenElseZero(hn::Ge(weight, hn::Set(kDoubles, 0x1p-60)), weight);
       hn::StoreU(hn::DemoteTo(kHalves, seen), kHalves, weights + static_cast<std::size_t>(i) * padded + c);
     }
   }
 }
 
-// The points of a row of a fast mesh, four values each, times the binomials.
+// Computes the control points of a row of a fast mesh, four values each, times the binomial coefficients.
 template <int kComponents>
 HWY_INLINE void compute_fast_row(const PreparedMap& map, const MeshRange& range, std::size_t r, double* row) {
   double weights[kMaxOrder];
@@ -61,15 +61,16 @@ HWY_INLINE void compute_fast_row(const PreparedMap& map, const MeshRange& range,
   row_of<kComponents>(map.surface, weights, row);
 }
 
-// Fast meshes of low degree in u, by Horner's rule in x = t - s. The coefficients are at most 5 max|R|
-// together, those of degree 3, and cost 5 units of 2^-24 max|R|, x 3, and the sums 7.5, twice that without
-// fused operations; so the bound of GLEV_FAST, 6 n + 12, is kept.
+// Fast meshes up to this degree in u use Horner's rule in x = t - s. The coefficients have a sum of
+// magnitudes of at most 5 max|R| (degree 3). In units of 2^-24 max|R|, their errors are 5, that of x is 3,
+// and those of the sums are 7.5, or twice that without fused operations. So the bound of GLEV_FAST, 6 n + 12,
+// holds.
 constexpr int kMaxFastDegree = 3;
 
-// x of the columns. `t` and `s` are room for them.
+// Computes x of the columns. `t` and `s` are scratch memory.
 HWY_NOINLINE inline void compute_fast_places(const Domain& domain, const MeshRange& range, std::size_t padded,
                                              double* t, double* s, float* x) {
-  // Beyond that float has no room for each index.
+  // Beyond this number, a float cannot represent every index.
   constexpr std::int64_t kMostSegments = 1 << 20;
   if (!spans(range.u, domain) || range.u.segments > kMostSegments) {
     place_columns(domain, range, 1, kLargestGrowth, padded, t, s);
@@ -92,12 +93,12 @@ HWY_NOINLINE inline void compute_fast_places(const Domain& domain, const MeshRan
   }
 }
 
-// A row: its coefficients, four floats for each power of x, after which vectors may read on.
+// The coefficients of a row: four floats for each power of x, with padding that vectors may read.
 template <int kComponents, int kDegree>
 struct FastRowOfPowers {
   float power[4 * (kDegree + 1) + kFloatLanes];
 
-  // The points are four values each, times the binomials.
+  // `points`: the control points, four values each, times the binomial coefficients.
   HWY_INLINE void set(const double* points) {
     for (int k = 0; k < kComponents; ++k, ++points) {
       const double a = points[0], z = points[4 * kDegree], ends = a + z, slope = z - a;
@@ -119,7 +120,7 @@ struct FastRowOfPowers {
 template <int kComponents, int kDegree>
 void evaluate_fast_powers(const PreparedMap& map, const MeshRange& range, const Destination& to,
                           const float* x) {
-  constexpr std::size_t kColumns = 512, kRows = 64;  // what stays in the first cache
+  constexpr std::size_t kColumns = 512, kRows = 64;  // fits into the L1 cache
   static_assert(kColumns % kFloatLanes == 0);
   using Values = Sequence<Floats, kComponents>;
   constexpr std::size_t kPeriod = Values::kPeriod, kGroup = Values::kGroup;
@@ -159,8 +160,8 @@ void evaluate_fast_powers(const PreparedMap& map, const MeshRange& range, const 
   }
 }
 
-// The inside of a fast mesh. False, and nothing done, where the bound of GLEV_FAST is not kept: outside the
-// domain and for extreme maps.
+// Evaluates a fast mesh, except for its boundary. Returns false, and does nothing, if the bound of GLEV_FAST
+// would not hold (outside the domain, extreme maps) or the exact method is faster.
 template <int kComponents>
 bool evaluate_fast_inside(const PreparedMap& map, const MeshRange& range, const Destination& to,
                           double* scratch) {
@@ -169,14 +170,14 @@ bool evaluate_fast_inside(const PreparedMap& map, const MeshRange& range, const 
     const double largest = map.component[k].largest;
     if (map.component[k].kind == PreparedComponent::Kind::kUnclaimed) return false;
     if (largest == 0) continue;
-    // No unit: places in such a domain overflow or underflow.
+    // Without a unit there is no bound, because arguments in such a domain overflow or underflow.
     const bool has_bound = std::isfinite(map.component[k].unit);
     if (!has_bound || !(largest >= 0x1p-80 && largest <= 0x1p80)) return false;
   }
   if (map.centred != nullptr && has_few_segments(range, m)) return false;
   const Domain &domain_u = map.surface.domain[0], &domain_v = map.surface.domain[1];
   const std::int64_t i2 = range.last_column(), j2 = range.last_row();
-  // All columns or rows at one argument, which may be on the boundary.
+  // In such a grid all columns or rows have the same argument, which may be on the boundary.
   if (range.u.u1 == range.u.u2 || range.v.u1 == range.v.u2) return false;
   if (!is_inside(domain_u, range.u, range.i1) || !is_inside(domain_u, range.u, i2)) return false;
   if (!is_inside(domain_v, range.v, range.j1) || !is_inside(domain_v, range.v, j2)) return false;
@@ -236,7 +237,7 @@ bool evaluate_fast_inside(const PreparedMap& map, const MeshRange& range, const 
   return true;
 }
 
-// The curve of a map at the first or last end of the domain of u, as a map of its own in u.
+// Returns the curve of a map at the first or last end of the domain of u, as a map in u.
 inline PreparedMap edge_of(const PreparedMap& map, bool is_last, double* centred) {
   const auto [n, m] = map.surface.degree;
   const int values = (m + 1) * map.surface.components, row = 4 * (n + 1);
@@ -253,7 +254,8 @@ inline PreparedMap edge_of(const PreparedMap& map, bool is_last, double* centred
     if (component.kind == PreparedComponent::Kind::kLine) component.kind = PreparedComponent::Kind::kGeneral;
   }
   if (map.centred == nullptr) return edge;
-  // The row at x = -1 or 1. The error of the test, which is that of the whole map, contains these roundings.
+  // Computes the row at x = -1 or 1. The error of the test, which is that of the whole map, covers these
+  // roundings.
   for (int j = 0; j <= m; ++j) {
     for (int k = 0; k < 4; ++k) {
       double sum = map.centred[row * j + 4 * n + k];
@@ -265,15 +267,15 @@ inline PreparedMap edge_of(const PreparedMap& map, bool is_last, double* centred
   return edge;
 }
 
-// Neighbours meet without a crack if points on the boundary of the domain depend on nothing but the value
-// there: they are correctly rounded.
+// Rounds the points on the boundary of the domain correctly. Adjacent patches then meet without a crack,
+// because these points depend only on the exact value.
 template <int kComponents>
 HWY_NOINLINE void round_boundary(const PreparedMap& map, const MeshRange& range, const Destination& to,
                                  double* scratch) {
   const auto end_at = [&](int direction, const GridArgument& argument) {
     return locate(map.surface.domain[direction], argument).end;
   };
-  const bool is_curve = to.row_stride == 0;  // whose boundary is its ends
+  const bool is_curve = to.row_stride == 0;  // the boundary of a curve consists of its ends
   for (const std::size_t row : {std::size_t{0}, range.rows - 1}) {
     if (is_curve || end_at(1, range.v_of(row)) == Parameter::End::kNeither) continue;
     MeshRange one = range;
@@ -298,7 +300,7 @@ HWY_NOINLINE void round_boundary(const PreparedMap& map, const MeshRange& range,
   }
 }
 
-// False, and nothing done, where FAST promises correctly rounded points.
+// Evaluates a mesh with GLEV_FAST. Returns false, and does nothing, if all points must be correctly rounded.
 template <int kComponents>
 bool evaluate_fast_mesh(const PreparedMap& map, const MeshRange& range, const Destination& to,
                         double* scratch) {

@@ -1,4 +1,4 @@
-// Primitives of the vertices of meshes.
+// Generates the indices of primitives of meshes, and finds vertices with equal bits.
 #include <algorithm>
 #include <bit>
 #include <cstddef>
@@ -22,12 +22,13 @@ std::size_t index_bytes(glev_enum type) {
   return 0;
 }
 
-// a * b, or false if size_t has no room for it.
+// Computes a * b. Returns false if the product overflows.
 bool multiply(std::size_t a, std::size_t b, std::size_t* product) {
   return !__builtin_mul_overflow(a, b, product);
 }
 
-// Returns false for what is not well formed, apart from the sizes and pointers of memory.
+// Copies the structure and counts vertices and indices. Returns false if it is invalid, apart from the sizes
+// and pointers of memory.
 bool read_indices(const glev_indices* given, glev_indices* indices, std::size_t* vertices,
                   std::size_t* count) {
   if (!glev::read_struct(given, indices) || index_bytes(indices->type) == 0) return false;
@@ -45,7 +46,7 @@ bool read_indices(const glev_indices* given, glev_indices* indices, std::size_t*
   const std::size_t largest = (std::uint64_t{1} << (8 * index_bytes(indices->type))) - 1;
   if (*vertices - 1 > largest || first > largest - (*vertices - 1)) return false;
   if (shares && *vertices >= std::uint64_t{1} << 32) return false;
-  // Below 2^32 vertices nothing overflows from here on.
+  // With fewer than 2^32 vertices, nothing overflows below.
   if (mode == GLEV_POINT) *count = own;
   if (mode == GLEV_LINE) *count = 2 * (own - rows) + (rows > 1 ? 2 * (own - columns) : 0);
   if (mode == GLEV_FILL) *count = 6 * (own - rows - columns + 1);
@@ -55,7 +56,7 @@ bool read_indices(const glev_indices* given, glev_indices* indices, std::size_t*
 
 // ---- Vertices of equal bits
 
-// The number of entries of the hash table: half of them or more stay empty.
+// Returns the number of entries of the hash table, of which at least half remain empty.
 std::size_t entries_for(std::size_t vertices) { return std::bit_ceil(2 * vertices); }
 
 std::size_t scratch_for(std::size_t vertices) {
@@ -76,8 +77,8 @@ std::uint64_t hash_of(const std::byte* bytes, std::size_t count) {
   return hash;
 }
 
-// Writes the number of the first equal vertex of each, by a hash table with linear probing; returns the
-// numbers.
+// Finds the number of the first equal vertex of each vertex, by a hash table with linear probing. Returns the
+// numbers, which are in the scratch memory.
 const std::uint32_t* find_equal_vertices(const glev_indices& indices, std::size_t vertices) {
   constexpr std::uint32_t kEmpty = 0xFFFFFFFF;
   const auto* const from = static_cast<const std::byte*>(indices.vertices);
@@ -103,7 +104,7 @@ const std::uint32_t* find_equal_vertices(const glev_indices& indices, std::size_
 
 class IndexWriter {
  public:
-  // equal: the number in place of that of each vertex, or null.
+  // `equal`: for each vertex the number to write; null if vertices are not shared.
   IndexWriter(const glev_indices& indices, const std::uint32_t* equal)
       : indices_(indices),
         equal_(equal),

@@ -1,5 +1,5 @@
-// The kernels, compiled once for each instruction set, and the table of them. prepared_map.h derives the
-// bounds of what is computed in double; everything else follows from results being correctly rounded.
+// The kernels, compiled once for each instruction set, and their table. prepared_map.h derives the error
+// bounds of values in double.
 #include "kernels.h"
 
 #if defined(__x86_64__) || defined(__i386__)
@@ -12,9 +12,10 @@
 
 #include "plan.h"
 
-// Assertions of Highway need its library, of which only the headers are used.
+// Only the headers of Highway are used; its assertions would need the library.
 #define HWY_IS_DEBUG_BUILD 0
-// Without fused operations these would be one more way to do the same; scalable vectors cannot be in arrays.
+// SSSE3 and AVX3_DL add no operations that these kernels use. Vectors of scalable size cannot be elements of
+// arrays.
 #define HWY_DISABLED_TARGETS \
   (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 
@@ -105,17 +106,17 @@ double Input::operator[](std::size_t i) const {
 }
 
 std::size_t mesh_scratch(int degree, std::size_t columns) {
-  constexpr std::size_t kWidest = 64;  // the step of any instruction set divides it
+  constexpr std::size_t kWidest = 64;  // a multiple of the step of every instruction set
   const std::size_t padded = (columns + kWidest - 1) / kWidest * kWidest;
   return padded * sizeof(double) * (static_cast<std::size_t>(degree) + 3);
 }
 
 namespace {
 
-// Highway's own detection is in a library that needs the C++ run time.
+// The detection of Highway is not used, because it is in a library that needs the C++ run time.
 #if HWY_ARCH_X86
-// Not every compiler knows its name. The answer is kept, because CPUID takes microseconds in a virtual
-// machine; every thread finds the same one.
+// F16C is detected by CPUID, because not every compiler supports its name. The result is cached, because
+// CPUID takes microseconds in a virtual machine. Threads may compute it twice with the same result.
 bool has_f16c() {
   enum { kUnknown, kNo, kYes };
   static std::atomic<int> known{kUnknown};

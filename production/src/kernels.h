@@ -1,4 +1,4 @@
-// Evaluation of many points at a time, for each instruction set.
+// The kernels: functions that evaluate many points at a time, for each instruction set.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace glev {
 
-// Arguments: number i is the float or double at data + i * stride bytes.
+// An array of arguments: argument i is the float or double at data + i * stride bytes.
 struct Input {
   const std::byte* data;
   std::size_t stride;
@@ -20,15 +20,16 @@ struct Input {
   double operator[](std::size_t i) const;
 };
 
-// Results: element i is `components` floats at data + i * stride bytes, in meshes of two dimensions element
-// (i, j) at data + i * stride + j * row_stride. Those that a map does not give are (0,0,0,1)'s.
+// An array of results: element i is `components` floats at data + i * stride bytes; in meshes of two
+// dimensions element (i, j) is at data + i * stride + j * row_stride. Components that a map does not have are
+// those of (0,0,0,1).
 struct Destination {
   std::byte* data;
   std::size_t stride, row_stride;
   int components;
 };
 
-// Columns i1..., rows j1... of the grids u and v.
+// The columns from i1 on and the rows from j1 on of the grids u and v.
 struct MeshRange {
   Grid u, v;
   std::int64_t i1, j1;
@@ -40,76 +41,79 @@ struct MeshRange {
   std::int64_t last_row() const { return j1 + static_cast<std::int64_t>(rows) - 1; }
 };
 
-// Tells if a mesh of a grid with so few segments, of a map with centred coefficients and degree m in v, takes
-// longer if it is fast, and so is correctly rounded. By the grid, not by the range, so that ranges agree
-// where they meet.
+// Returns true if the grid has so few segments that GLEV_FAST would take longer than correct rounding, for a
+// map with centred coefficients and degree m in v. Such meshes are correctly rounded. The result depends on
+// the grid and not on the range, so adjacent ranges have the same points.
 inline bool has_few_segments(const MeshRange& range, int m) {
   constexpr std::int64_t kFewestSegments = 1 << 14;
   return static_cast<std::int64_t>(range.u.segments) * (m == 0 ? 1 : range.v.segments) < kFewestSegments;
 }
 
-// Patches of degrees 1 to kMaxCentredDegree in u and 0 to kMaxCentredDegree in v, at most kPatchLanes of
-// them, side by side at the same places.
+// At most kPatchLanes patches of the same degrees, 1 to kMaxCentredDegree in u and 0 to kMaxCentredDegree in
+// v, which are evaluated at the same arguments, one patch in each lane.
 inline constexpr std::size_t kPatchLanes = 8;
 struct PatchBlock {
   std::array<int, 2> degree;
   int components;
   std::size_t patches;
-  // Value number i of the control points of patch p, v fastest, is net[i * kPatchLanes + p]; those of missing
-  // patches are any numbers.
+  // Value i of the control points of patch p, v fastest, is net[i * kPatchLanes + p]. Missing patches may
+  // have any values.
   const double* net;
-  // t - s of the columns and rows, from -1 to 1, as centred_units supposes.
+  // t - s of the columns and rows, from -1 to 1, with the errors that centred_units() assumes.
   const double *x, *y;
   std::size_t columns, rows;
-  // Bits behind the points of x^degree and y^degree together, at most; kManyBits if they are not dyadic.
+  // The largest number of fractional bits of x^degree and y^degree together; kManyBits if they are not
+  // dyadic.
   int bits_of_places;
-  Destination to;  // that of patch p begins p * patch_stride bytes later
+  Destination to;  // of patch 0; patch p begins p * patch_stride bytes later
   std::size_t patch_stride;
 };
 
-// The position at real arguments that are no subnormal numbers, in whatever environment without traps, of
-// plans that can be evaluated directly. False, and nothing claimed, where that is not sure.
+// Computes the position at real arguments, which must not be subnormal, for plans that can be evaluated
+// directly, in any floating-point environment without traps. Returns false if the result is not certain;
+// `position` is then undefined.
 using EvaluatesDirectly = bool (*)(const glev_plan& plan, double u, double v, float* position);
 
-// All results of maps are correctly rounded, but those of fast meshes. The environment is the default one.
+// The kernels of an instruction set. All results of maps are correctly rounded, except those of fast meshes.
+// They require the default floating-point environment.
 struct Kernels {
   const char* name;
-  // One point: the components of the map. There is room for four; those that the map has not are then
-  // anything.
+  // Evaluates one point. `result` must have room for four components; those that the map does not have are
+  // undefined.
   void (*point)(const PreparedMap& map, const GridArgument& u, const GridArgument& v, float* result);
   EvaluatesDirectly direct, direct_cubic_curve, direct_bicubic;
-  // v counts for nets of two dimensions only.
+  // Evaluate curves and surfaces at many arguments.
   void (*curve)(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to);
   void (*surface)(const PreparedMap& map, const Input& u, const Input& v, std::size_t count,
                   const Destination& to);
-  // scratch: mesh_scratch bytes, aligned to a cache line.
+  // Evaluates a mesh. `scratch`: mesh_scratch() bytes, aligned to a cache line.
   void (*mesh)(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,
                std::byte* scratch);
-  // Automatic normals of a plan that has them, with the bits of NormalRow. `to` is of floats. If
-  // with_vertices is set, also the correctly rounded vertices of a VERTEX_3 map: each lies right before its
-  // normal. scratch: normal_mesh_scratch bytes, aligned to a cache line.
+  // Evaluates the automatic normals of a plan that has them, with the bits of NormalRow, as floats. If
+  // with_vertices is set, also writes the correctly rounded vertices of a VERTEX_3 map, each directly before
+  // its normal. `scratch`: normal_mesh_scratch() bytes, aligned to a cache line.
   void (*normals)(const glev_plan& plan, const MeshRange& range, const Destination& to, bool with_vertices,
                   std::byte* scratch);
-  Encloses encloses;  // for maps as that type says
-  // The same as curve and mesh, to doubles within one ULP. False, and nothing done, for maps and grids for
-  // which there is no good way. The bits do not depend on the instruction set.
+  Encloses encloses;  // see the type
+  // Same as curve and mesh, with double results within one ULP. Return false, and do nothing, for maps and
+  // grids that they do not support. The bits do not depend on the instruction set.
   bool (*double_curve)(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to);
   bool (*double_mesh)(const PreparedMap& map, const MeshRange& range, const Destination& to,
                       std::byte* scratch);
-  // Returns the patches that are not decided, as bits; anything is written for these.
+  // Evaluates patches. Returns the undecided patches as bits; their results are undefined.
   unsigned (*patches)(const PatchBlock& block);
 };
 
-// Bytes for so many columns of a map of so high a degree in u.
+// Returns the bytes of scratch memory for `columns` columns of a map of degree `degree` in u.
 std::size_t mesh_scratch(int degree, std::size_t columns);
-// Normals need the weights of the vertex map and of its derivative.
+// The same for normals, which need the weights of the vertex map and of its derivative.
 inline std::size_t normal_mesh_scratch(int degree, std::size_t columns) {
   return mesh_scratch(2 * degree, columns);
 }
 
-// The kernels that this machine can run, best first; null for an index beyond the last.
+// Returns the kernels that this machine can run, best first; null for an index beyond the last.
 const Kernels* kernels_of(std::size_t index);
-// Returns the kernels of that name, the best ones for null; null if there are none.
+// Returns the kernels with this name, or the best ones if `name` is null. Returns null for an unknown name.
 const Kernels* find_kernels(const char* name);
 
 }  // namespace glev

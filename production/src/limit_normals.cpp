@@ -1,3 +1,4 @@
+// Limits of automatic normals on edges that are a single point.
 #include "limit_normals.h"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ std::array<float, 3> LimitNormals::normal_at(const GridArgument& u, const GridAr
     const std::array<double, 3> normal =
         slope_first ? unit_normal(edge.point, slope, across) : unit_normal(edge.point, across, slope);
     if (normal == std::array<double, 3>{}) continue;
-    // -0 is 0.
+    // Adding 0.0 turns -0 into +0.
     return {static_cast<float>(normal[0] + 0.0), static_cast<float>(normal[1] + 0.0),
             static_cast<float>(normal[2] + 0.0)};
   }

@@ -2,10 +2,10 @@
 // revolution.
 //
 // If all control points of the edge v = v1 are equal, p_u is zero there and so is m = p_u x p_v. Near the
-// edge m is (v - v1) (p_uv x p_v) + O((v - v1)^2). With the differences Q_i of the control points next to the
-// edge and those of the edge, p_v is Q(u) and p_uv its derivative, up to positive factors: n is the unit
-// vector along Q' x Q. It is the opposite one at v2, and Q x Q' at u1. Homogeneous points take p and w along
-// as in normal.h.
+// edge, m is (v - v1) (p_uv x p_v) + O((v - v1)^2). Let Q_i be the differences of the control points next to
+// the edge and those of the edge. Up to positive factors, p_v is Q(u) and p_uv its derivative, so n is the
+// unit vector along Q' x Q. At v2 it has the opposite sign; at u1 it is along Q x Q'. Homogeneous points use
+// p and w as in normal.h.
 #pragma once
 
 #include <array>
@@ -18,18 +18,19 @@ namespace glev {
 
 class LimitNormals {
  public:
-  // points: without padding, v fastest, of 3 or 4 components. They are not needed after that.
+  // `points`: control points without padding, v fastest, of 3 or 4 components. They are used only during the
+  // call.
   LimitNormals(const double* points, int components, std::array<int, 2> order,
                const std::array<Domain, 2>& domain);
 
-  // True if an edge is a single point.
+  // Returns true if an edge is a single point.
   bool has_edges() const { return has_edges_; }
-  // The unit vector at arguments on such an edge, in double rounded to float. (0,0,0) elsewhere, and if the
-  // limit is not determined by derivatives of this order.
+  // Returns the limit of the unit normal at arguments on such an edge, computed in double and rounded to
+  // float. Returns (0,0,0) at other arguments, and if derivatives of second order do not determine the limit.
   std::array<float, 3> normal_at(const GridArgument& u, const GridArgument& v) const;
 
  private:
-  // Q and Q', as curves along the edge.
+  // An edge, with Q and Q' as curves along it.
   struct Edge {
     bool is_point = false;
     std::array<double, 4> point{};

@@ -1,4 +1,4 @@
-// The array of offsets that CallLists is given (GL §21.4).
+// Reads the array of offsets of CallLists (GL §21.4).
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace glev {
 
-// Bytes of one offset; 0 if there is no such type.
+// Returns the bytes of one offset; 0 if the type is invalid.
 inline std::size_t bytes_of_offset(glev_enum type) {
   switch (type) {
     case GLEV_BYTE:
@@ -32,7 +32,7 @@ inline std::size_t bytes_of_offset(glev_enum type) {
   }
 }
 
-// The GL does not align the array.
+// The array need not be aligned.
 template <class Value>
 Value load_offset(const unsigned char* bytes) {
   Value value;
@@ -40,7 +40,7 @@ Value load_offset(const unsigned char* bytes) {
   return value;
 }
 
-// Modulo 2^32, as they are added to the list base.
+// Returns an offset modulo 2^32, because it is added to the list base.
 inline glev_uint offset_at(glev_enum type, const unsigned char* bytes) {
   const auto big_endian = [bytes](int count) {
     glev_uint value = 0;
@@ -64,7 +64,7 @@ inline glev_uint offset_at(glev_enum type, const unsigned char* bytes) {
       return big_endian(4);
     case GLEV_FLOAT: {
       const float whole = std::floor(load_offset<float>(bytes));
-      const bool fits = whole > -0x1p63f && whole < 0x1p63f;  // no NaN either
+      const bool fits = whole > -0x1p63f && whole < 0x1p63f;  // false for NaN
       return fits ? static_cast<glev_uint>(static_cast<std::int64_t>(whole)) : 0;
     }
     default:  // INT, UNSIGNED_INT

@@ -1,3 +1,4 @@
+// The table of the display lists of a context.
 #include "list_table.h"
 
 #include <algorithm>
@@ -8,7 +9,8 @@
 namespace glev {
 namespace {
 
-// The first of `count` successive names from low to high without `taken`; 0 if there are none.
+// Returns the first of `count` consecutive names from `low` to `high` that do not include `taken`; 0 if there
+// are none.
 glev_uint fit_into(std::uint64_t low, std::uint64_t high, glev_uint count, glev_uint taken) {
   if (taken >= low && taken < low + count) low = std::uint64_t{taken} + 1;
   return low + count <= high + 1 ? static_cast<glev_uint>(low) : 0;

@@ -11,8 +11,8 @@
 
 namespace glev {
 
-// A sorted array of intervals of names. An interval of more than one name stands for empty lists, so names
-// that GenLists gave away and nobody has filled cost next to nothing.
+// A sorted array of intervals of names. An interval of more than one name represents empty lists, so unused
+// names from GenLists take almost no memory.
 class ListTable {
  public:
   ListTable() = default;
@@ -20,31 +20,33 @@ class ListTable {
   ListTable& operator=(const ListTable&) = delete;
   void free(const Allocator& allocator);
 
-  // Null if there is no such list.
+  // Returns the list; null if there is none.
   const DisplayList* find(glev_uint name) const;
 
-  // Gives the name this list, which then belongs to the table. False, and nothing changed, without memory.
+  // Assigns the list to the name; the table then owns the list. Returns false, and changes nothing, if there
+  // is no memory.
   bool define(const Allocator& allocator, glev_uint name, const DisplayList& list);
 
-  // Deletes the lists among the names first to last. False, and nothing changed, without memory: a hole in an
-  // interval needs some.
+  // Deletes the lists among the names first to last. Returns false, and changes nothing, if there is no
+  // memory, which is needed to split an interval.
   bool delete_names(const Allocator& allocator, glev_uint first, glev_uint last);
 
-  // Makes `count` (> 0) empty lists with successive names, `taken` not among them. *first: their first name,
-  // 0 if there is no such range. False, and nothing changed, without memory.
+  // Makes `count` (> 0) empty lists with consecutive names other than `taken`. *first is the first name, or 0
+  // if there is no such range. Returns false, and changes nothing, if there is no memory.
   bool reserve(const Allocator& allocator, glev_uint count, glev_uint taken, glev_uint* first);
 
  private:
   struct Entry {
     glev_uint first, last;
-    bool deleted;  // stays until the next insertion, so that deleting lists one by one moves nothing
+    bool deleted;  // kept until the next insertion, so that deletions move no entries
     DisplayList list;
   };
 
-  // The first entry that ends at or after the name.
+  // Returns the first entry that ends at or after the name.
   std::size_t lower_bound(glev_uint name) const;
   bool covers(std::size_t i, glev_uint name) const { return i < count_ && entries_[i].first <= name; }
-  // Puts `count` entries in the place of `replaced` ones. False, and nothing changed, without memory.
+  // Replaces `replaced` entries at `place` by `count` entries. Returns false, and changes nothing, if there
+  // is no memory.
   bool replace(const Allocator& allocator, std::size_t place, std::size_t replaced, const Entry* entries,
                std::size_t count);
   void drop_deleted();

@@ -14,7 +14,7 @@ using glev::Record;
 
 namespace {
 
-// The error of the arguments alone, NO_ERROR if there is none.
+// Returns the error of the arguments, independently of state; NO_ERROR if there is none.
 glev_enum find_call_lists_error(glev_int count, glev_enum type, const void* offsets) {
   if (count < 0) return GLEV_INVALID_VALUE;
   if (glev::bytes_of_offset(type) == 0) return GLEV_INVALID_ENUM;
@@ -130,7 +130,7 @@ void glev_context::call_list(glev_uint name) {
   if (list_depth_ == glev::kMaxListNesting) return;
   const DisplayList* found = lists_.find(name);
   if (found == nullptr) return;
-  const DisplayList list = *found;  // stays until the end: see is_rejected_with_lists
+  const DisplayList list = *found;  // not deleted during the call, see is_rejected_with_lists
   ++list_depth_;
   for (const std::byte* place = list.begin(); place != list.end();) {
     const auto& record = *std::launder(reinterpret_cast<const Record*>(place));

@@ -1,4 +1,4 @@
-// The specification of one map: what Map1 and Map2 set and GetMap answers.
+// The specification of one map, which Map1 and Map2 set and GetMap returns.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ struct MapDirection {
   glev_int order = 1;
 };
 
-// The control points without padding, v fastest. Point (i, j) begins i * u.stride + j * v.stride values after
-// points. A float is kept as the double of the same value.
+// Copies the control points without padding, v fastest. Point (i, j) begins i * u.stride + j * v.stride
+// values after `points`. Floats become doubles of the same value.
 template <class Real>
 void copy_points(int components, const MapDirection& u, const MapDirection& v, const Real* points,
                  double* out) {
@@ -34,7 +34,7 @@ class Map {
   Map() = default;
   void free(const Allocator& allocator) { storage_.free(allocator); }
 
-  // Replaces everything. False, and nothing changed, without memory.
+  // Replaces the map. Returns false, and changes nothing, if there is no memory.
   template <class Real>
   bool define(const Allocator& allocator, int components, const MapDirection& u, const MapDirection& v,
               const Real* points) {
@@ -48,7 +48,7 @@ class Map {
     return true;
   }
 
-  // Replaces everything by control points without padding that somebody else keeps.
+  // Replaces the map by control points without padding that the caller owns.
   void refer_to(const double* points, int components, std::array<int, 2> order,
                 const std::array<Domain, 2>& domain) {
     defined_ = true;
@@ -60,12 +60,13 @@ class Map {
     }
   }
 
-  // Components of the slot, unless somebody else keeps the points.
+  // Returns the number of components, which the slot determines unless refer_to() was called.
   int components(int slot) const { return components_ != 0 ? components_ : kSlotTable[slot].components; }
-  // direction 0 is u, 1 is v
+  // Direction 0 is u, 1 is v.
   int order(int direction) const { return order_[direction]; }
   const Domain& domain(int direction) const { return domain_[direction]; }
-  // order(0) * order(1) points without padding, v fastest. slot: where this map lives, for its initial point.
+  // Returns order(0) * order(1) points without padding, v fastest. `slot`: slot of this map, which determines
+  // the initial point.
   const double* points(int slot) const {
     if (kept_elsewhere_ != nullptr) return kept_elsewhere_;
     return defined_ ? storage_.data() : kSlotTable[slot].initial.data();

@@ -1,4 +1,4 @@
-// Meshes: the weights of the columns are computed once, then each row is a curve.
+// Evaluates meshes: the weights of the columns are computed once, then each row is evaluated as a curve.
 #if defined(GLEVALUATOR_MESH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLEVALUATOR_MESH_INL_H_
 #undef GLEVALUATOR_MESH_INL_H_
@@ -20,16 +20,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
-// Beyond that, values in double are not looked at.
+// The largest growth for which values in double are used.
 constexpr double kLargestGrowth = 0x1p40;
 
-// The points of the grid are i / n of the domain, then, with one rounding each.
+// Returns true if the grid spans the domain. Then t = i / n has only one rounding.
 inline bool spans(const Grid& grid, const Domain& domain) {
   return grid.u1 == domain.u1 && grid.u2 == domain.u2;
 }
 
-// Writes t and s of the columns, in place of the weights that are computed from them. Columns whose growth is
-// not below `limit` or not known get NaN, which is never settled. Returns the largest growth of the others.
+// Writes t and s of the columns. t is NaN, which is never decided, in columns whose growth is unknown or not
+// below `limit`. Returns the largest growth of the other columns.
 HWY_NOINLINE inline double place_columns(const Domain& domain, const MeshRange& range, int degree,
                                          double limit, std::size_t padded, double* t, double* s) {
   const Grid& grid = range.u;
@@ -73,7 +73,8 @@ HWY_INLINE void row_of(const Surface& surface, const double* weights_v, double* 
   }
 }
 
-// Sums of products of so many weights, one row of them after another, and control points of four values each.
+// Computes the sums of weights times control points. The weights of each i are `padded` apart, and control
+// points have four values.
 template <int kComponents>
 HWY_INLINE void sum_of(int degree, const double* weights, std::size_t padded, const double* points,
                        Vector (&value)[kUnroll][kComponents]) {
@@ -110,7 +111,7 @@ void evaluate_rounded_mesh(const PreparedMap& map, const MeshRange& range, const
   const int roundings = spans(range.u, domain_u) && (m == 0 || spans(range.v, domain_v)) ? 1 : kRoundings;
   const double units = weight_units(n, m, roundings);
   const PreparedMap::Test test = make_test(map, units, 1);
-  // The weights of a block of columns stay in the nearest cache for a group of rows.
+  // The weights of a block of columns stay in the L1 cache for a group of rows.
   constexpr std::size_t kRows = 8, kBlock = 2048;
   const std::size_t block = std::max(kBlock / (n + 1) / kStep, std::size_t{1}) * kStep;
   for (std::size_t first = 0; first < range.rows; first += kRows) {

@@ -1,3 +1,4 @@
+// Automatic normals in double and, if that is not accurate enough, in double-double arithmetic.
 #include "normal.h"
 
 #include <algorithm>
@@ -12,9 +13,9 @@ namespace {
 
 // ---- In double, without bounds
 
-// If products of the components could leave the range of double: multiplies by the power of two that brings
-// the largest magnitude to [1/2, 1) (subnormal ones: near it), which changes no digit. Zero and what is not
-// finite stays.
+// Scales the components by a power of two if their products could leave the range of double. The largest
+// magnitude becomes a number in [1/2, 1), or near it for subnormal numbers, without rounding. Zero and
+// non-finite vectors do not change.
 template <std::size_t kCount>
 void scale_to_unit(std::array<double, kCount>& v) {
   double largest = 0;
@@ -29,10 +30,10 @@ void scale_to_unit(std::array<double, kCount>& v) {
 
 using Vector = std::array<double, 3>;
 
-// ---- In double-double, with errors that are computed along
+// ---- In double-double, with computed error bounds
 
-// These have roundings of their own, which the factor contains, and may underflow, which the summand does:
-// magnitudes are near 1.
+// Rounds an error bound outward. The factor covers the roundings of its computation, and the summand covers
+// underflow, because magnitudes are near 1.
 double round_outward(double error) { return error * (1 + 0x1p-40) + 0x1p-900; }
 
 Enclosure operator*(const Enclosure& x, const Enclosure& y) {
@@ -48,13 +49,13 @@ Enclosure operator-(const Enclosure& x, const Enclosure& y) {
   return {x.value - y.value, error == 0 ? 0 : round_outward(error)};
 }
 
-// For numbers, and for enclosures.
+// Returns the cross product of numbers or of enclosures.
 template <class Number>
 std::array<Number, 3> cross_product(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// w^2 times the derivative of (x, y, z) / w.
+// Returns w^2 times the derivative of (x, y, z) / w.
 template <class Number>
 std::array<Number, 3> derive_quotient(const std::array<Number, 4>& p,
                                       const std::array<Number, 4>& derivative) {
@@ -63,7 +64,7 @@ std::array<Number, 3> derive_quotient(const std::array<Number, 4>& p,
   return result;
 }
 
-// By a power of two, to magnitudes near 1. False for what is not finite.
+// Scales enclosures by a power of two to magnitudes near 1. Returns false if one is not finite.
 template <std::size_t kCount>
 bool scale_to_unit(std::array<Enclosure, kCount>& v) {
   double largest = 0;
@@ -80,7 +81,7 @@ bool scale_to_unit(std::array<Enclosure, kCount>& v) {
   return true;
 }
 
-// False where nothing is claimed.
+// Computes the normal from enclosures. Returns false if there is no bound.
 bool from_enclosures(const PreparedMap& map, const GridArgument& u, const GridArgument& v,
                      std::array<float, 3>* result) {
   const int components = map.surface.components;
@@ -112,7 +113,7 @@ bool from_enclosures(const PreparedMap& map, const GridArgument& u, const GridAr
 
 const PreparedMap& vertices_of(const glev_plan& plan) { return plan.map(Attribute::kVertex); }
 
-// Sums of products with the weights of one direction: `count` of them, each over degree + 1 points.
+// Computes `count` sums of degree + 1 points times the weights of one direction, and scales them.
 void combine_points(const double* points, int components, int count, int degree, const double* weights,
                     double scale, double* result) {
   for (int i = 0; i < count; ++i, result += 4) {
@@ -160,7 +161,7 @@ NormalBounds bound_normals(const Surface& vertex, const NormalMajorants& largest
   }
   for (const int d : {0, 1}) {
     const auto [u1, u2] = vertex.domain[d];
-    // Nothing is lost in t and s.
+    // Within these limits, t and s do not underflow or overflow.
     if (!(std::fabs(u1) <= 0x1p900 && std::fabs(u2) <= 0x1p900 && std::fabs(u2 - u1) >= 0x1p-900))
       return bounds;
   }
@@ -179,7 +180,7 @@ NormalBounds bound_normals(const Surface& vertex, const NormalMajorants& largest
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
     majorant[k] = a[i] * b[j] + a[j] * b[i];
     const bool vanishes = (a[i] == 0 || b[j] == 0) && (a[j] == 0 || b[i] == 0);
-    // Second orders and underflow: at most 2^-40 of it, and some 2^-1000.
+    // The factor covers terms of second order, and the summand covers underflow.
     bounds.error[k] = vanishes ? 0 : (2 * c + 2 * kUnit) * (1 + 0x1p-20) * majorant[k] + 0x1p-900;
   }
   const auto& e = bounds.error;
@@ -223,7 +224,7 @@ std::array<float, 3> NormalRow::normal_at(const GridArgument& u) const {
     scalar_weights(n, at.s, at.t, weights.data());
     scalar_weights(n - 1, at.s, at.t, weights_of_tangent.data());
     std::array<std::array<double, 4>, kNets> value;
-    // The padding of rows counts as a component.
+    // Rows have four values for each point, padding included.
     if (is_rational) combine_points(points(kPoint), 4, 1, n, weights.data(), 1, value[kPoint].data());
     combine_points(points(kTangentU), 4, 1, n - 1, weights_of_tangent.data(), 1, value[kTangentU].data());
     combine_points(points(kTangentV), 4, 1, n, weights.data(), 1, value[kTangentV].data());

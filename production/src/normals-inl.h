@@ -1,5 +1,5 @@
-// Automatic normals of meshes: the operations of NormalRow in the same order, a lane a column. The lanes for
-// which double is not precise enough are left to NormalRow.
+// Automatic normals of meshes: the operations of NormalRow in the same order, one column in each lane.
+// NormalRow computes the normals for which double is not accurate enough.
 #if defined(GLEVALUATOR_NORMALS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLEVALUATOR_NORMALS_INL_H_
 #undef GLEVALUATOR_NORMALS_INL_H_
@@ -26,8 +26,8 @@ struct Block {
   Vector value[kCount][kUnroll];
 };
 
-// A curve of a row, at columns whose weights begin at `weights`; with fused operations where bits do not
-// matter.
+// Evaluates a curve of a row at the columns whose weights begin at `weights`. kFused allows fused operations,
+// for values whose bits may differ.
 template <int kComponents, bool kFused = false>
 HWY_INLINE Block<kComponents> combine(const double* point, int degree, const double* weights,
                                       std::size_t padded) {
@@ -52,7 +52,7 @@ HWY_INLINE Block<kComponents> combine(const double* point, int degree, const dou
   return sum;
 }
 
-// x y - z w
+// Returns x y - z w.
 HWY_INLINE Vector difference_of_products(Vector x, Vector y, Vector z, Vector w) {
   return hn::Sub(hn::Mul(x, y), hn::Mul(z, w));
 }
@@ -70,7 +70,7 @@ HWY_INLINE Block<3> derive_quotient(const Block<4>& p, const Block<4>& derivativ
 #if HWY_MAX_BYTES >= 32
 constexpr bool kHasRecords = true;
 
-// Vertices and normals: x, y, z, nx, ny, nz of each column after the other.
+// Stores vertices and normals: x, y, z, nx, ny, nz for each column.
 HWY_INLINE void store_records(const Half (&position)[3], const Half (&normal)[3], float* to) {
   constexpr hn::RepartitionToWide<decltype(kHalves)> kPairs;
   const auto store = [&](auto xy, auto z_nx, auto ny_nz) {
@@ -88,7 +88,7 @@ HWY_INLINE void store_records(const Half (&position)[3], const Half (&normal)[3]
   if constexpr (kLanes == 4) {
     store(low[0], low[1], low[2]);
     store(high[0], high[1], high[2]);
-  } else {  // these worked in blocks of 128 bits
+  } else {  // the interleaving above works in blocks of 128 bits
     store(hn::ConcatLowerLower(kHalves, high[0], low[0]), hn::ConcatLowerLower(kHalves, high[1], low[1]),
           hn::ConcatLowerLower(kHalves, high[2], low[2]));
     store(hn::ConcatUpperUpper(kHalves, high[0], low[0]), hn::ConcatUpperUpper(kHalves, high[1], low[1]),
@@ -100,7 +100,7 @@ constexpr bool kHasRecords = false;
 inline void store_records(const Half (&)[3], const Half (&)[3], float*) {}
 #endif
 
-// The lanes below `count` that are not in the mask.
+// Calls function(lane) for lanes below `count` that are not in the mask.
 template <class D, class Function>
 HWY_NOINLINE void for_others(D d, hn::Mask<D> mask, std::size_t count, const Function& function) {
   std::uint8_t bits[8] = {};
@@ -110,7 +110,7 @@ HWY_NOINLINE void for_others(D d, hn::Mask<D> mask, std::size_t count, const Fun
   }
 }
 
-// Unit vectors along a x b as floats, and the lanes in which double is precise enough for them.
+// Unit vectors along a x b as floats, and the lanes in which double is accurate enough.
 struct UnitNormals {
   HWY_INLINE UnitNormals(const Block<3>& a, const Block<3>& b, const NormalBounds& bounds) {
     for (std::size_t part = 0; part < kUnroll; ++part) {
@@ -159,7 +159,8 @@ HWY_INLINE void store_normals(const Half (&normal)[3], float* to) {
 #endif
 }
 
-// The degree in u, if known when this is compiled.
+// Evaluates the rows of a mesh. kDegree: the degree in u if it is a compile-time constant, otherwise
+// negative.
 template <bool kRational, bool kVertices, int kDegree>
 void evaluate_rows(const glev_plan& plan, const MeshRange& range, const Destination& to, double* weights) {
   const Surface& surface = plan.surface(Attribute::kVertex);
@@ -167,7 +168,7 @@ void evaluate_rows(const glev_plan& plan, const MeshRange& range, const Destinat
   const std::size_t padded = (range.columns + kStep - 1) / kStep * kStep;
   double *const weights_of_tangent = weights + (n + 1) * padded, *const t = weights_of_tangent + n * padded,
                 *const s = t + padded;
-  // Inside the domain growth is exactly 1; outside it is larger than that limit.
+  // The growth is exactly 1 inside the domain, and larger than this limit outside.
   place_columns(surface.domain[0], range, n, 1 + 0x1p-20, padded, t, s);
   for (std::size_t c = 0; c < padded; c += kLanes) {
     const Vector at_s = hn::Load(kDoubles, s + c), at_t = hn::Load(kDoubles, t + c);
@@ -274,7 +275,7 @@ inline void evaluate_mesh(const glev_plan& plan, const MeshRange& range, const D
                         {to.data - kBytes, to.stride, to.row_stride, 3}, scratch);
   };
   if (surface.degree[0] == 0 || surface.degree[1] == 0) {
-    // A tangent is zero.
+    // A tangent is zero, so all normals are (0,0,0).
     for (std::size_t r = 0; r < range.rows; ++r) {
       for (std::size_t c = 0; c < range.columns; ++c)
         std::memset(to.data + r * to.row_stride + c * to.stride, 0, 3 * sizeof(float));

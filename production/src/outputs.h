@@ -1,4 +1,4 @@
-// Memory of the caller that batches write to: what is asked for, and whether it may be written.
+// The outputs of batches: reads their descriptions, and checks the memory of the caller.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,14 @@
 
 namespace glev {
 
-// patches * rows * columns > 0 elements of `element` bytes, `stride` bytes from one to the next, `row_stride`
-// from row to row, `patch_stride` from patch to patch.
+// A layout in memory: patches * rows * columns > 0 elements of `element` bytes. Consecutive elements are
+// `stride` bytes apart, rows `row_stride` and patches `patch_stride`.
 struct Stream {
   const std::byte* begin = nullptr;
   std::size_t columns = 0, rows = 1, stride = 0, row_stride = 0, element = 0;
   std::size_t patches = 1, patch_stride = 0;
 
-  // In so many bytes, and in the address space, whatever the caller claims.
+  // Returns true if the elements fit into `bytes` bytes and into the address space.
   bool fits_into(std::size_t bytes) const {
     const std::size_t room = std::min<std::size_t>(bytes, UINTPTR_MAX - first_byte());
     if (element > room) return false;
@@ -32,7 +32,7 @@ struct Stream {
     }
     return true;
   }
-  // Only after fits_into: nothing overflows then.
+  // The functions below require fits_into(), after which nothing overflows.
   std::uintptr_t first_byte() const { return reinterpret_cast<std::uintptr_t>(begin); }
   std::size_t bytes_of_patch() const { return (rows - 1) * row_stride + (columns - 1) * stride + element; }
   std::uintptr_t past_last_byte() const {
@@ -45,7 +45,8 @@ struct Stream {
   };
 };
 
-// Rows of the strides and columns of `first`, `offset` bytes apart.
+// Returns true if two rows share bytes. They have the strides and columns of `first` and are `offset` bytes
+// apart.
 inline bool rows_share_bytes(const Stream& first, const Stream& second, std::size_t offset) {
   if (offset >= (first.columns - 1) * first.stride + first.element) return false;
   if (first.columns == 1) return true;
@@ -53,7 +54,7 @@ inline bool rows_share_bytes(const Stream& first, const Stream& second, std::siz
   return rest < first.element || (rest + second.element > first.stride && column + 1 < first.columns);
 }
 
-// Patches of the same shape, `offset` bytes apart.
+// Returns true if two patches of the same shape, `offset` bytes apart, share bytes.
 inline bool patches_share_bytes(const Stream& low, const Stream& high, std::size_t offset) {
   if (low.rows == 1) return rows_share_bytes(low, high, offset);
   // A row of `high` begins in a row of `low`, or in the padding after it, and may reach into the next one.
@@ -63,7 +64,8 @@ inline bool patches_share_bytes(const Stream& low, const Stream& high, std::size
          (row + 1 < low.rows && rows_share_bytes(high, low, low.row_stride - rest));
 }
 
-// b is an output, so its stride is positive. With different strides any overlap of the extents counts.
+// Returns true if a and the output b share bytes. b has a positive stride, because it is an output. If
+// layouts differ, any overlap of their extents counts.
 inline bool share_bytes(const Stream& a, const Stream& b) {
   if (a.past_last_byte() <= b.first_byte() || b.past_last_byte() <= a.first_byte()) return false;
   if (a.stride != b.stride || a.columns != b.columns || a.rows != b.rows || a.row_stride != b.row_stride ||
@@ -78,7 +80,7 @@ inline bool share_bytes(const Stream& a, const Stream& b) {
          (patch + 1 < a.patches && patches_share_bytes(high, low, a.patch_stride - rest));
 }
 
-// Scratch memory, as much as fits into the address space.
+// Returns the layout of scratch memory, limited to the address space.
 inline Stream claim(void* memory, std::size_t bytes) {
   Stream claimed = {static_cast<std::byte*>(memory), 1, 1, 1, 0, bytes};
   if (!claimed.fits_into(SIZE_MAX)) claimed.element = UINTPTR_MAX - claimed.first_byte();
@@ -100,7 +102,7 @@ struct Output {
   std::byte* address_of(std::size_t column, std::size_t row) const {
     return data + column * stream.stride + row * stream.row_stride;
   }
-  // The elements of one patch, or of one row of it.
+  // Return the elements of one patch, or of one row of a patch.
   Output patch(std::size_t number) const {
     Output part = *this;
     if (is_wanted) part.data += number * stream.patch_stride;
@@ -113,7 +115,7 @@ struct Output {
     part.stream.rows = 1;
     return part;
   }
-  // `count` elements of a single row.
+  // Returns `count` elements of a single row.
   Output columns(std::size_t first, std::size_t count) const {
     Output part = *this;
     if (is_wanted) part.data += first * stream.stride;
@@ -124,7 +126,7 @@ struct Output {
 
 using Outputs = std::array<Output, kOutputs>;
 
-// The elements that outputs have.
+// The numbers of elements of outputs.
 struct Shape {
   std::size_t columns, rows = 1, patches = 1;
   bool has_rows = false, has_patches = false;
@@ -149,7 +151,7 @@ inline glev_result read_output(const glev_output* given, const Shape& shape, std
   auto* const data = static_cast<std::byte*>(copy.data);
   Stream stream = {data, shape.columns, shape.rows, copy.stride, 0, element, shape.patches, 0};
   if (shape.has_rows && !is_empty) {
-    // No row or patch is larger than the address space.
+    // Rows and patches that are larger than the address space are rejected.
     if (shape.columns > SIZE_MAX / copy.stride) return GLEV_ERROR_BUFFER_TOO_SMALL;
     stream.row_stride = copy.row_stride != 0 ? copy.row_stride : shape.columns * copy.stride;
     if (stream.row_stride < (shape.columns - 1) * copy.stride + element) return GLEV_ERROR_INVALID_ARGUMENT;
@@ -163,7 +165,8 @@ inline glev_result read_output(const glev_output* given, const Shape& shape, std
   return GLEV_SUCCESS;
 }
 
-// C programs may have put any number there, which C++ must not read as an enumerator.
+// Returns the number of an enumerator. C programs may pass any number, which C++ must not read as an
+// enumerator.
 template <class Enum>
 unsigned number_of(const Enum& enumerator) {
   unsigned number;
@@ -176,14 +179,15 @@ inline bool is_precision(const glev_precision& precision) {
   return number_of(precision) == GLEV_CORRECTLY_ROUNDED || number_of(precision) == GLEV_FAST;
 }
 
-// map_components: of each attribute, 0 where there is no map.
+// Reads and checks outputs, except for memory. `map_components`: number of components of each attribute, 0 if
+// there is no map.
 inline glev_result read_outputs(const std::array<std::size_t, kOutputs>& map_components,
                                 const glev_attribute_output* given, std::size_t count, const Shape& shape,
                                 Outputs* outputs) {
   if (given == nullptr && count != 0) return GLEV_ERROR_INVALID_ARGUMENT;
   for (std::size_t i = 0; i < count; ++i) {
     const unsigned o = number_of(given[i].attribute);
-    // An attribute is there once at most, so `count` is at most kOutputs.
+    // Attributes must not repeat, so at most kOutputs are accepted.
     if (o >= kOutputs || (*outputs)[o].is_wanted) return GLEV_ERROR_INVALID_ARGUMENT;
     const bool is_normal = o == static_cast<unsigned>(Attribute::kNormal);
     const glev_result result =
@@ -193,7 +197,8 @@ inline glev_result read_outputs(const std::array<std::size_t, kOutputs>& map_com
   return GLEV_SUCCESS;
 }
 
-// Sizes and overlaps, with what else is read or written.
+// Checks the sizes of outputs, and overlaps between outputs and with `others`, the other memory that is read
+// or written.
 template <std::size_t kOthers>
 glev_result check_memory(const Outputs& outputs, const std::array<Stream, kOthers>& others) {
   for (const Output& output : outputs) {

@@ -1,4 +1,4 @@
-// The place in its domain at which a map is evaluated, for one direction.
+// Domains, grids, and arguments in one direction of a map.
 #pragma once
 
 #include <cmath>
@@ -15,33 +15,33 @@ struct Domain {
   double u1 = 0, u2 = 1;
 };
 
-// The state MapGrid sets, one direction.
+// The state that MapGrid sets for one direction.
 struct Grid {
   double u1 = 0, u2 = 1;
   glev_int segments = 1;
   bool operator==(const Grid&) const = default;
 };
 
-// Point i of a grid, which stands for exactly u1 + i * (u2 - u1) / segments: meshes are asked for by index,
-// because a rounded argument would no longer be that number.
+// Point `index` of a grid, exactly u1 + index * (u2 - u1) / segments. Points of meshes are passed by index,
+// because a rounded argument would be another number.
 struct GridArgument {
   Grid grid;
   std::int64_t index;
 };
 
-// A real argument as one.
+// Returns a real argument as a GridArgument.
 inline GridArgument argument_at(double u) { return {{u, u, 1}, 0}; }
 
-// Barycentric coordinates of an argument: t = (u - u1) / (u2 - u1) and s = 1 - t, each with a relative error
-// of its own of three roundings, which 1 - t would not have.
+// Barycentric coordinates of an argument: t = (u - u1) / (u2 - u1) and s = 1 - t. Both have a relative error
+// of three roundings; s is not computed as 1 - t, whose relative error could be larger.
 struct Parameter {
   enum class End { kNeither, kFirst, kLast };
   double s, t;
-  End end;              // the argument is the first or last end of the domain
-  bool is_sure = true;  // or cancellation has spoilt the relative errors
+  End end;              // tells if the argument is an end of the domain
+  bool is_sure = true;  // false if cancellation made the relative errors larger
 };
 
-// A real argument.
+// Locates a real argument.
 inline Parameter locate(const Domain& domain, double u) {
   if (u == domain.u1) return {1, 0, Parameter::End::kFirst};
   if (u == domain.u2) return {0, 1, Parameter::End::kLast};
@@ -49,8 +49,8 @@ inline Parameter locate(const Domain& domain, double u) {
   return {(domain.u2 - u) / width, (u - domain.u1) / width, Parameter::End::kNeither};
 }
 
-// A grid argument. Indices 0 and segments are the ends of the grid exactly (GL §21.1); where they coincide,
-// every index is.
+// Locates a grid argument. The indices 0 and `segments` are exactly the ends of the grid (GL §21.1); if the
+// ends are equal, so is every point.
 inline Parameter locate(const Domain& domain, const GridArgument& argument) {
   const Grid& grid = argument.grid;
   const double i = static_cast<double>(argument.index), n = grid.segments;
@@ -58,8 +58,8 @@ inline Parameter locate(const Domain& domain, const GridArgument& argument) {
   if (i == n) return locate(domain, grid.u2);
   if (grid.u1 == domain.u1 && grid.u2 == domain.u2) return {(n - i) / n, i / n, Parameter::End::kNeither};
   if (grid.u2 == domain.u1 && grid.u1 == domain.u2) return {i / n, (n - i) / n, Parameter::End::kNeither};
-  // n * (u - u1) and n * (u2 - u) for u = grid.u1 + i * (grid.u2 - grid.u1) / n. Each of the differences is
-  // exact.
+  // Computes n * (u - u1) and n * (u2 - u) for u = grid.u1 + i * (grid.u2 - grid.u1) / n. The differences of
+  // ends are exact.
   const DoubleDouble run = two_sum(grid.u2, -grid.u1) * i;
   const DoubleDouble start = two_sum(grid.u1, -domain.u1) * n, rest = two_sum(domain.u2, -grid.u1) * n;
   const DoubleDouble a = start + run, b = rest - run, width = two_sum(domain.u2, -domain.u1) * n;

@@ -1,5 +1,5 @@
-// Patches side by side, one in each lane, compiled once for each instruction set: vertices of low degree,
-// correctly rounded, in powers of x = t - s and y. PreparedMap says why the test is right.
+// Evaluates vertices of patches of low degree, one patch in each lane, correctly rounded, in powers of x = t
+// - s and y. This file is compiled once for each instruction set. prepared_map.h derives the test.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -25,7 +25,7 @@ namespace patches {
 
 #include "centring-inl.h"
 
-// A vector with the operations of centre_along.
+// A vector with the operations that centre_along() needs.
 struct Lanes {
   Vector value;
 
@@ -38,11 +38,12 @@ struct Lanes {
 
 constexpr int kMostValues = (kMaxCentredDegree + 1) * (kMaxCentredDegree + 1);
 
-// One component of the patches of a vector: coefficients of x^i y^j, and the error of the test.
+// One component of the patches in the lanes of a vector: the coefficients of x^i y^j, and the error of the
+// test.
 template <int kDegree>
 class Component {
  public:
-  // step: from one control point to the next, in vectors of kPatchLanes.
+  // `step`: distance between control points, in units of kPatchLanes values.
   HWY_INLINE void set(const double* net, std::size_t step, int m, int bits_of_places) {
     degree_v_ = m;
     const double* const points = net;
@@ -50,7 +51,7 @@ class Component {
     Vector largest = hn::Zero(kDoubles);
     for (std::size_t i = 0; i < columns; ++i) {
       for (std::size_t j = 0; j < rows; ++j, net += step * kPatchLanes) {
-        // -0 is 0, so that no sum is -0.
+        // Adding zero turns -0 into +0, so that no sum is -0.
         const Vector point = hn::Add(hn::LoadU(kDoubles, net), hn::Zero(kDoubles));
         power_[j * columns + i].value = point;
         largest = hn::Max(largest, hn::Abs(point));
@@ -61,7 +62,7 @@ class Component {
     Vector sum = hn::Zero(kDoubles);
     for (std::size_t i = 0; i < columns * rows; ++i) sum = hn::Add(sum, hn::Abs(power_[i].value));
 
-    // error_bound(component, centred_units(...), 1) of coefficients that are not exact.
+    // Computes error_bound(component, centred_units(...), 1) for coefficients that are not exact.
     constexpr double kUnit = 0x1p-53 * (1 + 0x1p-20);
     const double of_sum = centred_units(kDegree, m, 1, true) - centred_units(kDegree, m, 0, true),
                  of_largest = centred_units(kDegree, m, 0, false) + 2;
@@ -81,7 +82,7 @@ class Component {
 
   hn::Mask<Doubles> is_claimed() const { return is_claimed_; }
 
-  // The points of one row: both ends of each interval, as floats. Returns the bits in which these differ.
+  // Evaluates one row: both ends of each interval, as floats. Returns the bits in which the ends differ.
   HWY_INLINE Half evaluate(double y_of_row, const double* x, std::size_t columns, std::size_t step,
                            float* to) const {
     const Vector y = hn::Set(kDoubles, y_of_row);
@@ -117,8 +118,8 @@ class Component {
     return hn::Eq(hn::Sub(hn::Add(value, magic), magic), value);
   }
 
-  // Lanes in which neither centring nor Horner's rule rounds: is_centred_exactly, and
-  // PreparedMap::centred_bits.
+  // Returns the lanes in which neither centring nor Horner's rule rounds, as is_centred_exactly() and
+  // PreparedMap::centred_bits do for a single map.
   HWY_INLINE hn::Mask<Doubles> is_exact(const double* points, std::size_t step, Vector largest, Vector sum,
                                         int bits_of_places) const {
     const std::size_t count = static_cast<std::size_t>(kDegree + 1) * static_cast<std::size_t>(degree_v_ + 1);
@@ -141,7 +142,7 @@ class Component {
   hn::Mask<Doubles> is_claimed_;
 };
 
-// kLanes vectors, each of one value of all lanes, to as many of one lane each.
+// Transposes kLanes vectors of one value of all lanes into kLanes vectors of one lane each.
 #if HWY_TARGET != HWY_SCALAR
 template <std::size_t kLanes>
 HWY_INLINE void transpose(const float* from, float* const* to) {
@@ -149,7 +150,7 @@ HWY_INLINE void transpose(const float* from, float* const* to) {
     constexpr hn::Repartition<double, decltype(kHalves)> kPairs;
     Half in[kLanes], half[kLanes], whole[kLanes];
     for (std::size_t i = 0; i < kLanes; ++i) in[i] = hn::LoadU(kHalves, from + i * kLanes);
-    // Rows of four lanes at a time, within blocks of four values.
+    // Transposes blocks of four lanes and four values.
     for (std::size_t i = 0; i < kLanes; i += 2) {
       half[i] = hn::InterleaveLower(kHalves, in[i], in[i + 1]);
       half[i + 1] = hn::InterleaveUpper(kHalves, in[i], in[i + 1]);
@@ -174,7 +175,7 @@ HWY_INLINE void transpose(const float* from, float* const* to) {
 
 #endif
 
-// `count` values of each lane to where `to` says.
+// Writes `count` values of each lane to to[lane].
 HWY_INLINE void transpose_all(const float* values, std::size_t count, float* const* to) {
   std::size_t i = 0;
 #if HWY_TARGET != HWY_SCALAR
@@ -187,7 +188,7 @@ HWY_INLINE void transpose_all(const float* values, std::size_t count, float* con
   }
 #endif
   for (; i < count; ++i) {
-    // The caller's memory need not be aligned.
+    // The memory of the caller need not be aligned.
     for (std::size_t lane = 0; lane < kLanes; ++lane)
       std::memcpy(to[lane] + i, values + i * kLanes + lane, sizeof(float));
   }
@@ -198,10 +199,10 @@ void write_elements(const float* values, std::size_t count, const Destination& t
   scatter<kComponents>(values, count, to, data);
 }
 
-// The patches of one vector, from lane `first` on. Returns those that are not decided, as bits.
+// Evaluates the patches of one vector, from patch `first` on. Returns the undecided patches as bits.
 template <int kDegree>
 unsigned evaluate_lanes(const PatchBlock& block, std::size_t first) {
-  constexpr std::size_t kStrip = 512;  // values of each lane, which stay in the first cache
+  constexpr std::size_t kStrip = 512;  // values of each lane that fit into the L1 cache
   constexpr decltype(&write_elements<1>) kWrite[] = {write_elements<1>, write_elements<2>, write_elements<3>,
                                                      write_elements<4>};
   const auto components = static_cast<std::size_t>(block.components);

@@ -1,5 +1,5 @@
-// Arrays of patches without a context, and plans of one map. Each patch that no kernel evaluates gets a plan
-// in the scratch memory of the caller, and is evaluated as a mesh or a batch.
+// Arrays of patches without a context, and plans of one map. A patch that the patch kernels do not evaluate
+// gets a plan in the scratch memory of the caller and is evaluated as a mesh or a batch.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -34,7 +34,8 @@ std::array<glev::Domain, 2> domain_of(const glev_patches& patches) {
   return {{{patches.u1, patches.u2}, {patches.v1, patches.v2}}};
 }
 
-// Returns true if everything but the points is well formed. Domains of zeros become those from 0 to 1.
+// Copies the structure, and replaces domains of zeros by 0 to 1. Returns false if a member is invalid, apart
+// from the control points.
 bool read_patches(const glev_patches* given, glev_patches* patches) {
   if (!glev::read_struct(given, patches)) return false;
   if (patches->components < 1 || patches->components > 4) return false;
@@ -47,7 +48,7 @@ bool read_patches(const glev_patches* given, glev_patches* patches) {
   return patches->u1 != patches->u2 && patches->v1 != patches->v2;
 }
 
-// Finds the control points: columns along v, rows along u.
+// Computes the layout of the control points, with columns along v and rows along u.
 glev_result locate_points(const glev_patches& patches, Stream* points) {
   if (patches.count == 0) return GLEV_SUCCESS;
   if (patches.points == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
@@ -63,7 +64,7 @@ glev_result locate_points(const glev_patches& patches, Stream* points) {
              element,
              patches.count,
              patches.patch_stride};
-  // No row or patch is larger than the address space.
+  // Rows and patches that are larger than the address space are rejected.
   if (points->row_stride == 0 && __builtin_mul_overflow(columns, points->stride, &points->row_stride))
     return GLEV_ERROR_BUFFER_TOO_SMALL;
   if (points->patch_stride == 0 && __builtin_mul_overflow(rows, points->row_stride, &points->patch_stride))
@@ -84,8 +85,8 @@ void read_points_of(const Stream& points, std::size_t patch, std::size_t step, d
   }
 }
 
-// Writes the values of the control points of one patch, `step` doubles from one to the next. Needs the
-// default environment.
+// Writes the values of the control points of one patch, `step` doubles apart. Requires the default
+// environment.
 void read_points(const glev_patches& patches, const Stream& points, std::size_t patch, std::size_t step,
                  double* to) {
   constexpr decltype(&read_points_of<float, 1>) kOf[2][4] = {
@@ -106,7 +107,7 @@ bool is_absent(const glev_input& input) {
   return input.data == nullptr && input.data_size == 0 && input.stride == 0;
 }
 
-// Returns true if everything but pointers and sizes is well formed.
+// Copies the grid and finds its kernels. Returns false if a member is invalid, apart from pointers and sizes.
 bool read_grid(const glev_patch_grid* given, const glev_patches& patches, glev_patch_grid* grid,
                const glev::Kernels** kernels) {
   if (!glev::read_struct(given, grid) || !glev::is_precision(grid->precision)) return false;
@@ -126,7 +127,7 @@ bool read_grid(const glev_patch_grid* given, const glev_patches& patches, glev_p
 
 bool is_scattered(const glev_patch_grid& grid) { return grid.kind == GLEV_GRID_SCATTERED; }
 
-// Curves need no v.
+// Returns true if the arguments v are read. Curves do not need v.
 bool has_v(const glev_patches& patches, const glev_patch_grid& grid) {
   if (grid.kind == GLEV_GRID_UNIFORM) return false;
   return patches.vorder > 1 || (is_scattered(grid) ? !is_absent(grid.v) : grid.v_count != 0);
@@ -146,7 +147,7 @@ glev_result locate_input(const glev_input& input, std::size_t count, std::size_t
   return stream->fits_into(input.data_size) ? GLEV_SUCCESS : GLEV_ERROR_BUFFER_TOO_SMALL;
 }
 
-// Everything that is read.
+// The layouts of all memory that is read.
 struct Inputs {
   Stream points, u, v, patch;
 
@@ -182,7 +183,7 @@ std::array<std::size_t, glev::kOutputs> components_of(const glev_patches& patche
   return components;
 }
 
-// Plans for one patch after another, in memory of the caller.
+// Makes plans of patches, one at a time, in memory of the caller.
 class PatchPlans {
  public:
   PatchPlans(const glev_patches& patches, bool normals, bool tangents, const glev::Kernels* kernels)
@@ -193,12 +194,12 @@ class PatchPlans {
     refer_to(nullptr);
   }
 
-  // Enough for any alignment.
+  // Returns the bytes for one plan, sufficient for any alignment.
   std::size_t bytes() const { return glev::kCacheLine + bytes_of_points() + glev_plan::bytes_for(source()); }
   void use(std::byte* memory) { memory_ = glev::align(memory); }
-  // The control points of the last plan.
+  // Returns the control points of the last plan.
   const double* net() const { return reinterpret_cast<const double*>(memory_); }
-  // Scratch memory for meshes lies behind the plan.
+  // Returns the scratch memory for meshes, which follows the plan.
   std::byte* scratch() const { return memory_ + bytes_of_points() + glev_plan::bytes_for(source()); }
 
   const glev_plan& make(const Stream& points, std::size_t patch) {
@@ -225,16 +226,16 @@ class PatchPlans {
   std::array<bool, glev::kSlots> enabled_{};
 };
 
-// Patches with more points take less time one by one.
+// Patches with more points are faster one at a time.
 constexpr std::size_t kMostPoints = 2048;
 
-// The places of columns and rows, which are computed once for all patches.
+// Returns the number of positions of columns and rows, which are computed once for all patches.
 std::size_t places_of(const glev_patches& patches, const glev_patch_grid& grid) {
   const glev::Shape shape = shape_of(patches, grid);
   return std::min(shape.columns, kMostPoints) + std::min(shape.rows, kMostPoints);
 }
 
-// Evaluates vertices of patches of low degree in vectors, one patch a lane.
+// Evaluates vertices of patches of low degree in vectors, one patch in each lane.
 class SideBySide {
  public:
   static std::size_t bytes_for(const glev_patches& patches, const glev_patch_grid& grid) {
@@ -242,7 +243,7 @@ class SideBySide {
     return sizeof(double) * (values_of(patches) * glev::kPatchLanes + places_of(patches, grid));
   }
 
-  // range: of a uniform grid.
+  // `range`: columns and rows, and the grids of a uniform grid.
   SideBySide(const glev_patches& patches, const glev_patch_grid& grid, const Inputs& inputs,
              const glev::MeshRange& range, const glev::Kernels* kernels, const Outputs& outputs,
              std::byte* memory)
@@ -252,7 +253,7 @@ class SideBySide {
       if (o != kVertex && outputs[o].is_wanted) return;
     }
     if (range.columns > kMostPoints / range.rows || !has_ordinary_domain(patches)) return;
-    // Larger fast meshes are not correctly rounded.
+    // With GLEV_FAST, larger meshes must have the bits of the fast kernels.
     const bool is_fast = grid.precision == GLEV_FAST && grid.kind == GLEV_GRID_UNIFORM;
     if (is_fast && !glev::has_few_segments(range, patches.vorder - 1)) return;
     net_ = reinterpret_cast<double*>(memory);
@@ -288,11 +289,13 @@ class SideBySide {
               vertex_.stream.patch_stride};
   }
 
-  // Evaluates the patches from `first` on, `count` <= kPatchLanes. Returns those that are left, as bits.
+  // Evaluates `count` <= kPatchLanes patches from `first` on. Returns the patches that are not evaluated, as
+  // bits.
   unsigned evaluate(std::size_t first, std::size_t count) {
     const unsigned all = (1U << count) - 1;
     if (!is_used_ || 2 * count < glev::kPatchLanes) return all;
-    // Data with ties and zeros is faster patch by patch.
+    // After data with many undecided patches, the next blocks are evaluated patch by patch, which is then
+    // faster.
     if (pause_ > 0) {
       --pause_;
       return all;
@@ -316,7 +319,7 @@ class SideBySide {
     return glev::is_ordinary(domain[0]) && (patches.vorder == 1 || glev::is_ordinary(domain[1]));
   }
 
-  // Returns false outside the domain.
+  // Computes x = t - s. Returns false outside the domain.
   static bool place(const glev::Domain& domain, const glev::GridArgument& argument, double* x) {
     const glev::Parameter at = locate(domain, argument);
     *x = at.t - at.s;
@@ -337,7 +340,7 @@ class SideBySide {
   glev::PatchBlock block_{};
 };
 
-// Enough for all outputs.
+// Returns the bytes of scratch memory, sufficient for all outputs.
 std::size_t scratch_for(const glev_patches& patches, const glev_patch_grid& grid,
                         const glev::Kernels* kernels) {
   const bool has_normals = patches.components >= 3;
@@ -357,7 +360,7 @@ Outputs parts_of(const Outputs& outputs, const Part& part) {
   return parts;
 }
 
-// Replaces normals on edges that are a single point. u(i) and v(i, j): arguments.
+// Replaces normals on edges that are a single point by their limits. u(i) and v(i, j) return the arguments.
 template <class U, class V>
 void write_limit_normals(const glev_patches& patches, const glev_patch_grid& grid, const PatchPlans& plans,
                          const Output& normal, std::size_t columns, std::size_t rows, const U& u,
@@ -481,7 +484,7 @@ glev_result glevEvaluatePatches(const glev_patches* given_patches, const glev_pa
   const bool has_tangents =
       outputs[GLEV_ATTRIBUTE_TANGENT_U].is_wanted || outputs[GLEV_ATTRIBUTE_TANGENT_V].is_wanted;
   PatchPlans plans(patches, outputs[kNormal].is_wanted, has_tangents, kernels);
-  // Side by side first, which is aligned, then the plan with its scratch memory.
+  // The aligned memory of SideBySide is first, followed by the plan with its scratch memory.
   std::byte* const memory = glev::align(static_cast<std::byte*>(scratch));
   plans.use(memory + glev::round_up(SideBySide::bytes_for(patches, grid)));
   if (is_scattered(grid)) {

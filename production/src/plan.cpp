@@ -1,3 +1,4 @@
+// Makes plans: selects the maps that have precedence, prepares them, and computes the nets of tangents.
 #include "plan.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace {
 using glev::Allocator, glev::Attribute, glev::kAttributes, glev::kCacheLine, glev::kSlots, glev::round_up,
     glev::Map;
 
-// The highest enabled slot of the attribute, -1 if none is.
+// Returns the enabled slot of the attribute with the highest precedence; -1 if none is enabled.
 int winning_slot(Attribute attribute, std::span<const bool, kSlots> enabled) {
   const auto [first, last] = glev::slots_of(attribute);
   for (int slot = last; slot >= first; --slot) {
@@ -27,17 +28,18 @@ std::size_t centred_values_of(const Map& map) {
   return static_cast<std::size_t>(glev::centred_values(map.order(0) - 1, map.order(1) - 1));
 }
 
-// Returns the size of an array of values after which vectors may read on.
+// Returns the size of an array of values, with padding that vectors may read.
 std::size_t bytes_of(std::size_t values) { return round_up(sizeof(double) * (values + 3)); }
 
-// The orders of the derivative in one direction: 0 there if it is zero.
+// Returns the orders of the derivative in one direction; the order in that direction is 0 if the derivative
+// is zero.
 std::array<int, 2> tangent_order(const Map& map, int direction) {
   std::array<int, 2> order = {map.order(0), map.order(1)};
   --order[direction];
   return order;
 }
 
-// The control points of the derivative, without the factor order - 1: differences of neighbours.
+// Computes the control points of the derivative without the factor order - 1: differences of adjacent points.
 void differences_of(const double* points, std::array<int, 2> order, int components, int direction,
                     double* result) {
   const auto row = static_cast<std::ptrdiff_t>(order[1]) * components;

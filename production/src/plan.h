@@ -1,4 +1,4 @@
-// Plans: the data that evaluation needs, immutable, shared by reference count, self-contained.
+// Plans: the data that evaluation needs. They are immutable, reference-counted and self-contained.
 #pragma once
 
 #include <array>
@@ -15,23 +15,25 @@
 #include "prepared_map.h"
 #include "target.h"
 
-// One for each dimension: a one-dimensional map is a surface of degree 0 in v.
+// A plan of one dimension. One-dimensional maps are surfaces of degree 0 in v.
 struct glev_plan {
  public:
-  // The state of one dimension.
+  // The state of one dimension from which a plan is made.
   struct Source {
     int dimension;
     std::span<const glev::Map, glev::kSlots> maps;
     std::span<const bool, glev::kSlots> enabled;
     std::array<glev::Grid, 2> grid;  // u, v
-    bool automatic_normals;          // where there is a vertex map
-    bool tangents;                   // likewise; automatic normals have them anyway
+    bool automatic_normals;          // if there is a vertex map
+    bool tangents;                   // if there is a vertex map; automatic normals imply tangents
     const glev::Kernels* kernels;
   };
 
-  // Makes a plan of the enabled maps that are not outranked, with one reference. Null without memory.
+  // Makes a plan of the enabled maps that have precedence, with one reference. Returns null if there is no
+  // memory.
   static glev_plan* create(const glev::Allocator& allocator, const Source& source);
-  // Makes one in memory of the caller, of bytes_for bytes and aligned to a cache line, which nobody releases.
+  // Makes a plan in memory of the caller: bytes_for() bytes, aligned to a cache line. The plan must not be
+  // released.
   static std::size_t bytes_for(const Source& source);
   static glev_plan* create_at(void* memory, const Source& source) {
     return create_at(memory, bytes_for(source), {}, source);
@@ -39,11 +41,11 @@ struct glev_plan {
 
   void retain() const { references_.fetch_add(1, std::memory_order_relaxed); }
   void release() const;
-  // The holder of the only reference may change the grid.
+  // The owner of the only reference may change the grid.
   bool has_one_reference() const { return references_.load(std::memory_order_acquire) == 1; }
   void set_grid(const std::array<glev::Grid, 2>& grid) { grid_ = grid; }
 
-  // 0 without a map.
+  // Returns the number of components; 0 without a map.
   int components(glev::Attribute attribute) const { return surface(attribute).components; }
   const glev::Surface& surface(glev::Attribute attribute) const { return map(attribute).surface; }
   const glev::PreparedMap& map(glev::Attribute attribute) const {
@@ -51,20 +53,21 @@ struct glev_plan {
   }
 
   bool has_vertices_only() const { return has_vertices_only_; }
-  // Evaluates one call after another; null where there is more than vertices to evaluate, or that is no way.
+  // Returns the function for consecutive single calls; null if the plan has other attributes than vertices,
+  // or if its map cannot be evaluated in this way.
   glev::EvaluatesDirectly direct() const { return direct_; }
-  // The map of cubics for that function.
+  // Returns the map of cubics for this function.
   const glev::DirectMap& direct_map() const { return direct_map_; }
-  // Normals are computed from the vertex map; there is no normal map then.
+  // Returns true if normals are computed from the vertex map. The plan then has no normal map.
   bool automatic_normals() const { return automatic_normals_; }
-  // The derivative of the vertex map by the normalised coordinate of a direction, without the factor degree.
-  // Absent in a direction of degree 0, where it is zero.
+  // Returns the derivative of the vertex map by the normalised coordinate of a direction, without the factor
+  // degree. It has no components in a direction of degree 0, where the derivative is zero.
   const glev::Surface& tangent(int direction) const { return tangents_[direction]; }
-  // The bounds of automatic normals.
+  // Returns the bounds of automatic normals.
   const glev::NormalBounds& normal_bounds() const { return normal_bounds_; }
-  // The derivative by u or v is that times this.
+  // Returns the factor by which tangent() must be multiplied to get the derivative by u or v.
   double tangent_factor(int direction) const;
-  // 0 without tangents.
+  // Returns the number of components of tangents; 0 if there are none.
   std::size_t tangent_components() const {
     return dimension_ == 2 ? components(glev::Attribute::kVertex) : 0;
   }
@@ -86,7 +89,7 @@ struct glev_plan {
 
   mutable std::atomic<std::size_t> references_{1};
   glev::Allocator allocator_;
-  std::size_t bytes_;  // of the one block that holds the plan and its coefficients
+  std::size_t bytes_;  // size of the block that holds the plan and its coefficients
   int dimension_;
   std::array<glev::Grid, 2> grid_;
   const glev::Kernels* kernels_;
@@ -101,7 +104,7 @@ struct glev_plan {
 namespace glev {
 
 // Writes four values of an attribute that has a map, correctly rounded; components that the map does not have
-// are those of (0, 0, 0, 1). Needs the default floating-point environment.
+// are those of (0, 0, 0, 1). Requires the default floating-point environment.
 inline void values_at(const glev_plan& plan, Attribute attribute, const GridArgument& u,
                       const GridArgument& v, float* values) {
   const PreparedMap& map = plan.map(attribute);

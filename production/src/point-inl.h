@@ -1,4 +1,4 @@
-// One point of a map, a lane a component.
+// Evaluates one point of a map, one component in each lane.
 #if defined(GLEVALUATOR_POINT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLEVALUATOR_POINT_INL_H_
 #undef GLEVALUATOR_POINT_INL_H_
@@ -30,7 +30,7 @@ HWY_INLINE void add_point(const double* point, double weight, FourVector (&sum)[
   }
 }
 
-// sum of weights[j] * points[j]
+// Computes the sum of weights[j] * points[j].
 HWY_INLINE void add_points(const double* points, int components, const double* weights, int degree,
                            FourVector (&sum)[kParts]) {
   FourVector odd[kParts];  // a second chain of additions
@@ -56,7 +56,7 @@ HWY_INLINE void weights_at(int degree, const Parameter& at, double* weights) {
   }
 }
 
-// The four products of cubics, the most frequent ones, without an array.
+// The four weights of a cubic, the most frequent degree, without an array in memory.
 struct Cubic {
   HWY_INLINE Cubic(FourVector s, FourVector t) {
     const FourVector st = hn::Mul(s, t);
@@ -128,7 +128,7 @@ HWY_INLINE void value_at(const PreparedMap& map, const Parameter& at_u, const Pa
 constexpr hn::Rebind<float, Four> kFourFloats;
 using FourFloats = hn::Vec<decltype(kFourFloats)>;
 
-// The rounded ends of the interval of a test.
+// The ends of the interval of a test, rounded to float.
 struct Sides {
   FourFloats low, high;
 };

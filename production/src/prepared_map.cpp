@@ -1,3 +1,4 @@
+// Prepares maps: coefficients, error bounds, and the lowest orders of each component.
 #include "prepared_map.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ double unit_of(std::array<int, 2> order, const std::array<Domain, 2>& domain, do
   return 0x1p-53 * (1 + 0x1p-20) * largest;
 }
 
-// 1 / (u2 - u1) if that and u1 + u2 are exact, else 0.
+// Returns 1 / (u2 - u1) if that and u1 + u2 are exact, otherwise 0.
 double invert_width(const Domain& domain) {
   if (two_sum(domain.u1, domain.u2).low != 0) return 0;
   const DoubleDouble width = two_sum(domain.u2, -domain.u1);
@@ -41,7 +42,8 @@ bool is_direct(const PreparedMap& map) {
   }
   for (int k = 0; k < map.surface.components; ++k) {
     const PreparedComponent& component = map.component[k];
-    // An interval about a number below that has ends that differ. All zeros are settled whatever happens.
+    // An interval around a smaller number has different ends, so the number is undecided. Components that are
+    // zero are always decided.
     if (component.largest != 0 && !(map.test.error[k] >= 0x1p-125 && map.test.error[k] < HUGE_VAL))
       return false;
   }
@@ -50,7 +52,7 @@ bool is_direct(const PreparedMap& map) {
 
 #include "centring-inl.h"
 
-// Four values, those of a point, at a time.
+// The four values of a point, with the operations that centre_along() needs.
 struct Point {
   std::array<double, 4> value;
 
@@ -71,7 +73,7 @@ struct Point {
   }
 };
 
-// To the coefficients of x^i y^j, as PreparedMap::centred has them.
+// Computes the coefficients of x^i y^j in the layout of PreparedMap::centred.
 void centre(const double* points, std::array<int, 2> order, int components, double* values) {
   const auto [columns, rows] = order;
   std::array<Point, (kMaxCentredDegree + 1) * (kMaxCentredDegree + 1)> net;
@@ -79,7 +81,7 @@ void centre(const double* points, std::array<int, 2> order, int components, doub
     for (int j = 0; j < rows; ++j, points += components) {
       Point& point = net[static_cast<std::size_t>(j * columns + i)];
       point.value = {0, 0, 0, 1};
-      // -0 is 0, so that no sum is -0.
+      // Adding 0.0 turns -0 into +0, so that no sum is -0.
       for (int k = 0; k < components; ++k) point.value[static_cast<std::size_t>(k)] = points[k] + 0.0;
     }
   }
@@ -90,8 +92,8 @@ void centre(const double* points, std::array<int, 2> order, int components, doub
   std::fill_n(values + 4 * count, centred_values(columns - 1, rows - 1) - 4 * count, 0.0);
 }
 
-// Returns true if centre makes no rounding: the points, below 2^e, are multiples of 2^(e-45), and the
-// coefficients have at most 6 bits behind the last of these, and 2 in front.
+// Returns true if centre() does not round: the points are below 2^e and multiples of 2^(e-45), and the
+// coefficients have at most 6 more low bits and 2 more high bits.
 bool is_centred_exactly(const double* points, std::ptrdiff_t count, int components, double largest) {
   int exponent = 0;
   std::frexp(largest, &exponent);
@@ -104,19 +106,19 @@ bool is_centred_exactly(const double* points, std::ptrdiff_t count, int componen
   return true;
 }
 
-// The error of a test, for values in double.
+// Returns the error of a test, for values in double.
 double error_bound(const PreparedComponent& component, double units, double growth) {
   if (component.kind != PreparedComponent::Kind::kUnclaimed && component.largest == 0) return 0;
-  // Beyond that a Horner sum could overflow on the way, and Highway's conversions to float need not give
+  // For larger values, a Horner sum could overflow, and conversions of Highway to float need not give
   // infinity.
   const bool is_safe = component.largest * growth <= 0x1p127;
-  // The sums round by at most a unit of their magnitude, which is below twice max|R| * growth. Smaller
-  // errors could make zeros of both signs, which compare equal.
+  // Adding the error rounds by at most one unit of the sum, whose magnitude is below 2 max|R| * growth. With
+  // smaller errors, the ends could be zeros of both signs, which compare equal.
   const double error = (units + 2) * component.unit * growth;
   return is_safe && error >= 0x1p-145 ? error : HUGE_VAL;
 }
 
-// The test and the bits of one component.
+// Computes the test and the bits of one component.
 void bound_centred(PreparedMap& map, const double* points, std::ptrdiff_t count, int k) {
   const auto [n, m] = map.surface.degree;
   const PreparedComponent& component = map.component[k];
@@ -142,8 +144,8 @@ void bound_centred(PreparedMap& map, const double* points, std::ptrdiff_t count,
   map.centred_test.error[k] = error_bound(component, units, 1);
 }
 
-// // Control points, `step` apart, of degree n to those of a lower degree that the polynomial has; exact
-// where the coefficients of centre_along are.
+// Computes control points of a lower degree from those of degree n, which are `step` apart. The polynomial
+// must have the lower degree. Exact if the coefficients of centre_along() are.
 void lower_degree(int n, int lower, const double* points, std::ptrdiff_t step, double* to,
                   std::ptrdiff_t to_step) {
   const double first = points[0], last = points[n * step];
@@ -162,8 +164,7 @@ void lower_degree(int n, int lower, const double* points, std::ptrdiff_t step, d
   }
 }
 
-// Does the same as reduce, which takes longer: constants, and polynomials whose exact coefficients show their
-// degrees.
+// Same as reduce(), but faster for constants and for polynomials whose exact coefficients show their degrees.
 std::array<int, 2> reduce_component(const PreparedMap& map, const double* points, int k, double* reduced) {
   const auto [n, m] = map.surface.degree;
   const int components = map.surface.components, count = (n + 1) * (m + 1);
@@ -207,7 +208,7 @@ PreparedMap prepare_map(const double* points, std::array<int, 2> order, int comp
   map.surface = {{order[0] - 1, order[1] - 1}, components, domain, scaled};
   scale_by_binomials(points, order, components, scaled);
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
-  // Padding that vectors read beyond the last point.
+  // Vectors read this padding beyond the last point.
   std::fill_n(scaled + count * components, 3, 0.0);
   if (std::max(order[0], order[1]) <= kMaxCentredDegree + 1) {
     centre(points, order, components, centred);
@@ -276,8 +277,8 @@ DirectMap direct_map_of(const PreparedMap& map) {
 
 namespace {
 
-// x of an argument inside the domain, exactly, and the bits behind its point. False if it is not known to be
-// dyadic.
+// Computes the exact x of an argument inside the domain, and its number of fractional bits. Returns false if
+// x is not known to be dyadic.
 bool place_exactly(const PreparedMap& map, int direction, const GridArgument& argument, double* x,
                    int* bits) {
   *x = *bits = 0;
@@ -324,7 +325,7 @@ bool evaluate_exactly(const PreparedMap& map, int k, const GridArgument& u, cons
   const bool has_x = place_exactly(map, 0, u, &x, &bits_u), has_y = place_exactly(map, 1, v, &y, &bits_v);
   const int bits = map.centred_bits[k], row = 4 * (n + 1);
   std::array<double, kMaxCentredDegree + 1> curve;
-  // The coefficients along v at x. Where they are constant, or zero, y does not matter.
+  // Computes the coefficients along v at x. If the curve is constant, y does not matter.
   bool is_constant = has_x && bits + n * bits_u <= kExactBits;
   const bool has_curve = is_constant;
   for (int j = 0; j <= m && has_curve; ++j) {
@@ -340,7 +341,7 @@ bool evaluate_exactly(const PreparedMap& map, int k, const GridArgument& u, cons
     curve[0] = sum;
     is_constant = true;
   }
-  // The lines along u at y.
+  // Computes the coefficients along u at y. If the curve is constant, x does not matter.
   if (!is_constant && has_y && bits + m * bits_v <= kExactBits) {
     is_constant = true;
     for (int i = 0; i <= n && is_constant; ++i) {
@@ -366,7 +367,7 @@ int bits_of_places(const Domain& domain, const Grid& grid) {
 double growth_of(const Parameter& at, int degree) {
   if (degree == 0) return 1;
   const double base = std::fabs(at.s) + std::fabs(at.t);
-  // Inside, s and t are off by 3 roundings each.
+  // Inside the domain, s and t have errors of 3 roundings each.
   return base <= 1 + 0x1p-49 ? 1 : std::pow(base * (1 + 0x1p-40), degree) * (1 + 0x1p-20);
 }
 

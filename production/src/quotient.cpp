@@ -1,3 +1,4 @@
+// Rounds quotients of integers, with an approximate denominator first and exactly if necessary.
 #include "quotient.h"
 
 #include <algorithm>
@@ -18,8 +19,8 @@ struct Format {
   static constexpr Bits kInfinityBits = std::bit_cast<Bits>(Limits::infinity());
 };
 
-// The bits of the Real nearest x * 2^exponent, x != 0; `more`: plus something less than 2^exponent, in which
-// case x has all of its 128 bits.
+// Returns the bits of the Real nearest x * 2^exponent, x != 0. If `more`, the number is larger by less than
+// 2^exponent, and x must have 128 bits.
 template <class Real>
 typename Format<Real>::Bits nearest_bits(Limb2 x, int exponent, bool more) {
   using F = Format<Real>;
@@ -33,7 +34,7 @@ typename Format<Real>::Bits nearest_bits(Limb2 x, int exponent, bool more) {
     const Limb2 half = Limb2{1} << (dropped - 1), rest = x & (half + (half - 1));
     if (rest > half || (rest == half && (more || (significand & 1) != 0))) ++significand;
   }
-  // A carry into the next binade, the first normal one or infinity is a carry into the exponent.
+  // A carry into the next binade, into the first normal number or into infinity is a carry into the exponent.
   using Bits = typename F::Bits;
   return (static_cast<Bits>(last - F::kLowestBit) << F::kFractionBits) + static_cast<Bits>(significand);
 }
@@ -46,9 +47,9 @@ bool is_power_of_two(const IntegerPower& power) {
   return power.exponent == 0 || trailing_zeros(power.base) == bit_width(power.base, power.size) - 1;
 }
 
-// A number of at least mantissa * 2^exponent and at most (mantissa + kUlps * errors) * 2^exponent, where
-// 2^62 <= mantissa < 2^63. As each error is a factor below 1 + 2^-62, and there are few, two units hold them
-// and one more the products of errors.
+// A number between mantissa * 2^exponent and upper() * 2^exponent, where 2^62 <= mantissa < 2^63. Each of the
+// few errors is a factor below 1 + 2^-62, so two units for each error are sufficient, with one more for the
+// products of errors.
 struct Approximation {
   static constexpr int kBits = 63;
   Limb mantissa = Limb{1} << (kBits - 1);
@@ -79,7 +80,7 @@ Approximation approximate(const IntegerPower& power) {
   return result;
 }
 
-// The sign of x * 2^x_exponent - y * 2^y_exponent
+// Returns the sign of x * 2^x_exponent - y * 2^y_exponent.
 int compare(const Limb* x, int x_size, int x_exponent, const Limb* y, int y_size, int y_exponent) {
   int x_bits = bit_width(x, x_size), y_bits = bit_width(y, y_size);
   if (x_bits + x_exponent != y_bits + y_exponent) return x_bits + x_exponent < y_bits + y_exponent ? -1 : 1;
@@ -92,7 +93,7 @@ int compare(const Limb* x, int x_size, int x_exponent, const Limb* y, int y_size
   return 0;
 }
 
-// The sign of quotient - m, m the middle between the Real of these bits and the next
+// Returns the sign of quotient - m, where m is the midpoint of the Real of these bits and the next one.
 template <class Real>
 int compare_with_middle(const Quotient& quotient, typename Format<Real>::Bits bits, Limb* room) {
   using F = Format<Real>;

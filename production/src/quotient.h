@@ -1,4 +1,4 @@
-// The float or double nearest a quotient of integers.
+// Rounds a quotient of integers to the nearest float or double.
 #pragma once
 
 #include <array>
@@ -22,13 +22,13 @@ struct Quotient {
   std::array<const IntegerPower*, 2> denominator;
 };
 
-// The number of limbs that Round needs to work in.
+// Returns the number of limbs of scratch memory that round_quotient() needs.
 int rounding_room(const IntegerPower& first, const IntegerPower& second);
 
-// To nearest, ties to even, once: overflow gives infinity, underflow is gradual, the sign stays. The leading
-// 128 bits of the numerator and 63 of the denominator decide, unless the quotient is within about 2^-61 *
-// (sum of exponents) of the middle between two floats: then everything is multiplied out. Real: float or
-// double.
+// Rounds once to nearest, ties to even. Overflow gives infinity, underflow is gradual, and zero keeps the
+// sign. The leading 128 bits of the numerator and 63 of the denominator are sufficient, unless the quotient
+// is within about 2^-61 * (sum of exponents) of the midpoint of two floats; then the denominator is
+// multiplied out. Real: float or double.
 template <class Real>
 Real round_quotient(const Quotient& quotient, Limb* room);
 

@@ -1,3 +1,4 @@
+// Computes the exact position of an argument in its domain.
 #include "ratio.h"
 
 #include <algorithm>
@@ -8,12 +9,12 @@
 namespace glev {
 namespace {
 
-// Bits, because a processor may be told to take the smallest doubles for zero.
+// Compares bits, because a processor may be set to treat subnormal numbers as zero.
 bool same_bits(double x, double y) {
   return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
 }
 
-// +-magnitude * 2^exponent
+// The number +-magnitude * 2^exponent.
 struct Product {
   Limb2 magnitude;  // below 2^88
   int exponent;
@@ -27,11 +28,12 @@ Product multiply_exactly(std::int64_t multiplier, double x) {
           (multiplier < 0) != decoded.negative};
 }
 
-// The argument times the segments is from + to; u1 and u2 are times the segments, too.
+// The products of a grid argument: its argument times the segments is kFrom + kTo, and kFirst and kLast are
+// u1 and u2 times the segments.
 enum { kFrom, kTo, kFirst, kLast };
 using Products = std::array<Product, 4>;
 
-Limb odd_gcd(Limb x, Limb y) {  // of x != 0 and an odd y
+Limb odd_gcd(Limb x, Limb y) {  // x != 0, y odd
   while (true) {
     x >>= std::countr_zero(x);
     if (x == y) return x;
@@ -47,13 +49,13 @@ void set_part(RatioPart& part, Limb2 magnitude, bool negative) {
   part.negative = negative;
 }
 
-// a, b != 0
+// Sets the ratio of a and b, which must not be 0, without common factors if everything fits into a limb.
 void set_reduced(Ratio& ratio, Limb2 a, Limb2 b, bool a_negative, bool b_negative) {
   const int zeros = trailing_zeros(a | b);
   a >>= zeros;
   b >>= zeros;
   const Limb2 whole = a_negative ? b - a : b_negative ? a - b : a + b;
-  // A whole that is a power of two has nothing in common with a or b any more.
+  // If `whole` is a power of two, a and b have no common factor left.
   const bool power_of_two = (whole & (whole - 1)) == 0;
   if (!power_of_two && high_limb(a | b | whole) == 0) {
     const Limb gcd = (a & 1) != 0 ? odd_gcd(static_cast<Limb>(b), static_cast<Limb>(a))
@@ -88,7 +90,7 @@ Parameter::End to_ratio_narrow(const Products& products, int low, Ratio& ratio) 
   return Parameter::End::kNeither;
 }
 
-// part += product * 2^-low, or -=
+// Computes part += product * 2^-low, or part -= product * 2^-low if `subtract`.
 void accumulate(RatioPart& part, const Product& product, int low, bool subtract) {
   if (product.magnitude == 0) return;
   const int shift = product.exponent - low;
@@ -162,7 +164,7 @@ Parameter::End to_ratio(const Domain& domain, const GridArgument& argument, Rati
     low = std::min(low, product.exponent);
     high = std::max(high, product.exponent + bit_width(product.magnitude));
   }
-  // Sums of up to four products, and a sign.
+  // Sums of up to four products and a sign need 3 more bits.
   return high - low + 3 <= 127 ? to_ratio_narrow(products, low, ratio) : to_ratio_wide(products, low, ratio);
 }
 

@@ -1,4 +1,4 @@
-// The exact place of an argument in its domain, as a ratio of integers.
+// The exact position of an argument in its domain, as a ratio of integers.
 #pragma once
 
 #include <array>
@@ -24,9 +24,9 @@ struct Ratio {
   RatioPart a, b, whole;
 };
 
-// Locates the argument exactly. The ratio is set unless that is at an end of the domain. All values are
-// finite and the ends of the domain differ. Factors that a and b share are divided out if all of it fits a
-// limb.
+// Locates the argument exactly. Sets the ratio unless the argument is at an end of the domain. All values
+// must be finite and the ends of the domain different. Common factors of a and b are divided out if the
+// numbers fit into a limb.
 Parameter::End to_ratio(const Domain& domain, const GridArgument& argument, Ratio& ratio);
 
 }  // namespace glev

@@ -1,7 +1,8 @@
 // The control points of a curve of degree n, times their binomials, are the coefficients of a polynomial
 //   P(x) = sum of C(n, i) R_i x^i,
-// and to elevate the degree by one is to multiply P by 1 + x. So the degree is n - k where (1 + x)^k divides
-// P, and all of it happens in integers: only at the end the binomials must divide.
+// and elevating the degree by one multiplies P by 1 + x. So the degree can be reduced to n - k if (1 + x)^k
+// divides P. The divisions are exact in integers; only at the end the coefficients are divided by binomial
+// coefficients.
 #include "reduction.h"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ Range range_of(const Line& line) {
   return range;
 }
 
-// False if P(-1) is not 0 modulo 2^64, and then not at all.
+// Returns false if P(-1) is not 0 modulo 2^64. Then 1 + x does not divide P.
 bool may_reduce(const Line& line) {
   const std::uint64_t* const binomials = binomial_row(line.degree);
   const Range range = range_of(line);
@@ -55,7 +56,8 @@ bool may_reduce(const Line& line) {
   return sum == 0;
 }
 
-// +-magnitude / divisor * 2^exponent as a double if it is one. Overwrites the magnitude.
+// Computes +-magnitude / divisor * 2^exponent. Returns false if this is not a double. Overwrites the
+// magnitude.
 bool to_double(bool negative, Limb* magnitude, int size, Limb divisor, int exponent, double& result) {
   constexpr int kPrecision = 53, kLowest = -1074, kHighest = 1024;
   result = 0;
@@ -73,7 +75,7 @@ bool to_double(bool negative, Limb* magnitude, int size, Limb divisor, int expon
   const int zeros = trailing_zeros(magnitude), width = bit_width(magnitude, size) - zeros;
   exponent += zeros - twos;
   if (width > kPrecision || exponent < kLowest || exponent + width > kHighest) return false;
-  // The place of the lowest bit, normal or not.
+  // The exponent of the lowest bit of a normal or subnormal number.
   const int last = std::max(exponent + width - kPrecision, kLowest);
   const Limb significand = bits_at(magnitude, size, zeros) << (exponent - last);
   const Limb bits = (static_cast<Limb>(last - kLowest) << (kPrecision - 1)) + significand;
@@ -81,10 +83,10 @@ bool to_double(bool negative, Limb* magnitude, int size, Limb divisor, int expon
   return true;
 }
 
-// P of one line, divided by 1 + x as often as wanted.
+// The polynomial P of one line, which can be divided by 1 + x.
 class Polynomial {
  public:
-  // False if it is too wide.
+  // Loads a line. Returns false if the range of its points is too wide.
   bool load(const Line& line) {
     const Range range = range_of(line);
     if (range.high - range.low > kMaxRange) return false;
@@ -107,7 +109,7 @@ class Polynomial {
 
   int degree() const { return degree_; }
 
-  // By 1 + x, or else false and nothing changed.
+  // Divides by 1 + x. Returns false, and changes nothing, if there is a remainder.
   bool divide() {
     if (degree_ == 0) return false;
     for (int i = 1; i <= degree_; ++i) {
@@ -126,7 +128,7 @@ class Polynomial {
     }
   }
 
-  // The control points of this degree. False if not all of them are doubles.
+  // Computes the control points of the current degree. Returns false if not all of them are doubles.
   bool get_points(std::array<double, kMaxOrder>& points) const {
     const std::uint64_t* const binomials = binomial_row(degree_);
     for (int i = 0; i <= degree_; ++i) {
@@ -165,8 +167,8 @@ int reduce_lines(double* points, std::ptrdiff_t line_step, int count, std::ptrdi
     lowest = polynomial.degree();
   }
 
-  // A degree at which all lines have doubles: a line may have them at some degree and not at one above, so
-  // that whenever a line asks for a higher one all others are asked again.
+  // Finds a degree at which the control points of all lines are doubles. A line may have doubles at one
+  // degree and not at a higher one, so if a line needs a higher degree, all others are checked again.
   std::array<double, kMaxOrder> reduced;
   for (int i = 0, agreed = 0; agreed < count; i = (i + 1) % count) {
     polynomial.load(line(i));
@@ -177,7 +179,7 @@ int reduce_lines(double* points, std::ptrdiff_t line_step, int count, std::ptrdi
     if (lowest == degree) return degree;
   }
 
-  // Rows move together, each after it has been read.
+  // Rows are moved together, each after it has been read.
   const std::ptrdiff_t new_step = step == 1 ? lowest + 1 : line_step;
   for (int i = 0; i < count; ++i) {
     polynomial.load(line(i));

@@ -1,3 +1,4 @@
+// Decides the results that evaluation in double leaves open, from the fastest method to the exact one.
 #include "resolve.h"
 
 #include <array>
@@ -26,15 +27,17 @@ double resolve_plainly(const PreparedMap& map, int k, const GridArgument& u, con
   return result[k];
 }
 
-// The sum of both parts of x rounded to odd: it stays on the same side of every number of fewer digits.
+// Returns the sum of both parts of x, rounded to odd. The result is on the same side of every number with
+// fewer bits.
 double round_to_odd(const DoubleDouble& x) {
   auto bits = std::bit_cast<std::uint64_t>(x.high);
   if (x.low != 0 && (bits & 1) == 0) bits += (x.low > 0) == (x.high > 0) ? 1 : -1;
   return std::bit_cast<double>(bits);
 }
 
-// first + t * slope where t is a double, as Boldo and Melquiond emulate the FMA ("Emulation of a FMA and
-// correctly rounded sums", 2008), but for the last rounding, which is to odd, too, and to float after that.
+// Computes first + t * slope, correctly rounded, if t is a double. The method is the emulated FMA of Boldo
+// and Melquiond ("Emulation of a FMA and correctly rounded sums", 2008), except that the last rounding is to
+// odd, too, followed by rounding to float. Returns false if t is not a double.
 bool resolve_on_line(const PreparedComponent& line, const GridArgument& argument, float* result) {
   const Domain& domain = line.lowest.domain[line.line_direction];
   const Grid& grid = argument.grid;
@@ -86,7 +89,7 @@ double resolve_in_double(const PreparedMap& map, int k, const GridArgument& u, c
   double exact;
   if (evaluate_exactly(map, k, u, v, &exact)) return exact;
   const Enclosure enclosure = map.encloses(component.lowest, component.lowest_largest, u, v);
-  // Half an ULP of rounding and this are less than one.
+  // This error and half an ULP of rounding are less than one ULP.
   if (!(enclosure.error <= 0x1p-54 * std::fabs(enclosure.value.high)))
     return round_exactly<double>(component.lowest, u, v);
   return enclosure.value.high;

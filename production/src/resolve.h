@@ -1,4 +1,4 @@
-// Correct rounding where double cannot tell.
+// Correct rounding of values that evaluation in double cannot decide.
 #pragma once
 
 #include "parameter.h"
@@ -6,18 +6,21 @@
 
 namespace glev {
 
-// Component k of the map at (u, v): V rounded to nearest, ties to even; +0 for 0. Tries double
-// where it is exact, straight lines, exactly, then double-double, and exact integers. For what is not finite,
-// whatever double gives.
+// Returns component k of the map at (u, v): V rounded to nearest, ties to even; +0 for 0. Tries exact
+// evaluation in double, exact evaluation of lines, double-double, and finally integers. If the map or the
+// arguments are not finite, the result is computed in double.
 float resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v);
-// The same where a value in double with its bound, perhaps infinite, is known and may decide already.
+// The same if a value in double and its error bound are known, which may already decide the result. The bound
+// may be infinity.
 float resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v, double value,
               double error);
 
-// In double, by double-double or, where that claims nothing, exactly: GLEV_DOUBLE of glevaluator.h.
+// Returns the component as a double within one ULP (GLEV_DOUBLE of glevaluator.h), by double-double or, if
+// that has no sufficient bound, exactly.
 double resolve_in_double(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v);
 
-// The derivative by u (direction 0) or v (1), likewise. False where double-double claims nothing.
+// Computes the derivative by u (direction 0) or v (1) in double-double, rounded to double. Returns false if
+// double-double has no bound.
 bool resolve_derivative_in_double(const PreparedMap& map, int direction, int k, const GridArgument& u,
                                   const GridArgument& v, double* result);
 

@@ -1,4 +1,4 @@
-// Points of a mesh as a sequence of values, which needs no interleaving.
+// Computes points of a mesh as a sequence of values, without interleaving.
 #if defined(GLEVALUATOR_SEQUENCE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLEVALUATOR_SEQUENCE_INL_H_
 #undef GLEVALUATOR_SEQUENCE_INL_H_
@@ -15,8 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
-// Points one behind the other are a sequence of values. Each column stands there as often as a point has
-// components, so that the values come out in their order and nothing has to be interleaved.
+// Packed points are a sequence of values. Each column is repeated for each component of a point, so values
+// are computed in their order and need not be interleaved.
 template <class Tag, int kComponents>
 class Sequence {
   using Value = hn::TFromD<Tag>;
@@ -25,11 +25,11 @@ class Sequence {
   static constexpr std::size_t kWidth = hn::MaxLanes(Tag());
 
  public:
-  // Vectors after which the components come in the same order again, and values of those.
+  // The number of vectors after which the order of components repeats, and the number of their values.
   static constexpr std::size_t kPeriod = kComponents / std::gcd(std::size_t{kComponents}, kWidth);
   static constexpr std::size_t kGroup = kPeriod * kWidth;
 
-  // Each of so many values, and of those that fill the last vector, as often.
+  // Repeats each of `count` values kComponents times, including those that fill the last vector.
   HWY_INLINE void repeat(const Value* values, std::size_t count, Value* to) const {
     for (std::size_t c = 0; c < count; c += kWidth) {
       const Values value = hn::Load(kTag, values + c);
@@ -40,7 +40,8 @@ class Sequence {
     }
   }
 
-  // The components of a point, where vectors may read on, as vector number `part` of a period.
+  // Returns the components of a point as vector number `part` of a period. The point must be padded for reads
+  // of vectors.
   HWY_INLINE Values values_of(const Value* point, std::size_t part) const {
     if constexpr (kWidth >= 4) {
       return hn::TableLookupLanes(hn::LoadU(kTag, point),
@@ -67,7 +68,8 @@ class Sequence {
   }();
 };
 
-// evaluate(begin, group) gives so many floats of `count`, those from `begin` on.
+// Calls evaluate(begin, group), which must write kGroup floats from number `begin` on, until `count` floats
+// are written.
 template <std::size_t kGroup, class Evaluate>
 HWY_INLINE void in_groups(std::size_t count, float* out, const Evaluate& evaluate) {
   std::size_t begin = 0;
@@ -79,8 +81,8 @@ HWY_INLINE void in_groups(std::size_t count, float* out, const Evaluate& evaluat
   }
 }
 
-// evaluate(begin, part, vector) gives the floats from `begin` on, a vector of them; `part` is that of a
-// period.
+// Calls evaluate(begin, part, vector), which must write a vector of floats from number `begin` on, until
+// `count` floats are written. `part` is the number of the vector in its period.
 template <std::size_t kWidth, std::size_t kPeriod, class Evaluate>
 HWY_INLINE void in_vectors(std::size_t count, float* out, const Evaluate& evaluate) {
   constexpr std::size_t kGroup = kPeriod * kWidth;

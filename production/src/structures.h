@@ -1,4 +1,4 @@
-// Structures of the C API, which grow from version to version.
+// Reads structures of the C API, which later versions may extend.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace glev {
 
-// Size of a structure in the first version of the library. Members that are added later leave it alone.
+// Size of a structure in the first version of the library. It must not change if members are added.
 template <class Struct>
 inline constexpr std::size_t kFirstSize = 0;
 #define GLEV_FIRST_SIZE(Struct, last_member)        \
@@ -31,9 +31,9 @@ GLEV_FIRST_SIZE(glev_patch_grid, target);
 GLEV_FIRST_SIZE(glev_map_info, instruction_set);
 #undef GLEV_FIRST_SIZE
 
-// Copies a structure that begins with its size; members that the caller's version does not have are zero.
-// Returns false, and copies nothing, if it is smaller than in the first version, or larger than this
-// version's with a rest that is not zero.
+// Copies a structure that begins with its size; members that the version of the caller does not have are
+// zero. Returns false, and copies nothing, if the structure is smaller than in the first version, or if it is
+// larger than in this version and the bytes beyond are not zero.
 template <class Struct>
 bool read_struct(const Struct* given, Struct* copy) {
   static_assert(kFirstSize<Struct> != 0);
@@ -47,7 +47,7 @@ bool read_struct(const Struct* given, Struct* copy) {
   return true;
 }
 
-// The heap for null. Returns false for what is no allocator.
+// Reads an allocator; null selects the heap. Returns false if the structure is invalid.
 inline bool read_allocator(const glev_allocator* given, Allocator* allocator) {
   glev_allocator functions;
   if (given == nullptr) return true;

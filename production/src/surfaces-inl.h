@@ -1,4 +1,4 @@
-// Surfaces at scattered arguments, a lane an argument.
+// Evaluates surfaces at scattered arguments, one in each lane.
 #if defined(GLEVALUATOR_SURFACES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLEVALUATOR_SURFACES_INL_H_
 #undef GLEVALUATOR_SURFACES_INL_H_

@@ -10,17 +10,17 @@ namespace glev {
 inline constexpr int kMaxOrder = 64;
 inline constexpr int kSlots = 9;
 
-// Attributes that the maps of a plan produce. INDEX maps are absent: RGBA mode ignores them.
+// The attributes that the maps of a plan produce. INDEX maps are missing, because RGBA mode ignores them.
 enum class Attribute { kVertex, kColor, kNormal, kTexcoord };
 inline constexpr int kAttributes = 4;
 
 struct Slot {
   int components;
-  std::array<double, 4> initial;  // control point of a map that was never defined
+  std::array<double, 4> initial;  // control point of the initial map
 };
 
-// In the order of the tokens. Within an attribute a later slot outranks an earlier one (GL §21.1,
-// precedence).
+// The slots in the order of the tokens. Within an attribute, later slots have precedence over earlier ones
+// (GL §21.1).
 inline constexpr std::array<Slot, kSlots> kSlotTable = {{
     {4, {1, 1, 1, 1}},  // COLOR_4
     {1, {1}},           // INDEX

@@ -1,4 +1,4 @@
-// Elements of three floats from a packed array that was just written by vectors.
+// Copies elements of three floats from a packed array that was just written by vectors.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,9 @@
 
 namespace glev {
 
-// `count` of them, a multiple of 4, `stride` bytes apart at `to`. Each is read in two parts neither of which
-// lies in two blocks of 16 bytes: what two stores have written cannot be forwarded to one load.
+// Copies `count` elements, a multiple of 4, to `to`, where they are `stride` bytes apart. Each element is
+// read in two parts, neither of which crosses a block of 16 bytes, because processors cannot forward two
+// stores to one load.
 inline void CopyTriples(const float* from, std::size_t count, std::size_t stride, std::byte* to) {
   constexpr std::size_t kOne = sizeof(float), kTwo = 2 * sizeof(float);
   for (std::size_t i = 0; i < count; i += 4, from += 12, to += 4 * stride) {

@@ -19,7 +19,7 @@ using Doubles = hn::CappedTag<double, 8>;
 using Vector = hn::Vec<Doubles>;
 constexpr Doubles kDoubles;
 constexpr std::size_t kLanes = hn::MaxLanes(kDoubles);
-constexpr hn::Rebind<float, Doubles> kHalves;  // as many floats
+constexpr hn::Rebind<float, Doubles> kHalves;  // vectors of as many floats
 
 using Half = hn::Vec<decltype(kHalves)>;
 

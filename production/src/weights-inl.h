@@ -21,7 +21,7 @@ HWY_INLINE void weights_of(int degree, Vector s, Vector t, Vector* weights) {
   for (int i = degree - 1; i >= 0; --i, power = hn::Mul(power, s)) weights[i] = hn::Mul(weights[i], power);
 }
 
-// The weights of kLanes columns, to where those of each i are `padded` apart.
+// Stores the weights of kLanes columns. Those of each i are `padded` apart.
 HWY_INLINE void store_weights(int degree, Vector s, Vector t, std::size_t padded, double* weights) {
   Vector column[kMaxOrder];
   weights_of(degree, s, t, column);

@@ -1,6 +1,6 @@
-// Integers of many limbs in memory of the caller, least significant limb first: the few operations exact
-// evaluation needs. Signed ones are two's complement, so that products and sums modulo 2^(64 * size) need not
-// know about signs.
+// Integers of many limbs in memory of the caller, least significant limb first, with the operations that
+// exact evaluation needs. Signed integers are in two's complement, so products and sums modulo 2^(64 * size)
+// do not depend on signs.
 #pragma once
 
 #include <algorithm>
@@ -46,7 +46,7 @@ inline Decoded decode(double x) {
 
 constexpr int limbs_for(int bits) { return (bits + kLimbBits - 1) / kLimbBits; }
 
-// Without leading zeros.
+// Returns the size without leading zero limbs.
 inline int trimmed_size(const Limb* x, int size) {
   while (size > 0 && x[size - 1] == 0) --size;
   return size;
@@ -54,7 +54,7 @@ inline int trimmed_size(const Limb* x, int size) {
 
 inline bool is_negative(const Limb* x, int size) { return x[size - 1] >> (kLimbBits - 1) != 0; }
 
-// A signed integer in more limbs.
+// Extends a signed integer to more limbs.
 inline void sign_extend(Limb* x, int size, int new_size) {
   const Limb sign = is_negative(x, size) ? ~Limb{0} : 0;
   for (int i = size; i < new_size; ++i) x[i] = sign;
@@ -70,7 +70,7 @@ inline void negate(Limb* x, int size) {
 
 // ---- Sums of products
 
-// x += carry, modulo 2^(64 * size)
+// Computes x += carry, modulo 2^(64 * size).
 inline void add(Limb* x, int size, Limb carry) {
   for (int i = 0; i < size && carry != 0; ++i) {
     x[i] += carry;
@@ -86,7 +86,7 @@ inline void subtract(Limb* x, int size, Limb borrow) {
   }
 }
 
-// x *= factor; the limb that is carried out.
+// Computes x *= factor. Returns the limb that is carried out.
 inline Limb multiply(Limb* x, int size, Limb factor) {
   Limb carry = 0;
   for (int i = 0; i < size; ++i) {
@@ -97,7 +97,7 @@ inline Limb multiply(Limb* x, int size, Limb factor) {
   return carry;
 }
 
-// sum += x * factor, modulo 2^(64 * sum_size)
+// Computes sum += x * factor, modulo 2^(64 * sum_size).
 inline void add_product(Limb* sum, int sum_size, const Limb* x, int size, Limb factor) {
   const int used = std::min(size, sum_size);
   Limb carry = 0;
@@ -109,7 +109,7 @@ inline void add_product(Limb* sum, int sum_size, const Limb* x, int size, Limb f
   add(sum + used, sum_size - used, carry);
 }
 
-// sum -= x * factor, likewise
+// Computes sum -= x * factor, modulo 2^(64 * sum_size).
 inline void subtract_product(Limb* sum, int sum_size, const Limb* x, int size, Limb factor) {
   const int used = std::min(size, sum_size);
   Limb borrow = 0;
@@ -122,13 +122,13 @@ inline void subtract_product(Limb* sum, int sum_size, const Limb* x, int size, L
   subtract(sum + used, sum_size - used, borrow);
 }
 
-// x *= factor in place, modulo 2^(64 * size).
+// Computes x *= factor in place, modulo 2^(64 * size).
 inline void multiply(Limb* x, int size, const Limb* factor, int factor_size) {
   if (factor_size == 1) {
     multiply(x, size, factor[0]);
     return;
   }
-  // Goes from the top: the products of a limb touch only limbs that are already replaced by their products.
+  // Starts at the top limb, because the products of a limb change only limbs that have been processed.
   for (int i = size - 1; i >= 0; --i) {
     const Limb limb = x[i];
     x[i] = 0;
@@ -136,7 +136,7 @@ inline void multiply(Limb* x, int size, const Limb* factor, int factor_size) {
   }
 }
 
-// x *= factor of a non-negative x, all of it; the new size. Room: size + factor_size limbs.
+// Computes x *= factor for x >= 0 and returns the new size. x must have room for size + factor_size limbs.
 inline int multiply_and_grow(Limb* x, int size, const Limb* factor, int factor_size) {
   std::fill_n(x + size, factor_size, Limb{0});
   multiply(x, size + factor_size, factor, factor_size);
@@ -150,7 +150,7 @@ inline int bit_width(const Limb* x, int size) {
   return size == 0 ? 0 : (size - 1) * kLimbBits + bit_width(x[size - 1]);
 }
 
-// Bits position ... position + 63. Those below bit 0 and above the top are zero.
+// Returns the bits position ... position + 63. Bits below 0 and above the top are zero.
 inline Limb bits_at(const Limb* x, int size, int position) {
   const int limb = position >> 6, shift = position & 63;  // rounds down
   const auto at = [&](int i) { return i >= 0 && i < size ? x[i] : 0; };
@@ -165,7 +165,7 @@ inline int trailing_zeros(const Limb* x) {
 }
 
 inline void shift_right(Limb* x, int size, int bits) {
-  // Reads only what is not written yet.
+  // Each limb is read before it is written.
   for (int i = 0; i < size; ++i) x[i] = bits_at(x, size, i * kLimbBits + bits);
 }
 

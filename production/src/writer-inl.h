@@ -1,4 +1,4 @@
-// The results of a map: rounding of values in double whose error is bounded, and storing them as points.
+// Rounds values in double with known error bounds, and stores them as points.
 #if defined(GLEVALUATOR_WRITER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLEVALUATOR_WRITER_INL_H_
 #undef GLEVALUATOR_WRITER_INL_H_
@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
-// Returns true if points can be stored one behind the other. Single floats cannot where they are not aligned.
+// Returns true if points can be stored contiguously. Single floats must be aligned for this.
 template <int kComponents>
 bool is_packed(const Destination& to) {
   const bool is_aligned =
@@ -27,7 +27,7 @@ bool is_packed(const Destination& to) {
          (kLanes > 1 || is_aligned);
 }
 
-// Points one behind the other, that vectors have written, to where they belong.
+// Copies packed points, which vectors have written, to their destination.
 template <int kComponents>
 HWY_NOINLINE void scatter(const float* values, std::size_t count, const Destination& to, std::byte* data) {
   if constexpr (kComponents == 3) {
@@ -40,11 +40,11 @@ HWY_NOINLINE void scatter(const float* values, std::size_t count, const Destinat
   }
 }
 
-// The results of a map. Lanes that are NaN are not settled.
+// Rounds and writes the results of a map. NaN is undecided.
 template <int kComponents>
 class Writer {
  public:
-  // Values as floats, and which of them are right.
+  // Values as floats, and the lanes in which they are correctly rounded.
   struct Rounded {
     Whole value[kComponents];
     hn::Mask<decltype(kWhole)> settled[kComponents];
@@ -69,8 +69,7 @@ class Writer {
     return rounded;
   }
 
-  // The elements from `begin` on, `count` <= kStep of them. Where one is not settled resolve(element,
-  // component) is right.
+  // Writes `count` <= kStep elements from `begin` on. Calls resolve(element, component) for undecided values.
   template <class Resolver>
   HWY_INLINE void write(const Rounded& rounded, std::size_t begin, std::size_t count,
                         const Resolver& resolve) const {

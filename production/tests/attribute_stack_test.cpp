@@ -1,4 +1,4 @@
-// PushAttrib and PopAttrib.
+// Tests PushAttrib and PopAttrib.
 #include <bit>
 
 #include "fixture.h"
@@ -40,7 +40,7 @@ class AttributeStack : public ContextTest {
     return groups;
   }
 
-  // Gives all of it other values, different ones for each n; maps, too.
+  // Changes all state, maps included, to values that are different for each n.
   void change(int n) {
     const auto f = static_cast<float>(n);
     for (std::size_t i = 0; i < capabilities().size(); ++i) {

@@ -1,5 +1,5 @@
-// Points of grids through glevEvaluateMesh: whatever the grid, the range and the layout, the bits are those
-// of EvalPoint, and all other bytes stay as they are.
+// Tests glevEvaluateMesh: for all grids, ranges and layouts, points have the bits of EvalPoint, and other
+// bytes do not change.
 #include <climits>
 
 #include "batches.h"
@@ -46,7 +46,7 @@ class GridPoints : public ContextTest {
     const LaidOut outputs(layout, memory);
     glev_mesh mesh = {sizeof mesh,    range.i1,       range.i2, range.j1, range.j2, GLEV_CORRECTLY_ROUNDED,
                       outputs.data(), outputs.size(), nullptr,  0};
-    // Exactly as much scratch memory as is asked for, anywhere.
+    // The scratch memory has exactly the required size and any alignment.
     const std::size_t scratch_size = glevGetMeshScratchSize(plan, &mesh),
                       start = static_cast<std::size_t>(chance_.whole(0, 70));
     Memory scratch(start + scratch_size + 64);
@@ -61,7 +61,7 @@ class GridPoints : public ContextTest {
     ASSERT_TRUE(scratch.is_untouched());
   }
 
-  // A range of at most so many indices: inside the grid, across its ends, far from it.
+  // Returns a range of at most `most` indices: inside the grid, across its ends, or far away.
   std::pair<int, int> choose_range(int segments, int most) {
     const int count = chance_.whole(0, most);
     const std::int64_t first = chance_.one_of<std::int64_t>(
@@ -153,12 +153,12 @@ TEST_F(Scratch, DependsOnTheColumnsAlone) {
   EXPECT_GT(size, 0u);
   mesh = mesh_of({5, 14, -7, 900});
   EXPECT_EQ(glevGetMeshScratchSize(plan, &mesh), size);
-  const glev_output output{};  // is not looked at
+  const glev_output output{};  // ignored
   const Outputs outputs(mesh, {{GLEV_ATTRIBUTE_VERTEX, &output}});
   EXPECT_EQ(glevGetMeshScratchSize(plan, &mesh), size);
   mesh = mesh_of({0, 999, 0, 9});
   EXPECT_GT(glevGetMeshScratchSize(plan, &mesh), size);
-  // every index there is: 2^32 columns
+  // All indices: 2^32 columns.
   mesh = mesh_of({INT_MIN, INT_MAX, INT_MIN, INT_MAX});
   EXPECT_GE(glevGetMeshScratchSize(plan, &mesh), std::size_t{1} << 35);
 }
@@ -196,7 +196,7 @@ TEST_F(Scratch, IsNotNeededForNoPoints) {
   EXPECT_TRUE(memory.is_untouched());
 }
 
-// More than memory holds, but not more than numbers do.
+// The sizes exceed memory, but not size_t.
 TEST_F(Scratch, ExtremeRangesAreRefusedWithoutOverflow) {
   const Plan plan(gl, 2);
   Memory memory(4096), scratch(4096);
@@ -208,7 +208,7 @@ TEST_F(Scratch, ExtremeRangesAreRefusedWithoutOverflow) {
     for (std::size_t stride : {std::size_t{16}, std::size_t{1} << 31, SIZE_MAX / 2 + 1, SIZE_MAX}) {
       for (std::size_t row_stride : {std::size_t{0}, SIZE_MAX / 2, SIZE_MAX}) {
         for (std::size_t size : {memory.size(), SIZE_MAX}) {
-          if (size == SIZE_MAX && stride <= SIZE_MAX / 2) continue;  // there may be as much
+          if (size == SIZE_MAX && stride <= SIZE_MAX / 2) continue;  // this much memory is possible
           glev_output color = memory.make_output(0, stride, 4, 0, row_stride);
           color.data_size = size;
           glev_mesh mesh = mesh_of(range);
@@ -256,7 +256,7 @@ TEST(BatchMemory, EvaluationDoesNotAllocate) {
   EXPECT_TRUE(ledger.out.empty());
 }
 
-// Sanitizers see what is stored as if it were aligned. Data of which many results are not sure at first.
+// Sanitizers detect aligned stores to unaligned memory. Many results of the data are undecided in double.
 TEST(UnalignedMeshes, AreTheSameOnEveryInstructionSet) {
   constexpr Range kRange = {0, 70, 0, 5};
   Chance chance;

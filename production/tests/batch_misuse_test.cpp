@@ -1,5 +1,5 @@
-// Everything that glevEvaluate, glevEvaluateMesh and glevGetMeshScratchSize refuse, one field at a time: the
-// right answer, and nothing written.
+// Tests that glevEvaluate, glevEvaluateMesh and glevGetMeshScratchSize reject each invalid member with the
+// right result, without writing anything.
 #include <climits>
 #include <functional>
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kNoRoom = 4096;
 
-// Calls that would do, of both dimensions, for tests to spoil.
+// Valid calls of both dimensions, which tests make invalid.
 class Misuse : public ContextTest {
  protected:
   static constexpr std::size_t kPoints = 5;
@@ -24,7 +24,7 @@ class Misuse : public ContextTest {
     }
   }
 
-  // The call that a change is made to.
+  // A call that tests change.
   struct Call {
     glev_batch batch;
     glev_mesh mesh;
@@ -169,7 +169,7 @@ TEST_F(Misuse, OfAttributesWithoutAMap) {
     const auto ask = [&](Call& call) {
       call.texcoord.components = 4;
       call.texcoord.stride = 16;
-      call.texcoord.data_size = 0;  // comes later
+      call.texcoord.data_size = 0;  // checked later
       set_outputs(call, {{GLEV_ATTRIBUTE_VERTEX, &call.vertex}, {attribute, &call.texcoord}});
     };
     expect_batch(GLEV_ERROR_NO_MAP, 1, "1", ask);
@@ -251,7 +251,7 @@ TEST_F(Misuse, OfMeshes) {
   EXPECT_EQ(glevGetMeshScratchSize(curve, &mesh), 0u);
 }
 
-// 0 means refusal alone.
+// The scratch size is 0 only for rejected meshes.
 TEST_F(Misuse, ScratchOfAMeshWithoutPointsIsNotZero) {
   const Plan curve(gl, 1);
   glev_mesh mesh = {sizeof mesh, 3, 0, 0, 0, GLEV_FAST, nullptr, 0, nullptr, 0};
@@ -312,7 +312,7 @@ TEST_F(Misuse, LaterVersionsMayBeLargerIfTheRestIsZero) {
   Memory memory(kNoRoom), scratch(kNoRoom);
   struct {
     glev_mesh mesh;
-    unsigned char rest[16];  // no padding: it would have to be zero, too
+    unsigned char rest[16];  // without padding, which would have to be zero, too
   } later = {{sizeof later, 0, 4, 0, 2, GLEV_CORRECTLY_ROUNDED, nullptr, 0, scratch.data(), scratch.size()},
              {}};
   struct {
@@ -357,7 +357,7 @@ bool share_a_byte(const Block& a, const Block& b) {
   return false;
 }
 
-// If strides differ, extents decide.
+// Returns true if the blocks must be rejected. If strides differ, their extents decide.
 bool is_rejected(const Block& a, const Block& b) {
   if (a.stride == b.stride && a.row_stride == b.row_stride) return share_a_byte(a, b);
   return a.offset < b.end() && b.offset < a.end();

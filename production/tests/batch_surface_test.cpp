@@ -1,5 +1,5 @@
-// Arrays of arguments through glevEvaluate, curves and surfaces: whatever lies where, the bits are those of
-// EvalCoord, and all other bytes stay as they are.
+// Tests glevEvaluate with curves and surfaces: for all layouts, points have the bits of EvalCoord, and other
+// bytes do not change.
 #include <limits>
 
 #include "batches.h"
@@ -25,7 +25,7 @@ class ScatteredPoints : public ContextTest {
     return recording.vertices;
   }
 
-  // Inside the domains, near their ends, outside, and no numbers at all.
+  // Returns an argument inside the domains, near their ends, outside, or non-finite.
   template <class Real>
   Real choose_argument() {
     using Limits = std::numeric_limits<Real>;
@@ -44,7 +44,7 @@ class ScatteredPoints : public ContextTest {
     }
   }
 
-  // A stream of its own for each direction.
+  // The arguments, in a separate stream for each direction.
   template <class Real>
   struct Arguments {
     std::vector<unsigned char> bytes;
@@ -111,7 +111,7 @@ TEST_F(ScatteredPoints, WithAutomaticNormalsToo) {
   expect_bits_of_eval_coord_for_all_counts(4, 2);
 }
 
-// Values for which nothing is claimed, but that are the same everywhere and do no harm.
+// The results are unspecified, but equal in all deliveries, and do not affect other components.
 TEST_F(ScatteredPoints, OfMapsThatAreNotFiniteToo) {
   for (double bad : {kInfinity, -kInfinity, kNaN}) {
     define_maps(gl, chance_, 5);
@@ -128,7 +128,7 @@ TEST_F(ScatteredPoints, OfMapsThatAreNotFiniteToo) {
   }
 }
 
-// Products of control points and binomials overflow long before results do.
+// Products of control points and binomial coefficients overflow although results do not.
 TEST_F(ScatteredPoints, OfControlPointsNearTheLargestDoubleAreStillRight) {
   constexpr double kMost = std::numeric_limits<double>::max();
   const double points[] = {0, kMost, 2};
@@ -143,7 +143,7 @@ TEST_F(ScatteredPoints, OfControlPointsNearTheLargestDoubleAreStillRight) {
   EXPECT_EQ(evaluate_scattered(surface, GLEV_ATTRIBUTE_TEXCOORD, u, u), got);
   const std::vector<glev_vertex> one_by_one = eval_coords<double>(1, u, {});
   for (std::size_t i = 0; i < u.size(); ++i) {
-    const auto value = static_cast<float>(2 * u[i] * kMost);  // and 2 u^2, which does not count
+    const auto value = static_cast<float>(2 * u[i] * kMost);  // 2 u^2 is negligible
     EXPECT_EQ(got[i], value) << u[i];
     EXPECT_EQ(one_by_one[i].texcoord[0][0], value) << u[i];
   }

@@ -1,4 +1,4 @@
-// glevEvaluate: values, layouts, and every kind of misuse.
+// Tests glevEvaluate: values, layouts, and invalid arguments.
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -171,7 +171,7 @@ TEST_F(Batch, TheExactNumberOfBytesIsEnoughAndOneLessIsNot) {
   batch.u.data_size += 1;
   EXPECT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
   EXPECT_EQ(buffer_[(kCount - 1) * 20 + 12], kPoison);
-  // one element, no room
+  // One element does not fit.
   vertex.data_size = 11;
   batch.count = 1;
   buffer_.assign(4096, kPoison);
@@ -211,7 +211,7 @@ TEST_F(Batch, CountZeroReadsAndWritesNothing) {
   vertex.data = buffer_.data();
   EXPECT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
   expect_untouched();
-  vertex.components = 2;  // wrong all the same
+  vertex.components = 2;  // also invalid
   expect_misuse(GLEV_ERROR_INVALID_ARGUMENT, batch);
 }
 
@@ -282,7 +282,7 @@ TEST_F(Batch, OverlapsAreRefused) {
   expect(GLEV_ERROR_OVERLAP, kCount, make_output(0, 28, 3), make_output((kCount - 1) * 28 + 11, 28, 4));
   expect(GLEV_SUCCESS, kCount, make_output(0, 28, 3), make_output((kCount - 1) * 28 + 12, 28, 4));
   expect(GLEV_SUCCESS, 1, make_output(0, 28, 3), make_output(13, 28, 4));
-  // different strides: the blocks must be apart
+  // different strides: the blocks must not overlap
   expect(GLEV_ERROR_OVERLAP, kCount, make_output(0, 12, 3), make_output(12 * kCount - 1, 16, 4));
   expect(GLEV_SUCCESS, kCount, make_output(0, 12, 3), make_output(12 * kCount, 16, 4));
   expect(GLEV_SUCCESS, kCount, make_output(16 * kCount, 12, 3), make_output(0, 16, 4));

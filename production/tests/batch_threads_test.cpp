@@ -1,4 +1,4 @@
-// One plan, many threads, different batches at the same time.
+// Tests many threads that evaluate different batches through the same plans.
 #include <thread>
 
 #include "batches.h"
@@ -8,7 +8,8 @@ namespace {
 
 using EveryBits = std::vector<std::vector<std::uint64_t>>;
 
-// The work of one thread, with its own arguments, ranges and memory.
+// Does the work of one thread, with its own arguments, ranges and memory, and returns the bits of all
+// results.
 EveryBits work_of(int thread, const glev_plan* curve, const glev_plan* surface) {
   Chance chance(kSeed + static_cast<unsigned>(thread));
   EveryBits bits;

@@ -1,4 +1,4 @@
-// Plans, and batches and meshes through them into memory that shows what was written.
+// Helpers for tests of plans: batches and meshes into memory that shows which bytes were written.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace glev_tests {
 constexpr glev_attribute kEveryAttribute[] = {GLEV_ATTRIBUTE_VERTEX, GLEV_ATTRIBUTE_COLOR,
                                               GLEV_ATTRIBUTE_NORMAL, GLEV_ATTRIBUTE_TEXCOORD};
 
-// Returns the values of the attribute of a vertex, three of a normal.
+// Returns the values of an attribute of a vertex; three for a normal.
 inline Floats attribute_of(const glev_vertex& vertex, glev_attribute attribute) {
   switch (attribute) {
     case GLEV_ATTRIBUTE_VERTEX:
@@ -32,7 +32,7 @@ inline Floats attribute_of(const glev_vertex& vertex, glev_attribute attribute) 
   }
 }
 
-// Snapshot of what a context has enabled.
+// A plan of the enabled maps of a context.
 class Plan {
  public:
   Plan(glev_context* gl, std::size_t dimension) {
@@ -48,7 +48,7 @@ class Plan {
   glev_plan* plan_ = nullptr;
 };
 
-// Bytes, all of them poison at first.
+// A block of bytes, filled with a poison value.
 class Memory {
  public:
   static constexpr unsigned char kPoisonByte = 0xCD;
@@ -60,7 +60,7 @@ class Memory {
   bool operator==(const Memory&) const = default;
   bool is_untouched() const { return *this == Memory(size()); }
 
-  // Everything from there on.
+  // Returns an output with all bytes from `offset` on.
   glev_output make_output(std::size_t offset, std::size_t stride, std::size_t components, glev_enum type = 0,
                           std::size_t row_stride = 0) {
     return {sizeof(glev_output), data() + offset, size() - offset, stride, components, type, row_stride, 0};
@@ -72,7 +72,7 @@ class Memory {
   void poison(std::size_t offset, std::size_t count) {
     std::fill_n(bytes_.begin() + static_cast<std::ptrdiff_t>(offset), count, kPoisonByte);
   }
-  // The first byte that differs, for messages; size() if none does.
+  // Returns the first byte that differs, for messages; size() if there is none.
   std::size_t mismatch(const Memory& other) const {
     return static_cast<std::size_t>(std::mismatch(bytes_.begin(), bytes_.end(), other.bytes_.begin()).first -
                                     bytes_.begin());
@@ -99,7 +99,7 @@ glev_input input_of(const std::vector<Real>& arguments) {
   return {arguments.data(), arguments.size() * sizeof(Real), sizeof(Real)};
 }
 
-// One attribute at scattered arguments, packed. v: for plans of dimension 2.
+// Evaluates one attribute at scattered arguments, packed. `v` is for plans of dimension 2.
 template <class Result = float, class Real>
 std::vector<Result> evaluate_scattered(const glev_plan* plan, glev_attribute attribute,
                                        const std::vector<Real>& u, const std::vector<Real>& v = {},
@@ -151,12 +151,12 @@ std::vector<Result> evaluate_grid(const glev_plan* plan, glev_attribute attribut
   return results;
 }
 
-// Maps and arguments by chance, the same ones everywhere.
+// Random maps and arguments, the same on every machine.
 class Chance {
  public:
   explicit Chance(unsigned seed = kSeed) : engine_(seed) {}
 
-  // least to most
+  // Returns an integer from `least` to `most`.
   int whole(int least, int most) {
     return least + static_cast<int>(engine_() % (static_cast<std::uint64_t>(most) - least + 1));
   }
@@ -168,7 +168,7 @@ class Chance {
   Value one_of(std::initializer_list<Value> list) {
     return list.begin()[engine_() % list.size()];
   }
-  // In [0, 1), of 24 and 53 bits.
+  // Return numbers in [0, 1) with 24 and 53 bits.
   float next_float() { return static_cast<float>(engine_() >> 40) * 0x1p-24f; }
   double next_double() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
   float between(float least, float most) { return least + next_float() * (most - least); }
@@ -183,7 +183,7 @@ class Chance {
   std::mt19937_64 engine_;
 };
 
-// All four attributes of both dimensions, each with orders and a domain of its own.
+// Defines maps of all four attributes in both dimensions, each with its own orders and domain.
 inline void define_maps(glev_context* gl, Chance& chance, int most_order) {
   const auto end = [&](float near) { return near + chance.between(-0.25f, 0.25f); };
   for (const TargetRow& row : target_rows()) {
@@ -198,7 +198,7 @@ inline void define_maps(glev_context* gl, Chance& chance, int most_order) {
   }
 }
 
-// The attributes' maps on, of the vertex and texture maps one by chance.
+// Enables one map of each attribute; for vertices and texture coordinates, it is chosen at random.
 inline void enable_maps(glev_context* gl, Chance& chance) {
   for (glev_enum offset = 0; offset < 9; ++offset) {
     const bool is_on = offset == 0 || offset == 2 || chance.whole(0, 1) == 1;
@@ -212,8 +212,8 @@ inline void enable_maps(glev_context* gl, Chance& chance) {
   }
 }
 
-// A random layout of attributes: interleaved or one after the other, with gaps, unaligned, with more
-// components than the map has.
+// A random layout of attributes: interleaved or consecutive, with gaps, unaligned, with more components than
+// the map has.
 struct Layout {
   std::array<std::size_t, 4> offset{}, stride{}, row_stride{}, components{};
   std::size_t bytes = 0;
@@ -256,7 +256,7 @@ inline Layout choose_layout(Chance& chance, const glev_plan* plan, std::size_t c
   return layout;
 }
 
-// Returns the expected memory of this layout: poison, but for the attributes of the vertices.
+// Returns the expected memory of this layout: the attributes of the vertices, and poison between them.
 inline Memory expected_memory(const Layout& layout, const std::vector<glev_vertex>& vertices,
                               std::size_t columns) {
   Memory memory(layout.bytes);
@@ -272,7 +272,7 @@ inline Memory expected_memory(const Layout& layout, const std::vector<glev_verte
   return memory;
 }
 
-// Outputs for it. They point into themselves.
+// The outputs of a layout. The object contains pointers to its own members.
 class LaidOut {
  public:
   LaidOut(const Layout& layout, Memory& memory) {

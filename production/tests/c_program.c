@@ -1,5 +1,5 @@
-/* The public header is C, and a C program can use the library: draws a curve, runs a batch, exits 0 if both
- * agree; then the same curve as the edge of a patch and from a display list. */
+/* A C program that uses the library. It draws a curve, evaluates it as a batch, then draws it as the edge of
+ * a patch and by a display list, and exits with 0 if all results agree. */
 #include <glevaluator.h>
 
 #include <stdio.h>
@@ -49,7 +49,7 @@ int main(void) {
   CHECK(drawn.positions[2][0] == 2.0f && drawn.positions[2][1] == 1.5f);
   CHECK(memcmp(drawn.positions[4], kPoints[3], sizeof kPoints[3]) == 0);
 
-  /* a patch that the curve is the edge v = 0 of, drawn along that edge */
+  /* a patch whose edge v = 0 is the curve, drawn along that edge */
   static const float kPatch[4][2][3] = {
       {{0, 0, 0}, {0, 0, 1}}, {{1, 2, 0}, {1, 2, 1}}, {{3, 2, 0}, {3, 2, 1}}, {{4, 0, 0}, {4, 0, 1}}};
   Strip edge = {0, 0, 0, {{0}}};
@@ -67,7 +67,7 @@ int main(void) {
   CHECK(glevGetError(context) == GLEV_NO_ERROR);
   CHECK(edge.begun == 1 + 2 + kCount && edge.ended == 1 + 2 + kCount && edge.count == 5 * kCount);
 
-  /* the curve once more, from a display list, under attributes of its own */
+  /* the curve again, by a display list, with its own attributes */
   const glev_uint list = glevGenLists(context, 1);
   glevNewList(context, list, GLEV_COMPILE);
   glevPushAttrib(context, GLEV_EVAL_BIT);

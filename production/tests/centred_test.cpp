@@ -1,5 +1,5 @@
-// Maps in powers of x = t - s and y: their coefficients and the bound of Horner's rule with them, against
-// rational arithmetic.
+// Tests maps in powers of x = t - s and y against rational arithmetic: their coefficients, and the bound of
+// Horner's rule with them.
 #include <array>
 #include <cmath>
 #include <random>
@@ -48,7 +48,7 @@ struct Centred {
 
   double coefficient(int i, int j, int k) const { return map.centred[4 * (order[0] * j + i) + k]; }
 
-  // By Horner's rule, in the numbers of T.
+  // Returns component k by Horner's rule, with numbers of type T.
   template <class T, class From>
   T sum_of(int k, const T& x, const T& y, const From& from) const {
     T result = 0;
@@ -67,7 +67,7 @@ struct Centred {
     return largest;
   }
 
-  // The units of the bound where the coefficients are taken as exact or not.
+  // Returns the units of the bound for coefficients that are exact or not.
   double error_units(int k, bool is_exact) const {
     double sum = 0;
     for (int i = 0; i < order[0] * order[1]; ++i) sum += std::fabs(map.centred[4 * i + k]);
@@ -77,7 +77,8 @@ struct Centred {
 
 class CentredMaps : public ::testing::Test {
  protected:
-  // Control points of one magnitude or of many, as floats, integers, doubles; and what cancels most.
+  // Returns a map with control points of one or many magnitudes, as floats, integers or doubles, or with
+  // maximal cancellation.
   Centred choose(int kind) {
     std::uniform_int_distribution<int> order(1, 4), components(1, 4), whole(-9, 9), exponent(-60, 0),
         bits(40, 52);
@@ -103,7 +104,7 @@ class CentredMaps : public ::testing::Test {
     return is_exact;
   }
 
-  // Polynomials that agree in so many places are the same.
+  // Polynomials that agree at this many places are equal.
   static void expect_exact(const Centred& given, int k) {
     for (int i = 0; i < given.order[0]; ++i) {
       for (int j = 0; j < given.order[1]; ++j) {
@@ -130,7 +131,7 @@ TEST_F(CentredMaps, CoefficientsThatAreTakenAsExactAre) {
   EXPECT_GT(taken[1], 500);
 }
 
-// Coefficients have as many bits as there is room for.
+// The coefficients have as many bits as a double can hold, or more.
 TEST_F(CentredMaps, CoefficientsOfManyBitsAreExactOrNotTakenAsThat) {
   std::array<int, 2> taken{};
   for (int round = 0; round < 500; ++round) {
@@ -165,7 +166,7 @@ TEST_F(CentredMaps, HornersRuleKeepsTheBound) {
     for (int k = 0; k < given.components; ++k) {
       if (given.largest_of(k) == 0) continue;
       EXPECT_GE(given.map.centred_test.error[k], given.map.test.error[k] * (1 - 0x1p-40));
-      // Without what is there for x and y.
+      // The bound without the errors of x and y.
       const double unit = given.map.component[k].unit,
                    bound = given.map.centred_test.error[k] - (4 * (n + m) + 8) * unit;
       for (int i = 0; i < 4; ++i) {
@@ -177,10 +178,10 @@ TEST_F(CentredMaps, HornersRuleKeepsTheBound) {
     }
   }
   EXPECT_LE(worst, 1);
-  EXPECT_GT(worst, 0.02);  // a bound far off would send too much the slow way
+  EXPECT_GT(worst, 0.02);  // with a much larger bound, too many values would be undecided
 }
 
-// Flat patches take no slow way.
+// Zero components of flat patches are decided in double.
 TEST_F(CentredMaps, ZeroIsCertain) {
   const Centred given({4, 4}, 2, std::vector<double>(32));
   EXPECT_EQ(given.map.centred_test.error[0], 0);

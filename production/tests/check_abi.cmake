@@ -1,5 +1,5 @@
-# Symbols of the shared library: nothing but glev*, every function that the header declares, its soname; and what it asks
-# for: no C++ run time (RUNTIME=ON skips that part, for instrumented builds).
+# Checks the symbols of the shared library: it exports only glev* and every function that the header declares, has its
+# soname, and does not need the C++ run time (RUNTIME=ON skips the last check, for instrumented builds).
 # cmake -DNM= -DOBJDUMP= -DLIBRARY= -DHEADER= -DSONAME= -DRUNTIME= -P check_abi.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/symbols.cmake)
 

@@ -1,4 +1,4 @@
-// glevaluator.hpp in a program without exceptions and run-time type information.
+// Uses glevaluator.hpp in a program without exceptions and run-time type information.
 #include <glevaluator.hpp>
 
 #include <cstdio>
@@ -23,7 +23,7 @@ struct Vertex {
   float normal[3];
 };
 
-// Two bicubic patches that share an edge, u = 1 of the first.
+// Returns two bicubic patches that share an edge, u = 1 of the first one.
 std::vector<float> two_patches() {
   std::vector<float> points;
   for (int p = 0; p < 2; ++p) {
@@ -50,7 +50,7 @@ void check_patches() {
   CHECK(vertices.back().position[0] == 6 && vertices.back().position[1] == 3);
   CHECK(vertices.back().normal[2] != 0);
 
-  // Patches meet in vertices of equal bits; their normals differ.
+  // Vertices on the common edge have equal bits, but different normals.
   glev_indices indices = glv::make_indices(9, 5, 2);
   std::vector<std::uint16_t> all(glevGetIndexCount(&indices)), shared(all.size());
   CHECK(all.size() == 2u * 8 * 4 * 6);
@@ -68,7 +68,7 @@ void check_patches() {
   CHECK(glv::get_indices<std::uint16_t>(indices, std::span(shared).first(1), scratch) ==
         GLEV_ERROR_BUFFER_TOO_SMALL);
 
-  // The same points by lists and scattered.
+  // Evaluates the same points with lists of arguments and scattered.
   const std::vector<double> u = {0, 0.5, 1}, v = {0, 1};
   std::vector<float> by_lists(2 * 6 * 3), scattered(6 * 3);
   glv::Outputs to_lists;

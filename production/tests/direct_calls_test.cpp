@@ -1,5 +1,5 @@
-// One EvalCoord after another between Begin and End takes a shorter way than the first: with the same
-// results, and only where it may.
+// Tests the fast path of consecutive EvalCoord calls between Begin and End: results are those of the first
+// call, and it is used only if it is permitted.
 #include <cfenv>
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -23,7 +23,7 @@ class DirectCalls : public ContextTest {
     }
     return points;
   }
-  // Ends, far outside, subnormal, and whatever.
+  // Returns the ends of the domain, arguments far outside, subnormal and random ones.
   Floats choose_arguments() {
     Floats u = {0, 1, -0.0F, 0x1p-149F, -0x1p-130F, 0x1p-126F, 1.5F, -3, 1e38F};
     for (int i = 0; i < 60; ++i) u.push_back(chance.between(0, 1));
@@ -90,7 +90,7 @@ TEST_F(DirectCalls, SurfacesAreThoseOfBatches) {
   }
 }
 
-// The environment may change after Begin, too.
+// The floating-point environment may change after Begin, too.
 TEST_F(DirectCalls, InWhateverEnvironment) {
   Floats points = random_points(12);
   for (float& point : points) point = chance.between(-2, 2);
@@ -119,7 +119,7 @@ TEST_F(DirectCalls, InWhateverEnvironment) {
 #endif
 }
 
-// Subnormal results whose interval flush-to-zero makes a single zero.
+// With flush-to-zero, both ends of the interval of a subnormal result would become zero.
 TEST_F(DirectCalls, ResultsThatFlushToZeroWouldLose) {
 #if defined(__SSE2__)
   const float points[][3] = {{-0x1p-90F, -0x1p-80F, 0x1p-95F}, {0x1p-90F, 0x1p-80F, -0x1p-95F}};
@@ -180,7 +180,7 @@ TEST_F(DirectCalls, AMapThatIsDefinedInBetween) {
     glevEnd(gl);
     for (const glev_vertex& vertex : recording.vertices) EXPECT_EQ(vertex.position[0], x);
   }
-  // Outside Begin and End nothing happens, and a map that is disabled gives nothing.
+  // Calls have no effect outside Begin/End and after the map was disabled.
   glevEvalCoord1f(gl, 0.5F);
   glevDisable(gl, GLEV_MAP1_VERTEX_3);
   glevBegin(gl, GLEV_POINTS);
@@ -211,7 +211,7 @@ TEST_F(DirectCalls, FromCallbacks) {
     std::vector<float> x;
   } state{gl, 0, {}};
   define_line();
-  // Evaluates once more within a callback, then ends the primitive and takes its map away.
+  // Evaluates again within a callback, then ends the primitive and disables its map.
   const glev_sink sink = {sizeof sink, &state, nullptr,
                           [](void* user, const glev_vertex* vertex) {
                             auto* self = static_cast<State*>(user);

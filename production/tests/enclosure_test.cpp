@@ -1,4 +1,5 @@
-// Double-double enclosures contain the exact value: those of enclosure.h and those of every instruction set.
+// Tests that double-double enclosures contain the exact value: those of enclosure.h and of every instruction
+// set.
 #include <cmath>
 #include <random>
 #include <vector>
@@ -20,7 +21,8 @@ class Enclosures : public ::testing::Test {
   }
   int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
 
-  // Multiples of 2^-30 below 1, so that differences are doubles, and what vectors may read behind them.
+  // Returns control points that are multiples of 2^-30 below 1, so that differences are doubles, and padding
+  // that vectors may read.
   std::vector<double> random_points(std::array<int, 2> order) {
     std::vector<double> points;
     for (int i = 0; i < order[0] * order[1]; ++i) points.push_back(whole(-(1 << 30), 1 << 30) * 0x1p-30);
@@ -55,7 +57,7 @@ class Enclosures : public ::testing::Test {
       expect_contains(kernels->encloses(component, largest_of(points), u, v), exact, kernels->name);
   }
 
-  // The derivatives are polynomials of the differences times the degree.
+  // Checks a derivative, which is the polynomial of the differences times the degree.
   static void check_derivative(std::array<int, 2> order, const std::vector<double>& points,
                                const std::array<Domain, 2>& domain, int direction, const GridArgument& u,
                                const GridArgument& v) {

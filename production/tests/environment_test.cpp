@@ -1,5 +1,5 @@
-// Results have the same bits in any floating-point environment of the caller, and it is the same afterwards,
-// flags included.
+// Tests that results have the same bits in every floating-point environment of the caller, and that the
+// environment, flags included, does not change.
 #include <cfenv>
 #include <functional>
 #include <limits>
@@ -37,7 +37,7 @@ constexpr Environment kHostileEnvironments[] = {
 #endif
 };
 
-// Control and flags.
+// The control and flag registers.
 struct Registers {
   int rounding = 0, flags = 0;
   unsigned sse = 0;
@@ -52,7 +52,7 @@ Registers read_registers() {
   return registers;
 }
 
-// Nothing else that computes with reals may happen while it lives.
+// Sets an environment during its lifetime. Other floating-point computations must not run meanwhile.
 class In {
  public:
   explicit In(const Environment& environment) {
@@ -73,7 +73,7 @@ class In {
   std::fenv_t before_;
 };
 
-// Data that round in every way: ties, subnormal results, overflow, cancellation.
+// Data with all kinds of rounding: ties, subnormal results, overflow, cancellation.
 struct Data {
   std::vector<float> points, u, v;
   std::vector<double> wide_points, wide_u;
@@ -99,12 +99,13 @@ Data choose_data() {
   return data;
 }
 
-// Everything that the library does with reals, each call by itself.
+// Makes all calls of the library that compute with floating-point numbers, and keeps their results.
 class Work {
  public:
   explicit Work(const Data& data) : data_(data) {}
 
-  // Calls after which the environment is another, and vertices that another one than the caller's came with.
+  // Number of calls that changed the environment, and of vertices that were sent in another environment than
+  // the caller's.
   int changed = 0, unlike_the_callers = 0;
   std::vector<Floats> floats;
   std::vector<std::vector<double>> doubles;
@@ -219,7 +220,7 @@ class Work {
   }
 
   void run_queries() {
-    // A grid that differs by a subnormal number is another one.
+    // A grid that differs from the domain by a subnormal number does not span it.
     glevMapGrid1d(gl_, 4, 0, 1);
     glevMap1f(gl_, GLEV_MAP1_VERTEX_3, 0, 0x1p-149F, 3, 6, data_.points.data());
     call([&] { glevPushAttrib(gl_, GLEV_EVAL_BIT); });

@@ -1,4 +1,4 @@
-// EvalCoord1: what it evaluates, what it emits, what it leaves alone.
+// Tests EvalCoord1: the maps that it evaluates, its vertices, and the state that it must not change.
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -10,7 +10,7 @@ namespace {
 
 class Evaluation : public ContextTest {
  protected:
-  // A line from `from` to `to` over [0,1], all components the same.
+  // Defines a line from `from` to `to` over [0,1] with equal components.
   void define_line(glev_enum target, float from, float to) {
     const float points[] = {from, from, from, from, to, to, to, to};
     glevMap1f(gl, target, 0, 1, 4, 2, points);
@@ -97,7 +97,7 @@ TEST_F(Evaluation, CurrentValuesAreLeftAlone) {
   const glev_vertex evaluated = evaluate_at(0.5);
   EXPECT_EQ(query_state(), before);
   EXPECT_EQ(values_of(evaluated.texcoord[0]), (Floats{2.5f, 0, 0, 1}));
-  // a Vertex in the same primitive uses them in full
+  // A Vertex in the same primitive uses the unchanged current values.
   recording = {};
   glevBegin(gl, GLEV_POINTS);
   glevEvalCoord1f(gl, 0.5f);

@@ -1,5 +1,5 @@
-// The slow oracle of these tests: the GL's formula in exact rational arithmetic. Shares nothing with the
-// library.
+// The slow oracle of these tests: the formula of the GL in exact rational arithmetic. It shares no code with
+// the library.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -11,7 +11,7 @@ namespace glev_tests {
 using Integer = boost::multiprecision::cpp_int;
 using Rational = boost::multiprecision::cpp_rational;
 
-// The value of a finite double.
+// Returns the value of a finite double.
 inline Rational to_rational(double x) {
   int exponent = 0;
   const double fraction = std::frexp(x, &exponent);
@@ -26,7 +26,7 @@ struct ExactPoint {
 };
 
 inline ExactPoint exact_bezier(double u1, double u2, const std::vector<double>& points, double u) {
-  // t = a / (a + b); everything over (a + b)^n, so that only the end divides.
+  // t = a / (a + b). The common denominator is (a + b)^n, so the only division is at the end.
   const Rational a = to_rational(u) - to_rational(u1), b = to_rational(u2) - to_rational(u);
   const std::size_t n = points.size() - 1;
   std::vector<Rational> powers_of_b(n + 1, 1);
@@ -44,7 +44,8 @@ inline ExactPoint exact_bezier(double u1, double u2, const std::vector<double>& 
   return {sum.value / whole, abs(sum.magnitude / whole)};
 }
 
-// The Bernstein polynomials of one direction at one argument, and their derivatives by t, as in the textbook.
+// The Bernstein polynomials of one direction at one argument, and their derivatives by t, by the textbook
+// formulas.
 struct ExactBasis {
   std::vector<Rational> values, derivatives;
 };
@@ -70,7 +71,7 @@ inline ExactBasis exact_basis(double u1, double u2, std::size_t order, double u)
   return basis;
 }
 
-// sum of u[i] * v[j] * R_ij, v fastest: component k of points with `components` values.
+// Returns the sum of u[i] * v[j] * R_ij, v fastest, for component k of points with `components` values.
 inline ExactPoint tensor(const std::vector<Rational>& u, const std::vector<Rational>& v,
                          const std::vector<double>& points, std::size_t components = 1, std::size_t k = 0) {
   ExactPoint sum;

@@ -1,4 +1,4 @@
-// Correct rounding against exact integers, in every rounding mode.
+// Tests correct rounding against exact integers, in every rounding mode.
 #include <algorithm>
 #include <cfenv>
 #include <cmath>
@@ -47,13 +47,13 @@ std::string show(const Problem& problem) {
   return out.str();
 }
 
-// Rounding modes that a caller may have set.
+// The rounding modes that a caller may set; -1: flush-to-zero and denormals-are-zero.
 constexpr int kModes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, -1};
 
 float round_in(int mode, const glev::Component& component, const std::array<GridArgument, 2>& at) {
 #if defined(__SSE2__)
   const unsigned control = _mm_getcsr();
-  if (mode < 0) _mm_setcsr(control | 0x8040);  // subnormal numbers taken for zero, flushed to zero
+  if (mode < 0) _mm_setcsr(control | 0x8040);  // denormals-are-zero and flush-to-zero
 #endif
   if (mode >= 0) std::fesetround(mode);
   const float result = glev::round_exactly(component, at[0], at[1]);
@@ -66,7 +66,7 @@ float round_in(int mode, const glev::Component& component, const std::array<Grid
 
 std::uint32_t float_bits(float x) { return std::bit_cast<std::uint32_t>(x); }
 
-// The result is `expected` in the first `modes` modes, whatever the stride.
+// The result is `expected` in the first `modes` modes, for dense and strided points.
 void expect_rounded(const Problem& problem, float expected, int modes = std::size(kModes)) {
   constexpr int kStride = 3;
   std::vector<double> spread(problem.points.size() * kStride, kNaN);
@@ -101,7 +101,7 @@ TEST(Nearest, IsWhatTheProcessorRoundsTo) {
   for (int i = 0; i < 2000; ++i) {
     const double significand = 1 + static_cast<double>(random() >> 12) * 0x1p-52;
     check(std::ldexp(i % 2 == 0 ? significand : -significand, static_cast<int>(random() % 300) - 160));
-    // a tie, and next to it
+    // A tie and its neighbours.
     const double tie =
         std::ldexp(static_cast<double>(random() % 0x1000000 * 2 + 1), static_cast<int>(random() % 260) - 160);
     for (double x : {tie, std::nextafter(tie, 0), std::nextafter(tie, kHuge)}) check(x);
@@ -299,8 +299,8 @@ TEST_F(RoundExactly, TheLargestSurfaces) {
 }
 
 TEST_F(RoundExactly, TheWidestOfAll) {
-  // Units of 2^-1074 in domains and arguments of 2^1024, 2^31 segments and 2^32 indices; control points
-  // likewise.
+  // Domains and arguments have units of 2^-1074 and magnitudes of 2^1024, with 2^31 segments and 2^32
+  // indices; so do control points.
   Problem problem = {{kMax, kMax}, {}, {}, {}};
   for (int i = 0; i < kMax * kMax; ++i)
     problem.points.push_back(i % 5 == 0 ? kTiny : i % 3 == 0 ? kHuge : -kHuge);
@@ -309,7 +309,7 @@ TEST_F(RoundExactly, TheWidestOfAll) {
                 plain(-0x1.123456789abcdp-1022)};
   const glev::Component component = {problem.points.data(), 1, problem.order, problem.domain};
   EXPECT_TRUE(std::isinf(glev::round_exactly(component, problem.at[0], problem.at[1])));
-  // A result that is a number: the 63rd power of t = 1/2 - 2^-1075 / huge.
+  // The result is finite: the 63rd power of t = 1/2 - 2^-1075 / huge.
   problem.domain = {Domain{-kHuge, kHuge}, Domain{-kHuge, kHuge}};
   problem.at = {plain(-kTiny), plain(kTiny)};
   for (int i = 0; i < kMax * kMax; ++i) problem.points[i] = i == 0 ? 0x1p126 : i % 2 == 0 ? kTiny : -kTiny;
@@ -337,7 +337,7 @@ TEST_F(RoundExactly, TiesAndTheirNeighbours) {
     const float even = static_cast<float>(tie);
     ASSERT_EQ(std::fabs(static_cast<double>(even)) > std::fabs(tie), magnitude / 2 % 2 == 1);
     expect_rounded(problem, even);
-    // The least that a control point can change.
+    // The smallest change of a control point.
     for (double towards : {kHuge, -kHuge}) {
       for (int changed : {0, order / 2, order - 1}) {
         Problem neighbour = problem;
@@ -349,12 +349,12 @@ TEST_F(RoundExactly, TiesAndTheirNeighbours) {
 }
 
 TEST_F(RoundExactly, TiesThatALeastBitFarBelowBreaks) {
-  // All terms but one sum up to the tie exactly, that one is 2^-1074 times a power of t.
+  // The sum of all terms but one is exactly the tie; the other term is 2^-1074 times a power of t.
   for (int order : {3, 4, 9, 30, 64}) {
     for (double u : {0.5, 1.0 / 3, 0x1p-24, 0x1p-1074, 0.9}) {
       for (double tiny : {kTiny, -kTiny, 0.0}) {
         Problem problem = curve_problem({0, 1}, std::vector<double>(order, 0x1.000001p0), plain(u));
-        // points c + tiny C(n, i)^-1 would need more than a double; a curve of its own direction does not
+        // Control points c + tiny C(n, i)^-1 are not doubles. A second direction of order 2 avoids them.
         problem.order = {order, 2};
         std::vector<double> points;
         for (int i = 0; i < order; ++i) {
@@ -371,7 +371,7 @@ TEST_F(RoundExactly, TiesThatALeastBitFarBelowBreaks) {
 }
 
 TEST_F(RoundExactly, TiesOfLinesAtThirds) {
-  // A line of order 4, R_i = r + 3 i d, at t = k / 3 is r + 3 k d; domain and argument are no dyadic numbers.
+  // A line of order 4, R_i = r + 3 i d, at t = k / 3 is r + 3 k d; domain and argument are not dyadic.
   for (int i = 0; i < 200 && !HasFailure(); ++i) {
     const int start = integer_below(1 << 24), slope = integer_below(1 << 20) - (1 << 19),
               k = 1 + integer_below(2);
@@ -403,7 +403,7 @@ TEST_F(RoundExactly, Overflow) {
       }
     }
   }
-  // Just below by one bit of 2^-1074.
+  // The value is below the threshold by one unit of 2^-1074.
   expect_rounded({{2, 2}, {}, {2 * threshold, -kTiny, 2 * threshold, 0}, {plain(0.3), plain(0.5)}}, largest);
   expect_rounded({{2, 2}, {}, {2 * threshold, kTiny, 2 * threshold, 0}, {plain(0.3), plain(0.5)}}, infinity);
   expect_rounded(curve_problem({0, 1}, std::vector<double>{0, kHuge}, plain(kHuge)), infinity);
@@ -435,14 +435,14 @@ TEST_F(RoundExactly, UnderflowAndZero) {
       expect_rounded(curve_problem({0, 1}, std::vector<double>(order, 0.0), at), 0);
     }
   }
-  // far below any double: 2^-1074 * 2^(-1074 * 63)
+  // The value is far below any double: 2^-1074 * 2^(-1074 * 63).
   std::vector<double> points(64);
   for (double sign : {1.0, -1.0}) {
     points.back() = sign * kTiny;
     expect_rounded(curve_problem({0, 1}, points, plain(kTiny)), static_cast<float>(0.0 * sign));
     expect_rounded(curve_problem({0, 1}, points, plain(-kTiny)), static_cast<float>(-0.0 * sign));
   }
-  // zeros of a polynomial that is none
+  // Exact zeros of a polynomial that is not zero.
   expect_rounded(curve_problem({0, 1}, {1, -1}, plain(0.5)), 0);
   expect_rounded(curve_problem({0, 1}, {-1, 1}, plain(0.5)), 0);
   expect_rounded(curve_problem({0, 1}, {-2, 1}, {{0, 1, 3}, 2}), 0);
@@ -453,7 +453,8 @@ TEST_F(RoundExactly, UnderflowAndZero) {
 }
 
 TEST_F(RoundExactly, WhatIsNotLookedAtHasNoInfluence) {
-  // At an end only the point there; in a direction of order 1 neither domain nor argument.
+  // At an end of the domain, only the control point there is used; in a direction of order 1, neither domain
+  // nor argument.
   expect_rounded({{3, 1}, {Domain{2, 5}, Domain{1, 1}}, {0x1p100, kTiny, -kHuge}, {plain(2), plain(kNaN)}},
                  0x1p100f);
   expect_rounded(

@@ -1,4 +1,4 @@
-// A context whose vertices are recorded, and ways to look at all of its state.
+// The fixture of most tests: a context whose vertices are recorded, and queries of all of its state.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,9 +15,10 @@ namespace glev_tests {
 constexpr int kMax = 64;  // MAX_EVAL_ORDER
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr unsigned kSeed = 20240117;  // of random data
+constexpr unsigned kSeed = 20240117;  // seed of random data
 
-// The nine kinds of map, by offset from COLOR_4: values of a control point and initial point.
+// The nine kinds of maps, by offset from COLOR_4, with the number of values of a control point and the
+// initial point.
 struct TargetRow {
   glev_enum offset;
   int components;
@@ -63,8 +64,8 @@ class ContextTest : public ::testing::Test {
   }
   ~ContextTest() override { glevDestroyContext(gl); }
 
-  // Everything a query can tell, in one row of numbers. Outside Begin/End and NewList/EndList only; keeps the
-  // error flag as it is.
+  // Returns all queryable state as numbers. Must be called outside Begin/End and NewList/EndList. Does not
+  // change the error flag.
   std::vector<double> query_state() const {
     std::vector<double> state;
     std::vector<double> values(64 * 64 * 4);
@@ -107,13 +108,13 @@ class ContextTest : public ::testing::Test {
     return state;
   }
 
-  // One error, and only one.
+  // Expects exactly one error.
   void expect_error(glev_enum error) const {
     EXPECT_EQ(glevGetError(gl), error);
     EXPECT_EQ(glevGetError(gl), static_cast<glev_enum>(GLEV_NO_ERROR));
   }
 
-  // The call records this error and does nothing else.
+  // Expects that the call records this error and has no other effect.
   void expect_rejected(glev_enum error, const std::function<void()>& call) const {
     const std::vector<double> before = query_state();
     const std::size_t vertices = recording.vertices.size();
@@ -124,7 +125,7 @@ class ContextTest : public ::testing::Test {
     EXPECT_EQ(recording.vertices.size(), vertices);
   }
 
-  // The same between Begin and End.
+  // Expects the same between Begin and End.
   void expect_rejected_in_primitive(glev_enum error, const std::function<void()>& call) const {
     expect_rejected(error, [&] {
       glevBegin(gl, GLEV_POINTS);
@@ -159,7 +160,7 @@ std::vector<float> values_of(const float (&values)[kCount]) {
 
 using Floats = std::vector<float>;
 
-// The outputs of a batch or a mesh, which refers to this object.
+// The outputs of a batch or a mesh. The batch or mesh refers to this object.
 class Outputs {
  public:
   template <class Call>

@@ -1,4 +1,4 @@
-// GetnMap, which knows the size of the array.
+// Tests GetnMap, which respects the size of the array.
 #include <algorithm>
 
 #include "fixture.h"

@@ -1,5 +1,5 @@
-// Types and tokens of the public header are the GL's own. (The library itself needs no GL header; this test
-// does.)
+// Tests that the types and tokens of the public header are those of the GL. The library itself does not need
+// a GL header; this test does.
 #include <GL/gl.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Memory between pages that cannot be accessed.
+// Memory between inaccessible pages.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 namespace glev_tests {
 
-// `size` bytes, poison at first, that begin after a guard page or end before one.
+// A block of `size` bytes, filled with a poison value, that begins after a guard page or ends before one.
 class Guarded {
  public:
   enum class Side { kBegin, kEnd };

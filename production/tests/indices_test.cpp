@@ -1,4 +1,4 @@
-// glevGetIndices: the primitives of EvalMesh, as vertices of the numbering of glevEvaluateMesh.
+// Tests glevGetIndices: the primitives of EvalMesh, with the numbering of vertices of glevEvaluateMesh.
 #include <climits>
 #include <set>
 
@@ -26,7 +26,7 @@ glev_indices make_indices(glev_enum mode, std::size_t columns, std::size_t rows,
   return indices;
 }
 
-// Into exactly as many bytes as they need.
+// Returns the indices, which are written to exactly as many bytes as they need.
 std::vector<std::uint32_t> get_indices(glev_indices indices) {
   const std::size_t count = glevGetIndexCount(&indices), each = bytes_of_index(indices.type);
   Memory memory(count * each + 8);
@@ -53,7 +53,7 @@ class IndicesOfMeshes : public ContextTest {
     glevMapGrid2f(gl, 7, 0.1F, 0.9F, 5, 1, -0.5F);
   }
 
-  // Returns the corners that indices of vertices of a mesh stand for.
+  // Returns the corners to which indices of vertices of a mesh refer.
   std::vector<Corner> expected_corners(std::size_t dimension, const Range& range, std::size_t first,
                                        const std::vector<std::uint32_t>& numbers) {
     const Plan plan(gl, dimension);
@@ -67,7 +67,7 @@ class IndicesOfMeshes : public ContextTest {
     return corners;
   }
 
-  // Returns the corners that the sink has seen as points, lines or triangles.
+  // Returns the corners of the points, lines or triangles that the sink has received.
   std::vector<Corner> drawn_corners() const {
     std::vector<Corner> corners;
     std::size_t at = 0;
@@ -113,7 +113,7 @@ class IndicesOfMeshes : public ContextTest {
     ASSERT_EQ(recording.begun.size(), sizes_.size());
   }
 
-  std::vector<std::size_t> sizes_;  // vertices of each primitive
+  std::vector<std::size_t> sizes_;  // number of vertices of each primitive
 };
 
 TEST_F(IndicesOfMeshes, MakeThePrimitivesOfEvalMesh2) {
@@ -150,8 +150,8 @@ TEST_F(IndicesOfMeshes, MakeThePrimitivesOfEvalMesh1) {
   }
 }
 
-// In the plane of the indices both triangles of a cell turn the same way, which is that of the strip, and
-// every cell is covered once.
+// In the plane of the indices, both triangles of a cell have the orientation of the strip, and every cell is
+// covered once.
 TEST(IndexBuffers, TrianglesTurnOneWayAndCoverEveryCell) {
   constexpr int kColumns = 5, kRows = 4;
   const std::vector<std::uint32_t> numbers = get_indices(make_indices(GLEV_FILL, kColumns, kRows));
@@ -163,7 +163,7 @@ TEST(IndexBuffers, TrianglesTurnOneWayAndCoverEveryCell) {
       x[c] = static_cast<int>(numbers[k + c]) % kColumns;
       y[c] = static_cast<int>(numbers[k + c]) / kColumns;
     }
-    // twice the area; a quadrilateral (0,0) (0,1) (1,1) (1,0) runs clockwise
+    // This is twice the area; a quadrilateral (0,0) (0,1) (1,1) (1,0) is clockwise.
     EXPECT_EQ((x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]), -1);
     cells.insert(*std::min_element(x, x + 3) + kColumns * *std::min_element(y, y + 3));
   }
@@ -194,7 +194,7 @@ TEST(IndexBuffers, HoldTheNumbersOfTheirType) {
     EXPECT_EQ(numbers.back(), static_cast<std::uint32_t>(largest));
     EXPECT_EQ(numbers.front(), static_cast<std::uint32_t>(largest - 3));
   }
-  // too many to write, but not to count
+  // The number of indices can be computed, but they are too many to write.
   const glev_indices most = make_indices(GLEV_FILL, 1 << 16, 1 << 16);
   EXPECT_EQ(glevGetIndexCount(&most), 6 * std::size_t{65535} * 65535);
 }
@@ -273,18 +273,18 @@ TEST(IndexBuffers, WindingSwapsTheLastTwoOfEachTriangle) {
   }
 }
 
-// Vertices of a few bytes with few values, between bytes that do not count.
+// Vertices of a few bytes with few different values, between bytes that are not compared.
 class SharedVertices : public ::testing::Test {
  protected:
   static constexpr std::size_t kColumns = 7, kRows = 5, kPatches = 6, kVertices = kColumns * kRows * kPatches;
 
-  // Returns the indices; the scratch memory and the vertices end where they must not be left.
+  // Returns the indices. The scratch memory and the vertices are next to guard pages.
   std::vector<std::uint32_t> share(std::size_t bytes, std::size_t stride, Guarded::Side side,
                                    std::size_t shift = 0) {
     Guarded vertices((kVertices - 1) * stride + bytes, side);
     for (std::size_t i = 0; i < kVertices; ++i) {
       for (std::size_t b = 0; b < bytes; ++b) vertices.data()[i * stride + b] = 0;
-      // The last byte decides as well as the first.
+      // Vertices may differ only in the first or only in the last byte.
       vertices.data()[i * stride] = static_cast<unsigned char>(chance_.whole(0, 9));
       vertices.data()[i * stride + bytes - 1] ^= static_cast<unsigned char>(chance_.whole(0, 3));
       for (std::size_t b = bytes; b < stride && i + 1 < kVertices; ++b)

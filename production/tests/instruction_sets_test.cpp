@@ -1,10 +1,11 @@
-// Every instruction set of this machine gives the same bits, one point or many.
+// Tests that every instruction set of this machine gives the same bits, for single points and for many.
 #include "batches.h"
 
 namespace glev_tests {
 namespace {
 
-// All that maps of both dimensions give: one by one, in batches, in meshes, in float and double.
+// Returns the bits of the results of maps of both dimensions: by single calls, batches and meshes, in float
+// and double.
 std::vector<std::uint64_t> everything_of(const char* target, unsigned seed, int least_order, int most_order) {
   Recording recording;
   glev_context* gl = nullptr;
@@ -16,7 +17,7 @@ std::vector<std::uint64_t> everything_of(const char* target, unsigned seed, int 
 
   Chance chance(seed);
   const auto points = [&](int n, int m, int components) {
-    // what rounds is as frequent as what is exact
+    // Half of the data is such that evaluation in double is exact.
     const bool is_exact = chance.whole(0, 1) == 1;
     std::vector<float> values = chance.next_points(static_cast<std::size_t>(n) * m * components);
     for (float& value : values) value = is_exact ? std::round(8 * value) : value;

@@ -1,4 +1,4 @@
-// An allocator that keeps books and can run dry.
+// An allocator that tracks its blocks and can fail.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 namespace glev_tests {
 
-// Counts what is out, checks what comes back, and rejects from the nth request on.
+// Tracks allocated blocks, checks their release, and fails from the nth request on.
 struct Ledger {
   std::map<void*, std::pair<std::size_t, std::size_t>> out;
   int requests = 0;

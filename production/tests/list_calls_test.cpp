@@ -1,4 +1,4 @@
-// CallLists and ListBase.
+// Tests CallLists and ListBase.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace {
 
 class ListCalls : public Lists {
  protected:
-  // The lists that these offsets call from this base, by name; each of `names` is a list.
+  // Returns the names of the lists that these offsets call with this base. Lists exist for all `names`.
   template <class Value>
   std::vector<float> called_indices(glev_enum type, glev_uint base, const std::vector<glev_uint>& names,
                                     const std::vector<Value>& offsets, int n) {
@@ -26,7 +26,7 @@ class ListCalls : public Lists {
     glevListBase(gl, base);
     std::vector<float> called;
     for (const bool compiled : {false, true}) {
-      // unaligned, exactly as long as it has to be
+      // The array is unaligned and has exactly the required size.
       const std::size_t bytes = offsets.size() * sizeof(Value);
       const auto memory = std::make_unique<unsigned char[]>(bytes + 1);
       std::memcpy(memory.get() + 1, offsets.data(), bytes);

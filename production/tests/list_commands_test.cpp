@@ -1,4 +1,5 @@
-// Every command that display lists hold, in every form: list and call do the same, errors included.
+// Tests every command that display lists can contain, in every form: the list and the direct call have the
+// same effects and errors.
 #include <algorithm>
 #include <string_view>
 
@@ -7,7 +8,7 @@
 namespace glev_tests {
 namespace {
 
-// Everything that an array argument is read from: 0.25, 0.5, 0.75, ...
+// Returns the numbers of all array arguments: 0.25, 0.5, 0.75, ...
 template <class Real>
 const Real* numbers() {
   static const std::vector<Real> kNumbers = [] {
@@ -18,7 +19,7 @@ const Real* numbers() {
   return kNumbers.data();
 }
 
-// One call of each function whose command belongs into lists.
+// Returns one call of each function whose command is compiled.
 std::vector<Row> compiled_commands() {
   static constexpr glev_enum kUnit = GLEV_TEXTURE0 + 3;
   const float* f = numbers<float>();
@@ -90,7 +91,7 @@ class EveryCommand : public Lists {
     bool operator==(const Effect&) const = default;
   };
 
-  // A context where every command has an effect.
+  // Prepares a context in which every command has an effect.
   void prepare() {
     fresh();
     compile(90, [&] { glevColor3f(gl, 9, 0, 0); });
@@ -122,7 +123,8 @@ class EveryCommand : public Lists {
     return effect;
   }
 
-  // Runs the commands at once; in a list that is called; in a list while it is compiled; in that list again.
+  // Runs the commands directly, by calling a list, while a list is compiled and executed, and by calling that
+  // list.
   void check(const Command& commands) {
     prepare();
     const Effect nothing = observe();
@@ -157,7 +159,7 @@ class EveryCommand : public Lists {
 
 TEST_F(EveryCommand, HasTheEffectOfItsCallWhenTheListIsCalledAndNotBefore) {
   for (const auto& compiled : compiled_commands()) {
-    const auto& command = compiled.second;  // clang 14 captures no structured binding
+    const auto& command = compiled.second;  // clang 14 cannot capture structured bindings
     const std::string_view text = compiled.first;
     SCOPED_TRACE(text);
     if (text == "Begin") {
@@ -171,7 +173,7 @@ TEST_F(EveryCommand, HasTheEffectOfItsCallWhenTheListIsCalledAndNotBefore) {
     const bool draws =
         text.starts_with("Vertex") || text.starts_with("EvalCoord") || text.starts_with("EvalPoint");
     if (!draws) check(command);
-    // between Begin and End, where some are errors
+    // The same between Begin and End, where some commands are errors.
     check([&](glev_context* context) {
       glevBegin(context, GLEV_POINTS);
       command(context);

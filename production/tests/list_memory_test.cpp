@@ -1,4 +1,4 @@
-// Memory of display lists: where it comes from, and what happens without.
+// Tests the memory of display lists: it comes from the allocator, and its exhaustion is handled.
 #include <utility>
 #include <vector>
 
@@ -67,7 +67,7 @@ TEST_F(ListMemory, ExecutionDoesNotAllocate) {
   EXPECT_EQ(ledger_.requests, before);
 }
 
-// Rejects the first, second, ... request until everything has enough.
+// Lets the first, second, ... request fail until all requests succeed.
 TEST_F(ListMemory, AListThatFindsNoMemoryLeavesTheOldOne) {
   int refused = 0;
   for (;; ++refused) {
@@ -135,7 +135,7 @@ TEST_F(ListMemory, CommandsWithArraysAndNamesFindNoMemory) {
 }
 
 TEST_F(ListMemory, DeleteListsWithoutMemoryDeletesNothing) {
-  // fill the table up to the point where it would have to grow
+  // Fills the table until it would have to grow.
   const glev_uint first = glevGenLists(gl, 1000);
   ledger_.refuse_from = ledger_.requests;
   int deleted = 0;
@@ -153,7 +153,7 @@ TEST_F(ListMemory, DeleteListsWithoutMemoryDeletesNothing) {
   }
   EXPECT_LT(deleted, 500);
   EXPECT_GT(deleted, 1);
-  // what lies at the ends of ranges goes without
+  // Deleting names at the ends of ranges needs no memory.
   expect_accepted([&] { glevDeleteLists(gl, first, 1000); });
   for (glev_uint k = 0; k < 1000; ++k) EXPECT_EQ(glevIsList(gl, first + k), GLEV_FALSE);
   ledger_.refuse_from = -1;

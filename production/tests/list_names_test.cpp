@@ -1,4 +1,4 @@
-// Names of display lists: GenLists, IsList, DeleteLists, and which list a name stands for.
+// Tests the names of display lists: GenLists, IsList, DeleteLists, and the list of a name.
 #include <map>
 #include <random>
 
@@ -142,7 +142,7 @@ TEST_F(ListNames, ContextsDoNotShareLists) {
   glevDestroyContext(other);
 }
 
-// Against a map from names to what the lists do.
+// Compares random operations with a std::map from names to the effects of lists.
 TEST_F(ListNames, ManyRandomOperations) {
   std::mt19937 random(20);
   const auto below = [&](glev_uint n) { return static_cast<glev_uint>(random() % n); };

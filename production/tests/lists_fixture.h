@@ -1,4 +1,4 @@
-// A context and ways to make and see display lists.
+// The fixture of tests of display lists.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace glev_tests {
 
-// A command, and what a failure calls it.
+// A command, and its name in failure messages.
 using Command = std::function<void(glev_context*)>;
 using Row = std::pair<const char*, Command>;
 

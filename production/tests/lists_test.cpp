@@ -1,4 +1,4 @@
-// Display lists: what is compiled, when it is executed, and what happens in between.
+// Tests display lists: compilation, execution, and the commands that are executed at once.
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -60,7 +60,7 @@ TEST_F(Lists, InsideBeginAndEndTheCommandsOfAListHaveTheirErrors) {
 // ---- Memory of the caller
 
 TEST_F(Lists, PointsAreReadWhenTheCommandIsGivenAndNoFurtherThanTheyGo) {
-  // Arrays that end with the last value of the last point: a memory checker sees whoever reads on.
+  // The arrays end with the last value of the last point, so that memory checkers detect reads beyond it.
   const auto fill = [](auto& values, std::size_t count) {
     values = std::make_unique<std::remove_reference_t<decltype(values[0])>[]>(count);
     std::iota(values.get(), values.get() + count, 1);
@@ -154,7 +154,7 @@ TEST_F(Lists, EvaluationUsesTheStateOfTheCall) {
   EXPECT_EQ(recording.vertices[1].position[0], 2);
   EXPECT_EQ(recording.vertices[2].position[0], 2);
 
-  // maps from one list count in the rest of the list that calls it
+  // Maps that a called list defines are used in the rest of the calling list.
   compile(2, [&] { glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 2, first); });
   compile(3, [&] {
     glevEvalMesh1(gl, GLEV_POINT, 4, 4);
@@ -385,7 +385,7 @@ TEST_F(Lists, QueriesAndListsOfNamesAreExecutedAtOnce) {
     EXPECT_EQ(glevIsList(gl, 40), GLEV_FALSE);
     const glev_uint made = glevGenLists(gl, 1);
     EXPECT_NE(made, 0u);
-    // their errors, too
+    // Their errors are recorded at once, too.
     glevGetMapdv(gl, 0, GLEV_COEFF, d);
     expect_error(GLEV_INVALID_ENUM);
     glevGenLists(gl, -1);
@@ -421,7 +421,7 @@ TEST_F(Lists, APlanTakenWhileAListIsOpenHasWhatWasExecuted) {
 TEST_F(Lists, AnOpenListDoesNotOutliveTheContext) {
   glevNewList(gl, 1, GLEV_COMPILE);
   for (int i = 0; i < 100; ++i) glevIndexf(gl, 1);
-  fresh();  // a memory checker sees what is left
+  fresh();  // memory checkers detect leaks
   EXPECT_EQ(get_integer(GLEV_LIST_INDEX), 0);
 }
 
@@ -429,7 +429,7 @@ TEST_F(Lists, AnOpenListDoesNotOutliveTheContext) {
 
 class ListCallbacks : public Lists {
  protected:
-  // In the first vertex callback `act` is called.
+  // Calls `act` in the first vertex callback.
   void on_vertex(std::function<void()> act) {
     act_ = std::move(act);
     const glev_sink sink = {sizeof(glev_sink), this, nullptr,
@@ -462,7 +462,7 @@ TEST_F(ListCallbacks, MayCallLists) {
   EXPECT_EQ(current_index(), 5);
   expect_error(GLEV_INVALID_OPERATION);
 
-  // and in a mesh, whose primitive End does not end
+  // The same in a mesh, whose primitive End must not end.
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
   compile(3, [&] { glevEnd(gl); });
   on_vertex([&] { glevCallList(gl, 3); });
@@ -473,7 +473,7 @@ TEST_F(ListCallbacks, MayCallLists) {
 
 TEST_F(ListCallbacks, CannotChangeListsWhileOneIsExecuting) {
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
-  // after End the callback is not between Begin and End any more
+  // After End, the callback is not between Begin and End.
   for (const bool end : {false, true}) {
     for (const std::function<void()>& change : std::initializer_list<std::function<void()>>{
              [&] { glevDeleteLists(gl, 1, 1); }, [&] { glevNewList(gl, 1, GLEV_COMPILE); },
@@ -502,7 +502,7 @@ TEST_F(ListCallbacks, CannotChangeListsWhileOneIsExecuting) {
   EXPECT_EQ(vertices_, 2);
   expect_error(GLEV_INVALID_OPERATION);
   EXPECT_EQ(glevIsList(gl, 1), GLEV_TRUE);
-  // afterwards all is well
+  // Afterwards, the commands are accepted.
   expect_accepted([&] { glevDeleteLists(gl, 1, 1); });
   EXPECT_EQ(glevIsList(gl, 1), GLEV_FALSE);
 }
@@ -521,7 +521,7 @@ TEST_F(ListCallbacks, WhatTheyIssueIsExecutedOnceAndNotCompiled) {
   EXPECT_EQ(current_index(), 5);
   glevIndexf(gl, 0);
   glevEdgeFlag(gl, GLEV_TRUE);
-  glevCallList(gl, 1);  // the callback has nothing left to do
+  glevCallList(gl, 1);  // the callback has no effect any more
   EXPECT_EQ(current_index(), 0);
   EXPECT_EQ(get_integer(GLEV_EDGE_FLAG), 0);
 }

@@ -1,4 +1,4 @@
-// Map1 and GetMap: what is accepted, what is rejected, what is kept.
+// Tests Map1 and GetMap: accepted and rejected arguments, and stored values.
 #include <climits>
 #include <cmath>
 #include <cstring>
@@ -17,7 +17,7 @@ class Map1 : public ContextTest {
     std::iota(doubles.begin(), doubles.end(), 1.0);
   }
 
-  // Both forms, with the same arguments.
+  // Calls both forms with the same arguments.
   void define(glev_enum target, double u1, double u2, int stride, int order) {
     glevMap1f(gl, target, static_cast<float>(u1), static_cast<float>(u2), stride, order, floats.data());
   }

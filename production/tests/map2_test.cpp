@@ -1,4 +1,4 @@
-// Map2 and GetMap: what is accepted, what is rejected, what is kept.
+// Tests Map2 and GetMap: accepted and rejected arguments, and stored values.
 #include <climits>
 #include <cmath>
 #include <cstring>
@@ -39,7 +39,8 @@ class Map2 : public ContextTest {
     expect_rejected(error, [&] { define_f(target, u, v); });
     expect_rejected(error, [&] { define_d(target, u, v); });
   }
-  // A bad direction as u and as v, next to a good one that would change something.
+  // Expects that an invalid direction is rejected as u and as v, together with a valid one that would change
+  // state.
   void expect_rejected_direction(glev_enum error, glev_enum target, const Direction& bad) {
     const Direction good = {-2, 9, 4, 3};
     expect_rejected_forms(error, target, bad, good);
@@ -164,7 +165,7 @@ TEST_F(Map2, StridesCountValuesAndAreIndependent) {
   for (const TargetRow& row : target_rows()) {
     const glev_enum target = GLEV_MAP2_COLOR_4 + row.offset;
     const int k = row.components;
-    // u-major, v-major, padded, and points that share memory
+    // Layouts: u-major, v-major, padded, and control points that share memory.
     for (auto [us, vs] : {std::pair{k * m, k},
                           {k, k * n},
                           {k * m + 7, k},

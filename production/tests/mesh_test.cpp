@@ -1,4 +1,4 @@
-// Grids, EvalPoint and EvalMesh.
+// Tests grids, EvalPoint and EvalMesh.
 #include <climits>
 #include <cmath>
 #include <cstddef>
@@ -99,7 +99,7 @@ TEST_F(Grids, EqualEndsAndAnyActiveTextureAreLegal) {
 
 // ---- Points and meshes: random maps of all attributes, on a grid that is not their domain
 
-// Primitives of a mesh by EvalPoint: the loops of GL §21.1.
+// A primitive of a mesh, drawn by EvalPoint with the loops of GL §21.1.
 struct Primitive {
   glev_enum mode;
   std::vector<std::pair<int, int>> points;
@@ -221,7 +221,7 @@ TEST_F(Meshes, Mesh2FollowsTheLoopsWithTheVerticesOfEvalPoint) {
 }
 
 TEST_F(Meshes, VerticesAreInTheirPrimitives) {
-  // begin, vertices and end in one sequence
+  // Records begin, vertices and end in one sequence.
   std::vector<int> events;
   const glev_sink sink = {
       sizeof(glev_sink), &events,
@@ -241,7 +241,7 @@ TEST_F(Meshes, VerticesAreInTheirPrimitives) {
 }
 
 TEST_F(Meshes, TheEndsOfTheGridAreExact) {
-  // Maps so narrow that one rounding of the argument shows.
+  // The maps are so narrow that one rounding of the argument changes the result.
   const float ramp[] = {0, 0, 0, 1, 1, 1};
   for (int n = 1; n <= 300; ++n) {
     for (auto [u1, u2] : {std::pair{0.1f, 0.7f}, {1.0f / 3, -5.1f}, {1000.1f, 1e-3f}}) {
@@ -260,7 +260,7 @@ TEST_F(Meshes, TheEndsOfTheGridAreExact) {
 }
 
 TEST_F(Meshes, TheEndsOfTheGridAreExactInDouble) {
-  // u1 + n * (u2 - u1) / n would miss many of these.
+  // With rounding, u1 + n * (u2 - u1) / n would differ from many of these ends.
   const double ramp[] = {0, 0, 0, 1, 1, 1};
   for (int n = 1; n <= 20; ++n) {
     for (auto [u1, u2] : {std::pair{0.1, 0.7}, {1.0 / 3, -5.1}, {1000.1, 1e-3}, {0.3, 0.1}}) {
@@ -281,7 +281,7 @@ TEST_F(Meshes, TheEndsOfTheGridAreExactInDouble) {
 }
 
 TEST_F(Meshes, PointsInBetweenAreNotRoundedOrAccumulated) {
-  // i/n of the way, for a line over the grid itself
+  // For a line over the grid, point i is at i/n.
   const float line[] = {0, 0, 0, 3, 3, 3};
   for (int n : {3, 10, 10000, INT_MAX}) {
     glevMapGrid1f(gl, n, 0.1f, 0.7f);
@@ -483,7 +483,7 @@ TEST_F(Meshes, ACallbackCannotEndTheMeshOrChangeItsMaps) {
     EXPECT_EQ(caller.vertices.size(), 3u);
     EXPECT_EQ(query_state(), before);
   }
-  // Outside meshes End belongs to the caller.
+  // Outside meshes, callers may call End.
   caller.call = [](glev_context*) {};
   expect_accepted([&] { glevBegin(gl, GLEV_POINTS), glevEnd(gl); });
 }

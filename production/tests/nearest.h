@@ -1,5 +1,5 @@
 // The oracle of correct rounding: polynomials as fractions of integers, and the float nearest a fraction,
-// found by bisection. Shares nothing with the library but the types of its arguments.
+// found by bisection. It shares only the types of arguments with the library.
 #pragma once
 
 #include <bit>
@@ -11,19 +11,19 @@
 
 namespace glev_tests {
 
-// numerator / denominator, not reduced; denominator > 0
+// The fraction numerator / denominator, not reduced; denominator > 0.
 struct Fraction {
   Integer numerator, denominator;
 };
 
-// t of a grid argument; of a plain one, {{u, u, 1}, 0}.
+// Returns t of a grid argument. A real argument is {{u, u, 1}, 0}.
 inline Rational exact_t(const glev::Domain& domain, const glev::GridArgument& at) {
   const Rational u = to_rational(at.grid.u1) + (to_rational(at.grid.u2) - to_rational(at.grid.u1)) *
                                                    Rational(Integer(at.index), Integer(at.grid.segments));
   return (u - to_rational(domain.u1)) / (to_rational(domain.u2) - to_rational(domain.u1));
 }
 
-// C(n, i) p^i (q - p)^(n - i) for t = p / q
+// Returns C(n, i) p^i (q - p)^(n - i) for t = p / q.
 inline std::vector<Integer> integer_basis(const Rational& t, int order) {
   const Integer p = numerator(t), rest = denominator(t) - p;
   std::vector<Integer> basis(order, 1);
@@ -37,7 +37,7 @@ inline std::vector<Integer> integer_basis(const Rational& t, int order) {
   return basis;
 }
 
-// The polynomial of these control points, v fastest, at t. One of order 1 in v is a curve.
+// Returns the value at t of the polynomial with these control points, v fastest. A curve has order 1 in v.
 inline Fraction exact_value(const std::vector<double>& points, std::array<int, 2> order, const Rational& t_u,
                             const Rational& t_v) {
   constexpr int kScale = 1074;  // every double is a multiple of 2^-1074
@@ -48,7 +48,7 @@ inline Fraction exact_value(const std::vector<double>& points, std::array<int, 2
     for (int j = 0; j < order[1]; ++j) {
       int exponent = 0;
       const double fraction = std::frexp(points[i * order[1] + j], &exponent);
-      // Multiplied by 2^kScale, which leaves 2^(exponent - 53 + kScale) behind that may be 1/2 at worst.
+      // The term is multiplied by 2^kScale. The remaining factor 2^(exponent - 53 + kScale) is at least 1/2.
       Integer term = in_v[j] * static_cast<long long>(std::ldexp(fraction, 53));
       const int shift = exponent - 53 + kScale;
       if (shift >= 0) {
@@ -64,19 +64,18 @@ inline Fraction exact_value(const std::vector<double>& points, std::array<int, 2
   return value;
 }
 
-// Nearest, ties to even, to infinity from 2^128 - 2^103. Zero gets a sign only from a number that is not
-// zero.
+// Returns the nearest float, ties to even, and infinity from 2^128 - 2^103 on. Zero gives +0; other numbers
+// that round to zero keep their sign.
 inline float nearest_float(const Fraction& x) {
   const Integer magnitude = abs(x.numerator) << 150;
-  // Tells if that is at least, or more than, the middle between the float of these bits and the next one,
-  // in units of 2^-150.
+  // Compares the magnitude with the midpoint of the float of these bits and the next one, in units of 2^-150.
   const auto compare = [&](std::uint32_t bits) {
     const std::uint32_t field = bits >> 23, fraction = bits & 0x7FFFFF;
     Integer middle = 2 * (field == 0 ? fraction : fraction + 0x800000) + 1;
     middle <<= field == 0 ? 0 : field - 1;
     return magnitude.compare(middle * x.denominator);
   };
-  std::uint32_t low = 0, high = 0x7F800000;  // the first float whose middle to the next is above
+  std::uint32_t low = 0, high = 0x7F800000;  // the first float whose midpoint with the next is above
   while (low < high) {
     const std::uint32_t middle = (low + high) / 2;
     const int side = compare(middle);

@@ -23,7 +23,7 @@ using Wide = boost::multiprecision::number<
     boost::multiprecision::cpp_bin_float<600, boost::multiprecision::digit_base_2>,
     boost::multiprecision::et_off>;
 
-// |got - n| in each component, where |m| is at least kLeast times its majorant.
+// The bound of |got - n| in each component if |m| is at least kLeast times its majorant.
 constexpr double kBound = 0x1p-25 + 0x1p-30, kLeast = 0x1p-50;
 
 struct Grid {
@@ -40,9 +40,9 @@ struct Patch {
 };
 
 struct Oracle {
-  std::array<Wide, 4> p, p_u, p_v;  // derivatives by the arguments
+  std::array<Wide, 4> p, p_u, p_v;  // p_u, p_v: derivatives by the arguments
   std::array<Wide, 3> normal{};
-  Wide ratio = 0;  // |m| to its majorant; 0: there is no normal
+  Wide ratio = 0;  // |m| / majorant; 0: there is no normal
 };
 
 std::vector<Wide> bernstein_basis(int degree, const Wide& t) {
@@ -56,7 +56,7 @@ std::vector<Wide> bernstein_basis(int degree, const Wide& t) {
   return basis;
 }
 
-// Returns the slopes of the Bernstein polynomials by t.
+// Returns the derivatives of the Bernstein polynomials by t.
 std::vector<Wide> bernstein_slopes(int degree, const Wide& t) {
   std::vector<Wide> slopes(degree + 1, 0);
   if (degree == 0) return slopes;
@@ -81,7 +81,7 @@ Wide combine(const Patch& patch, int k, const std::vector<Wide>& u, const std::v
 
 Wide length_of(const std::array<Wide, 3>& v) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
-// Largest magnitude of component k of control points, or of their differences in a direction.
+// Returns the largest magnitude of component k of control points, or of their differences in a direction.
 double largest_of(const Patch& patch, int k, int direction) {
   double largest = 0;
   for (int i = 0; i < patch.order[0]; ++i) {
@@ -144,12 +144,12 @@ Oracle exact_normal(const Patch& patch, int i, int j) {
 
 constexpr int kModes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, -1};
 
-// Calls in a rounding mode that a caller may have set.
+// Makes a call in a rounding mode that a caller may have set.
 template <class Call>
 void call_in_mode(int mode, const Call& call) {
 #if defined(__SSE2__)
   const unsigned control = _mm_getcsr();
-  if (mode < 0) _mm_setcsr(control | 0x8040);  // subnormal numbers taken for zero, flushed to zero
+  if (mode < 0) _mm_setcsr(control | 0x8040);  // denormals-are-zero and flush-to-zero
 #endif
   if (mode >= 0) std::fesetround(mode);
   call();
@@ -171,7 +171,7 @@ class NormalBounds : public ::testing::Test {
     return names;
   }
 
-  // A context with the patch and its grid.
+  // Makes a context with the patch and its grid.
   static glev_context* make_context(const Patch& patch, const std::string& target) {
     glev_context_info info = {sizeof info, nullptr, target.c_str()};
     glev_context* gl = nullptr;
@@ -193,7 +193,7 @@ class NormalBounds : public ::testing::Test {
     std::size_t count() const { return columns() * (j2 - j1 + 1); }
   };
 
-  // `output` of the mesh, elements `values` apart.
+  // Evaluates an attribute of the mesh, with elements `values` values apart.
   template <class Real>
   static std::vector<Real> evaluate_mesh(glev_context* gl, const Range& range, glev_attribute attribute,
                                          std::size_t components, std::size_t values,
@@ -222,7 +222,7 @@ class NormalBounds : public ::testing::Test {
     return result;
   }
 
-  // Vertices and normals as records of six floats, `stride` floats apart, against the calls.
+  // Compares vertices and normals as records of six floats, `stride` floats apart, with single calls.
   static void check_records(glev_context* gl, const Range& range, std::size_t stride) {
     const glev_plan_info info = {sizeof info, 2};
     glev_plan* plan = nullptr;
@@ -277,7 +277,8 @@ class NormalBounds : public ::testing::Test {
     return normals;
   }
 
-  // The normals of the calls, which every instruction set must give in meshes, packed or not, in every mode.
+  // Returns the normals of single calls, after a check that meshes have them on every instruction set, packed
+  // or not, in every rounding mode.
   static std::vector<Normal> evaluate_everywhere(const Patch& patch, const Range& range) {
     std::vector<Normal> expected;
     for (const std::string& target : targets()) {
@@ -306,7 +307,7 @@ class NormalBounds : public ::testing::Test {
     return expected;
   }
 
-  // Each `step`-th one against the oracle. Returns the least ratio met.
+  // Compares every `step`-th normal with the oracle. Returns the smallest ratio.
   static double check(const Patch& patch, const Range& range, std::size_t step = 1) {
     const std::vector<Normal> got = evaluate_everywhere(patch, range);
     double least = 1;
@@ -326,7 +327,7 @@ class NormalBounds : public ::testing::Test {
             << "component " << k << " at " << i << ", " << j << ": " << got[at][k] << ", ratio "
             << static_cast<double>(oracle.ratio) << ", orders " << patch.order[0] << " x " << patch.order[1]
             << ", seed " << kSeed;
-        // Zero, as far as can be seen.
+        // The component is zero within the accuracy of the oracle.
         if (abs(oracle.normal[k]) < 0x1p-300) {
           EXPECT_EQ(std::bit_cast<std::uint32_t>(got[at][k]), 0u);
         }
@@ -373,7 +374,7 @@ TEST_F(NormalBounds, OfRandomPatches) {
 TEST_F(NormalBounds, OnGridsThatAreNotTheDomain) {
   for (const int components : {3, 4}) {
     Patch patch = random_patch({4, 5}, components);
-    // Far outside, across the ends, and with arguments that cancellation leaves few digits of.
+    // Arguments far outside, across the ends, and with few digits left after cancellation.
     patch.grid = {{0.2, 0.9, -0.1, 0.6}, {10, 7}};
     check(patch, {-9, 25, -3, 4}, 5);
     patch.grid = {{-3, 7, -1e4, 1e4}, {10, 20000}};
@@ -417,7 +418,7 @@ TEST_F(NormalBounds, FlatPatchesHaveExactZeros) {
         for (int i = 0; i < order[0] * order[1]; ++i) {
           double* const point = &patch.points[i * components];
           const double w = components == 4 ? static_cast<float>(point[3]) : 1;
-          // Regular: a sheet that is moved about a little.
+          // A regular patch: a sheet with small perturbations.
           const int column = i / order[1], row = i % order[1];
           point[0] = w * static_cast<float>(column + 0.2 * point[0]);
           point[1] = w * static_cast<float>(row + 0.2 * point[1]);
@@ -427,7 +428,7 @@ TEST_F(NormalBounds, FlatPatchesHaveExactZeros) {
         patch.grid.segments = {36, 7};
         for (const Normal& normal : evaluate_everywhere(patch, {0, 36, 0, 7}))
           EXPECT_TRUE(same_bits(normal, {0, 0, turned ? -1.0f : 1.0f})) << normal[0] << " " << normal[2];
-        // z = 3 x, to which rounding errors of its own add noise; far outside they are larger.
+        // z = 3 x with rounding errors, which are larger far outside.
         Patch tilted = patch;
         for (int i = 0; i < order[0] * order[1]; ++i)
           tilted.points[i * components + 2] = 3 * tilted.points[i * components];
@@ -448,7 +449,7 @@ TEST_F(NormalBounds, FlatPatchesHaveExactZeros) {
   }
 }
 
-// An octant of a sphere: rational, of order 3 x 3, the pole an edge of one point.
+// An octant of a sphere: rational, of order 3 x 3, with an edge that is one point, the pole.
 TEST_F(NormalBounds, OfAPatchWithACollapsedEdge) {
   const double r = std::sqrt(0.5);
   const double arc[3][3] = {{1, 0, 1}, {r, r, r}, {0, 1, 1}};
@@ -463,12 +464,12 @@ TEST_F(NormalBounds, OfAPatchWithACollapsedEdge) {
   check(patch, {0, 40, 0, 40}, 7);
   for (const Normal& normal : evaluate_everywhere(patch, {0, 40, 40, 40}))
     EXPECT_TRUE(same_bits(normal, {0, 0, 0}));
-  // Close to it.
+  // Arguments close to the pole.
   patch.grid = {{0, 1, 1 - 0x1p-30, 1}, {9, 1}};
   check(patch, {0, 9, 0, 0});
   patch.grid = {{0, 1, 1 - 0x1p-50, 1}, {9, 1}};
   check(patch, {0, 9, 0, 0});
-  // Not rational, one edge a point in both directions.
+  // A polynomial patch with an edge that is one point, in both directions.
   Patch triangle = random_patch({4, 4}, 3);
   for (int j = 0; j < 4; ++j) std::copy_n(triangle.points.begin(), 3, triangle.points.begin() + 3 * j);
   check(triangle, {0, 16, 0, 16}, 5);

@@ -1,4 +1,4 @@
-// AUTO_NORMAL against exact derivatives.
+// Tests AUTO_NORMAL against exact derivatives.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -28,7 +28,7 @@ class Normals : public ContextTest {
               points.data());
     glevEnable(gl, target);
   }
-  // A plane with u along +x and v along +y.
+  // Defines a plane with u along +x and v along +y.
   void define_plane(double size = 1) {
     define({0, 1, 0, 1}, 2, 2, 3, {0, 0, 0, 0, size, 0, size, 0, 0, size, size, 0});
   }
@@ -36,7 +36,7 @@ class Normals : public ContextTest {
     return values_of(one_vertex([&] { glevEvalCoord2d(gl, u, v); }).normal);
   }
 
-  // q_u x q_v, normalised, by the quotient rule; only the length is computed in double.
+  // Returns q_u x q_v, normalised, by the quotient rule; only the length is computed in double.
   std::array<double, 3> exact_normal_at(double u, double v) const {
     const ExactBasis basis_u = exact_basis(domain_[0], domain_[1], n_, u),
                      basis_v = exact_basis(domain_[2], domain_[3], m_, v);
@@ -75,7 +75,7 @@ class Normals : public ContextTest {
     EXPECT_NEAR(std::hypot(got[0], got[1], got[2]), 1, 0x1p-23);
   }
 
-  // A bumpy sheet: the derivatives are nowhere parallel near the domain.
+  // Returns a bumpy sheet, whose derivatives are not parallel anywhere near the domain.
   std::vector<double> sheet(int n, int m, int components, double size = 1) {
     std::uniform_real_distribution<double> noise(-0.3, 0.3), weight(0.5, 2);
     std::vector<double> points;
@@ -164,11 +164,11 @@ TEST_F(Normals, AThinSliverHasOne) {
 }
 
 TEST_F(Normals, OfRationalSurfacesAreThoseOfTheQuotient) {
-  // In the plane, with weights: still (0,0,1), though the homogeneous coordinates are no plane.
+  // A plane with weights has the normal (0,0,1), although its homogeneous coordinates are not a plane.
   define({0, 1, 0, 1}, 2, 2, 4, {0, 0, 5, 1, 0, 2, 10, 2, 3, 0, 15, 3, 4, 4, 20, 4});
   EXPECT_EQ(normal_at(0.3, 0.6), (Floats{0, 0, 1}));
   EXPECT_EQ(normal_at(1, 0), (Floats{0, 0, 1}));
-  // A quarter of a cylinder around z: radial.
+  // A quarter of a cylinder around z has radial normals.
   const double r = std::sqrt(0.5);
   define({0, 1, 0, 1}, 3, 2, 4, {1, 0, 0, 1, 1, 0, 3, 1, r, r, 0, r, r, r, 3 * r, r, 0, 1, 0, 1, 0, 1, 3, 1});
   for (double u : {0.0, 0.2, 0.5, 0.9, 1.0}) {
@@ -177,7 +177,7 @@ TEST_F(Normals, OfRationalSurfacesAreThoseOfTheQuotient) {
     EXPECT_NEAR(v.normal[1], v.position[1] / v.position[3], 2e-7);
     EXPECT_EQ(v.normal[2], 0);
   }
-  // All weights negative: the same surface, the same normal.
+  // With all weights negative, surface and normal are the same.
   define({0, 1, 0, 1}, 2, 2, 4, {0, 0, 0, -1, 0, -1, 0, -1, -1, 0, 0, -1, -1, -1, 0, -1});
   EXPECT_EQ(normal_at(0.3, 0.6), (Floats{0, 0, 1}));
 }
@@ -198,7 +198,7 @@ TEST_F(Normals, OverrideTheNormalMapAndBelongToVertex4) {
   glevEnable(gl, GLEV_MAP2_NORMAL);
   glevNormal3f(gl, 5, 6, 7);
   EXPECT_EQ(normal_at(0.5, 0.5), (Floats{0, 0, 1}));
-  // VERTEX_4 faces along +x
+  // The normal of the VERTEX_4 map is +x.
   define({0, 1, 0, 1}, 2, 2, 4, {0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 0, 1, 0, 1, 1, 1});
   EXPECT_EQ(normal_at(0.5, 0.5), (Floats{1, 0, 0}));
   glevDisable(gl, GLEV_MAP2_VERTEX_4);
@@ -246,23 +246,23 @@ TEST_F(Normals, ChangeNothingElse) {
 
 TEST_F(Normals, AreZeroWhereThereIsNone) {
   const Floats zero = {0, 0, 0};
-  // order 1 in a direction, or both
+  // Order 1 in one direction or in both.
   define({0, 1, 0, 1}, 1, 2, 3, {0, 0, 0, 1, 2, 3});
   EXPECT_EQ(normal_at(0.5, 0.5), zero);
   define({0, 1, 0, 1}, 2, 1, 3, {0, 0, 0, 1, 2, 3});
   EXPECT_EQ(normal_at(0.5, 0.5), zero);
   define({0, 1, 0, 1}, 1, 1, 3, {1, 2, 3});
   EXPECT_EQ(normal_at(0.5, 0.5), zero);
-  // one point everywhere, parallel derivatives
+  // A patch that is one point, and parallel derivatives.
   define({0, 1, 0, 1}, 2, 2, 3, {1, 2, 3, 1, 2, 3, 1, 2, 3, 1, 2, 3});
   EXPECT_EQ(normal_at(0.5, 0.5), zero);
   define({0, 1, 0, 1}, 2, 2, 3, {0, 0, 0, 1, 1, 1, 1, 1, 1, 2, 2, 2});
   EXPECT_EQ(normal_at(0.5, 0.5), zero);
-  // an edge that is one point: there, and only there
+  // An edge that is one point: the normal is zero only there.
   define({0, 1, 0, 1}, 2, 2, 3, {0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0});
   EXPECT_EQ(normal_at(0, 0.5), zero);
   EXPECT_EQ(normal_at(0x1p-30, 0.5), (Floats{0, 0, 1}));
-  // derivatives that overflow
+  // Derivatives that overflow.
   constexpr double kMost = std::numeric_limits<double>::max();
   define({0, 1, 0, 1}, 2, 2, 3, {kMost, 0, 0, -kMost, 1, 0, -kMost, 0, 1, kMost, 1, 1});
   EXPECT_EQ(normal_at(0, 0), zero);

@@ -1,4 +1,4 @@
-// Values against exact rational arithmetic.
+// Tests values against exact rational arithmetic.
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -26,7 +26,8 @@ class Numerics : public ContextTest {
     return one_vertex([&] { glevEvalCoord1d(gl, u); }).texcoord[0][0];
   }
 
-  // The documented bound: (13n + 4) * 2^-53 of the sum of absolute terms, and one rounding to float.
+  // Expects a value within the documented bound, (13n + 4) * 2^-53 of the sum of absolute terms, and one
+  // rounding to float.
   void expect_within_bound(double u) {
     const ExactPoint exact = exact_bezier(u1_, u2_, points_, u);
     const float got = evaluate_at(u);
@@ -79,7 +80,7 @@ TEST_F(Numerics, CancellationStaysWithinTheBound) {
 }
 
 TEST_F(Numerics, AnArgumentNextToAnEnd) {
-  // t/s up to 2^53 there: its 63rd power would overflow, and so would that of 2^149 for the smallest floats.
+  // t/s is up to 2^53, and its 63rd power would overflow; so would that of 2^149 for the smallest floats.
   std::uniform_real_distribution<double> value(-1, 1);
   for (int order : {2, 5, 22, 64}) {
     std::vector<double> points(order);
@@ -93,12 +94,12 @@ TEST_F(Numerics, TheEndsGiveTheEndPoints) {
   for (int order : {2, 3, 4, 17, 64}) {
     for (auto [u1, u2] : {std::pair{0.0, 1.0}, {0.1, 0.7}, {5.0, -2.0}, {1e9, 1e9 + 1}}) {
       for (float end : {0.1f, -0.0f, 0x1p-149f, 4.2e9f}) {
-        // The points between have no influence, whatever they are.
+        // The other control points must not affect the result.
         std::vector<double> points(order, order > 2 ? kNaN : 0.0);
         points.front() = end;
         points.back() = -end;
         define(u1, u2, points);
-        // 0 is +0 wherever it is the value of a map.
+        // A zero result is +0.
         const float plus = end + 0.0f, first = evaluate_at(u1), last = evaluate_at(u2), minus = -end + 0.0f;
         EXPECT_EQ(std::memcmp(&first, &plus, sizeof plus), 0) << first << " for " << end;
         EXPECT_EQ(std::memcmp(&last, &minus, sizeof end), 0) << last << " for " << minus;
@@ -130,7 +131,7 @@ TEST_F(Numerics, LargeAndSmallDataOfTheGLRange) {
 }
 
 TEST_F(Numerics, PowersOverflowOnlyIfTheResultDoes) {
-  // t^63 is 2^1134 alone, but 2^114 times the control point.
+  // t^63 is 2^1134, and its product with the control point is 2^114.
   std::vector<double> points(64);
   points.back() = 0x1p-1020;
   define(0, 1, points);
@@ -139,7 +140,8 @@ TEST_F(Numerics, PowersOverflowOnlyIfTheResultDoes) {
 }
 
 TEST_F(Numerics, NearlyAllResultsAreCorrectlyRounded) {
-  // Well-conditioned data: an evaluation in float would miss about half of them, double misses next to none.
+  // For well-conditioned data, evaluation in float would round about half of the results incorrectly, and
+  // evaluation in double almost none.
   std::uniform_real_distribution<double> value(-1, 1), inside(0, 1);
   int misrounded = 0;
   for (int curve = 0; curve < 25; ++curve) {

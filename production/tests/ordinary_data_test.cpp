@@ -1,5 +1,5 @@
-// Data as programs have them, in which ties, lower degrees and zeros are the rule, and the ends of float's
-// range: the right bits by EvalCoord, EvalPoint, batches and meshes.
+// Tests that results of EvalCoord, EvalPoint, batches and meshes are correctly rounded for typical data of
+// programs, in which ties, lower degrees and zeros are frequent, and at the ends of the range of float.
 #include <cmath>
 #include <limits>
 
@@ -15,8 +15,8 @@ class OrdinaryData : public ContextTest {
  protected:
   static constexpr int kSegments = 24;
 
-  // A curve of one component, and the same points as surfaces that are constant in the other direction;
-  // expected is the nearest of the exact value.
+  // Expects correctly rounded results of a curve of one component, and of the same points as surfaces that
+  // are constant in the other direction.
   void expect_nearest_curve(const std::vector<float>& points) {
     const int order = static_cast<int>(points.size());
     std::vector<float> twice;
@@ -31,7 +31,8 @@ class OrdinaryData : public ContextTest {
     expect([&](const GridArgument& u, const GridArgument&) { return nearest(u); });
   }
 
-  // A surface of one component, v fastest, and its edge at v = 0 as a curve.
+  // Expects correctly rounded results of a surface of one component, v fastest, and of its edge at v = 0 as a
+  // curve.
   void expect_nearest_surface(const std::vector<float>& points, int n, int m) {
     glevMap1f(gl, GLEV_MAP1_TEXTURE_COORD_1, 0, 1, m, n, points.data());
     glevMap2f(gl, GLEV_MAP2_TEXTURE_COORD_1, 0, 1, m, n, 0, 1, 1, m, points.data());
@@ -53,7 +54,7 @@ class OrdinaryData : public ContextTest {
 
   static std::uint32_t bits_of_float(float x) { return std::bit_cast<std::uint32_t>(x); }
 
-  // In all deliveries. At v = 0 the curve is the surface's edge.
+  // Checks all deliveries. The curve is the edge of the surface at v = 0.
   template <class Right>
   void expect(const Right& right) {
     const Plan curve(gl, 1), surface(gl, 2);
@@ -103,15 +104,15 @@ TEST_F(OrdinaryData, LinesGivenAsCurvesOfHigherDegree) {
 }
 
 TEST_F(OrdinaryData, QuadraticsGivenAsCubics) {
-  // elevated: R_0, (R_0 + 2 R_1) / 3, (2 R_1 + R_2) / 3, R_2
+  // Degree-elevated quadratics: R_0, (R_0 + 2 R_1) / 3, (2 R_1 + R_2) / 3, R_2.
   for (auto [a, b, c] : {std::array{0.0F, 3.0F, 0.0F}, {3.0F, 6.0F, -9.0F}, {1.0F, -0.5F, 4.0F}})
     expect_nearest_curve({a, (a + 2 * b) / 3, (2 * b + c) / 3, c});
   expect_nearest_curve({0, 0, 1, 3});  // of 3 t^2
   expect_nearest_curve({0, 0, 0, 1, 4, 10});
 }
 
-// Symmetric and antisymmetric nets of short decimals and dyadic numbers, drawn with few segments, on every
-// instruction set: zeros and ties by the row.
+// Evaluates symmetric and antisymmetric nets of short decimals and dyadic numbers with few segments, on every
+// instruction set. Whole rows are zeros or ties.
 TEST_F(OrdinaryData, BicubicModelsOnDyadicGrids) {
   constexpr std::size_t kComponents = 3;
   Chance chance;
@@ -186,7 +187,7 @@ TEST_F(OrdinaryData, BicubicPatchesThatAreBilinear) {
   }
 }
 
-// V = 0 gives +0, whatever the signs on the way.
+// V = 0 gives +0, independently of the signs of terms.
 TEST_F(OrdinaryData, ZerosArePositive) {
   expect_nearest_curve({-0.0F, -0.0F, -0.0F, -0.0F});
   expect_nearest_curve({-0.0F});

@@ -1,5 +1,5 @@
-// Everything that glevEvaluatePatches, glevGetPatchScratchSize and glevCreatePlanFromMap reject, one field at
-// a time: the right answer, and nothing written.
+// Tests that glevEvaluatePatches, glevGetPatchScratchSize and glevCreatePlanFromMap reject each invalid
+// member with the right result, without writing anything.
 #include <climits>
 #include <functional>
 
@@ -13,7 +13,7 @@ constexpr glev_result kRejected = GLEV_ERROR_INVALID_ARGUMENT, kShort = GLEV_ERR
 
 constexpr std::size_t kPatches = 3;
 
-// Calls that would do, of each kind of grid, for tests to spoil.
+// Valid calls with each kind of grid, which tests make invalid.
 class PatchMisuse : public ::testing::Test {
  protected:
   static constexpr std::size_t kOrder = 3, kPoints = 4;
@@ -84,7 +84,7 @@ class PatchMisuse : public ::testing::Test {
     for (glev_grid_kind kind : {GLEV_GRID_UNIFORM, GLEV_GRID_LISTS, GLEV_GRID_SCATTERED})
       expect(expected, kind, what, change);
   }
-  // Because of the patches or the grid: there is no scratch size either.
+  // Expects a rejection because of the patches or the grid, for which the scratch size is 0, too.
   void expect_none(glev_grid_kind kind, const char* what, const Change& change) {
     expect(kRejected, kind, what, change);
     Memory memory(2048), scratch(1 << 16);
@@ -153,7 +153,7 @@ TEST_F(PatchMisuse, OfControlPoints) {
       call.patches.*member = 1;
     });
   }
-  // Bytes that are needed, exactly.
+  // The sizes are exactly those that are needed.
   expect_all(GLEV_SUCCESS, "exactly", [](Call& call) {
     call.patches.u_stride = 4, call.patches.v_stride = 20, call.patches.patch_stride = 8;
     call.patches.points_size = 2 * 8 + 2 * 4 + 2 * 20 + 12;
@@ -201,7 +201,7 @@ TEST_F(PatchMisuse, OfGrids) {
     expect(kShort, kind, "one more", [](Call& call) { ++call.grid.u_count; });
     expect(kShort, kind, "all", [](Call& call) { call.grid.u_count = SIZE_MAX; });
     expect(kRejected, kind, "none of v", [](Call& call) { call.grid.v = {}; });
-    // No v is needed for curves.
+    // Curves do not need v.
     expect(GLEV_SUCCESS, kind, "a curve", [](Call& call) {
       call.patches.vorder = 1;
       call.grid.v = {};
@@ -311,7 +311,7 @@ TEST_F(PatchMisuse, OverlapIsFound) {
   expect(GLEV_ERROR_OVERLAP, GLEV_GRID_SCATTERED, "v", [&](Call& call) { put(call, call.grid.v.data); });
   expect(GLEV_ERROR_OVERLAP, GLEV_GRID_SCATTERED, "numbers",
          [&](Call& call) { put(call, call.grid.patch.data); });
-  // The tangents of a patch may lie behind its vertices, but not one byte earlier.
+  // The tangents of a patch may follow its vertices directly, but must not begin one byte earlier.
   for (glev_grid_kind kind : {GLEV_GRID_UNIFORM, GLEV_GRID_LISTS}) {
     for (std::size_t early : {0, 1}) {
       expect(early == 0 ? GLEV_SUCCESS : GLEV_ERROR_OVERLAP, kind, "patches in turns", [&](Call& call) {

@@ -1,4 +1,5 @@
-// glevEvaluatePatches: the bits of the GL-named calls and of batches, in memory between guard pages.
+// Tests that glevEvaluatePatches has the bits of the GL-named calls and of batches, in memory between guard
+// pages.
 #include <cfenv>
 #include <cmath>
 
@@ -11,7 +12,7 @@ namespace {
 
 using Side = Guarded::Side;
 
-// An array of patches with a random layout, in memory of which nothing else may be read.
+// An array of patches with a random layout, in memory of exactly the required size.
 struct Net {
   std::array<int, 2> order = {4, 4};
   int components = 3;
@@ -116,13 +117,13 @@ Net choose_net(Chance& chance, int most_order, Data data) {
   return net;
 }
 
-// The map of one patch in a context; of curves a MAP1 map if as_curve is set.
+// The map of one patch in a context. With as_curve, it is a MAP1 map.
 class OneMap {
  public:
   OneMap(const Net& net, std::size_t p, bool normals, const char* target, bool as_curve = false) {
     const glev_context_info info = {sizeof info, nullptr, target};
     EXPECT_EQ(glevCreateContext(&info, &gl_), GLEV_SUCCESS);
-    // Points of one or two components get zeros behind them, which change nothing.
+    // Points of one or two components are padded with zeros, which do not affect the others.
     const int components = std::max(net.components, 3);
     std::vector<double> points;
     const double* from = net.values.data() + p * net.values_of_patch();
@@ -165,12 +166,12 @@ class OneMap {
   std::array<double, 4> domain_;
 };
 
-// The points of a call, by patches, rows and columns.
+// The points of a call.
 struct Points {
   glev_grid_kind kind = GLEV_GRID_UNIFORM;
   glev_precision precision = GLEV_CORRECTLY_ROUNDED;
   int u_segments = 7, v_segments = 7;
-  std::vector<double> u, v;  // of LISTS, and of SCATTERED
+  std::vector<double> u, v;  // arguments of LISTS and SCATTERED
   std::vector<glev_uint> patch;
   bool is_double = true;
   const char* target = nullptr;
@@ -228,7 +229,7 @@ class Patches : public ::testing::Test {
     return elements;
   }
 
-  // The bytes that the outputs must have.
+  // Expects the right bytes of an output.
   template <class Real>
   static void expect_bytes(const Net& net, const Points& points, const Wanted& wanted,
                            std::vector<unsigned char>& bytes) {
@@ -327,7 +328,7 @@ class Patches : public ::testing::Test {
                              << (points.target == nullptr ? "best" : points.target);
   }
 
-  // Outputs side by side or interleaved, with gaps, and the bytes that they need.
+  // Chooses the layout of outputs: consecutive or interleaved, with gaps. Returns the number of bytes.
   std::size_t lay_out(const Net& net, const Points& points, std::vector<Wanted>& wanted) {
     const auto gap = [&] { return static_cast<std::size_t>(chance_.one_of({0, 0, 1, 4, 7})); };
     const bool has_rows = !points.is_scattered(), interleaved = chance_.whole(0, 1) == 1,
@@ -448,7 +449,7 @@ TEST_F(Patches, ScatteredPointsHaveTheBitsOfBatches) {
   }
 }
 
-// Positions of EvalPoint2 and normals of the current vertex.
+// Compares with the positions and normals of EvalPoint2.
 TEST_F(Patches, HaveTheBitsOfEvalPoint2) {
   for (int k = 0; k < 60; ++k) {
     Net net = choose_net(chance_, 4, chance_.one_of(kAllData));
@@ -492,7 +493,7 @@ TEST_F(Patches, HaveTheBitsOfEvalPoint2) {
   }
 }
 
-// Against the oracle in integers.
+// Compares with the oracle in integers.
 TEST_F(Patches, VerticesAreCorrectlyRounded) {
   for (int k = 0; k < 60; ++k) {
     Net net = choose_net(chance_, 4, chance_.one_of(kAllData));
@@ -536,7 +537,7 @@ TEST_F(Patches, VerticesAreCorrectlyRounded) {
   }
 }
 
-// Components of NaN, infinities, subnormal and huge numbers do not disturb their neighbours.
+// NaN, infinities, subnormal and huge numbers in a component do not affect other components.
 TEST_F(Patches, ExtremeComponentsHaveNoInfluenceOnOthers) {
   for (int k = 0; k < 100; ++k) {
     Net net = choose_net(chance_, 4, Data::kRandom);
@@ -571,7 +572,7 @@ TEST_F(Patches, ExtremeComponentsHaveNoInfluenceOnOthers) {
   }
 }
 
-// Each edge in turn is a single point: normals there are those of arguments next to it.
+// Makes each edge a single point in turn, and compares its normals with those of arguments next to the edge.
 TEST_F(Patches, LimitNormalsAreThoseNextToTheEdge) {
   for (int k = 0; k < 200; ++k) {
     Net net;
@@ -597,7 +598,7 @@ TEST_F(Patches, LimitNormalsAreThoseNextToTheEdge) {
     net.write(points.data());
     const glev_patches patches = net.describe(points.data());
     const auto [u1, u2, v1, v2] = net.domain;
-    // Five points along the edge, and as many next to it.
+    // Five points on the edge, or next to it.
     const auto normals_at = [&](double off, bool limits, bool are_doubles) {
       std::vector<double> u, v, results(15);
       for (int i = 0; i <= 4; ++i) {
@@ -641,7 +642,7 @@ TEST_F(Patches, LimitNormalsAreThoseNextToTheEdge) {
     for (std::size_t e = 0; e < 15; ++e)
       ASSERT_NEAR(limits[e], inside[e], 2e-5)
           << "case " << k << ", value " << e << ", direction " << direction;
-    // The grids have the same ones.
+    // Uniform grids and lists have the same normals.
     for (glev_grid_kind kind : {GLEV_GRID_UNIFORM, GLEV_GRID_LISTS}) {
       glev_patch_grid grid{};
       grid.size = sizeof grid;
@@ -674,7 +675,7 @@ TEST_F(Patches, LimitNormalsAreThoseNextToTheEdge) {
   }
 }
 
-// All control points equal, or a limit of higher order.
+// All control points are equal, or the limit needs derivatives of higher order.
 TEST_F(Patches, LimitNormalsThatAreNotDeterminedAreZero) {
   for (double z : {0.0, 1.0}) {
     Net net;

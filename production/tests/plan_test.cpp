@@ -1,4 +1,4 @@
-// Plans: snapshots, references, threads, memory.
+// Tests plans: snapshots, references, threads, memory.
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -85,14 +85,14 @@ TEST_F(PlanTest, IsSharedUntilTheStateChanges) {
   glev_plan* first = create();
   glev_plan* second = create();
   EXPECT_EQ(first, second);
-  glevColor3f(gl, 0, 0, 0);            // not the plan's business
+  glevColor3f(gl, 0, 0, 0);            // plans do not depend on current values
   glevEnable(gl, GLEV_MAP1_VERTEX_3);  // no change
   glev_plan* third = create();
   EXPECT_EQ(first, third);
   glevEnable(gl, GLEV_MAP1_COLOR_4);
   glev_plan* fourth = create();
   EXPECT_NE(first, fourth);
-  glevMapGrid2f(gl, 3, 0, 1, 3, 0, 1);  // the other dimension's
+  glevMapGrid2f(gl, 3, 0, 1, 3, 0, 1);  // of the other dimension
   glevEnable(gl, GLEV_MAP2_VERTEX_3);
   glevEnable(gl, GLEV_AUTO_NORMAL);
   glev_plan* fifth = create();
@@ -158,7 +158,7 @@ TEST_F(PlanTest, ManyThreadsEvaluateOnePlan) {
     });
   }
   glevReleasePlan(plan);
-  glevDestroyContext(gl);  // the threads hold the plan
+  glevDestroyContext(gl);  // the threads still have references to the plan
   gl = nullptr;
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(wrong, 0);

@@ -1,5 +1,5 @@
-// Statements at glev_precision and glev_output: the bounds of FAST and of double results, against exact
-// rationals.
+// Tests the bounds of FAST and of double results, as documented at glev_precision and glev_output, against
+// exact rationals.
 #include <cmath>
 #include <limits>
 
@@ -47,7 +47,7 @@ class Precision : public ContextTest {
     glevEnable(gl, GLEV_MAP2_TEXTURE_COORD_1);
   }
 
-  // The largest error of the mesh in units of the bound of FAST.
+  // Returns the largest error of the mesh in units of the bound of FAST.
   double worst_of_fast(const GivenNet& net, const Grid& u, const Grid& v, const Range& range) {
     define(net);
     glevMapGrid2d(gl, u.segments, u.u1, u.u2, v.segments, v.u1, v.u2);
@@ -67,7 +67,7 @@ class Precision : public ContextTest {
     return worst;
   }
 
-  // Errors of double results within the bounds stated?
+  // Expects that the error of a double result is within the documented bound.
   void expect_double(const GivenNet& net, const GridArgument& u, const GridArgument& v, double got) {
     const ExactPoint exact = net.exact_at(u, v);
     const Rational error = abs(to_rational(got) - exact.value);
@@ -108,22 +108,22 @@ TEST_F(Precision, FastMeshesKeepTheirBound) {
   for (int k = 0; k < 120; ++k) {
     const Domain domain = chance_.one_of({Domain{0, 1}, Domain{1, 0}, Domain{-0.3, 0.9}});
     GivenNet net = choose_net(k < 100 ? 6 : 30, {domain, Domain{0, 1}});
-    // what cancels most, and magnitudes at both ends of what is claimed
+    // Data with maximal cancellation, and magnitudes at both ends of the documented range.
     for (std::size_t i = 0; i < net.points.size(); ++i) {
       if (k % 4 == 1) net.points[i] = i % 2 == 0 ? 1 : -1;
       if (k % 4 == 2) net.points[i] = std::ldexp(net.points[i] / 4, chance_.one_of({80, 79, 20}));
       if (k % 4 == 3) net.points[i] = std::ldexp(1, -80);
     }
     const Grid u = chance_.whole(0, 1) == 1 ? Grid{domain.u1, domain.u2, 23} : Grid{0.01, 0.87, 23};
-    // So many segments that a mesh of low degree is not correctly rounded for being small.
+    // Meshes of low degree with fewer segments would be correctly rounded.
     const int first = chance_.one_of({0, 300, 995});
     worst = std::max(worst, worst_of_fast(net, u, {0, 1, 1000}, {0, 23, first, first + 5}));
   }
   EXPECT_LE(worst, 1);
-  EXPECT_GT(worst, 0.01);  // it is not correctly rounded
+  EXPECT_GT(worst, 0.01);  // the mesh is not correctly rounded
 }
 
-// Results for which the bound would not hold are correctly rounded.
+// If the bound would not hold, results are correctly rounded.
 TEST_F(Precision, FastIsCorrectlyRoundedOutsideTheDomainAndForExtremeMaps) {
   const auto expect_rounded = [&](const GivenNet& net, const Grid& u, const Grid& v, const Range& range) {
     define(net);
@@ -153,7 +153,7 @@ TEST_F(Precision, FastIsCorrectlyRoundedOutsideTheDomainAndForExtremeMaps) {
   }
 }
 
-// An argument outside the domain is outside in a direction of order 1 as well.
+// Arguments outside the domain count in a direction of order 1, too.
 TEST_F(Precision, FastIsCorrectlyRoundedOutsideTheDomainOfOrderOne) {
   for (int k = 0; k < 60; ++k) {
     const int across = k % 2;  // the direction of order 1
@@ -171,7 +171,7 @@ TEST_F(Precision, FastIsCorrectlyRoundedOutsideTheDomainOfOrderOne) {
   }
 }
 
-// Domains and grids near the largest double.
+// Tests domains and grids near the largest double.
 TEST_F(Precision, FastKeepsItsBoundInHugeDomains) {
   for (const double size : {0x1p899, 0x1p901, 1e300, 0x1p1000, 0x1p1022}) {
     for (int k = 0; k < 8; ++k) {
@@ -188,8 +188,8 @@ TEST_F(Precision, FastZeroMapsAreZero) {
   EXPECT_EQ(worst_of_fast({{4, 4}, {}, std::vector<double>(16)}, {0, 1, 9}, {0, 1, 9}, {0, 9, 0, 9}), 0);
 }
 
-// Meshes of three components that lie one behind the other go another way. More columns and rows than it
-// takes at once, whole vectors or not, on every instruction set.
+// Packed meshes of three components have their own code path. The meshes have more columns and rows than it
+// processes at once, with and without partial vectors, on every instruction set.
 TEST(FastMeshes, AreTheSamePackedAndApart) {
   constexpr std::size_t kApart = 5;
   Chance chance;
@@ -225,7 +225,7 @@ TEST(FastMeshes, AreTheSamePackedAndApart) {
   }
 }
 
-// Neighbours that share a corner have no crack there.
+// Patches that share a corner have no crack there.
 TEST(FastMeshes, GoThroughTheirCorners) {
   Chance chance;
   for (std::size_t t = 0; const char* target = glevGetTargetName(t); ++t) {
@@ -299,7 +299,7 @@ TEST_F(Precision, DoubleResultsOfMeshesKeepTheirBound) {
   }
 }
 
-// Floats on grids that span the domain, and scattered arguments of curves, go another way.
+// Float maps on grids that span the domain, and scattered arguments of curves, have their own code path.
 TEST_F(Precision, DoubleResultsOfFloatMapsKeepTheirBound) {
   for (int k = 0; k < 120; ++k) {
     const Domain domain = chance_.one_of({Domain{0, 1}, Domain{1, 0}, Domain{-1, 1}, Domain{0.1, 0.7}});
@@ -360,7 +360,7 @@ TEST(DoubleResults, AreTheSameOnEveryInstructionSet) {
   }
 }
 
-// Up to where the bound is stated.
+// Tests magnitudes up to the limits of the documented bound, and beyond.
 TEST_F(Precision, DoubleResultsOfLargeAndSmallMagnitudesKeepTheirBound) {
   for (double scale : {0x1p299, 0x1p-299, 0x1p350, 0x1p-350, 0x1p398, 0x1p-400}) {
     for (bool is_domain : {false, true}) {

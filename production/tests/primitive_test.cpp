@@ -1,4 +1,4 @@
-// Begin, Vertex, End, and the sink.
+// Tests Begin, Vertex, End, and the sink.
 #include <cstring>
 
 #include "fixture.h"
@@ -147,7 +147,7 @@ TEST_F(PrimitiveTest, SizesOfStructures) {
   EXPECT_EQ(glevSetSink(gl, &smaller), GLEV_ERROR_INVALID_ARGUMENT);
   smaller.size = 0;
   EXPECT_EQ(glevSetSink(gl, &smaller), GLEV_ERROR_INVALID_ARGUMENT);
-  one_vertex([&] { glevVertex3f(gl, 1, 2, 3); });  // the sink set before still works
+  one_vertex([&] { glevVertex3f(gl, 1, 2, 3); });  // the previous sink is still set
 }
 
 TEST_F(PrimitiveTest, CallbacksMayCallWhatIsLegalThere) {

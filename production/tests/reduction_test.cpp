@@ -1,4 +1,4 @@
-// Degree reduction against differences in rational arithmetic.
+// Tests degree reduction against differences in rational arithmetic.
 #include "src/reduction.h"
 
 #include <cfenv>
@@ -23,7 +23,7 @@ struct Net {
   std::vector<double> points;  // v fastest
 };
 
-// Compares zeros by sign as well.
+// Returns true if all numbers are equal, including the signs of zeros.
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() &&
          (a.empty() || std::memcmp(a.data(), b.data(), sizeof(double) * a.size()) == 0);
@@ -46,7 +46,7 @@ Rational choose(int n, int k) {
   return result;
 }
 
-// The k-th forward differences at the first point.
+// Returns the forward differences of all orders at the first point.
 Line forward_differences(Line points) {
   Line differences;
   while (!points.empty()) {
@@ -64,7 +64,7 @@ int degree_of(const Line& points) {
   return degree;
 }
 
-// The control points at another degree, not below that of the curve.
+// Returns the control points of the curve at a degree that is not lower.
 Line elevate_to_degree(const Line& points, int degree) {
   const int n = static_cast<int>(points.size()) - 1;
   const Line differences = forward_differences(points);
@@ -96,7 +96,7 @@ std::vector<Line> lines_of(const Net& net, int direction) {
   return lines;
 }
 
-// The lowest order in one direction.
+// Returns the lowest order in one direction.
 int lowest_order(const Net& net, int direction) {
   const std::vector<Line> lines = lines_of(net, direction);
   int lowest = 0;
@@ -111,13 +111,13 @@ int lowest_order(const Net& net, int direction) {
   }
 }
 
-// That both nets are the same polynomial and neither direction of the second can go down alone.
+// Expects that the reduced net is the same polynomial and cannot be reduced further in either direction.
 void expect_reduced(const Net& net) {
   const Net reduced = reduce_net(net);
   ASSERT_LE(reduced.order[0], net.order[0]);
   ASSERT_LE(reduced.order[1], net.order[1]);
   for (int direction : {0, 1}) EXPECT_EQ(reduced.order[direction], lowest_order(reduced, direction));
-  // Elevated again, v first.
+  // Elevates the reduced net again, v first.
   const std::vector<Line> rows = lines_of(reduced, 1);
   std::vector<Line> wide;
   for (const Line& row : rows) wide.push_back(elevate_to_degree(row, net.order[1] - 1));
@@ -142,8 +142,8 @@ class Reduction : public ::testing::Test {
  protected:
   int integer_below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
 
-  // Control points of these orders, integers times a power of two, of a polynomial of these degrees or lower
-  // ones.
+  // Returns a net of these orders, with integers times a power of two, of a polynomial of at most these
+  // degrees.
   Net elevated(const Orders& order, const Orders& degree, int exponent) {
     std::vector<int> differences((degree[0] + 1) * (degree[1] + 1));
     for (int& difference : differences) difference = integer_below(19) - 9;
@@ -166,7 +166,7 @@ class Reduction : public ::testing::Test {
 };
 
 TEST_F(Reduction, ALineOfOrderTen) {
-  // At degree 7 its points are no doubles.
+  // At degree 7, the control points are not doubles.
   Net line = {{10, 1}, {}};
   for (int i = 0; i < 10; ++i) line.points.push_back(i);
   const Net reduced = reduce_net(line);
@@ -206,7 +206,7 @@ TEST_F(Reduction, OneBitIsEnoughToKeepTheOrder) {
     Net net = elevated({order, 1}, {integer_below(std::min(order - 1, 5)), 0}, 0);
     double& point = net.points[integer_below(order)];
     point = std::nextafter(point, integer_below(2) == 0 ? kHuge : -kHuge);
-    if (point != 0 && std::fabs(point) < 0x1p-300) continue;  // too wide to see, so kept anyway
+    if (point != 0 && std::fabs(point) < 0x1p-300) continue;  // the range is too wide for a reduction
     expect_unchanged(net);
   }
 }
@@ -218,7 +218,7 @@ TEST_F(Reduction, Surfaces) {
     const Orders degree = {integer_below(std::min(order[0], 4)), integer_below(std::min(order[1], 4))};
     Net net = elevated(order, degree, 0);
     expect_reduced(net);
-    // One row or column that is of another degree than the rest keeps all of them.
+    // A single row or column of a higher degree prevents the reduction of all.
     if (order[0] < 3 || order[1] < 3) continue;
     net.points[integer_below(order[0] * order[1])] += 1;
     expect_unchanged(net);
@@ -227,20 +227,20 @@ TEST_F(Reduction, Surfaces) {
 }
 
 TEST_F(Reduction, RowsMayBeFarApart) {
-  // Each row is constant, the widest floats one below the other.
+  // Each row is constant; the rows have the whole range of float.
   Net net = {{3, 4}, {}};
   for (double value : {0x1p-149, 0x1.fffffep127, -0x1p-140}) net.points.insert(net.points.end(), 4, value);
   const Net reduced = reduce_net(net);
   EXPECT_EQ(reduced.order, (Orders{3, 1}));
   EXPECT_EQ(reduced.points, (std::vector<double>{0x1p-149, 0x1.fffffep127, -0x1p-140}));
-  // The whole range of float in a row, cubic by its points and quadratic by its polynomial.
+  // A row has the whole range of float; it has order 4, and its polynomial is quadratic.
   expect_reduced({{4, 1}, {0x1p-149, 0x1p-149, 0x1p-149, 0x1.8p127}});
   expect_reduced({{4, 1}, {0, 0, 0x1p127, 3 * 0x1p127}});
 }
 
 TEST_F(Reduction, RowsAgreeOnADegree) {
-  // Two curves of degree 4, by their differences at degree 11: the first has doubles at 4, the second at 5,
-  // where the first has none; both have only at 11.
+  // Two curves of degree 4, given by their differences at degree 11. The control points of the first are
+  // doubles at degree 4 and not at 5, those of the second at 5; those of both only at 11.
   Net net = {{2, 12}, {}};
   for (const std::array<int, 5>& differences : {std::array{0, -1, -3, -1, -2}, std::array{0, 0, 1, 0, -1}}) {
     for (int j = 0; j < 12; ++j) {
@@ -262,14 +262,14 @@ TEST_F(Reduction, WhatIsTooWideStays) {
   // 0 modulo any 448 bits.
   expect_unchanged({{3, 1}, {0x1p-599, 0x1p-600, 1}});
   expect_unchanged({{3, 1}, {-0x1p1000, 0x1p-1000, 0x1p1000}});
-  // Not a line only by 2^-1074: the bits that decide are far apart.
+  // The curve differs from a line only by 2^-1074: the relevant bits are far apart.
   expect_unchanged({{3, 1}, {-1, kTiny, 1}});
   expect_reduced({{3, 1}, {-kHuge, 0, kHuge}});
   expect_reduced({{3, 1}, {-kTiny, 0, kTiny}});
 }
 
 TEST_F(Reduction, PointsThatAreNoDoublesAtTheTrueDegree) {
-  // Thirds, and too many bits: cubics of order 5 and 6.
+  // Cubics of order 5 and 6, whose control points need thirds or too many bits.
   int kept = 0;
   for (int i = 0; i < 200; ++i) {
     const Net net = elevated({5 + i % 3, 1}, {3, 0}, 0);

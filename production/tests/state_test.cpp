@@ -1,4 +1,4 @@
-// Initial state, enables, queries, current values.
+// Tests the initial state, enables, queries and current values.
 #include <climits>
 #include <cmath>
 #include <cstring>
@@ -12,7 +12,7 @@ namespace {
 
 class States : public ContextTest {};
 
-// The answer of each form of Get, with a guard behind it.
+// The answers of each form of Get, followed by guard values.
 struct Answers {
   std::vector<int> integers;
   std::vector<double> doubles;
@@ -183,7 +183,7 @@ TEST_F(States, GetErrorBetweenBeginAndEndAnswersZeroAndIsItselfAnError) {
   EXPECT_EQ(glevGetError(gl), 0u);
   glevEnd(gl);
   expect_error(GLEV_INVALID_OPERATION);
-  // an earlier error stays first
+  // An earlier error is returned first.
   glevEnable(gl, 0);
   glevBegin(gl, GLEV_POINTS);
   EXPECT_EQ(glevGetError(gl), 0u);

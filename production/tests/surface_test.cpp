@@ -1,4 +1,4 @@
-// EvalCoord2: what it evaluates and emits, and how exactly.
+// Tests EvalCoord2: the maps that it evaluates, its vertices, and their accuracy.
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -13,7 +13,7 @@ namespace {
 
 class Surfaces : public ContextTest {
  protected:
-  // Bilinear: a corner for each end of u and v, all components the same.
+  // Defines a bilinear map with these corners and equal components.
   void bilinear(glev_enum target, float r00, float r01, float r10, float r11) {
     std::vector<float> points;
     for (float corner : {r00, r01, r10, r11}) points.insert(points.end(), 4, corner);
@@ -196,7 +196,7 @@ class SurfaceNumerics : public Surfaces {
   }
   float evaluate_texcoord(double u, double v) { return evaluate_at(u, v).texcoord[0][0]; }
 
-  // The documented bound, and one rounding to float.
+  // Expects a value within the documented bound and one rounding to float.
   void expect_within_bound(double u, double v) {
     const ExactPoint exact = tensor(exact_basis(domain_[0], domain_[1], n_, u).values,
                                     exact_basis(domain_[2], domain_[3], m_, v).values, points_);
@@ -294,7 +294,7 @@ TEST_F(SurfaceNumerics, CornersGiveTheirControlPoints) {
   for (auto [n, m] : {std::pair{2, 2}, {3, 3}, {4, 2}, {3, 17}, {64, 64}, {5, 64}}) {
     for (const auto& domain : {std::array{0.0, 1.0, 0.0, 1.0}, {0.1, 0.7, 5.0, -2.0}, {1e9, 1e9 + 1, 3, 2}}) {
       for (float corner : {0.1f, -0.0f, 0x1p-149f, 4.2e9f}) {
-        // The points between have no influence, whatever they are.
+        // The other control points must not affect the result.
         std::vector<double> points(static_cast<std::size_t>(n) * m, kNaN);
         const float corners[] = {corner, -corner, corner + 1, 2 * corner};
         points[0] = corners[0];
@@ -303,7 +303,7 @@ TEST_F(SurfaceNumerics, CornersGiveTheirControlPoints) {
         points[n * m - 1] = corners[3];
         define(domain, n, m, points);
         for (int k = 0; k < 4; ++k) {
-          // 0 is +0 wherever it is the value of a map.
+          // A zero result is +0.
           const float got = evaluate_texcoord(domain[k / 2], domain[2 + k % 2]), expected = corners[k] + 0.0f;
           EXPECT_EQ(std::memcmp(&got, &expected, sizeof got), 0) << k << ": " << got << " " << expected;
         }
@@ -318,7 +318,7 @@ TEST_F(SurfaceNumerics, OrderOneIsConstantInItsDirection) {
   for (double u : anywhere) {
     for (double v : anywhere) EXPECT_EQ(evaluate_texcoord(u, v), 0.1f);
   }
-  // Along the other one it is the curve.
+  // In the other direction, the surface is equal to the curve.
   const std::vector<double> curve = random_net(1, 7);
   glevMap1d(gl, GLEV_MAP1_TEXTURE_COORD_1, 2, 5, 1, 7, curve.data());
   glevEnable(gl, GLEV_MAP1_TEXTURE_COORD_1);
@@ -334,14 +334,15 @@ TEST_F(SurfaceNumerics, OrderOneIsConstantInItsDirection) {
   }
 }
 
-// The points of an edge of a net: direction in which it runs, and whether it is the last one.
+// An edge of a net: its direction, and if it is the last one.
 struct Edge {
   int along;
   bool last;
 };
 constexpr Edge kEdges[] = {{0, false}, {0, true}, {1, false}, {1, true}};
 
-// A surface with `points` along one edge and other values elsewhere, over [0.1, 0.7] along it.
+// A surface with the control points `points` along one edge and others elsewhere. Its domain along the edge
+// is [0.1, 0.7].
 struct EdgeSurface {
   EdgeSurface(const Edge& along_edge, const std::vector<double>& points, int other_order,
               std::mt19937& random)
@@ -369,7 +370,7 @@ struct EdgeSurface {
 };
 
 TEST_F(SurfaceNumerics, EdgesAreTheCurvesOfTheirPointsBitForBit) {
-  // In double, before the rounding to float could hide anything.
+  // Compares doubles, because rounding to float could hide differences.
   std::uniform_real_distribution<double> value(-1, 1), inside(0.1, 0.7);
   for (int order : {1, 2, 3, 4, 9, 64}) {
     std::vector<double> points(order);

@@ -1,4 +1,5 @@
-// Values that double does not decide, where the routes of batches, meshes and calls each have to notice it.
+// Tests values that evaluation in double does not decide. Batches, meshes and single calls must each detect
+// them.
 #include <cmath>
 #include <vector>
 
@@ -13,13 +14,13 @@ class Undecided : public ContextTest {
   static std::uint32_t float_bits(float x) { return std::bit_cast<std::uint32_t>(x); }
 };
 
-// A cubic with two roots inside the domain and one far outside, next to which the error of double is a unit
-// of the last place of a float and more, although all control points are small.
+// A cubic with two roots inside the domain and one far outside. Near the latter, the error in double is at
+// least one ULP of float, although all control points are small.
 class NextToARootOutside : public Undecided {
  protected:
   static constexpr double kRoot[] = {-30, 51, 44, -27};  // 3 (x - 19) (x^2 - 1/2) for x = 2 t - 1
   static constexpr int kSegments = 251;
-  static constexpr double kLength = 0x1p-18;  // of a grid that begins at the root
+  static constexpr double kLength = 0x1p-18;  // length of a grid that begins at the root
   static constexpr Range kPoints = {2, 120};
 
   static std::vector<double> undecided_arguments() {
@@ -83,7 +84,7 @@ TEST_F(NextToARootOutside, InVOfSurfaces) {
     for (std::size_t i = 0; i < v.size(); ++i) glevEvalCoord2d(gl, u[i], v[i]);
     glevEnd(gl);
     expect_right_at(v, recorded_positions());
-    // Each alone: the first call of a primitive.
+    // Each point is the first call of a primitive.
     recording = {};
     for (std::size_t i = 0; i < v.size(); ++i) {
       glevBegin(gl, GLEV_POINTS);
@@ -97,7 +98,7 @@ TEST_F(NextToARootOutside, InVOfSurfaces) {
   }
 }
 
-// A line through midpoints between floats, at 2, 4, 8, ...
+// Evaluates a line through midpoints of floats, at 2, 4, 8, ...
 TEST_F(Undecided, ColumnsOfLongMeshes) {
   constexpr int kSegments = 1500;
   constexpr double kThird = 500 * (1 + 0x1p-24);
@@ -113,7 +114,7 @@ TEST_F(Undecided, ColumnsOfLongMeshes) {
         << i;
 }
 
-// t / s to the power of the degree is beyond the range of double, and s to that power underflows.
+// t / s to the power of the degree overflows, and s to that power underflows.
 TEST_F(Undecided, CurvesOfTheHighestOrderNextToTheirEnd) {
   Floats points;
   for (int i = 0; i < kMax; ++i) points.push_back(static_cast<float>(std::sin(i) + 2));

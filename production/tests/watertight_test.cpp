@@ -1,5 +1,5 @@
-// Patches that share the control points of an edge have the same bits along it: whichever edge of each it is,
-// and in whichever direction it runs.
+// Tests that patches that share the control points of an edge have the same bits along it, for all edges and
+// directions.
 #include "batches.h"
 
 namespace glev_tests {
@@ -7,10 +7,10 @@ namespace {
 
 constexpr int kComponents = 3;
 
-// The place of an edge in its patch.
+// The position of an edge in its patch.
 struct SharedEdge {
-  bool is_along_u;  // at v = 0 or 1, else along v at u = 0 or 1
-  bool is_last;     // at 1
+  bool is_along_u;  // along u at v = 0 or 1, otherwise along v at u = 0 or 1
+  bool is_last;     // at u or v = 1
   bool is_reversed;
 };
 
@@ -26,7 +26,7 @@ std::vector<SharedEdge> all_edges() {
 
 class Watertight : public ContextTest {
  protected:
-  // A random patch with this edge.
+  // Defines a random patch with this edge.
   void define_patch(const SharedEdge& edge, const std::vector<float>& shared, int other_order) {
     const int order = static_cast<int>(shared.size()) / kComponents;
     const int n = edge.is_along_u ? order : other_order, m = edge.is_along_u ? other_order : order;
@@ -41,7 +41,7 @@ class Watertight : public ContextTest {
     glevEnable(gl, GLEV_MAP2_VERTEX_3);
   }
 
-  // Along the edge in the direction of the shared points, at `parameters` by a batch.
+  // Evaluates points along the edge, in the direction of the shared points, at `parameters` by a batch.
   Floats evaluate_batch(const SharedEdge& edge, const std::vector<float>& parameters) {
     const Plan plan(gl, 2);
     std::vector<float> along = parameters;
@@ -53,7 +53,7 @@ class Watertight : public ContextTest {
                            : evaluate_scattered(plan, GLEV_ATTRIBUTE_VERTEX, across, along);
   }
 
-  // The same at the points of a grid: cut out of the mesh of the whole patch, and by itself.
+  // The same at the points of a grid, as part of the mesh of the whole patch or as a mesh of the edge alone.
   Floats evaluate_mesh(const SharedEdge& edge, int segments, int other_segments, bool whole,
                        glev_precision precision = GLEV_CORRECTLY_ROUNDED) {
     glevMapGrid2f(gl, edge.is_along_u ? segments : other_segments, 0, 1,
@@ -75,7 +75,7 @@ class Watertight : public ContextTest {
 
   std::vector<float> random_shared_points(int order) {
     std::vector<float> shared = chance_.next_points(static_cast<std::size_t>(order) * kComponents);
-    // of all magnitudes, ties and lines now and then
+    // Control points have various magnitudes; some are ties or lines.
     for (float& point : shared) point = std::ldexp(point, chance_.one_of({0, 0, 0, -20, 30}));
     if (chance_.whole(0, 3) == 0) {
       for (std::size_t k = 0; k < shared.size(); ++k) {
@@ -124,7 +124,7 @@ TEST_F(Watertight, AlongAllEdgesInMeshes) {
   }
 }
 
-// Neighbours of other orders and numbers of segments meet at the arguments that they share.
+// Patches with different orders and numbers of segments meet at their common arguments.
 TEST_F(Watertight, BetweenFastMeshesOfOtherOrdersAndSegments) {
   for (int k = 0; k < 100; ++k) {
     const int order = chance_.whole(2, 6);
@@ -143,7 +143,7 @@ TEST_F(Watertight, BetweenFastMeshesOfOtherOrdersAndSegments) {
     const int segments = chance_.whole(1, 40), factor = chance_.whole(2, 5);
     const SharedEdge edge = chance_.one_of(all_edges()), other = chance_.one_of(all_edges());
     define_patch(edge, shared, chance_.whole(1, 6));
-    // So many that meshes of low degree are not correctly rounded for being small.
+    // Meshes of low degree with fewer segments would be correctly rounded.
     const int others = (1 << 14) / segments + 1;
     const Floats coarse = evaluate_mesh(edge, segments, others, true, GLEV_FAST);
     define_patch(other, elevated, chance_.whole(1, 6));

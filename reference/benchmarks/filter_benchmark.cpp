@@ -42,7 +42,7 @@ void RoundSurface(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * kArguments);
 }
 
-// The same without the filter.
+// Rounds each value of a curve with the exact method, without the filter.
 void RoundCurveExactly(benchmark::State& state) {
   const int order = static_cast<int>(state.range(0));
   std::mt19937 random(1);

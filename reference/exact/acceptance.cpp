@@ -1,3 +1,4 @@
+// Acceptance bounds of values (section 0.5 of the requirements): curves and surfaces in one form.
 #include <reference/acceptance.h>
 
 #include <algorithm>

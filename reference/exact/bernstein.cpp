@@ -1,3 +1,5 @@
+// The functions of bernstein.h: evaluation through a BernsteinForm, derivatives from differences of the
+// control values.
 #include <reference/bernstein.h>
 #include <reference/bernstein_form.h>
 

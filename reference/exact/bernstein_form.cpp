@@ -1,3 +1,4 @@
+// Exact evaluation in short integers if the data permit, otherwise in integers of any size.
 #include <reference/bernstein_form.h>
 
 #include <bit>

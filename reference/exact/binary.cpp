@@ -1,3 +1,4 @@
+// Decomposition of doubles and integers into binary digits.
 #include "binary.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// The terms of the acceptance bound that belong to one direction of a map.
 #include "direction.h"
 
 #include <reference/rounding.h>
@@ -11,10 +12,11 @@ namespace {
 bool overflows(const Rational& x) { return std::isinf(round_to_float(x)); }
 bool is_subnormal(double x) { return x != 0 && abs(Rational(x)) < smallest_normal(); }
 
-// Return du of a grid, and true for a grid point that the rounding of du affects.
+// Returns du of a grid.
 Rational step(const Argument& u) {
   return (Rational(u.last()) - Rational(u.first())) / Rational(u.segments());
 }
+// Returns true for grid points that the rounding of du affects: all but the ends, which are exact.
 bool is_interior_grid_point(const Argument& u) {
   return u.is_grid() && u.index() != 0 && u.index() != u.segments();
 }

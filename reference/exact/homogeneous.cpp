@@ -1,3 +1,4 @@
+// Bernstein sums over integers of any size.
 #include "homogeneous.h"
 
 #include <algorithm>
@@ -39,8 +40,8 @@ Evaluation finish(const Parts& sum, const Integer& denominator, std::int64_t exp
           Rational(sum.positive + sum.negative, denominator, exponent)};
 }
 
-// Horner's scheme for SUM i=0..n of C(n,i) * a^i * b^(n-i) * R_i, where add(i, weight, sign, sum) adds
-// sign * weight * R_i to the sum.
+// Computes SUM i=0..n of C(n,i) * a^i * b^(n-i) * R_i by Horner's scheme. add(i, weight, negative, sum) must
+// add weight * R_i, or -weight * R_i if `negative`, to the sum.
 template <typename Add>
 Parts horner(const Homogeneous& t, int n, Add&& add) {
   const Integer a = abs(t.a), b = abs(t.b);
@@ -61,7 +62,7 @@ Parts horner(const Homogeneous& t, int n, Add&& add) {
   return sum;
 }
 
-// Adds sign * weight * R_i to the sum, for the control values R_0 = values[0], R_1 = values[1], ...
+// The argument `add` of horner() for the control values R_i = values[i].
 class Row {
  public:
   explicit Row(const Integer* values) : values_(values) {}
@@ -88,7 +89,7 @@ std::uint64_t binomial(int n, int i) { return kBinomials[n][i]; }
 
 Homogeneous homogenise(const Argument& u, double u1, double u2) {
   if (u1 == u2) throw std::domain_error("empty domain");
-  // u = (p * g1 + q * g2) / n
+  // A grid point is u = ((n - i) * g1 + i * g2) / n. For a coordinate, n = 1 and u = g1.
   const std::array<Binary, 4> numbers{decompose(u.first()), decompose(u.last()), decompose(u1),
                                       decompose(u2)};
   const int exponent = common_exponent(numbers);

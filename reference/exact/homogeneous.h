@@ -45,6 +45,7 @@ Net differences_v(const Net& net);
 // Returns the net of |R_ij|.
 Net magnitudes(Net net);
 
+// Return the Bernstein sum of the net and its magnitude. Without v, the net must have one column.
 Evaluation bernstein_sum(const Net& net, const Homogeneous& u);
 Evaluation bernstein_sum(const Net& net, const Homogeneous& u, const Homogeneous& v);
 

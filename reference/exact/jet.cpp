@@ -1,3 +1,4 @@
+// Exact values and first derivatives of all components of a surface, which share the weights of a point.
 #include "jet.h"
 
 #include <stdexcept>
@@ -37,7 +38,7 @@ Integers differences(const Integer* values, int count) {
   return result;
 }
 
-// The weights of a map of degree n and of its derivative, with their common factors.
+// The weights of a map of degree n and of its derivative, with their common denominators c^n and c^(n-1).
 struct Basis {
   int degree;
   Integers value, derivative;
@@ -78,7 +79,7 @@ std::vector<Jet> jets(VertexSurface surface, const Argument& u, const Argument& 
 
   std::vector<Jet> result;
   for (const Net& net : nets) {
-    // A curve along u of the values, and one of the derivatives along v.
+    // Evaluation along v leaves two curves along u: the values, and the derivatives in v.
     Integers values, derivatives;
     for (int i = 0; i < net.rows; ++i) {
       const Integer* row = &net.values[static_cast<std::size_t>(i) * net.columns];

@@ -1,3 +1,4 @@
+// Exact tangents and normals of a surface, from its jets.
 #include <reference/normal.h>
 
 #include <algorithm>

@@ -1,16 +1,18 @@
 // The acceptance rule for automatic normals: section 0.5 of the requirements.
 //
-// An implementation has x, y, z, w and their derivatives with errors E, and makes of them one of
+// An implementation has x, y, z, w and their derivatives with errors E. From these it computes one of the
+// pairs of tangents
 //   a = p_u, b = p_v;   a = w*p_u - w_u*p, b likewise;   q_u = (p_u - q*w_u)/w, q_v likewise, q = p/w,
-// and the cross product of the two. The quotient rule gives a/w'^2, where w' is w with its error, the same w'
-// in every component: its error scales the normal and does not turn it. Its operations are one or two more
-// than the 3 for which the rule allows; the K + 3 of the derivatives has that to spare, as it counts 5*n
-// where no order of evaluation needs more than 4*n. What any of them does to direction and length is then
+// and their cross product. The quotient rule gives a/w'^2, where w' is w with its error. All components have
+// the same w', so the error of w' scales the normal and does not turn it. The quotient rule needs one or two
+// operations more than the 3 that the acceptance rule allows. The K + 3 operations of the derivatives cover
+// these, because K counts 5*n operations and no order of evaluation needs more than 4*n. Every pair therefore
+// gives a normal of the second form below, with an m' that satisfies the first condition:
 //   |m' - m| <= d   and   m' * (1 +- 10*eps) / w'^4,
-// from which the bounds follow.
+// The bounds of direction and length follow from both.
 //
-// Everything here is an upper bound, a sum of positive terms in binary64. Each is good to a part in 2^44
-// (fewer than 300 roundings), and is widened by more than that.
+// Every result here is an upper bound, computed as a sum of positive terms in binary64. It is accurate to one
+// part in 2^44 (fewer than 300 roundings) and is widened by more than that.
 #include <reference/normal.h>
 
 #include <algorithm>
@@ -26,16 +28,16 @@ namespace {
 
 constexpr double kEpsilon = 10738 * 0x1p-30;
 constexpr double kSmallestNormal = 0x1p-126;
-constexpr double kLargest = 0x1p32;  // that the GL promises to represent
+constexpr double kLargest = 0x1p32;  // the largest magnitude that the GL promises to represent
 constexpr double kRoundings = 0x1p-42;
 
-// |x| and E.
+// The magnitude |x| of a value and the bound E of its error.
 struct Estimate {
   double magnitude = 0, error = 0;
   double most() const { return magnitude + error; }
 };
 
-// |R_ij|.
+// The magnitudes |R_ij| of a net.
 struct Magnitudes {
   int rows, columns;
   std::vector<double> values;
@@ -54,7 +56,7 @@ Magnitudes magnitudes(const Surface& surface) {
   return result;
 }
 
-// |R_(i+1)j| + |R_ij|, and along v.
+// Return the nets of |R_(i+1)j| + |R_ij| and of |R_i(j+1)| + |R_ij|.
 Magnitudes sums_u(const Magnitudes& net) {
   Magnitudes result{net.rows - 1, net.columns, {}};
   for (int i = 0; i < result.rows; ++i) {
@@ -71,7 +73,7 @@ Magnitudes sums_v(const Magnitudes& net) {
   return result;
 }
 
-// |t|, |s|, T, S of one direction.
+// The quantities |t|, |s|, T and S of one direction.
 struct Range {
   double t, s, widened_t, widened_s;
 };
@@ -81,7 +83,7 @@ Range range_of(const Direction& d, bool single) {
           d.widened_s(single).to_double()};
 }
 
-// C(n,i) * t^i * s^(n-i).
+// Returns C(n,i) * t^i * s^(n-i) for i = 0..n.
 std::vector<double> weights(int n, double t, double s) {
   std::vector<double> result(n + 1);
   double power = 1;
@@ -103,7 +105,7 @@ struct Weights {
   }
 };
 
-// A*W(T,S) - W(|t|,|s|) + U over the net.
+// Returns A*W(T,S) - W(|t|,|s|) + U over the net.
 double error_bound(const Magnitudes& net, const Weights& u, const Weights& v, int k) {
   double inner = 0, outer = 0, under = 0;
   for (int i = 0; i < net.rows; ++i) {
@@ -118,7 +120,7 @@ double error_bound(const Magnitudes& net, const Weights& u, const Weights& v, in
   return (1 + x + x * x + kRoundings) * outer - inner + k * kSmallestNormal * under;
 }
 
-// One component: value, p_u, p_v with their errors.
+// Estimates of the value of one component and of its derivatives p_u and p_v.
 struct JetEstimate {
   Estimate value, u, v;
 };
@@ -146,7 +148,7 @@ std::vector<JetEstimate> estimates(VertexSurface surface, const std::vector<Jet>
   return result;
 }
 
-// E of x*y - z*w: (1 + 3*eps) * [(|x|+E)*(|y|+E) + (|z|+E)*(|w|+E)] - |x*y| - |z*w|.
+// Returns E of x*y - z*w: (1 + 3*eps) * [(|x|+E)*(|y|+E) + (|z|+E)*(|w|+E)] - |x*y| - |z*w|.
 double difference_error(const Estimate& x, const Estimate& y, const Estimate& z, const Estimate& w) {
   const auto product = [](const Estimate& f, const Estimate& g) {
     return f.error * g.magnitude + f.magnitude * g.error + f.error * g.error +
@@ -157,7 +159,7 @@ double difference_error(const Estimate& x, const Estimate& y, const Estimate& z,
 
 using Estimates = std::array<Estimate, 3>;
 
-// |a| and E_a from the component estimates; `derivative` is the member for u or v.
+// Returns |a| and E_a of each component of the tangent in u or v. `derivative` is the corresponding member.
 Estimates tangent_estimates(const std::vector<JetEstimate>& jets, const Vector& tangent,
                             Estimate JetEstimate::*derivative) {
   Estimates result;
@@ -236,7 +238,7 @@ NormalAcceptance normal_acceptance(VertexSurface surface, const Argument& u, con
   result.must_applies =
       values_must_apply(surface, along_u, along_v, range) &&
       sizes_are_ordinary(a, along_u.width().to_double(), b, along_v.width().to_double(), m, w.magnitude);
-  const bool judged = d < m / 4 && w.error < w.magnitude / 2;  // not if one is NaN either
+  const bool judged = d < m / 4 && w.error < w.magnitude / 2;  // false if a number is NaN
   if (!judged || !std::isfinite(m)) return result;
 
   result.bound = outward(2 * d / m + 10 * kEpsilon);

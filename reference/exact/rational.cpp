@@ -1,3 +1,4 @@
+// Arithmetic and text of exact rational numbers.
 #include <reference/rational.h>
 #include <reference/rounding.h>
 
@@ -37,7 +38,7 @@ Rational power_of_ten(std::int64_t n) {
   return n < 0 ? 1 / power : power;
 }
 
-// Appends the digits with a point after the first one, and without the zeros at the end.
+// Appends the digits with a point after the first digit and without trailing zeros.
 void append_mantissa(std::string& text, const std::string& digits) {
   const std::size_t end = digits.find_last_not_of('0') + 1;
   text += digits[0];

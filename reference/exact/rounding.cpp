@@ -1,3 +1,4 @@
+// Correct rounding of rationals and of long integers, ULP, and the two error measures.
 #include <reference/rounding.h>
 
 #include <algorithm>
@@ -40,7 +41,7 @@ std::int64_t unit_in_the_last_place(std::int64_t magnitude) {
   return std::max<std::int64_t>(magnitude, Limits::min_exponent - 1) - (Limits::digits - 1);
 }
 
-// Infinity counts as 2^128. `got` must not be NaN.
+// Returns the value of `got`; infinity counts as 2^128. `got` must not be NaN.
 Rational extended(float got) {
   return std::isinf(got) ? Rational(got > 0 ? 1 : -1) * Rational::power_of_two(128) : Rational(got);
 }
@@ -68,7 +69,7 @@ Float round_leading(bool negative, const LeadingBits& leading, std::int64_t expo
   const std::int64_t magnitude = exponent + 63;
   if (magnitude >= Limits::max_exponent) return std::copysign(Limits::infinity(), sign);
   const std::int64_t unit = unit_in_the_last_place<Float>(magnitude);
-  const std::int64_t cut = unit - exponent;  // > 0: that many bits are cut off
+  const std::int64_t cut = unit - exponent;  // number of bits that are cut off, > 0
   if (cut > 64) return std::copysign(Float{0}, sign);
   const std::uint64_t kept = cut == 64 ? 0 : leading.bits >> cut;
   const std::uint64_t half = std::uint64_t{1} << (cut - 1), rest = leading.bits & (half - 1);
@@ -100,7 +101,7 @@ Rational ulp(const Rational& x) {
 
 namespace {
 
-// |got - exact|, with 2^128 in the place of all that is beyond, so that a right infinity has no error.
+// Returns |got - exact|, both clamped to +-2^128, so that a correct infinity has no error.
 Rational distance(float got, const Rational& exact) {
   const Rational infinity = Rational::power_of_two(128);
   return abs(extended(got) - (exact > infinity ? infinity : exact < -infinity ? -infinity : exact));

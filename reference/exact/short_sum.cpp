@@ -1,3 +1,4 @@
+// Bernstein sums over short numbers, without memory allocation during the sum.
 #include "short_sum.h"
 
 #include <array>
@@ -22,7 +23,7 @@ TwoLimbs magnitude_of(SignedTwoLimbs x) {
   return x < 0 ? -static_cast<TwoLimbs>(x) : static_cast<TwoLimbs>(x);
 }
 
-// x * 2^-exponent, if that has at most `bits` bits.
+// Returns x * 2^-exponent, or nothing if this integer has more than `bits` bits.
 std::optional<std::int64_t> scaled(const Binary& x, int exponent, int bits) {
   if (x.significand == 0) return 0;
   const int shift = x.exponent - exponent;
@@ -96,7 +97,7 @@ std::optional<ShortHomogeneous> homogenise_short(const Argument& u, double u1, d
     b = -b;
     c = -c;
   }
-  // a + b = c, so what divides a and b divides c.
+  // Common divisors of a and b divide c, because a + b = c.
   const TwoLimbs bits = magnitude_of(a) | magnitude_of(b);
   const auto low = static_cast<Limb>(bits);
   const int zeros = low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<Limb>(bits >> 64));

@@ -22,12 +22,13 @@ struct ShortHomogeneous {
 // is not finite.
 std::optional<ShortHomogeneous> homogenise_short(const Argument& u, double u1, double u2);
 
-// C(m,j) * R_ij for rows of m + 1 control values, row by row; for a single column C(n,i) * R_i.
+// The terms C(m,j) * R_ij of rows of m + 1 control values, row by row. A single column has the terms C(n,i) *
+// R_i.
 struct ShortTerms {
   std::vector<__int128> values;
   int rows, columns;
-  int exponent;  // all are to be multiplied by 2^exponent
-  bool pairs;    // they are below 2^94, so that two of them, times 32 bits each, can be added
+  int exponent;  // a term is its value times 2^exponent
+  bool pairs;    // all |values| < 2^94, so two values, each times 32 bits, can be added
 };
 
 // Returns the terms for R_ij = points[i * columns + j], or nothing if the R_ij, as integers times a power of

@@ -22,7 +22,7 @@ void check_bits(int bits) {
   if (bits < 0) throw std::invalid_argument("a negative number of bits");
 }
 
-// The value floor(2^bits * sqrt(x)), and a flag for an exact root.
+// The value floor(2^bits * sqrt(x)); `exact` is true if it equals 2^bits * sqrt(x).
 struct Root {
   Integer floor;
   bool exact;
@@ -47,7 +47,7 @@ Interval enclose_root(const Rational& x, std::int64_t bits) {
 template <typename Float>
 std::array<Float, 3> rounded_to(const Vector& m) {
   using Limits = std::numeric_limits<Float>;
-  constexpr std::int64_t kLowest = Limits::min_exponent - Limits::digits;  // of a unit in the last place
+  constexpr std::int64_t kLowest = Limits::min_exponent - Limits::digits;  // the smallest exponent of an ULP
   const Rational square = nonzero_squared_length(m);
   std::array<Float, 3> result{};
   for (int c = 0; c < 3; ++c) {

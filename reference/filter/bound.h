@@ -7,10 +7,10 @@ inline constexpr double kUnitSquared = 0x1p-106;
 inline constexpr int kCoefficientError = 2;  // of a coefficient, relative
 inline constexpr int kProductError = 9;      // of a product, relative
 inline constexpr int kSumError = 4;          // of a sum, relative to the sum of the magnitudes
-inline constexpr int kGridError = 17;        // of a and b at a point of a grid, see there
-inline constexpr double kTiny = 0x1p-700;    // all that underflow can do
+inline constexpr int kGridError = 17;        // of a and b at a grid point, see "Grids" in PROOF.md
+inline constexpr double kTiny = 0x1p-700;    // all errors by underflow together
 
-// Returns THETA.
+// Returns THETA for the degrees n and m.
 constexpr int polynomial_error(int n, int m) {
   return kCoefficientError + kProductError * (n + m + 2) + kSumError * (n + m);
 }

@@ -1,3 +1,5 @@
+// The public classes of the filter: they pass blocks of arguments to the kernels, and undecided values to the
+// exact method.
 #include <reference/filter.h>
 
 #include <algorithm>
@@ -16,7 +18,8 @@ static_assert(kBlock % kLanes == 0);
 
 using Block = std::array<double, kBlock>;
 
-// Copies values and fills up with the last one, so that no lane computes with what it should not see.
+// Copies the values and repeats the last one up to a multiple of kLanes, so that no lane reads undefined
+// values.
 void copy_padded(std::span<const double> values, Block& block) {
   std::copy(values.begin(), values.end(), block.begin());
   std::fill(block.begin() + values.size(), block.begin() + round_up_to_lanes(values.size()), values.back());
@@ -41,8 +44,8 @@ struct Filter::Plan {
 
   Plan(const Surface& surface, bool curve) : is_curve(curve), kernel(kernel_plan(checked(surface))) {}
 
-  // use(first, count, enclosures) for each block of arguments; without enclosures where the filter says
-  // nothing.
+  // Calls use(first, count, enclosures) for each block of arguments. `enclosures` is null if domain or grid
+  // are outside the limits of the filter.
   template <typename Use>
   void for_each_block(const Arguments& u, const Arguments& v, std::size_t count, Use use) const {
     if (u.values.size() != count || (!is_curve && v.values.size() != count)) {
@@ -126,14 +129,14 @@ void Filter::to_double(const Arguments& u, const Arguments& v, std::span<double>
 
 namespace {
 
-// The argument at k of many.
+// Returns the k-th argument.
 Argument argument(const Arguments& arguments, std::size_t k) {
   if (!arguments.grid) return Argument::coordinate(arguments.values[k]);
   return Argument::grid(static_cast<std::int64_t>(arguments.values[k]), arguments.grid->segments,
                         arguments.grid->first, arguments.grid->last);
 }
 
-// Fills in what the filter has left open; returns how much that is.
+// Computes the results that the filter has not decided, by decide(u, v). Returns their number.
 template <typename Float, typename Decide>
 std::size_t decide_the_rest(const Arguments& u, const Arguments& v, std::span<Float> results,
                             std::span<const std::uint8_t> decided, Decide decide) {

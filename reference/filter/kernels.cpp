@@ -1,4 +1,5 @@
-// Compiled once for each instruction set. What every number means, and why the bounds hold: PROOF.md.
+// The kernels of the filter, compiled once for each instruction set. PROOF.md defines the quantities and
+// proves the bounds.
 #include "kernels.h"
 
 #include <reference/filter.h>
@@ -45,7 +46,7 @@ HWY_INLINE Pair two_product(Vector x, Vector y) {
 #if HWY_NATIVE_FMA
   return {product, hn::MulSub(x, y, product)};
 #else
-  // Veltkamp's splitting and Dekker's product.
+  // Error-free product by Dekker's algorithm (1971) with Veltkamp's splitting.
   const auto split = [](Vector z) {
     const Vector shifted = hn::Mul(z, hn::Set(kTag, 0x1p27 + 1));
     const Vector high = hn::Sub(shifted, hn::Sub(shifted, z));
@@ -59,8 +60,8 @@ HWY_INLINE Pair two_product(Vector x, Vector y) {
 #endif
 }
 
-// True if two_product is exact here. A MulSub that rounds twice, which Highway has where fused operations are
-// switched off, would leave out the low part.
+// Returns true if two_product is exact on this machine. If fused operations are switched off, the MulSub of
+// Highway rounds twice, and the low part is lost.
 inline bool has_exact_products() {
   static const volatile double number = 1 + 0x1p-30;  // not known to the compiler
   const Vector x = hn::Set(kTag, number);
@@ -80,7 +81,7 @@ HWY_INLINE Pair multiply(const Pair& x, const Pair& y) {
 
 HWY_INLINE Pair set(const DoubleDouble& x) { return {hn::Set(kTag, x.high), hn::Set(kTag, x.low)}; }
 
-// One vector of arguments along one direction.
+// The quantities of PROOF.md at one vector of arguments along one direction.
 struct Place {
   Pair a, b;
   Vector tau, growth;  // growth: at least ((|a| + |b|)/c)^degree
@@ -115,7 +116,7 @@ HWY_INLINE Place place(const DirectionPlan& direction, Vector x) {
   return result;
 }
 
-// a^i * b^(n-i) for i = 0..n.
+// The products a^i * b^(n-i) for i = 0..n.
 class Weights {
  public:
   HWY_INLINE Weights(const Place& at, int degree) {
@@ -149,7 +150,7 @@ HWY_INLINE Pair dot(const DoubleDouble* coefficients, const Weights& weights, in
   return sum;
 }
 
-// x where the condition holds, else infinity. A condition on NaN does not hold.
+// Returns x in lanes that satisfy the condition, otherwise infinity. Comparisons with NaN are false.
 template <class Mask>
 HWY_INLINE Vector if_or_infinite(Mask condition, Vector x) {
   return hn::IfThenElse(condition, x, hn::Set(kTag, std::numeric_limits<double>::infinity()));
@@ -195,16 +196,16 @@ void enclose(const KernelPlan& plan, const double* HWY_RESTRICT u, const double*
   }
 }
 
-// Bounds of low +- error, moved outward by what rounding them can do.
+// Return bounds of the exact sum whose rounded value is x: x moved up or down by more than a rounding error.
 HWY_INLINE Vector above(Vector x) { return hn::Add(x, hn::Mul(hn::Abs(x), hn::Set(kTag, kSumRoundings))); }
 HWY_INLINE Vector below(Vector x) { return hn::Sub(x, hn::Mul(hn::Abs(x), hn::Set(kTag, kSumRoundings))); }
 
 constexpr hn::Rebind<float, Tag> kFloatTag;
 
-// Rounded to binary32.
+// Rounds to binary32.
 HWY_INLINE hn::Vec<decltype(kFloatTag)> to_float(Vector x) {
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
-  // DemoteTo() of these gives the largest number in the place of infinity.
+  // DemoteTo() of these targets gives the largest finite number instead of infinity.
   HWY_ALIGN double wide[kLanes];
   HWY_ALIGN float narrow[kLanes] = {};
   hn::Store(x, kTag, wide);

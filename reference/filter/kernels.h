@@ -17,7 +17,7 @@ struct DoubleDouble {
 struct DirectionPlan {
   int degree;
   bool applies;  // domain and grid are within the limits of the filter
-  // The domain, and sign(D) * 2^-k, for coordinates.
+  // The domain ends and sign(D) * 2^-k, used for coordinates.
   double first, last, scale;
   bool is_grid;
   DoubleDouble delta, alpha, beta;

@@ -1,3 +1,4 @@
+// Computes the inputs of the kernels with exact rationals.
 #include "plan.h"
 
 #include <reference/rounding.h>

@@ -6,7 +6,7 @@
 namespace evalcts::reference {
 
 // Commands of n numbers in four forms: f and d take the numbers as a, b, c and d; fv and dv take an array of
-// them and ignore null.
+// numbers, and a null array has no effect.
 #define NUMBERS_1(T) T a
 #define NUMBERS_2(T) T a, T b
 #define NUMBERS_3(T) T a, T b, T c

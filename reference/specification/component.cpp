@@ -1,3 +1,4 @@
+// Values, bounds and rounding of emitted components, from the exact functions for their maps.
 #include <reference/component.h>
 #include <reference/rounding.h>
 
@@ -22,7 +23,7 @@ bool is_finite(const AutomaticNormal& normal) {
          normal.u.is_finite() && normal.v.is_finite();
 }
 
-// Returns the acceptance of an explicit value, whose bounds are zero.
+// Returns the acceptance of an explicit value: the bounds are zero and a must.
 Acceptance plain(float value) { return {value, abs(Rational(value)), 0, 0, true}; }
 
 int degree(const Sample& sample) { return sample.map->u.order - 1 + sample.map->v.order - 1; }

@@ -1,3 +1,4 @@
+// Conversions between the types of commands, state and queries.
 #include "conversion.h"
 
 #include <reference/rational.h>

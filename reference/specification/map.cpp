@@ -1,3 +1,4 @@
+// The kinds of evaluator maps, their initial values and their components.
 #include <reference/acceptance.h>
 #include <reference/map.h>
 

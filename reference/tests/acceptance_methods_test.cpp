@@ -27,7 +27,7 @@ struct MethodCase {
   Curve curve() const { return {points.data(), 1, order(), u1, u2}; }
 };
 
-// The largest ratio of error and bound.
+// Keeps the largest ratio of error and bound.
 class Worst {
  public:
   ~Worst() { std::cout << "largest error / bound: " << largest_ << "\n"; }

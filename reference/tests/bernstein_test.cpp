@@ -1,3 +1,4 @@
+// Tests exact evaluation against a second method, and its rounding.
 #include <gtest/gtest.h>
 #include <reference/bernstein.h>
 #include <reference/bernstein_form.h>

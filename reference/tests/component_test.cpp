@@ -74,7 +74,7 @@ TEST(SampleOfACurve, MayHaveNoValue) {
 }
 
 TEST(SampleOfASurface, IsItsValue) {
-  // Orders 2 and 3 of two components, v fastest.
+  // Orders 2 and 3, two components; v varies fastest.
   const auto map = std::make_shared<const Map>(Map{
       GL_MAP2_TEXTURE_COORD_2, {2, 0, 1}, {3, 2, 4}, {0, 100, 1, 101, 2, 102, 10, 110, 11, 111, 12, 112}});
   const Argument u = Argument::coordinate(0.5), v = Argument::coordinate(3);

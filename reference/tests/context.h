@@ -25,8 +25,8 @@ inline std::vector<GLenum> map_targets() {
   return targets;
 }
 
-// Returns the values that a query has written: trailing elements that still contain the poison were not
-// written.
+// Returns the values that a query has written, without the trailing elements that still contain the poison
+// value.
 constexpr GLdouble kPoison = -12345.678;
 inline std::vector<GLdouble> written(std::vector<GLdouble> answer) {
   while (!answer.empty() && answer.back() == kPoison) answer.pop_back();
@@ -60,14 +60,13 @@ inline std::vector<std::vector<GLdouble>> queryable_state(Specification& gl) {
   return state;
 }
 
-// Expects this error and no second one.
+// Expects that GetError returns `error` and then NO_ERROR.
 inline void expect_error(Specification& gl, GLenum error) {
   EXPECT_EQ(gl.GetError(), error);
   EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-// Defines a map of the target whose k components are, at u in [0,1], first, first + 1, ... times (1 - u) plus
-// the same plus 10 times u.
+// Defines a map of order 2 over [0,1] whose component c has the value first + c + 10 * u.
 inline void define_line(Specification& gl, GLenum target, float first) {
   const int k = values_per_point(target);
   std::vector<GLfloat> points;

@@ -14,7 +14,7 @@
 namespace evalcts::reference {
 namespace {
 
-// A context with two maps in force, a line and a constant surface, and a short list of the name 7.
+// Returns a context with two enabled maps, a line and a constant surface, and a short list of the name 7.
 Specification evaluating() {
   Specification gl;
   define_line(gl, GL_MAP1_VERTEX_3, 1);
@@ -24,8 +24,7 @@ Specification evaluating() {
   return gl;
 }
 
-// All that can be seen, what was drawn since the last look included; numbers only, so that it can be
-// compared.
+// Returns all queryable state, and the primitives drawn since the last call, as numbers that can be compared.
 std::vector<std::vector<GLdouble>> seen(Specification& gl) {
   std::vector<std::vector<GLdouble>> all = queryable_state(gl);
   for (const GLenum pname : {GL_LIST_BASE, GL_LIST_INDEX, GL_LIST_MODE, GL_ATTRIB_STACK_DEPTH}) {
@@ -46,11 +45,11 @@ std::vector<std::vector<GLdouble>> seen(Specification& gl) {
   return all;
 }
 
-// Every command that is compiled, at least one form of each.
+// The commands that lists can contain, in at least one form each.
 struct Compiled {
   const char* name;
   Commands issue;
-  bool inside;  // shows something between Begin and End
+  bool inside;  // issued between Begin and End, before a vertex
 };
 const GLfloat kFloats[] = {1.5f, 2.5f, 3.5f, 4.5f, 5.5f, 6.5f, 7.5f, 8.5f, 9.5f, 10.5f, 11.5f, 12.5f};
 const GLdouble kDoubles[] = {1.25, 2.25, 3.25, 4.25, 5.25, 6.25, 7.25, 8.25, 9.25, 10.25, 11.25, 12.25};
@@ -187,7 +186,7 @@ TEST(DisplayLists, CopyOtherArrays) {  // EV-DL-POINTS-COPIED
 }
 
 TEST(DisplayLists, RaiseErrorsWhenCalled) {  // EV-DL-ERR-LATE, EV-DL-ERR-ALL, EV-DL-ERR-CONTINUE
-  static const GLfloat one = 1;              // there is no more to read where the arguments are wrong
+  static const GLfloat one = 1;              // a rejected command must not read more
   static const GLdouble one_double = 1;
   struct Wrong {
     GLenum error;
@@ -332,12 +331,12 @@ TEST(DisplayLists, DoNotHoldWhatTheGlExecutesAtOnce) {  // EV-DL-GETMAP
   gl.GetIntegerv(0, &order);
   expect_error(gl, GL_INVALID_ENUM);
   const GLuint names = gl.GenLists(2);
-  EXPECT_EQ(names, 2u);  // 1 is going to be used
+  EXPECT_EQ(names, 2u);  // 1 is the name of the open list
   EXPECT_EQ(gl.IsList(names), GL_TRUE);
   gl.DeleteLists(names, 1);
   EXPECT_EQ(gl.IsList(names), GL_FALSE);
   gl.EndList();
-  gl.Begin(GL_POINTS);  // each of them would be an error here
+  gl.Begin(GL_POINTS);  // the commands above would be errors here
   gl.CallList(1);
   gl.End();
   expect_error(gl, GL_INVALID_OPERATION);  // of Map1f and Enable
@@ -350,7 +349,7 @@ TEST(DisplayLists, DoNotHoldWhatTheGlExecutesAtOnce) {  // EV-DL-GETMAP
 TEST(DisplayLists, MayHoldPartsOfAPrimitive) {  // EV-DL-SPLIT, EV-DL-INBEGIN
   Specification gl = evaluating();
   compile(gl, 1, [](Specification& c) { c.Begin(GL_LINE_STRIP); });
-  expect_error(gl, GL_NO_ERROR);  // not inside
+  expect_error(gl, GL_NO_ERROR);  // a compiled Begin opens no primitive
   compile(gl, 2, [](Specification& c) { c.EvalCoord1f(0); });
   compile(gl, 3, [](Specification& c) {
     c.MapGrid1f(5, 0, 1);
@@ -370,7 +369,7 @@ TEST(DisplayLists, MayHoldPartsOfAPrimitive) {  // EV-DL-SPLIT, EV-DL-INBEGIN
   ASSERT_EQ(primitives.size(), 1u);
   EXPECT_EQ(primitives[0].mode, static_cast<GLenum>(GL_LINE_STRIP));
   ASSERT_EQ(primitives[0].vertices.size(), 4u);
-  EXPECT_EQ(rounded(primitives[0].vertices[2].position[0]), 11);  // of the grid as it was
+  EXPECT_EQ(rounded(primitives[0].vertices[2].position[0]), 11);  // the grid is unchanged
   expect_error(gl, GL_INVALID_OPERATION);
   EXPECT_EQ(get(gl, GL_MAP1_GRID_SEGMENTS), std::vector<GLdouble>{1});
 }
@@ -456,7 +455,7 @@ TEST(DisplayLists, ReplaceOthersWhenTheyAreComplete) {
   Specification gl;
   compile(gl, 1, [](Specification& c) { c.Indexf(5); });
   gl.NewList(1, GL_COMPILE_AND_EXECUTE);
-  gl.CallList(1);  // the old one
+  gl.CallList(1);  // calls the old list
   EXPECT_EQ(current_index(gl), 5);
   gl.NewList(2, GL_COMPILE);
   expect_error(gl, GL_INVALID_OPERATION);
@@ -513,9 +512,9 @@ TEST(DisplayLists, NestToALimit) {
       c.CallList(i + 1);
     });
   }
-  gl.CallList(7);  // 64 lists
+  gl.CallList(7);  // nests 64 lists
   EXPECT_EQ(current_index(gl), 70);
-  gl.CallList(6);  // 65
+  gl.CallList(6);  // nests 65 lists
   EXPECT_EQ(current_index(gl), 69);
   expect_error(gl, GL_NO_ERROR);
 
@@ -524,7 +523,7 @@ TEST(DisplayLists, NestToALimit) {
     c.End();
     c.CallList(1);
   });
-  for (int i = 0; i < 2; ++i) {  // the depth does not stay
+  for (int i = 0; i < 2; ++i) {  // the nesting depth is reset
     gl.CallList(1);
     EXPECT_EQ(gl.take_primitives().size(), 64u);
   }
@@ -548,7 +547,7 @@ TEST(DisplayLists, GetFreeNames) {
   EXPECT_EQ(gl.GenLists(3), 2u);
   compile(gl, 0xFFFFFFFF, [](Specification&) {});
   EXPECT_EQ(gl.GenLists(1), 10u);
-  gl.DeleteLists(0xFFFFFFFF, 5);  // does not go on at 0
+  gl.DeleteLists(0xFFFFFFFF, 5);  // does not wrap around to 0
   EXPECT_EQ(gl.IsList(0xFFFFFFFF), GL_FALSE);
   EXPECT_EQ(gl.IsList(1), GL_TRUE);
   expect_error(gl, GL_NO_ERROR);

@@ -276,10 +276,10 @@ TEST(Evaluation, SurvivesNumbersThatAreNone) {  // EV-NUM-SPECIAL-SAFE, U-NAN-*
   });
   ASSERT_EQ(vertices.size(), 4u);
   for (const Component& component : vertices[0].position) {
-    EXPECT_EQ(is_finite(component), &component == &vertices[0].position[3]);  // w is given
+    EXPECT_EQ(is_finite(component), &component == &vertices[0].position[3]);  // w is 1
   }
   EXPECT_TRUE(std::isnan(rounded(vertices[1].position[0])));
-  EXPECT_EQ(rounded(vertices[2].position[0]), 2.5f);  // unharmed beside the others
+  EXPECT_EQ(rounded(vertices[2].position[0]), 2.5f);  // not affected by the other components
   EXPECT_TRUE(is_finite(vertices[2].position[0]));
   EXPECT_TRUE(std::isnan(rounded(vertices[2].position[1])));
   EXPECT_TRUE(std::isnan(rounded(vertices[2].position[2])));
@@ -393,7 +393,7 @@ TEST(CurrentValues, TakeAllForms) {
   check_unit([&] { gl.MultiTexCoord4d(unit, 1.5, 2.5, 3.5, 4.5); }, four);
   check_unit([&] { gl.MultiTexCoord4fv(unit, f); }, four);
   check_unit([&] { gl.MultiTexCoord4dv(unit, d); }, four);
-  gl.TexCoord1f(77);  // unit 0, whatever is active
+  gl.TexCoord1f(77);  // sets unit 0, whichever unit is active
   EXPECT_EQ(get(gl, GL_CURRENT_TEXTURE_COORDS), four);
   expect_error(gl, GL_NO_ERROR);
 }

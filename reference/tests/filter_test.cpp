@@ -1,3 +1,5 @@
+// Tests that the enclosures of the filter contain the exact values on every instruction set, and that decided
+// values are correctly rounded.
 #include <gtest/gtest.h>
 #include <reference/filter.h>
 #include <reference/rounding.h>
@@ -82,7 +84,7 @@ Direction random_direction(std::mt19937_64& random, const Domain& domain, std::s
   return direction;
 }
 
-// The ratio of error and bound; a value above 1 refutes the proof.
+// Collects ratios of error and bound; a ratio above 1 refutes the proof.
 class Usage {
  public:
   void add(const Enclosure& enclosure, const Rational& value) {

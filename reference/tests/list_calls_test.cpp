@@ -10,7 +10,8 @@
 namespace evalcts::reference {
 namespace {
 
-// Calls one list and tells which.
+// Calls one list by an offset in memory of the given type. Returns the colour index that the list sets, or
+// -1.
 template <typename T>
 GLdouble called(Specification& gl, GLenum type, std::initializer_list<T> bytes_or_value) {
   const auto memory = heap<T>(bytes_or_value);
@@ -37,7 +38,7 @@ TEST(DisplayLists, AreCalledByOffsetsOfEveryType) {
   EXPECT_EQ(called<GLfloat>(gl, GL_FLOAT, {290.9f}), 300);
   EXPECT_EQ(called<GLfloat>(gl, GL_FLOAT, {-2.9f}), 8);
   for (const GLfloat far : {std::numeric_limits<GLfloat>::quiet_NaN(), HUGE_VALF, -HUGE_VALF, 1e30f}) {
-    called<GLfloat>(gl, GL_FLOAT, {far});  // anything, but no harm
+    called<GLfloat>(gl, GL_FLOAT, {far});  // any result is accepted
   }
   EXPECT_EQ(called<GLubyte>(gl, GL_2_BYTES, {1, 34}), 300);
   EXPECT_EQ(called<GLubyte>(gl, GL_3_BYTES, {1, 0x11, 0x66}), 70000);
@@ -74,7 +75,7 @@ TEST(DisplayLists, CountFromTheBaseInForceWhenCalled) {
   compile(gl, 3, [&](Specification& c) { c.CallLists(1, GL_UNSIGNED_BYTE, &two); });
   gl.CallList(3);
   EXPECT_EQ(current_index(gl), 2);
-  const GLubyte both[] = {1, 2};  // one base for all of a command
+  const GLubyte both[] = {1, 2};  // the base stays the same during a command
   gl.CallLists(2, GL_UNSIGNED_BYTE, both);
   EXPECT_EQ(current_index(gl), 2);
   EXPECT_EQ(get(gl, GL_LIST_BASE), std::vector<GLdouble>{10});

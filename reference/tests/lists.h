@@ -1,4 +1,4 @@
-// Display lists, and what calling them shows.
+// Helpers that compile display lists and query the effects of their commands.
 #pragma once
 
 #include <reference/specification.h>
@@ -31,7 +31,7 @@ inline std::vector<float> drawn_x(Specification& gl) {
 
 inline GLdouble current_index(Specification& gl) { return get(gl, GL_CURRENT_INDEX)[0]; }
 
-// Heap memory of exactly the size that a command may read, gone after the call.
+// Returns heap memory of exactly the size that a command may read, so that sanitizers detect other accesses.
 template <typename T>
 std::unique_ptr<T[]> heap(std::initializer_list<T> values) {
   auto memory = std::make_unique<T[]>(values.size());

@@ -1,3 +1,4 @@
+// Tests the natural numbers on the stack against Boost integers.
 #include "exact/natural.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ std::uint64_t limb(std::mt19937_64& random) {
   }
 }
 
-// The same number in two representations.
+// One number in two representations.
 struct Pair {
   Natural natural;
   Integer integer;

@@ -22,7 +22,7 @@ Decimal decimal_length(const SecondVector& m) {
   return sqrt(decimal(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]));
 }
 
-// A number: |x| and its error E.
+// A number, known by its magnitude |x| and its error E.
 struct Known {
   Fraction size, error;
   Fraction most() const { return size + error; }
@@ -40,7 +40,7 @@ struct KnownJet {
 KnownJet known_jet(const Patch& patch, int c, const Argument& u, const Argument& v, bool fit) {
   const int n = patch.uorder - 1, m = patch.vorder - 1;
   const auto r = [&](int i, int j) { return Fraction(abs(fraction(patch.at(i, j, c)))); };
-  // Over the net of `size(i, j)` with n - du + 1 rows and m - dv + 1 columns.
+  // Computes the bound over the net of `size(i, j)`, which has n - du + 1 rows and m - dv + 1 columns.
   const auto bound = [&](int du, int dv, int more) {
     std::vector<Fraction> sizes;
     for (int i = 0; i <= n - du; ++i) {
@@ -183,7 +183,7 @@ TEST(NormalAcceptance, IsAMustWhereTheValuesAre) {
   };
   EXPECT_TRUE(must(square<3>()));
   EXPECT_TRUE(must(square<4>()));
-  // Range of the values.
+  // The values are within the range.
   EXPECT_TRUE(must(square<3>(1000), kReducedRange));
   EXPECT_FALSE(must(square<3>(1025), kReducedRange));
   Patch tiny_domain = square<3>();
@@ -195,7 +195,7 @@ TEST(NormalAcceptance, IsAMustOnlyForOrdinarySizes) {
   const auto must = [](const Patch& patch) {
     return normal_acceptance(patch.surface(), at(0.5 * patch.u2), at(0.5 * patch.v2)).must_applies;
   };
-  // |m| from 2^-32 to 2^32.
+  // |m| is between 2^-32 and 2^32.
   EXPECT_TRUE(must(square<3>(0x1p16)));
   EXPECT_FALSE(must(square<3>(0x1.1p16)));
   EXPECT_TRUE(must(square<3>(0x1p-16)));

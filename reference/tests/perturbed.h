@@ -31,7 +31,7 @@ class SinglePrecision : public Arithmetic {
 
 constexpr long double kPerturbation = 1e-5L;
 
-// A random error of at most one part in 10^5, half of the time the largest.
+// A random error of at most one part in 10^5, in half of the operations the largest.
 class RandomErrors : public Arithmetic {
  public:
   explicit RandomErrors(std::mt19937_64& generator) : generator_(generator) {}
@@ -58,7 +58,7 @@ class SignedErrors : public Arithmetic {
   std::size_t next_ = 0;
 };
 
-enum class Parameter { kDivision, kReciprocal, kTwoDivisions };  // how t and s come about
+enum class Parameter { kDivision, kReciprocal, kTwoDivisions };  // how t and s are computed
 enum class Method { kDeCasteljau, kDeCasteljauFused, kLerp, kLerpFused, kHorner, kHornerFused, kDirectSum };
 
 constexpr Parameter kParameters[] = {Parameter::kDivision, Parameter::kReciprocal, Parameter::kTwoDivisions};
@@ -70,7 +70,7 @@ struct Weights {
   long double t, s;
 };
 
-// t = (u - u1)/(u2 - u1) and s = 1 - t or (u2 - u)/(u2 - u1).
+// Returns t = (u - u1)/(u2 - u1), and s as 1 - t or (u2 - u)/(u2 - u1).
 inline Weights parameter(Arithmetic& a, Parameter how, long double u, long double u1, long double u2) {
   const long double width = a.sub(u2, u1);
   if (how == Parameter::kReciprocal) {
@@ -81,7 +81,7 @@ inline Weights parameter(Arithmetic& a, Parameter how, long double u, long doubl
   return {t, how == Parameter::kTwoDivisions ? a.div(a.sub(u2, u), width) : a.sub(1, t)};
 }
 
-// u = i * ((g2 - g1)/n) + g1, exact at the ends.
+// Returns u = i * ((g2 - g1)/n) + g1, exact at the ends.
 inline long double grid_point(Arithmetic& a, long double i, long double n, long double g1, long double g2) {
   if (i == 0) return g1;
   if (i == n) return g2;

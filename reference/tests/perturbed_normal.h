@@ -20,7 +20,7 @@ enum class Tangent {
   kCleared,             // w*p_u - w_u*p
   kClearedFused,        // the same with fused operations
   kQuotient,            // (p_u - q*w_u)/w with q = p/w
-  kQuotientReciprocal,  // the same with 1/w once
+  kQuotientReciprocal,  // the same with one reciprocal 1/w
   kQuotientOfCleared,   // (w*p_u - w_u*p)/(w*w)
 };
 enum class Unit { kDivision, kReciprocal, kReciprocalRoot };
@@ -56,7 +56,8 @@ inline long double slope_by(Arithmetic& a, const NormalMethod& how, const Reals&
     case Slope::kOfLastStep:
       return a.mul(n, a.sub(evaluate_by(a, how.method, last, w), evaluate_by(a, how.method, first, w)));
     case Slope::kOfWeights: {
-      // B_(i-1) - B_i of degree n - 1, each polynomial the value of the curve with a single 1.
+      // The weights are B_(i-1) - B_i of degree n - 1. Each polynomial is evaluated as a curve with a single
+      // control value 1 and zeros otherwise.
       Reals weights;
       for (std::size_t i = 0; i < n; ++i) {
         Reals one(n, 0);

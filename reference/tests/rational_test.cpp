@@ -1,3 +1,4 @@
+// Tests rational arithmetic and its text.
 #include <gtest/gtest.h>
 #include <reference/rational.h>
 

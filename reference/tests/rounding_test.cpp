@@ -1,3 +1,4 @@
+// Tests correct rounding, ULP and the error measures.
 #include <gtest/gtest.h>
 #include <reference/rounding.h>
 
@@ -65,7 +66,7 @@ TYPED_TEST(RoundingOf, IsNearestAmongAllNeighbours) {
          {Rational(base) + gap / 3, Rational(base) + gap / 2, Rational(base) + gap / 2 + tiny,
           Rational(base) + gap / 2 - tiny / 3, Rational(base) + tiny, Rational(next) - tiny}) {
       expect_nearest(x, rounded_to<TypeParam>(x));
-      expect_nearest(x, rounded_to<TypeParam>(x * 3 / 3));  // the same, as a fraction that is not reduced
+      expect_nearest(x, rounded_to<TypeParam>(x * 3 / 3));  // x as an unreduced fraction
     }
     EXPECT_EQ(rounded_to<TypeParam>(base), base);
   }

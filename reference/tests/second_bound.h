@@ -26,7 +26,7 @@ inline Fraction choose(int n, int i) {
 
 inline bool fits_single(double x) { return static_cast<double>(static_cast<float>(x)) == x; }
 
-// One direction: T, S, |t|, |s|.
+// Computes T, S, |t| and |s| of one direction.
 struct SecondDirection {
   int n;
   double u1, u2;
@@ -64,8 +64,8 @@ struct SecondDirection {
   Fraction wide_s(bool all_fit) const { return (1 + 8 * kEpsilon) * s() + 8 * kEpsilon * t() + tau(all_fit); }
 };
 
-// Returns the bound. For a curve, v has degree 0. magnitudes[i * (v.n + 1) + j] is |R_ij|. `fit`: all inputs
-// are representable in single precision.
+// Returns the acceptance bound. For a curve, v has degree 0. magnitudes[i * (v.n + 1) + j] is |R_ij|. `fit`:
+// all inputs are representable in single precision.
 inline Fraction second_bound(const std::vector<Fraction>& magnitudes, const SecondDirection& u,
                              const SecondDirection& v, int k, bool fit) {
   if (!fit) ++k;

@@ -37,7 +37,7 @@ inline Fraction de_casteljau(std::vector<Fraction> points, const Fraction& t) {
   return points[0];
 }
 
-// Its derivative: n times the difference of the last two points of the construction.
+// Returns the derivative at t: n times the difference of the last two points of the construction.
 inline Fraction de_casteljau_derivative(std::vector<Fraction> points, const Fraction& t) {
   const std::size_t n = points.size() - 1;
   if (n == 0) return 0;
@@ -47,7 +47,7 @@ inline Fraction de_casteljau_derivative(std::vector<Fraction> points, const Frac
   return n * Fraction(points[1] - points[0]);
 }
 
-// SUM C(n,i) * |t|^i * |s|^(n-i) * |R_i|, term by term.
+// Returns SUM C(n,i) * |t|^i * |s|^(n-i) * |R_i|, term by term.
 inline Fraction term_by_term(const std::vector<Fraction>& points, const Fraction& t, const Fraction& s) {
   const std::size_t n = points.size() - 1;
   Fraction sum = 0, binomial = 1;

@@ -1,4 +1,4 @@
-// Sections 1, 2, 6 and 18 of the requirements: tokens, initial state, enables, queries; and errors as such.
+// Sections 1, 2, 6 and 18 of the requirements: tokens, initial state, enables, queries and errors.
 #include <gtest/gtest.h>
 
 #include <cstring>

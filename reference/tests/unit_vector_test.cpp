@@ -137,8 +137,8 @@ TEST(RoundedUnitVector, OfWholeLengthsIsTheRoundedQuotient) {
   EXPECT_EQ(rounded_unit_vector({Rational::power_of_two(9000), 0, 0}), (Floats{1, 0, 0}));
 }
 
-// (x, y) with x/sqrt(x^2 + y^2) closer to a midpoint than a hundred digits would show: y is sqrt(x^2/h^2 -
-// x^2) rounded either way at hundreds of bits.
+// x/sqrt(x^2 + y^2) is closer to a midpoint h than a hundred digits would show: y is sqrt(x^2/h^2 - x^2),
+// rounded down and up at hundreds of bits.
 TEST(RoundedUnitVector, DecidesNearlyTiedCases) {
   std::mt19937_64 generator = make_generator();
   for (int repetition = 0; repetition < 100; ++repetition) {
@@ -157,7 +157,7 @@ TEST(RoundedUnitVector, DecidesNearlyTiedCases) {
                                       (square.denominator() << 400)));
     for (const int step : {0, 1}) {
       const Rational y = Rational(root + step) * Rational::power_of_two(-bits);
-      // A smaller y is a larger x.
+      // A smaller y gives a larger x/|m|.
       EXPECT_EQ(Rational(rounded_unit_vector({1, y, 0})[0]), step == 0 ? high : low);
       EXPECT_EQ(Rational(rounded_unit_vector({-1, 0, y})[0]), step == 0 ? -high : -low);
       EXPECT_LT(abs(decimal(middle) - 1 / decimal_length({1, y, 0})), Decimal("1e-95"));
@@ -221,7 +221,7 @@ TEST(IsWithin, JudgesEachComponentOfTheUnitVector) {
   EXPECT_FALSE(is_within({-0.5f, 0, -0.75f}, m, Rational(11) / 10 - tiny, false));
   EXPECT_FALSE(is_within(got, m, -1, false));
   EXPECT_TRUE(is_within({0, 0, 1}, {0, 0, 9}, 0, false));
-  EXPECT_FALSE(is_within({0, 0, 9}, {0, 0, 9}, 1, false));  // a matter of length
+  EXPECT_FALSE(is_within({0, 0, 9}, {0, 0, 9}, 1, false));  // the length is wrong
 }
 
 TEST(IsWithin, TakesTheOppositeWhereTheSignIsFree) {

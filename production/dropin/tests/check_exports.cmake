@@ -1,5 +1,5 @@
-# Symbols of the drop-in library: names of the GL and of its window systems, all evaluators among them; and what it asks
-# for: no C++ run time (RUNTIME=ON, of instrumented builds, tolerates what these bring along), no GL.
+# Checks the symbols of the drop-in library: it exports names of the GL and of its window systems, all evaluators
+# included, and needs neither the C++ run time nor a GL (RUNTIME=ON tolerates the symbols of instrumented builds).
 # cmake -DNM= -DOBJDUMP= -DLIBRARY= -DHEADER= -DRUNTIME= -P check_exports.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/../../tests/symbols.cmake)
 

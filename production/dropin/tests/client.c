@@ -1,7 +1,7 @@
-/* A program of 1997: GL 1.1 evaluators, and nothing of this project. It prints the texture coordinates that
- * come back from feedback mode, one vertex a line, and the current values afterwards.
+/* A program as of 1997, which uses GL 1.1 evaluators and nothing of this project. It prints the texture
+ * coordinates of feedback mode, one vertex per line, and the current values afterwards.
  *
- * client [lookup]    lookup: the commands come from OSMesaGetProcAddress */
+ * client [lookup]    lookup: gets the commands from OSMesaGetProcAddress */
 #include <GL/gl.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 #include "client.h"
 #include "feedback.h"
 
-/* GL/osmesa.h is not everywhere. */
+/* GL/osmesa.h is not always installed. */
 void* OSMesaCreateContextExt(GLenum format, GLint depth, GLint stencil, GLint accumulation, void* shared);
 GLboolean OSMesaMakeCurrent(void* context, void* buffer, GLenum type, GLsizei width, GLsizei height);
 void OSMesaDestroyContext(void* context);
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
   state();
   maps();
   draw("curve", curve);
-  /* Another context's evaluators are its own. */
+  /* Each context has its own evaluators. */
   OSMesaMakeCurrent(other, pixels, GL_UNSIGNED_BYTE, 64, 64);
   map1f(GL_MAP1_TEXTURE_COORD_4, 0, 1, 4, 1, v);
   OSMesaMakeCurrent(context, pixels, GL_UNSIGNED_BYTE, 64, 64);

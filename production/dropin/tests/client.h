@@ -1,10 +1,10 @@
-/* The maps and arguments of the client: the test computes the same with libglevaluator. */
+/* The maps and arguments of the client. The test evaluates the same maps with libglevaluator. */
 #ifndef GLEVALUATOR_DROPIN_CLIENT_H_
 #define GLEVALUATOR_DROPIN_CLIENT_H_
 
 enum { kOrder = 6, kUOrder = 4, kVOrder = 5, kArguments = 9, kSegments = 7 };
 
-/* Positions stay inside the clip volume; texture coordinates come back from feedback as they are. */
+/* Positions are inside the clip volume; feedback returns texture coordinates unchanged. */
 static const float kDomain[4] = {0.1f, 0.7f, -0.3f, 0.9f};
 
 static inline float client_point(int i) { return (float)((i * 37 + 11) % 64 - 31) / 3.0f; }

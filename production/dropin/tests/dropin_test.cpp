@@ -1,4 +1,5 @@
-// Programs that know nothing of this library, with it and without: what their vertices become.
+// Runs programs that are not aware of the drop-in library, with it and without it, and compares their
+// vertices.
 #include <glevaluator.h>
 #include <gtest/gtest.h>
 
@@ -18,12 +19,12 @@
 namespace {
 
 using Vertex = std::array<float, 4>;
-// The output of a program: lines of up to four numbers under titles.
+// The output of a program: titles, each followed by lines of up to four numbers.
 using Printed = std::map<std::string, std::vector<Vertex>>;
 
 struct Finished {
   int status = -1;
-  std::string output;  // with errors
+  std::string output;  // standard output and standard error
 };
 
 Finished run_shell(const std::string& command) {
@@ -61,7 +62,7 @@ Printed play(const std::string& command) {
 
 const std::string kPreload = "LD_PRELOAD=" DROPIN " ";
 
-// --- The same from libglevaluator, correctly rounded
+// --- The expected values, correctly rounded by libglevaluator
 
 class Expected {
  public:
@@ -120,7 +121,7 @@ TEST(Dropin, Preloaded) { expect_ours(play(kPreload + CLIENT)); }
 TEST(Dropin, CommandsLookedUp) { expect_ours(play(kPreload + CLIENT + " lookup")); }
 TEST(Dropin, LinkedInFront) { expect_ours(play(LINKED_CLIENT)); }
 
-// That the values above are not any evaluator's.
+// Shows that the test above can fail: without the library, the values are different.
 TEST(Dropin, WithoutItTheValuesAreOthers) {
   Expected expected;
   EXPECT_NE(play(CLIENT)["curve"], expected.expected_curve());
@@ -133,7 +134,7 @@ TEST(Dropin, SaysWhatIsMissing) {
   EXPECT_NE(finished.output.find("no-such-library"), std::string::npos) << finished.output;
 }
 
-// Programs that do not draw are left alone.
+// The library does not affect programs that do not draw.
 TEST(Dropin, OtherProgramsAreNotDisturbed) {
   const Finished finished = run_shell(kPreload + "cat /dev/null");
   EXPECT_EQ(finished.status, 0);
@@ -142,8 +143,8 @@ TEST(Dropin, OtherProgramsAreNotDisturbed) {
 
 #ifdef NURBS_CLIENT
 
-// The largest error of a conforming evaluator for orders n + 1 and m + 1 (m = 0: a curve) and arguments in
-// the domain, for control points of magnitude 1: the first-order part of EV-NUM-ACCURACY and all above.
+// Returns an upper bound of the error of a conforming evaluator (EV-NUM-ACCURACY) for orders n + 1 and m + 1
+// (m = 0: a curve), arguments in the domain, and control points of magnitude 1.
 double allowed_error(int n, int m) {
   const double eps = 10738.0 / (1 << 30);
   const int k = m > 0 ? n * m + 5 * (n + m) + 4 : 5 * n + 4;
@@ -157,7 +158,7 @@ bool is_near(const Vertex& a, const Vertex& b, double bound) {
   return true;
 }
 
-// Vertex by vertex in blocks: of a quadrilateral, either diagonal is right.
+// Compares vertices in blocks of `block` vertices. A quadrilateral may be split along either diagonal.
 void expect_same(const std::vector<Vertex>& got, const std::vector<Vertex>& expected, std::size_t block,
                  double bound) {
   ASSERT_GT(got.size(), 0u);
@@ -192,10 +193,10 @@ class Nurbs : public testing::Test {
 };
 
 TEST_F(Nurbs, VerticesAndPictureOfGlu) {
-  // Both may be off; no control point is larger than 1.
+  // Both results may have errors. No control point is larger than 1.
   expect_same(with_["curve"], without_["curve"], 1, 2 * allowed_error(3, 0));
   expect_same(with_["surface"], without_["surface"], 6, 2 * allowed_error(3, 3));
-  EXPECT_NE(with_["curve"], without_["curve"]);  // it was in effect
+  EXPECT_NE(with_["curve"], without_["curve"]);  // the library was used
   EXPECT_EQ(with_["error"], without_["error"]);
 
   const std::string with = read_picture(picture_with()), without = read_picture(picture_without());
@@ -210,7 +211,8 @@ TEST_F(Nurbs, VerticesAndPictureOfGlu) {
     differing += difference > 2;
     largest = std::max(largest, difference);
   }
-  // Quadrilaterals are cut along the other diagonal without it: colours inside differ by a little.
+  // Without the library, quadrilaterals are split along the other diagonal, so colours inside differ
+  // slightly.
   EXPECT_GT(drawn, with.size() / 4);
   EXPECT_LT(differing, with.size() / 200);
   EXPECT_LE(largest, 16);

@@ -1,12 +1,11 @@
-/* Vertices that a program drew in feedback mode, for the test to read: the texture coordinates of each
- * vertex. */
+/* Prints the vertices of feedback mode for the test: the texture coordinates of each vertex. */
 #ifndef GLEVALUATOR_DROPIN_FEEDBACK_H_
 #define GLEVALUATOR_DROPIN_FEEDBACK_H_
 
 #include <GL/gl.h>
 #include <stdio.h>
 
-/* `count` values of a buffer of GL_4D_COLOR_TEXTURE. */
+/* Prints `count` values of a buffer of type GL_4D_COLOR_TEXTURE. */
 static inline void print_feedback(const char* title, const GLfloat* buffer, GLint count) {
   GLint i = 0;
   printf("%s\n", title);

@@ -1,6 +1,6 @@
-/* A real client of evaluators: GLU's NURBS in render mode. It writes the texture coordinates of the vertices
- * of a curve and of a surface, which are their positions, to standard output, and a picture of both to a file
- * (PPM).
+/* A client of evaluators: the NURBS of GLU in render mode. It writes the texture coordinates of the vertices
+ * of a curve and of a surface, which are their positions, to standard output, and a picture of both to a PPM
+ * file.
  *
  * nurbs PICTURE */
 #include <GL/gl.h>

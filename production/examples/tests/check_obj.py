@@ -28,9 +28,9 @@ def cross(p, q):
     return [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
 
 
-# 6 patches one below the other around the axis, of which lid and bottom have a pole each; the tubes of handle and spout
-# are 2 patches long, and 2 around. Lid and rim do not touch, nor the tubes the body, but for one point: the handle ends in
-# (-2, 0, 0.9), where four patches of the body meet.
+# Around the axis there are 6 patches, one below the other; lid and bottom have a pole each. The tubes of handle and spout
+# have 2 patches in length and 2 around. Lid and rim are not connected, nor are tubes and body, except for one point: the
+# handle ends in (-2, 0, 0.9), where four patches of the body meet.
 round_part = (1 + 2 * n * 4 * n) + (4 * n * 4 * n + 1)
 tubes = 2 * (2 * n + 1) * 2 * n
 expect('positions', len(positions), round_part + tubes - 1)
@@ -56,7 +56,7 @@ for face in faces:
         if sum(a * b for a, b in zip(out, normal)) <= 0:
             sys.exit(f'normal {normal} on the other side of the triangle {p}, {q}, {r}')
 
-# The numbers of the model: what it encloses (not quite a teapot, for the openings) and its area.
+# The volume of the model (which is not closed, because of the openings) and its area.
 corners = [[positions[corner[0]] for corner in face] for face in faces]
 
 

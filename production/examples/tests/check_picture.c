@@ -1,6 +1,6 @@
-/* Looks over a picture of the teapot: check_picture FILE
- * Its size; that there is a teapot of a plausible size in the middle, with many shades, and nothing else at
- * the edges. */
+/* Checks a picture of the teapot: check_picture FILE
+ * Checks its size, and that there is a teapot of a plausible size in the middle, with many shades, and none
+ * at the edges. */
 #include <png.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,7 +10,7 @@ enum { WIDTH = 800, HEIGHT = 600 };
 static unsigned char pixels[HEIGHT][WIDTH][3];
 static unsigned char seen[32][32][32];
 
-/* The glaze is blue-green, all else grey or brown. */
+/* Returns true for the blue-green of the teapot; everything else is grey or brown. */
 static int is_teapot(const unsigned char* pixel) {
   return pixel[2] > pixel[0] + 12 && pixel[1] > pixel[0] + 12;
 }

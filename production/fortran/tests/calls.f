@@ -1,6 +1,6 @@
-C     Every routine of the binding, by what the GL says of it, in fixed
-C     form and with the declarations. What is emitted between CAPBEG and
-C     CAPEND comes back as positions; how is up to the main program.
+C     Tests every routine of the binding against the GL's rules, in
+C     fixed form with the declarations. The main program captures the
+C     positions of vertices between CAPBEG and CAPEND.
       SUBROUTINE CALLS
       CALL CURVES
       CALL SURFAC
@@ -13,7 +13,7 @@ C     CAPEND comes back as positions; how is up to the main program.
       CALL MSHERR
       END
 
-C     Vertex I of what was captured is at (X, Y, Z).
+C     Returns true if captured vertex I is at (X, Y, Z).
       LOGICAL FUNCTION AT(I, X, Y, Z)
       INTEGER I
       REAL*4 X, Y, Z
@@ -65,7 +65,7 @@ C     (2u - 1, 2u(1 - u), 0), over (0,1) and over (1,3).
       CALL CHECK('EvalCoord1dv at 1', AT(4, 1., 0., 0.))
       CALL CHECK('EvalCoord1fv of an element', AT(5, 0., .5, 0.))
 
-C     A stride beyond the control point, another domain, doubles.
+C     A larger stride, another domain, doubles.
       CALL fglMap1f(GL_MAP1_VERTEX_3, 1., 3., 5, 3, Q)
       CALL CAPBEG
       CALL fglBegin(GL_POINTS)
@@ -84,7 +84,7 @@ C     A stride beyond the control point, another domain, doubles.
       CALL CAPEND
       CALL CHECK('Map1d over (-1,1)', N .EQ. 1 .AND. AT(1, 0., .5, 0.))
 
-C     What is kept.
+C     Stored values.
       CALL fglGetMapdv(GL_MAP1_VERTEX_3, GL_DOMAIN, ENDS)
       CALL CHECK('GetMapdv DOMAIN',
      &  ENDS(1) .EQ. -1D0 .AND. ENDS(2) .EQ. 1D0)
@@ -239,9 +239,9 @@ C     (u, v, uv).
       CALL fglDisable(GL_MAP2_VERTEX_3)
       END
 
-C     What `points` and its like may be: arrays of every rank, elements,
-C     sections, and what holds an address: CHARACTER*8 as on the
-C     reference page, INTEGER*8, TYPE(C_PTR).
+C     The possible types of arguments like `points`: arrays of every
+C     rank, elements, sections, and holders of an address: CHARACTER*8
+C     as on the reference page, INTEGER*8, TYPE(C_PTR).
       SUBROUTINE ARRAYS
       USE, INTRINSIC :: ISO_C_BINDING, ONLY: C_PTR, C_LOC
       INCLUDE 'fgl.inc'
@@ -310,7 +310,7 @@ C     The other routines that have arrays, by their holders.
      &  LOC(TWICE))
       CALL fglGetMapdv(GL_MAP2_NORMAL, GL_COEFF, LOC(BACK))
       CALL CHECK('Map2d', ALL(BACK .EQ. TWICE))
-C     Only what is asked for is written, into a section, too.
+C     Only the answer is written, also into a section.
       UNDER = -5.
       CALL fglGetMapfv(GL_MAP2_NORMAL, GL_DOMAIN, UNDER(1:2, :))
       CALL CHECK('a section that receives', ALL(UNDER(1:2, 1) .EQ.
@@ -325,7 +325,7 @@ C     Only what is asked for is written, into a section, too.
       CALL fglMap1f(GL_MAP1_VERTEX_3, 0., 1., 3, 2, P)
       END
 
-C     The control points of MAP1_VERTEX_3 are (A,B,C), (D,E,F).
+C     Returns true if MAP1_VERTEX_3 has the points (A,B,C), (D,E,F).
       LOGICAL FUNCTION HASMAP(A, B, C, D, E, F)
       INCLUDE 'fgl.inc'
       REAL*4 A, B, C, D, E, F, V(6)
@@ -334,7 +334,7 @@ C     The control points of MAP1_VERTEX_3 are (A,B,C), (D,E,F).
       HASMAP = ALL(V .EQ. (/A, B, C, D, E, F/))
       END
 
-C     Vertices and current values of the program's own.
+C     Explicit vertices and current values.
       SUBROUTINE OWNVTX
       INCLUDE 'fgl.inc'
       INTEGER N
@@ -426,7 +426,7 @@ C     Enable, Disable, IsEnabled; Begin and End.
       CALL fglDisable(GL_COEFF)
       CALL EXPECT('Disable: not a capability', GL_INVALID_ENUM)
 
-C     Without a map that is enabled nothing comes out.
+C     Nothing is emitted without an enabled map.
       CALL fglMap1f(GL_MAP1_VERTEX_3, 0., 1., 3, 1, P)
       CALL CAPBEG
       CALL fglEvalMesh1(GL_POINT, 0, 1)
@@ -447,7 +447,7 @@ C     Without a map that is enabled nothing comes out.
       CALL EXPECT('Enable in a primitive', GL_INVALID_OPERATION)
       CALL CHECK('it is still off',
      &  .NOT. LOGICAL(fglIsEnabled(GL_MAP2_COLOR_4)))
-C     The first one sticks.
+C     The first error is kept.
       CALL fglEnable(GL_COEFF)
       CALL fglEnd
       CALL EXPECT('the first of two errors', GL_INVALID_ENUM)

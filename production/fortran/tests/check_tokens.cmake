@@ -1,4 +1,4 @@
-# Every token of fgltokens.inc has the value that it has in the header.
+# Checks that every token of fgltokens.inc has its value in the header.
 # cmake -DHEADER= -DTOKENS= -P check_tokens.cmake
 file(READ ${HEADER} header)
 file(STRINGS ${TOKENS} lines REGEX "PARAMETER")

@@ -1,4 +1,4 @@
-C     Checks that count: one line for each that fails.
+C     Counts checks, and prints a line for each failure.
       SUBROUTINE CHECK(TEXT, HOLDS)
       CHARACTER*(*) TEXT
       LOGICAL HOLDS
@@ -10,7 +10,7 @@ C     Checks that count: one line for each that fails.
       WRITE (*, '(2A)') 'does not hold: ', TEXT
       END
 
-C     The first error since the last call is CODE.
+C     Expects that the first error since the last call is CODE.
       SUBROUTINE EXPECT(TEXT, CODE)
       CHARACTER*(*) TEXT
       INTEGER*4 CODE, FOUND, fglGetError
@@ -21,7 +21,7 @@ C     The first error since the last call is CODE.
      &  '  the error is', FOUND, ', expected', CODE
       END
 
-C     How it went; without it the exit code is 1.
+C     Prints the result; without this call, the exit code is 1.
       SUBROUTINE FINISH
       INTEGER CHECKS, FAILED
       COMMON /TALLY/ CHECKS, FAILED

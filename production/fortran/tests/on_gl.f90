@@ -1,5 +1,5 @@
-! All calls against libfgl and the GL of OSMesa; the feedback buffer shows what is emitted. What stands before OSMesa's
-! commands, in LD_PRELOAD, is what is tested.
+! Makes all calls with libfgl and the GL of OSMesa; the feedback buffer shows the vertices. A library in LD_PRELOAD that
+! replaces commands of OSMesa is tested instead of OSMesa.
 module capture
   use, intrinsic :: iso_c_binding
   implicit none

@@ -1,5 +1,5 @@
-C     All calls against libfglev, with a sink in Fortran; the routines
-C     that are its own; and what happens without a context.
+C     Makes all calls with libfglev and a sink in Fortran; tests its own
+C     routines, and calls without a context.
       PROGRAM PRODUC
       INCLUDE 'fglev.inc'
       EXTERNAL PRIMBE, PRIMVX, PRIMEN
@@ -53,7 +53,7 @@ C     Each context has its own state and errors.
       CALL FINISH
       END
 
-C     The sink: what comes between CAPBEG and CAPEND is kept.
+C     The sink keeps the vertices between CAPBEG and CAPEND.
       SUBROUTINE PRIMBE(MODE)
       INTEGER*4 MODE
       LOGICAL OPEN

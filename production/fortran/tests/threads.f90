@@ -1,4 +1,4 @@
-! Each thread has a current context of its own.
+! Tests that each thread has its own current context.
 program threads
   use fglev
   implicit none

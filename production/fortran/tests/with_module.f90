@@ -1,4 +1,4 @@
-! The module fglev in a free-form program of today, its sink in a module procedure.
+! Uses the module fglev in a modern free-form program, with a sink of module procedures.
 module points
   implicit none
   real(4) :: last(4) = 0

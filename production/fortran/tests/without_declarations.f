@@ -1,5 +1,5 @@
-C     FORTRAN 77 without the declarations: an argument is an array, and
-C     the names with p take what holds an address.
+C     FORTRAN 77 without the declarations: an argument is an array; the
+C     names with p take a variable that holds an address.
       PROGRAM PLAIN
       INTEGER*8 CTX, ADDR
       CHARACTER*8 HOLDER
@@ -27,7 +27,7 @@ C     the names with p take what holds an address.
       CALL fglEnable(3480)
       CALL CHECK('IsEnabled', LOGICAL(fglIsEnabled(3480)))
 
-C     As the page declares it.
+C     As the reference page declares it.
       ADDR = LOC(P(1, 2, 1))
       CALL fglMap2fp(3511, 0., 1., 3, 1, 0., 1., 6, 2, HOLDER)
       CALL fglGetMapfv(3511, 2560, V)

@@ -1,5 +1,5 @@
-/* A program with the structures of this version on a library whose structures have more members: everything
- * works, and nothing is read or written beyond the structures of this version. */
+/* A program with the structures of this version, linked to a library whose structures have more members. It
+ * checks that everything works, and that nothing beyond the structures of this version is read or written. */
 #include <glevaluator.h>
 
 #include <stdio.h>
@@ -14,7 +14,7 @@
     }                                                                  \
   } while (0)
 
-/* Members keep their offsets. The numbers are those of 64 bits. */
+/* Members must keep their offsets, which are given for 64-bit machines. */
 #define AT(structure, member, offset)                                           \
   _Static_assert(sizeof(void*) != 8 || offsetof(structure, member) == (offset), \
                  #structure "." #member " has moved")
@@ -104,7 +104,7 @@ AT(glev_map_info, instruction_set, 48);
 _Static_assert(sizeof(glev_input) == 3 * sizeof(size_t), "glev_input has changed");
 _Static_assert(sizeof(glev_attribute_output) == 2 * sizeof(void*), "glev_attribute_output has changed");
 
-/* A structure in front of bytes that are no members of it, whatever a later version has there. */
+/* A structure followed by bytes that do not belong to it, where a later version may have members. */
 #define FOLLOWED(structure) \
   struct {                  \
     structure it;           \
@@ -130,7 +130,7 @@ static void release(void* user, void* memory, size_t bytes, size_t alignment) {
 }
 static void on_vertex(void* user, const glev_vertex* vertex) {
   CHECK(user == &vertices);
-  /* The library is a later one. */
+  /* The library is a later version. */
   CHECK(vertex->size > sizeof *vertex);
   CHECK(vertex->position[0] == 2 && vertex->position[1] == 1.5f && vertex->position[3] == 1);
   ++vertices;
@@ -206,7 +206,7 @@ int main(void) {
   CHECK(glevGetIndices(&indices.it) == GLEV_SUCCESS);
   CHECK(numbers[5] == 3);
 
-  /* A program from before there were patches. */
+  /* A program of a version before patches. */
   output.it.size = offsetof(glev_output, patch_stride);
   indices.it.size = offsetof(glev_indices, patches);
   CHECK(glevEvaluateMesh(plan, &mesh.it) == GLEV_SUCCESS);
@@ -242,7 +242,7 @@ int main(void) {
   CHECK(memcmp(results, again, sizeof results) == 0);
   glevReleasePlan(of_map);
 
-  /* A structure that is smaller than in any version is none. */
+  /* A structure that is smaller than in any version is invalid. */
   --batch.it.size;
   CHECK(glevEvaluate(plan, &batch.it) == GLEV_ERROR_INVALID_ARGUMENT);
   glevReleasePlan(plan);

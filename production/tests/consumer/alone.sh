@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Configures production/ alone: by the commands of its README, and as a part of projects that have it by add_subdirectory and
-# by FetchContent. Highway is compiled for one instruction set, which takes a fraction of the time.
+# Configures production/ alone: by the commands of its README, and as a part of projects that include it by
+# add_subdirectory and by FetchContent. Highway is compiled for one instruction set, which takes a fraction of the time.
 # alone.sh ROOT WORK
 set -euo pipefail
 root=$1 work=$2
@@ -14,7 +14,7 @@ version() { sed -n "s/^ *project($2 VERSION \([0-9.]*\) .*/\1/p" "$root/$1"; }
 [[ -n $(version CMakeLists.txt evalcts) && $(version CMakeLists.txt evalcts) == $(version production/CMakeLists.txt glevaluator) ]] ||
   fail "production/CMakeLists.txt has another version than CMakeLists.txt"
 
-# The first commands of "Installing", as written but for the places.
+# The first commands of "Installing", with other paths.
 awk '/^## Installing/ { here = 1 } here && /^```/ { if (on) exit; on = 1; next } on' "$root/production/README.md" |
   sed -e "s|build/glevaluator|$work/build|g" -e "s|PREFIX|$work/installed|g" >"$work/commands.sh"
 [[ $(grep -c '^cmake' "$work/commands.sh") == 3 ]] || fail "the README has other commands than three of cmake"

@@ -14,7 +14,7 @@ cmake --install "$build" --component glevaluator_runtime --prefix "$work/runtime
 
 cmake --install "$build" --component glevaluator --prefix "$work/installed" >/dev/null
 [[ $fortran == OFF ]] || cmake --install "$build" --component glevaluator_fortran --prefix "$work/installed" >/dev/null
-# The commands of the README install that and nothing else.
+# The commands of the README install the documented files and nothing else.
 mkdir "$work/documented"
 grep '^cmake --install build/release' "$examples/../README.md" |
   sed -e "s|build/release|$build|" -e "s|PREFIX|$work/documented|" >"$work/documented.sh"
@@ -43,7 +43,7 @@ consume() { # name, CMake-option...
   cmake --build "$work/$1" >"$log" 2>&1 || { cat "$log"; fail "$1 does not build"; }
 }
 
-# A project without a C++ compiler; and a project that has one links its C programs without it.
+# A project without a C++ compiler, and a project with one, which links its C programs without the C++ compiler.
 CXX=false consume build -DFORTRAN="$fortran"
 consume mixed -DMIXED=ON
 [[ $(ninja -C "$work/mixed" -t commands curve_glevaluator) != *++* ]] || fail "the C++ compiler links"
@@ -54,7 +54,7 @@ same find_package_shared "$work/build/curve_glevaluator_shared"
 [[ $(ldd "$work/build/curve_glevaluator_shared") == *"$libraries/libglevaluator.so.0"* ]] || fail "not the installed library"
 [[ $fortran == OFF ]] || same find_package_fortran "$work/build/curve_fortran"
 
-# A version that is not there is not found.
+# A version that is not installed is not found.
 sed 's/glevaluator 0.1/glevaluator 99.0/' "$here/CMakeLists.txt" >"$work/CMakeLists.txt"
 if cmake -G Ninja -S "$work" -B "$work/refused" -DCMAKE_PREFIX_PATH="$prefix" -DEXAMPLES="$examples" >"$work/refused.log" 2>&1; then
   fail "version 99 was found"
@@ -69,7 +69,7 @@ export PKG_CONFIG_PATH=$libraries/pkgconfig
   LD_LIBRARY_PATH=$libraries same pkg_config_shared "$work/pc_shared"
   cc -static "$examples/curve.c" -o "$work/pc_static" $(pkg-config --static --cflags --libs glevaluator)
   same pkg_config_static "$work/pc_static"
-  # The first program of the README, which is installed as well.
+  # The first program of the installed README.
   awk '/^```/ { if (on) exit; on = /^```c$/; next } on' "$prefix/share/doc/glevaluator/README.md" >"$work/readme.c"
   cc -static "$work/readme.c" -o "$work/readme" $(pkg-config --static --cflags --libs glevaluator)
   [[ $("$work/readme" | tr '\n' ' ') == "0 0 0 0.90625 1.125 0 2 1.5 0 3.09375 1.125 0 4 0 0 2 1.5 0 " ]] ||

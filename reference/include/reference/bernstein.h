@@ -6,8 +6,8 @@
 // EV-MAP1-EXTRAPOLATE), and the tensor product of two of them for surfaces (EV-MAP2-BEZIER).
 //
 // Every function throws std::invalid_argument if an order is outside 1..kMaxOrder, and std::domain_error if a
-// domain is empty (u1 = u2) or an argument, a domain end or a control value is not finite; is_finite() checks
-// the latter.
+// domain is empty (u1 = u2) or an argument, a domain end or a control value is not finite. The functions
+// is_finite() check the last condition.
 #pragma once
 
 #include <cstddef>

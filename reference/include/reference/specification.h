@@ -32,8 +32,7 @@ namespace evalcts::reference {
 class Specification {
  public:
   struct Options {
-    int max_eval_order =
-        kMaxOrder;  // 8..kMaxOrder (EV-INIT-MAXORDER); values outside are brought to the nearer end
+    int max_eval_order = kMaxOrder;  // 8..kMaxOrder (EV-INIT-MAXORDER); other values are clamped
   };
 
   // Makes a context in the initial state of the GL (EV-INIT-*).
@@ -76,7 +75,7 @@ class Specification {
   void Flush();
   void Finish();
 
-  // Display lists (section 5.4). A call takes the time of all commands in the list.
+  // Display lists (section 5.4). CallList and CallLists take the time of all commands in the lists.
   void NewList(GLuint list, GLenum mode);
   void EndList();
   void CallList(GLuint list);
@@ -90,7 +89,8 @@ class Specification {
   void PushAttrib(GLbitfield mask);
   void PopAttrib();
 
-  // Evaluation (section 5.1). It has no effect outside Begin/End, as Vertex (U-OUTSIDE-VERTEX).
+  // Evaluation (section 5.1). Like Vertex, these commands have no effect outside Begin/End
+  // (U-OUTSIDE-VERTEX).
   void EvalCoord1f(GLfloat u);
   void EvalCoord1d(GLdouble u);
   void EvalCoord1fv(const GLfloat* u);

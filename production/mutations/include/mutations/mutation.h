@@ -1,4 +1,4 @@
-// The switch of the mutated library, which tests of the tests link in place of the library to ship.
+// The switch of the mutated library, which tests of the tests link instead of the original library.
 // mutations.json lists the mutations; apply_mutations writes them into copies of production/src. At most one
 // is active at a time. Each copied source includes this file.
 #pragma once
@@ -15,7 +15,7 @@ inline int active_mutation = [] {
   return number == nullptr ? 0 : std::atoi(number);
 }();
 
-// Memory that a mutation of several places shares among them.
+// Memory that the places of a mutation share.
 inline int mutation_memory[256] = {};
 
 inline bool mutation_is(int number) { return active_mutation == number; }

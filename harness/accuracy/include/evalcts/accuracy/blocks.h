@@ -9,36 +9,37 @@
 
 namespace evalcts::accuracy {
 
-// Called by several threads at once.
+// A source of blocks and a sink of their results. Its functions are called by several threads at once.
 class Blocks {
  public:
   virtual ~Blocks() = default;
-  // The position of a block to do; none where there is no more.
+  // Returns the position of the next block to evaluate; nothing if none is left.
   virtual std::optional<std::int64_t> next() = 0;
   virtual void finish(std::int64_t block, const SweepResult& result) = 0;
-  // A thread cannot go on. No more blocks from now on.
+  // Reports that a thread stops because of an exception. next() then returns nothing.
   virtual void fail(std::exception_ptr problem) = 0;
 };
 
-// Evaluates and judges blocks, in so many threads, until there is no more.
+// Evaluates and judges blocks in `threads` threads until none is left.
 void work(const SweepTask& task, const StreamSource& source, int threads, Blocks& blocks);
 
-// The blocks of a sweep that are not done; keeps their results.
+// Distributes the blocks of a sweep that are not finished, and adds their results to its state.
 class OwnBlocks final : public Blocks {
  public:
   using Progress = std::function<void(const SweepState&)>;
-  // `progress` is called now and then, by one thread at a time, with a state that is whole. No more blocks
-  // once `stop` is true.
+  // `progress` is called about once a second, by one thread at a time, with a consistent state. next()
+  // returns nothing once `stop` is true.
   OwnBlocks(const SweepTask& task, SweepState& state, const std::atomic<bool>& stop, const Progress& progress)
       : task_(task), state_(state), stop_(stop), progress_(progress) {}
 
   std::optional<std::int64_t> next() override;
   void finish(std::int64_t block, const SweepResult& result) override;
-  // Takes the result of several blocks together.
+  // Adds the common result of several blocks.
   void finish(const std::vector<std::int64_t>& blocks, const SweepResult& result);
   void fail(std::exception_ptr problem) override;
 
-  // After the last block: progress once more, then throws the first problem.
+  // Must be called after the last block. Calls `progress` once more, then rethrows the first exception given
+  // to fail().
   void end();
 
  private:

@@ -1,5 +1,5 @@
-// A sweep as a file: what has been found out so far, from which it goes on after it was ended in whatever
-// way, and its result once all blocks are done (reports/schema/sweep-1.schema.json).
+// Checkpoints: files from which an interrupted sweep resumes, and which hold its result once all blocks are
+// finished (reports/schema/sweep-1.schema.json).
 #pragma once
 
 #include <filesystem>
@@ -13,35 +13,36 @@
 
 namespace evalcts::accuracy {
 
-// The file is not what it should be; the message says how, and what to do. Nothing has been overwritten.
+// A file is not a valid checkpoint of this sweep. The message names the problem and a remedy. No file has
+// been overwritten.
 struct BadCheckpoint : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// All that two sweeps must have in common for one to go on where the other ended; the size of blocks besides.
+// The properties in which two sweeps must agree, besides the block size, so that one can resume the other.
 struct SweepIdentity {
   std::string evalcts_version;
   std::string kind, library, vendor, renderer, gl_version;  // of the implementation
   SweepTask task;
 };
 SweepIdentity identity_of(const SweepTask& task, const ImplementationInfo& info);
-// The same text for the same identity.
+// Returns a text that is equal for equal identities.
 std::string to_text(const SweepIdentity& identity);
 
-// One of the largest errors of a sweep, beside the exact value.
+// One of the largest errors of a sweep, with its argument `at`, the result and the exact value.
 struct LargestError {
   double error;
   float at, got;
   float right;        // the exact value, correctly rounded
   std::string exact;  // as reference::describe() writes it
 };
-// None if all results are correctly rounded.
+// Returns nothing if all results are correctly rounded.
 std::optional<LargestError> largest_error(const SweepTask& task, const SweepResult::Largest& found);
 
 struct Checkpoint {
   SweepIdentity identity;
   SweepState state;
-  double seconds = 0;  // that all runs together have taken
+  double seconds = 0;  // total time of all runs
 
   bool is_complete() const;
   const char* status() const { return is_complete() ? "complete" : "unfinished"; }
@@ -49,15 +50,16 @@ struct Checkpoint {
   bool is_proven() const { return is_complete() && identity.task.shards == 1; }
 };
 
-// Atomically: a file that is there is whole. Throws std::runtime_error.
+// Writes the file atomically. Throws std::runtime_error.
 void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint);
 
-// Throws BadCheckpoint if the file is damaged, cannot be read, or is of another sweep.
+// Reads the checkpoint of a sweep. Throws BadCheckpoint if the file is damaged, cannot be read, or belongs to
+// another sweep.
 Checkpoint read_checkpoint(const std::filesystem::path& file, const SweepIdentity& identity);
 
-// One complete checkpoint of those of all shards, as one process would have it but for the seconds, which are
-// the sum. Throws BadCheckpoint if a file is damaged, unfinished, of another sweep than the first or of a
-// shard that is there already, or if a shard is missing.
+// Merges the complete checkpoints of all shards into the checkpoint that a single process would have written;
+// `seconds` is their sum. Throws BadCheckpoint if a file is damaged, unfinished, or belongs to another sweep
+// than the first file, or if a shard is missing or occurs twice.
 Checkpoint merged(const std::vector<std::filesystem::path>& files);
 
 }  // namespace evalcts::accuracy

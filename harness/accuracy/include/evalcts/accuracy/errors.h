@@ -1,4 +1,4 @@
-// The errors of many results: how they are counted, and the worst of them.
+// Statistics of the errors of many results, and the inputs with the largest errors.
 #pragma once
 
 #include <array>
@@ -11,49 +11,50 @@
 
 namespace evalcts::accuracy {
 
-// One polynomial over a domain and an argument of it: what a result can be replayed from.
+// The input of one result, with which replay() evaluates it again: one polynomial, its domain and an
+// argument.
 struct Input {
   int uorder = 1, vorder = 1;  // vorder 1: a curve, or a surface that is constant in v
   bool two_dimensional = false;
   std::vector<double> points;  // v fastest
   float u = 0, v = 0;
   Domain domain = kUnitDomain;
-  int segments = 0;  // of the grid over the domain whose point the argument is; 0: a coordinate
+  int segments = 0;  // if not 0, the argument is a point of the grid of so many segments over the domain
 
-  reference::Surface surface() const;  // of both; valid as long as this
+  reference::Surface surface() const;  // curves too; valid as long as this Input
   reference::Argument argument_u() const { return reference::Argument::coordinate(u); }
   reference::Argument argument_v() const { return reference::Argument::coordinate(v); }
 };
 
 struct Worst {
-  double error = -1;  // below 0: there is none
+  double error = -1;  // negative if there is no result
   Input input;
   float got = 0;
   float right = 0;       // the exact value, correctly rounded
   std::string exact;     // as reference::describe() writes it
   bool climbed = false;  // found by climb(), not in the sample
 
-  // This one instead, where its error is larger.
+  // Replaces this result by another one if the error of the other one is larger.
   void keep(double other_error, const Input& other, float result, const reference::Rational& value);
 };
 
-// ULP and condition-aware error are those of reference/rounding.h. Exact zeros have no ULP of their own, and
-// values without a term (SUM |B_i| |R_i| = 0) no condition either: both are counted apart, and are in none of
-// the other numbers.
+// Statistics of ULP and condition-aware errors (reference/rounding.h). Exact zeros have no ULP of their own,
+// and values without terms (SUM |B_i| |R_i| = 0) have no condition-aware error either. Both are counted
+// separately and do not contribute to the other members.
 struct Errors {
-  // Errors up to 1/2 ULP, 1, 2, 4, ... 2^22, and above: powers of two from 2^-1 on.
+  // The bins hold errors up to 1/2, 1, 2, 4, ..., 2^22 ULP, and larger errors.
   static constexpr int kBins = 25;
   static std::size_t bin_of(double ulp);
 
   std::uint64_t values = 0;
   std::uint64_t not_correctly_rounded = 0;
-  std::uint64_t not_finite = 0;  // where the right result is; part of the former, not of the means and bins
+  std::uint64_t not_finite = 0;  // although the exact result rounds to a finite float; not in means and bins
   double sum_of_ulp = 0, sum_of_condition_aware = 0;
   std::array<std::uint64_t, kBins> histogram{};
   Worst ulp, condition_aware;
 
   std::uint64_t zeros = 0;
-  std::uint64_t zeros_wrong = 0;  // the result is something else
+  std::uint64_t zeros_wrong = 0;  // the result is not zero
   Worst zero;                     // by the condition-aware error
   std::uint64_t without_terms = 0;
   std::uint64_t without_terms_wrong = 0;
@@ -61,7 +62,7 @@ struct Errors {
   double mean_ulp() const { return mean(sum_of_ulp); }
   double mean_condition_aware() const { return mean(sum_of_condition_aware); }
 
-  // The result of a library for the input.
+  // Adds the result `got` of an implementation for the input, whose exact value is given.
   void add(float got, const reference::Evaluation& exact, const Input& input);
 
  private:

@@ -1,5 +1,6 @@
-// Polynomials that are lines, and others where they are nearly lines, at arguments near zero: there most of
-// what is full of ties is, each of which takes the exact route.
+// A fast, correctly rounded evaluation of lines, and of other polynomials at arguments near zero, where they
+// are nearly lines. Most data with many ties is of this kind, and without this class each tie takes the exact
+// route.
 #pragma once
 
 #include <optional>
@@ -7,22 +8,22 @@
 
 namespace evalcts::accuracy {
 
-// R_0 + u * n (R_1 - R_0) and a rest that is too small to say more than on which side of it the value lies.
+// The line R_0 + u * n (R_1 - R_0), and a rest that is so small that only its sign matters.
 class ExactLine {
  public:
-  // None where the slope is too long a number, or nothing of the polynomial is left near zero but its rest.
-  // The control points are of a curve over [0,1].
+  // Returns the line of a curve over [0,1] with these control points. Returns nothing if the slope has too
+  // many bits, if the line is zero but the polynomial is not, or if the rest is too large at every float u.
   static std::optional<ExactLine> of(const std::vector<double>& points);
 
-  // The largest |u| for which to_float() is right; infinite for a line.
+  // Returns the largest |u| for which to_float() is correctly rounded; infinity for a line.
   double reach() const { return reach_; }
-  // The value at u, correctly rounded to float, for every float u, |u| <= reach(), that is finite.
+  // Returns the value at u, correctly rounded to float. u must be finite, with |u| <= reach().
   float to_float(float u) const;
 
  private:
   double first_ = 0, slope_ = 0;
   double reach_ = 0;
-  // Sign of the rest for u > 0 and u < 0; 0: there is none.
+  // Sign of the rest for u > 0 and for u < 0; 0 if the rest is zero.
   int side_[2] = {0, 0};
 };
 

@@ -1,4 +1,4 @@
-// Errors along the domain of a few curves: where they are large, and how near to a zero of the polynomial.
+// Errors along the domain of a few curves, which show how errors grow near the zeros of a polynomial.
 #pragma once
 
 #include <string>
@@ -12,23 +12,23 @@ struct ProfileCurve {
   std::string name, what;
   std::vector<double> points;
 };
-// The same for everybody.
+// Returns the curves, which are the same for all implementations.
 const std::vector<ProfileCurve>& profile_curves();
 
-// [0,1] is divided into so many intervals of the same width.
+// Number of intervals of equal width into which [0,1] is divided.
 inline constexpr int kProfileBins = 256;
 
-// The zeros that its polynomial has between 0 and 1, to seven digits.
+// Returns the zeros of the curve in [0,1], rounded to seven decimal places.
 std::vector<double> zeros_of(const ProfileCurve& curve);
 
-// Errors of an implementation along a curve, to four digits: the largest in each interval.
+// The largest errors of an implementation in each interval of a curve, to four significant digits.
 struct Profile {
   std::string curve;
-  std::string not_measured;  // why there are no errors; empty if there are
+  std::string not_measured;  // reason if there are no errors, otherwise empty
   std::vector<double> max_ulp, max_condition_aware;
 };
 
-// Samples 16 multiples of 2^-24 spread over each interval; the errors of an exact zero count for the
+// Evaluates the curve at 16 multiples of 2^-24 spread over each interval. An exact zero contributes to the
 // condition-aware error only. Throws NotObservable.
 Profile measure_profile(Subject& subject, const std::string& target, const ProfileCurve& curve);
 

@@ -1,4 +1,4 @@
-// Maps at random: classes of orders and data, and seeded numbers that are the same on every machine.
+// Random maps: classes of orders and data, and seeded random numbers that are the same on every machine.
 #pragma once
 
 #include <array>
@@ -10,14 +10,13 @@
 
 namespace evalcts::accuracy {
 
-// Numbers that are the same on every machine. The distributions of the standard library differ from library
-// to library. Those of Boost.Random do not, but draw other numbers from the same engine: of a million,
-// uniform_real_distribution gives the same double 33 times of 100 and uniform_int_distribution the same
-// integer as often as chance does. With them the published digests, and the maps of published seeds, would
-// change. The random programs of harness/fuzz draw in the same way, for the same reason.
+// Random numbers that are the same on every machine. The distributions of the standard library differ between
+// libraries. Those of Boost.Random do not, but they draw different numbers from the same engine (of a million
+// doubles, a third are equal), so they would change the published digests and the maps of published seeds.
+// The random programs of harness/fuzz draw in the same way for the same reason.
 class Random {
  public:
-  // `item`: numbers of their own for each part of a task, so that parts can be done in any order.
+  // Each `item` (a part of a task) has its own sequence, so that parts can be processed in any order.
   Random(std::uint32_t seed, std::uint64_t item) {
     std::seed_seq sequence{seed, static_cast<std::uint32_t>(item), static_cast<std::uint32_t>(item >> 32)};
     engine_.seed(sequence);
@@ -25,8 +24,8 @@ class Random {
   std::uint64_t below(std::uint64_t limit) { return engine_() % limit; }
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }  // [0,1)
   double between(double low, double high) { return low + (high - low) * uniform(); }
-  // One of [low, high), times 2^exponent. Where the exponent is drawn, too, that comes first, with every
-  // compiler.
+  // Returns a number in [low, high) times 2^exponent. An exponent that is random, too, is drawn first,
+  // because it is an argument: the order does not depend on the compiler.
   double scaled(double low, double high, int exponent) { return std::ldexp(between(low, high), exponent); }
   bool once_in(int n) { return below(n) == 0; }
 
@@ -37,20 +36,20 @@ class Random {
 using Domain = std::array<double, 4>;  // u1, u2, v1, v2
 inline constexpr Domain kUnitDomain = {0, 1, 0, 1};
 
-// Maps of one pair of orders (vorder 0: of one dimension) and one kind of data: ordinary, integers, lines,
-// cancelling, wide, extreme, doubles; or ordinary data over another domain: shifted, reversed, narrow, huge;
-// or at the points of a grid of 2^10 segments: grid.
+// A class of maps: one pair of orders (vorder 0: one-dimensional) and one kind of data. Kinds over [0,1] are
+// ordinary, integers, lines, cancelling, wide, extreme and doubles. Shifted, reversed, narrow and huge are
+// ordinary data over another domain; grid is ordinary data at the points of a grid of 2^10 segments.
 struct Class {
   int uorder, vorder;
   std::string data;
 
   std::string name() const;  // "curve/4/ordinary", "surface/4x4/integers"
   Domain domain() const;
-  int segments() const;  // of the grid at whose points the maps are evaluated; 0: at coordinates
+  int segments() const;  // of the grid whose points are the arguments; 0: coordinates
 };
 
 struct Map {
-  int uorder, vorder;  // vorder 1: of one dimension
+  int uorder, vorder;  // vorder 1: one-dimensional, or constant in v
   int components;
   bool is_float;  // all control points are floats
   Domain domain;
@@ -58,15 +57,15 @@ struct Map {
   int segments = 0;            // of the grid over the domain whose points the arguments are; 0: coordinates
 };
 
-// Fills map.points with components that have nothing to do with each other. Orders and number of components
-// are those of the map.
+// Fills map.points with random control points of the class, independently for each component. Orders and
+// number of components are those of the map.
 void draw_points(Map& map, const Class& what, Random& random);
 
-// The argument at a fraction of the domain from first to last, and that fraction.
+// Return the argument at a fraction of the domain, and the fraction of an argument.
 float argument_at(double part, double first, double last);
 double part_of(float argument, double first, double last);
 
-// Changes the control points of one component, v fastest, a little; they stay of their class.
+// Changes a few control points of one component (v varies fastest) within the class.
 void vary_points(std::vector<double>& points, const Class& what, Random& random);
 
 }  // namespace evalcts::accuracy

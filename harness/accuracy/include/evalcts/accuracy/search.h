@@ -1,4 +1,4 @@
-// From the worst inputs of a random sample to worse ones.
+// A hill-climbing search for inputs with larger errors than those of a random sample.
 #pragma once
 
 #include <atomic>
@@ -8,12 +8,12 @@
 
 namespace evalcts::accuracy {
 
-// Climbs from the worst inputs of `errors`, which measure() has found for the same request, half of `values`
-// results by the error in ULP, half by the condition-aware one: again and again to the worst of many
-// neighbours, whose control points and arguments differ in some bits, and from another random input where
-// none has been worse for long. What is worse than errors.ulp and errors.condition_aware takes their place;
-// nothing else of `errors` changes. Depends on the request, `values` and the subject's results alone. Throws
-// NotObservable. Ends early when `stop` becomes true.
+// Searches from the worst inputs of `errors`, which measure() must have found for the same request. Half of
+// `values` results maximise the error in ULP, half the condition-aware error. Each step moves to the worst of
+// many neighbours, whose control points and arguments differ in some bits; if there is no progress for a
+// while, the search restarts from a random input. Larger errors replace errors.ulp and
+// errors.condition_aware; other members of `errors` do not change. The outcome depends only on the request,
+// `values` and the results of the subject. Ends early when `stop` becomes true. Throws NotObservable.
 void climb(Subject& subject, const RowRequest& request, std::uint64_t values, Errors& errors,
            const std::atomic<bool>& stop);
 

@@ -1,5 +1,4 @@
-// One map, evaluated at very many values of one argument, with as little as possible between the evaluator
-// and whoever takes the results.
+// Streams: one map evaluated at very many values of one argument, with as little overhead as possible.
 #pragma once
 
 #include <functional>
@@ -15,8 +14,8 @@ namespace evalcts::accuracy {
 class Stream {
  public:
   virtual ~Stream() = default;
-  // All components of the first argument, then those of the next; at most kLongest arguments. Throws
-  // NotObservable.
+  // Evaluates the map at at most kLongest arguments. `results` receives all components of the first argument,
+  // then those of the next. Throws NotObservable.
   virtual void evaluate(std::span<const float> u, std::span<float> results) = 0;
 
   static constexpr std::size_t kLongest = 1u << 16;
@@ -24,16 +23,17 @@ class Stream {
 
 struct StreamSource {
   ImplementationInfo info;
-  // True if each thread may have a stream of its own; otherwise one thread makes a single one and uses it.
+  // True if each thread may have its own stream. Otherwise one thread must make and use a single stream.
   bool for_threads = false;
   // Throws CannotStart, NotObservable.
   std::function<std::unique_ptr<Stream>(const SweptMap& map)> make;
 };
 
-// Throws CannotStart: no such implementation, or none that gives results at arguments of all kinds.
+// Throws CannotStart if there is no such implementation or it cannot evaluate every argument.
 StreamSource stream_source(const ImplementationOptions& options);
 
-// libglevaluator on one of its instruction sets; empty: the best one. Throws CannotStart.
+// Returns streams of libglevaluator on an instruction set; an empty name selects the best one. Throws
+// CannotStart.
 StreamSource production_source(const std::string& instruction_set);
 
 }  // namespace evalcts::accuracy

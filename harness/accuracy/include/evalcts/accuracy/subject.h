@@ -1,5 +1,5 @@
-// Subjects of a measurement: implementations of the GL through a capture, and evaluators of curves and
-// surfaces that are no GL.
+// Subjects of a measurement: GL implementations that are observed through a capture, and other evaluators of
+// curves and surfaces.
 #pragma once
 
 #include <memory>
@@ -14,22 +14,24 @@
 
 namespace evalcts::accuracy {
 
-// The names of the kinds of maps: "vertex_3", ..., without the colour index, which no capture shows.
+// Returns the names of the kinds of maps: "vertex_3", ... The colour index is missing, because no capture
+// shows it.
 std::vector<std::string> target_names();
-// GL_MAP1_VERTEX_3 or GL_MAP2_VERTEX_3. Throws std::invalid_argument for a name that is none of them.
+// Returns the target of a name, such as GL_MAP1_VERTEX_3 or GL_MAP2_VERTEX_3. Throws std::invalid_argument
+// for other names.
 GLenum target_of(const std::string& name, bool two_dimensional);
 
 class Subject {
  public:
   virtual ~Subject() = default;
   virtual ImplementationInfo info() const = 0;
-  // The name of the capture that shows its results; empty if there is none.
+  // Returns the name of the capture that observes the results; empty if there is none.
   virtual std::string capture() const { return {}; }
-  // True if the target of a map makes a difference to it.
+  // Returns true if the results may depend on the target of a map.
   virtual bool has_targets() const { return true; }
-  // Components of control points of the map come one after the other, v fastest. u and v lie in its domain;
-  // over [0,1] they are multiples of 2^-24. v is empty for curves. The results hold all components of the
-  // first argument, then those of the next. Throws NotObservable.
+  // Evaluates a map at the arguments (u[i], v[i]); v is empty for curves. The results are all components of
+  // the first argument, then those of the next. Throws NotObservable, for example if the subject cannot
+  // evaluate an argument outside the domain or, over [0,1], one that is not a multiple of 2^-24.
   virtual void evaluate(GLenum target, const Map& map, std::span<const float> u, std::span<const float> v,
                         std::span<float> results) = 0;
 };
@@ -37,13 +39,14 @@ class Subject {
 struct SubjectKind {
   std::string name, what;
 };
-// Subjects that are no GL implementations: production-fast, and algorithms of textbooks.
+// Returns the subjects that are not GL implementations: production-fast, and textbook algorithms.
 const std::vector<SubjectKind>& own_subjects();
 
-// One of those by its name, or an implementation. Throws CannotStart.
+// Opens one of own_subjects() by its name, or an implementation. Throws CannotStart.
 std::unique_ptr<Subject> open_subject(const ImplementationOptions& options);
 
-// Null where there is no such.
+// Makes one subject. make_textbook() returns null for a name that is not a textbook algorithm,
+// make_captured() throws CannotStart.
 std::unique_ptr<Subject> make_textbook(const std::string& name);
 std::unique_ptr<Subject> make_production_fast();
 std::unique_ptr<Subject> make_captured(const ImplementationOptions& options);

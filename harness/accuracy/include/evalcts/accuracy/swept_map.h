@@ -18,35 +18,35 @@ struct SweptMap {
   std::string target = "texture_coord_1";
   bool two_dimensional = false;
   Map map{1, 1, 1, true, {0, 1, 0, 1}, {}};
-  // For surfaces: true if v is swept and not u, and the value of the other argument.
+  // For surfaces: true if v is swept, otherwise u; and the value of the argument that is not swept.
   bool along_v = false;
   float other = 0;
 
   SweptMap() = default;
-  // A curve of one component.
-  SweptMap(std::vector<double> points);  // NOLINT(google-explicit-constructor): most are nothing else
+  // A curve of one component over [0,1].
+  SweptMap(std::vector<double> points);  // NOLINT(google-explicit-constructor): most maps are such curves
   SweptMap(std::initializer_list<double> points) : SweptMap(std::vector<double>(points)) {}
   bool is_plain_curve() const { return !two_dimensional && target == "texture_coord_1"; }
 };
 
-// One component of it, prepared for many values of the swept argument. Const member functions may be called
-// from several threads at once.
+// One component of a swept map, prepared for many values of the swept argument. Const member functions may be
+// called from several threads at once.
 class SweptPolynomial {
  public:
   SweptPolynomial(const SweptMap& map, int component);
 
-  // Correctly rounded; returns how many of them the exact route had to decide. As many rights as arguments,
-  // which are in order.
+  // Computes the correctly rounded values. `u` must be in increasing order, and `rights` must have the same
+  // size. Returns the number of values that took the exact route.
   std::size_t to_float(const std::vector<double>& u, std::vector<float>& rights) const;
   void enclose(const std::vector<double>& u, std::vector<reference::Enclosure>& enclosures) const;
   reference::Evaluation exactly(float u) const;
-  // SUM |B_i| |R_i|, good to many digits wherever the terms are in the range of double.
+  // Returns SUM |B_i| |R_i| in double, with a small relative error if the terms are in the range of double.
   double magnitude(double u) const;
 
  private:
   bool along_v_;
   float other_;
-  bool reduced_;  // to a curve, whose control points are doubles
+  bool reduced_;  // to a curve whose control points are doubles
   reference::BernsteinForm exact_;
   std::optional<reference::CorrectlyRounded> right_;
   std::optional<reference::Filter> filter_;

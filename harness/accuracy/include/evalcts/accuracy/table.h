@@ -11,32 +11,35 @@
 
 namespace evalcts::accuracy {
 
-// Curves and surfaces of several orders with each kind of data that float maps can hold.
+// Returns the classes of the table: curves and surfaces of several orders, with each kind of data that float
+// maps can hold.
 std::vector<Class> table_classes();
 
 struct RowRequest {
   Class what;
   std::string target;
-  std::uint64_t values = 0;  // at least
+  std::uint64_t values = 0;  // the least number of values
   std::uint32_t seed = 1;
-  std::optional<Domain> domain = std::nullopt;  // in the place of that of the class
+  std::optional<Domain> domain = std::nullopt;  // replaces the domain of the class
 };
 
-// A map of the class without control points, over the domain of the request.
+// Returns a map for the request, without control points.
 Map map_of(const RowRequest& request);
 
-// So many at a time; fewer of large maps, so that there are many of them.
+// Returns the number of arguments per map. It is smaller for large maps, so that there are many different
+// maps.
 std::size_t arguments_of_a_map(const Class& what);
 
-// Random maps of the class over [0,1]; fifteen of sixteen arguments are multiples of 2^-24 from 0 to 1, all
-// equally likely, the others multiples of 1/16. The same maps and arguments for every subject. Throws
-// NotObservable. Ends early when `stop` becomes true.
+// Measures the errors of random maps of the class. Arguments are fractions of the domain: 15 of 16 are random
+// multiples of 2^-24, the others multiples of 1/16; classes with a grid use its points. All subjects get the
+// same maps and arguments. Ends early when `stop` becomes true. Throws NotObservable.
 Errors measure(Subject& subject, const RowRequest& request, const std::atomic<bool>& stop);
 
-// One result of the subject, for a target of as many components as it likes: all of them are the same.
+// Evaluates the input again and returns the result. All components of the target get the polynomial of the
+// input.
 float replay(Subject& subject, const std::string& target, const Input& input);
 
-// The bits of the value: "0x3fc00000".
+// Returns the bits of the value as text: "0x3fc00000".
 std::string bits(float value);
 
 }  // namespace evalcts::accuracy

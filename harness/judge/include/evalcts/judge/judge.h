@@ -26,7 +26,7 @@ struct Mismatch {
   double ulp = 0;
   double condition_aware = 0;
 
-  // The same as numbers: `got` lies outside [lowest, highest].
+  // The captured value and the interval as numbers: `got` is outside [lowest, highest].
   enum class Of { kValue, kVertices, kError } of = Of::kValue;
   double got = 0, lowest = 0, highest = 0;
 };
@@ -45,7 +45,7 @@ struct JudgeOptions {
   // the others are not judged either.
   bool vectors_as_a_whole = false;
   int version = 46;        // 10 * major + minor: ranges that the GL promises depend on it
-  std::string where = {};  // the case's identity, for Accuracy
+  std::string where = {};  // identity of the case, for Accuracy
 };
 
 // Compares the captured vertices, in order, with the prediction, which is split according to the topology. An
@@ -55,8 +55,8 @@ Judgement judge(const Prediction& prediction, const Topology& topology, const Ob
 // Judges a case that draws only points.
 Judgement judge(const Prediction& prediction, const Observation& observation, const JudgeOptions& options);
 
-// The topology by which fewer values are wrong: this one, or the one in which each mesh of EvalMesh2 is drawn
-// in an order of its own (match_meshes).
+// Returns the topology with fewer wrong values: either `topology`, or the topology of match_meshes(), in
+// which each mesh of EvalMesh2 may have any order.
 Topology with_meshes_in_own_order(const Prediction& prediction, Topology topology,
                                   const Observation& observation, const JudgeOptions& options);
 

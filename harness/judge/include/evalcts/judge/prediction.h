@@ -23,9 +23,9 @@ struct Prediction {
   bool has_meshes() const;  // of EvalMesh2
 };
 
-// Predicts the primitives and the first error of a case. Commands that the specification lacks (pixel store,
-// buffers, matrices) do not concern evaluators and are skipped, also in display lists. No other command may
-// use a result of theirs.
+// Predicts the primitives and the first error of a case. Commands that the specification does not support
+// (pixel store, buffers, matrices) do not concern evaluators and are skipped, also in display lists. No other
+// command may use their results.
 Prediction predict(const gl::Case& script, int max_eval_order);
 
 // Returns true if a command of the case raises an error according to the specification, as far as it supports
@@ -41,8 +41,8 @@ struct Specified {
   std::vector<bool> inside;                 // true if a primitive is open after the command
 };
 
-// Runs the case on the specification. Throws std::logic_error if the specification lacks one of the
-// commands.
+// Runs the case on the specification. Throws std::logic_error if the specification does not support one of
+// the commands.
 Specified specify(const gl::Case& script, int max_eval_order);
 
 // Returns a case that draws the predicted primitives with explicit vertices: all values correctly rounded,

@@ -21,7 +21,7 @@ std::string describe(const Shape& shape);  // "8 vertices", "3 LINES and 1 POLYG
 
 struct Topology {
   Shape shape;
-  std::vector<std::size_t> vertices;  // for each captured vertex, its index in the case
+  std::vector<std::size_t> vertices;  // for each captured vertex, the index of the vertex in the case
 
   // The topology of `count` points, which are never split.
   static Topology points(std::size_t count);
