@@ -512,12 +512,12 @@ class Address(Browser):
         self.eventually(["Expected: 5 pixels", "Captured: 5 pixels", "Different: 2 of 5 pixels"],
                         lambda: self.texts(".plot canvas + figcaption"))
         self.assertEqual(self.js("const canvas = document.querySelector('.plot canvas'); return [canvas.width, canvas.height]"), [7, 4])
+        self.assertEqual(driver.get_log("browser"), [])  # before the readbacks below, which Chromium complains of
         at = "return [...document.querySelectorAll('.plot canvas')].map((canvas) => " \
              "[...canvas.getContext('2d').getImageData(arguments[0], arguments[1], 1, 1).data].slice(0, 4).join(' '))"
         self.assertEqual(self.js(at, 2, 1), ["255 0 0 255", "0 255 0 255", "204 34 34 255"])  # the upper row of the square
         self.assertEqual(self.js(at, 1, 2), ["0 0 0 255", "0 0 0 255", "0 0 0 0"])
         self.assertEqual(self.js(at, 4, 2), ["0 0 0 0"] * 3)  # between the areas
-        self.assertEqual(driver.get_log("browser"), [])
 
     def test_addresses_that_are_none(self):
         self.open("three.html")
