@@ -292,6 +292,7 @@ struct Group {
   std::optional<Finding> minimal;  // the smallest minimal program of the tests
   std::string title, why_not_reduced;
   std::string cause;
+  const KnownBug* known = nullptr;
 };
 
 // Replaces `minimal` by `other` if `other` is smaller. Returns true if it was replaced.
@@ -305,7 +306,7 @@ bool keep_smaller(std::optional<Finding>& minimal, const Finding& other) {
   return true;
 }
 
-Bug bug_from(const Group& group, const ImplementationRecord& implementation, int max_eval_order) {
+Bug bug_from(const Group& group, int max_eval_order) {
   Bug bug;
   bug.cause = group.cause;
   bug.why_not_reduced = group.minimal ? "" : group.why_not_reduced;
@@ -344,7 +345,7 @@ Bug bug_from(const Group& group, const ImplementationRecord& implementation, int
                                                                  : "fails",
                             cut(one_line(entry ? entry->text : first.message), kMostOfText));
   }
-  if (const KnownBug* const known = known_bug_with_sign(bug.cause, implementation)) {
+  if (const KnownBug* const known = group.known) {
     bug.known = known->id;
     bug.known_in = fmt::format("{}", fmt::join(known->affects, ", "));
     bug.id = id_of(known->requirements.front().id, known->id);
@@ -353,6 +354,15 @@ Bug bug_from(const Group& group, const ImplementationRecord& implementation, int
     bug.clause = known->clause;
   }
   return bug;
+}
+
+// Returns the known bug that the baseline names as the reason of an expected failure, "bug: ID. ..."; null if
+// it names none.
+const KnownBug* bug_of_baseline(const TestRecord& test) {
+  constexpr std::string_view kPrefix = "bug: ";
+  if (!test.expected_by_baseline || !test.baseline_reason.starts_with(kPrefix)) return nullptr;
+  const std::string named = test.baseline_reason.substr(kPrefix.size());
+  return find_known_bug(named.substr(0, named.find('.')));
 }
 
 }  // namespace
@@ -396,15 +406,13 @@ std::vector<std::string> readable_calls(const gl::Case& program) {
 
 std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduction>& reductions,
                          int max_eval_order) {
-  std::map<std::string, Group> groups;             // by key_of(cause)
+  std::map<std::string, Group> groups;             // by the ID of the known bug or by cause
   std::map<std::string, std::string> of_likeness;  // cause of a reduced test, by its likeness_of()
-  const auto key_of = [&](const std::string& cause) {
-    const KnownBug* const known = known_bug_with_sign(cause, run.implementation);
-    return known ? "known: " + known->id : cause;
-  };
   const auto add = [&](const TestRecord& test, const std::string& cause, const Finding* minimal,
-                       const std::string& why) {
-    Group& group = groups[key_of(cause)];
+                       const std::string& why, const KnownBug* known) {
+    if (!known) known = known_bug_with_sign(cause, run.implementation);
+    Group& group = groups[known ? "known: " + known->id : cause];
+    group.known = known;
     group.tests.push_back(&test);
     if ((minimal && keep_smaller(group.minimal, *minimal)) || group.cause.empty()) group.cause = cause;
     if (group.why_not_reduced.empty()) group.why_not_reduced = why;
@@ -418,18 +426,19 @@ std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduc
       continue;
     }
     const std::string cause = normal_form(*found->second.minimal, max_eval_order).cause;
-    add(test, cause, &*found->second.minimal, "");
+    add(test, cause, &*found->second.minimal, "", nullptr);
     of_likeness.try_emplace(likeness_of(test), cause);
   }
   for (const auto& [test, why] : left) {
+    const KnownBug* const named = bug_of_baseline(*test);
     const auto alike = of_likeness.find(likeness_of(*test));
-    if ((why == kOutOfTime || why == kDiedOnTheWay) && alike != of_likeness.end())
-      add(*test, alike->second, nullptr, "");
+    if (!named && (why == kOutOfTime || why == kDiedOnTheWay) && alike != of_likeness.end())
+      add(*test, alike->second, nullptr, "", nullptr);
     else
-      add(*test, "not reduced; " + likeness_of(*test), nullptr, why);
+      add(*test, "not reduced; " + likeness_of(*test), nullptr, why, named);
   }
   std::vector<Bug> bugs;
-  for (const auto& [key, group] : groups) bugs.push_back(bug_from(group, run.implementation, max_eval_order));
+  for (const auto& [key, group] : groups) bugs.push_back(bug_from(group, max_eval_order));
   sort_by_importance(bugs);
   return bugs;
 }

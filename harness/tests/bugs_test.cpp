@@ -243,6 +243,26 @@ TEST(Bugs, KnownOnesAreNamedAndNothingIsExcused) {
   EXPECT_EQ(bugs.at(0).known, "");
 }
 
+TEST(Bugs, WhatIsNotReducedBelongsToTheBugOfTheBaseline) {
+  RunResult run;
+  run.implementation.version = "4.5 (Compatibility Profile) Mesa 22.3.6";
+  run.tests = {failing("Mesh1.A", "EV-MESH1-POINT"), failing("Mesh2.B", "EV-MESH2-FILL"), failing("Mesh2.C", "EV-MESH2-FILL")};
+  for (TestRecord& test : run.tests) {
+    test.expected_by_baseline = true;
+    test.baseline_reason = "bug: mesa-initial-grid. EV-INIT-GRID1. GL 1.0 5.1";
+  }
+  run.tests[2].baseline_reason = "EV-MESH2-FILL: not traced to a bug";
+  std::vector<Bug> bugs = bugs_of(run, {}, kMaxOrder);
+  ASSERT_EQ(bugs.size(), 2u);
+  EXPECT_EQ(bugs[0].known, "mesa-initial-grid");
+  EXPECT_EQ(bugs[0].tests, (std::vector<std::string>{"Mesh1.A", "Mesh2.B"}));
+  EXPECT_EQ(bugs[0].title, find_known_bug("mesa-initial-grid")->title);
+  EXPECT_EQ(bugs[1].known, "");
+  // A failure that is not the one that the baseline expects may have another cause.
+  run.tests[1].expected_by_baseline = false;
+  EXPECT_EQ(bugs_of(run, {}, kMaxOrder).size(), 3u);
+}
+
 TEST(Bugs, ThoseWithDifferentSignsOfAKnownBugAreOne) {
   RunResult run;
   run.implementation.version = "4.5 (Compatibility Profile) Mesa 22.3.6";
