@@ -19,10 +19,20 @@ constexpr std::array<ChangeText, kChangeKinds> kChangeTexts{{
     {"new failure", "new failing test", "new failing tests", "new"},
     {"fix", "fix", "fixes", "fix"},
     {"no longer judged", "test no longer judged", "tests no longer judged", "changed"},
-    {"fails otherwise", "test that fails otherwise", "tests that fail otherwise", "changed"},
+    {"fails differently", "test that fails differently", "tests that fail differently", "changed"},
     {"other change", "other change", "other changes", "changed"},
     {"new test", "new test", "new tests", "new"},
     {"vanished", "vanished test", "vanished tests", ""},
+}};
+constexpr std::array<ChangeText, kChangeKinds> kDifferenceTexts{{
+    {"worse", "worse test", "worse tests", ""},
+    {"failing test of the second only", "failing test of the second only", "failing tests of the second only", ""},
+    {"better", "better test", "better tests", ""},
+    {"judged in the first only", "test judged in the first only", "tests judged in the first only", ""},
+    {"fails differently", "test that fails differently", "tests that fail differently", ""},
+    {"other difference", "other difference", "other differences", ""},
+    {"test of the second only", "test of the second only", "tests of the second only", ""},
+    {"test of the first only", "test of the first only", "tests of the first only", ""},
 }};
 
 bool judged(const TestRecord& test) {
@@ -52,6 +62,9 @@ std::optional<ChangeKind> change_of(const TestRecord& before, const TestRecord& 
 }  // namespace
 
 const ChangeText& text_of(ChangeKind kind) { return kChangeTexts[static_cast<std::size_t>(kind)]; }
+const ChangeText& text_of_difference(ChangeKind kind) {
+  return kDifferenceTexts[static_cast<std::size_t>(kind)];
+}
 
 std::string further_mismatch(const TestRecord& before, const TestRecord& now) {
   std::vector<std::string> further;
@@ -65,7 +78,7 @@ std::string words_of(const Change& change) {
   const std::string word(text_of(latest.verdict).word);
   const bool both = change.now && change.before;
   if (both && change.kind == ChangeKind::kRegression && change.now->verdict == change.before->verdict)
-    return fmt::format("{}, now also {}", word, one_line(further_mismatch(*change.before, *change.now)));
+    return fmt::format("{}, in more cases: {}", word, one_line(further_mismatch(*change.before, *change.now)));
   const std::string message = latest.message.empty() ? "" : ": " + one_line(latest.message);
   if (both && change.now->verdict != change.before->verdict)
     return fmt::format("{}, now {}{}", text_of(change.before->verdict).word, word, message);
@@ -82,10 +95,12 @@ std::string Comparison::headline() const {
   if (no_longer_starts) parts.emplace_back("no longer starts");
   for (std::size_t i = 0; i < kChangeKinds; ++i) {
     const auto kind = static_cast<ChangeKind>(i);
+    const ChangeText& text = of_two_implementations ? text_of_difference(kind) : text_of(kind);
     if (const std::uint64_t n = count(kind))
-      parts.push_back(fmt::format("{} {}", n, n == 1 ? text_of(kind).one : text_of(kind).several));
+      parts.push_back(fmt::format("{} {}", n, n == 1 ? text.one : text.several));
   }
-  return parts.empty() ? "nothing has changed" : join(parts, ", ");
+  if (!parts.empty()) return join(parts, ", ");
+  return of_two_implementations ? "no difference" : "nothing has changed";
 }
 
 std::uint64_t Comparisons::regressions() const {

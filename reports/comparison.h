@@ -29,6 +29,8 @@ struct ChangeText {
   std::string_view word, one, several, filter;
 };
 const ChangeText& text_of(ChangeKind kind);
+// The same for a comparison of two implementations, in which nothing is earlier and nothing is filtered by it.
+const ChangeText& text_of_difference(ChangeKind kind);
 
 struct Change {
   ChangeKind kind;
@@ -48,10 +50,12 @@ struct Comparison {
   bool no_longer_starts = false;     // counts as a regression
   std::vector<std::string> caveats;  // sentences about what makes the two less comparable
   std::vector<Change> changes;       // sorted by kind, within a kind in the order of the tests
+  bool of_two_implementations = false;  // chooses the words of the headline
 
   std::uint64_t count(ChangeKind kind) const;
   std::uint64_t regressions() const { return count(ChangeKind::kRegression) + (no_longer_starts ? 1 : 0); }
-  // Returns "2 regressions, 1 fix, 3 new tests" or "nothing has changed".
+  // Returns "2 regressions, 1 fix, 3 new tests" or "nothing has changed"; for two implementations "2 worse
+  // tests, 1 better test" or "no difference".
   std::string headline() const;
 };
 

@@ -81,8 +81,11 @@ std::string subtitle(const std::vector<Row>& rows, const std::vector<Column>& co
 std::vector<Comparison> all_comparisons(const std::vector<Column>& columns, std::size_t current) {
   std::vector<Comparison> out;
   for (std::size_t to = 0; to < current; ++to)
-    for (std::size_t from = 0; from < columns.size(); ++from)
-      if (from != to) out.push_back(compare(columns[to], columns[from]));
+    for (std::size_t from = 0; from < columns.size(); ++from) {
+      if (from == to) continue;
+      out.push_back(compare(columns[to], columns[from]));
+      out.back().of_two_implementations = from < current;
+    }
   return out;
 }
 

@@ -544,6 +544,8 @@ class Changes(Browser):
         self.choose("to", "1")
         self.eventually(2, lambda: len([t for t in self.texts("#change-list li") if "→" in t]))
         self.assertEqual(self.fragment(), {"from": ["osmesa"], "to": ["reference"]})
+        self.assertNotIn("regression", " ".join(self.texts("#change-list")))
+        self.assertIn("better test", self.texts("#change-list")[0])
         driver.find_element(By.CSS_SELECTOR, "#change-list li a").click()
         self.eventually("true", lambda: self.active("getAttribute('aria-expanded')"))
         self.assertEqual(self.fragment()["from"], ["osmesa"])

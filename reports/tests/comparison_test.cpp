@@ -46,7 +46,7 @@ TEST(Comparison, Kinds) {
                {"not-observable", "fail", "regression"},
                {"fail", "crash", "regression"},
                {"pass", "internal-error", "regression"},
-               {"crash", "fail", "fails otherwise"},
+               {"crash", "fail", "fails differently"},
                {"fail", "pass", "fix"},
                {"crash", "quality-warning", "fix"},
                {"fail", "not-observable", "no longer judged"},
@@ -63,11 +63,11 @@ TEST(Comparison, FurtherCasesAreARegression) {
              other = outcome("A.b", "fail", {"u=1: x", "u=2: y"}), one = outcome("A.b", "fail", {"u=1: x"});
   EXPECT_EQ(change(two, two), "");
   EXPECT_EQ(change(two, other), "regression");
-  EXPECT_EQ(change(two, one), "fails otherwise");
+  EXPECT_EQ(change(two, one), "fails differently");
   EXPECT_EQ(change(two, other, "quick"), "");
   EXPECT_EQ(change(outcome("A.b", "fail"), other), "");  // earlier mismatches were not recorded
   EXPECT_TRUE(
-      contains(changes_of({result("x", {other})}, {result("x", {two})}).text, "A.b (fail, now also u=2: y)"));
+      contains(changes_of({result("x", {other})}, {result("x", {two})}).text, "A.b (fail, in more cases: u=2: y)"));
 }
 
 TEST(Comparison, NewAndVanishedTests) {

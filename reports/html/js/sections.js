@@ -318,7 +318,7 @@ function changesOf(pair) {
 
 function changeLine(pair, {test, extra}) {
   const before = recordOf(test, pair.from), now = recordOf(test, pair.to);
-  const message = extra ? `now also ${extra}` : text((now || before)[MESSAGE]).replace(/\s+/g, ' ');
+  const message = extra ? `in more cases: ${extra}` : text((now || before)[MESSAGE]).replace(/\s+/g, ' ');
   return el('li', null, linkToTest(test), ' ', before ? chip(before) : faint('no test'), ' → ', now ? chip(now) : faint('no test'),
             message && now?.[VERDICT] !== PASS ? el('div', {class: 'headline'}, shownText(message)) : null);
 }
@@ -332,7 +332,7 @@ function changes(from, to) {
     changesOf(pair).map(([kind, list]) => fold(
         {class: 'case', open: kind <= 2 && list.length <= MOST_OPEN / 2},
         el('span', {class: `chip ${kind < 2 ? 'bad' : kind === 2 ? 'good' : 'none'}`},
-           `${list.length} ${data.changeKinds[kind][list.length === 1 ? 0 : 1]}`),
+           `${list.length} ${data.changeKinds[kind][(pair.from < current ? 2 : 0) + (list.length === 1 ? 0 : 1)]}`),
         () => el('ul', {class: 'plain'}, limited(list, MOST_ROWS, (change) => changeLine(pair, change)))))].flat();
 }
 
