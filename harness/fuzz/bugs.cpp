@@ -42,6 +42,7 @@ constexpr double kSecondsOfDeath = 10;    // time limit for the reduction of a c
 constexpr double kSecondsOfHang = 2;      // time limit of a candidate for a hang
 constexpr double kSecondsOfCase = 30;     // time limit of a reducing process without an event
 constexpr int kMostEmptyReducers = 3;
+constexpr std::size_t kReducedOfBaselineBug = 3;  // tests of each bug that the baseline names
 
 bool is_to_be_explained(const TestRecord& test) {
   return is_failure(test.verdict) && !test.also_in_fresh_context;
@@ -54,6 +55,15 @@ std::string without_digits(std::string text) {
 
 // Returns the family of a test, "Mesh.LastIsExact" for "Mesh1.LastIsExact/LINE/Executed".
 std::string family_of(const std::string& test) { return without_digits(test.substr(0, test.find('/'))); }
+
+// Returns the known bug that the baseline names as the reason of an expected failure, "bug: ID. ..."; null if
+// it names none.
+const KnownBug* bug_of_baseline(const TestRecord& test) {
+  constexpr std::string_view kPrefix = "bug: ";
+  if (!test.expected_by_baseline || !test.baseline_reason.starts_with(kPrefix)) return nullptr;
+  const std::string named = test.baseline_reason.substr(kPrefix.size());
+  return find_known_bug(named.substr(0, named.find('.')));
+}
 
 bool draws_very_much(const FailingCase& failing) {
   return !failing.commands.empty() && vertices_of(gl::parse_case(failing.commands)) > kMostVertices;
@@ -107,8 +117,8 @@ class BugSearch {
     return request_.seconds - std::chrono::duration<double>(Clock::now() - begin_).count();
   }
 
-  // Returns the failing tests: first one of each group with the same likeness_of(), then the second of each,
-  // and so on.
+  // Returns the failing tests to reduce: first one of each group with the same likeness_of(), then the second
+  // of each, and so on; of each bug that the baseline names, only the first few.
   std::vector<const TestRecord*> in_order() const {
     std::map<std::string, std::size_t> seen;
     std::vector<std::pair<std::size_t, const TestRecord*>> order;
@@ -116,7 +126,11 @@ class BugSearch {
       if (is_to_be_explained(test)) order.emplace_back(seen[likeness_of(test)]++, &test);
     std::ranges::stable_sort(order, {}, &std::pair<std::size_t, const TestRecord*>::first);
     std::vector<const TestRecord*> tests;
-    for (const auto& [number, test] : order) tests.push_back(test);
+    std::map<const KnownBug*, std::size_t> of_baseline;
+    for (const auto& [number, test] : order) {
+      const KnownBug* const named = bug_of_baseline(*test);
+      if (!named || of_baseline[named]++ < kReducedOfBaselineBug) tests.push_back(test);
+    }
     return tests;
   }
 
@@ -356,15 +370,6 @@ Bug bug_from(const Group& group, int max_eval_order) {
   return bug;
 }
 
-// Returns the known bug that the baseline names as the reason of an expected failure, "bug: ID. ..."; null if
-// it names none.
-const KnownBug* bug_of_baseline(const TestRecord& test) {
-  constexpr std::string_view kPrefix = "bug: ";
-  if (!test.expected_by_baseline || !test.baseline_reason.starts_with(kPrefix)) return nullptr;
-  const std::string named = test.baseline_reason.substr(kPrefix.size());
-  return find_known_bug(named.substr(0, named.find('.')));
-}
-
 }  // namespace
 
 std::string likeness_of(const TestRecord& test) {
@@ -422,7 +427,10 @@ std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduc
     if (!is_to_be_explained(test)) continue;
     const auto found = reductions.find(test.name);
     if (found == reductions.end() || !found->second.minimal) {
-      left.emplace_back(&test, found == reductions.end() ? std::string(kOutOfTime) : found->second.why_not);
+      const bool is_named = bug_of_baseline(test) != nullptr;
+      left.emplace_back(&test, found != reductions.end() ? found->second.why_not
+                               : is_named                ? std::string()
+                                                         : std::string(kOutOfTime));
       continue;
     }
     const std::string cause = normal_form(*found->second.minimal, max_eval_order).cause;
@@ -455,16 +463,24 @@ void find_bugs(RunResult& run, const BugRequest& request,
       reductions[test.name] = {test.name, {}, "it depends on what was run before in the same context"};
   }
   run.bugs = bugs_of(run, reductions, max_eval_order);
-  std::size_t tests = 0, left = 0, late = 0;
+  std::size_t tests = 0, named = 0, left = 0, late = 0;
   for (const TestRecord& test : run.tests) {
     if (!is_to_be_explained(test)) continue;
     ++tests;
     const auto found = reductions.find(test.name);
+    if (bug_of_baseline(test) && (found == reductions.end() || !found->second.minimal)) {
+      ++named;
+      continue;
+    }
     const bool is_late = found == reductions.end() || found->second.why_not == kOutOfTime;
     late += is_late;
     left += !is_late && !found->second.minimal;
   }
   std::vector<std::string> notes;
+  if (named > 0)
+    notes.push_back(fmt::format(
+        "{} of {} failing tests belong to the known bugs that the baseline names and were not reduced", named,
+        tests));
   if (left > 0)
     notes.push_back(fmt::format(
         "{} of {} failing tests could not be reduced to a minimal program and are grouped by requirement, by "

@@ -352,8 +352,10 @@ TEST(KnownBugs, MistakesAreNamed) {
 
 // --- from tests to bugs ------------------------------------------------------------------------------------
 
-// Runs these tests on production with the fault, and returns the result with its bugs.
-RunResult run_with_fault(const std::string& fault, const std::vector<std::string>& tests) {
+// Runs these tests on production with the fault, and returns the result with its bugs. With a reason, a
+// baseline expects each failure for it. `reduced` is set to the number of tests that were to be reduced.
+RunResult run_with_fault(const std::string& fault, const std::vector<std::string>& tests,
+                         const std::string& baseline_reason = "", std::size_t* reduced = nullptr) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::path(testing::TempDir()) / fmt::format("evalcts-bugs-{}", getpid());
   fs::create_directories(folder);
@@ -374,8 +376,14 @@ RunResult run_with_fault(const std::string& fault, const std::vector<std::string
     if (const auto* result = std::get_if<TestFinished>(&event)) run.tests.push_back(result->record);
   })) {
   }
+  for (TestRecord& test : run.tests) {
+    test.expected_by_baseline = !baseline_reason.empty();
+    test.baseline_reason = baseline_reason;
+  }
   find_bugs(run, {.suite_command = suite, .jobs = 2, .seconds = 300, .scratch = folder, .limits = {}},
-            [](std::size_t, std::size_t) {});
+            [&](std::size_t, std::size_t total) {
+              if (reduced) *reduced = total;
+            });
   fs::remove_all(folder);
   return run;
 }
@@ -415,6 +423,22 @@ TEST(FaultyImplementation, HasFewBugs) {
     EXPECT_EQ(explained, tests.size());
     EXPECT_EQ(run.bugs_note, "");
   }
+}
+
+// Of a bug that the baseline names, three tests are reduced and the other ones are taken on trust.
+TEST(FaultyImplementation, IsReducedOnlyAsFarAsTheBaselineDoesNotNameTheBug) {
+  std::vector<std::string> tests;
+  for (const char* target : {"COLOR_4", "INDEX", "NORMAL", "VERTEX_3", "VERTEX_4"})
+    for (const char* form : {"d", "f"}) tests.push_back(fmt::format("Map1Errors.OrderTooLow/MAP1_{}_{}", target, form));
+  std::size_t reduced = 0;
+  const RunResult run = run_with_fault("OrderZeroTaken", tests, "bug: mesa-getmap-saturation. A test", &reduced);
+  EXPECT_EQ(run.tests.size(), tests.size());
+  EXPECT_EQ(reduced, 3u);
+  // The minimal programs of the three are not those of the named bug.
+  ASSERT_EQ(run.bugs.size(), 2u);
+  EXPECT_EQ(run.bugs[0].tests.size() + run.bugs[1].tests.size(), tests.size());
+  EXPECT_EQ(run.bugs_note,
+            "7 of 10 failing tests belong to the known bugs that the baseline names and were not reduced");
 }
 
 }  // namespace

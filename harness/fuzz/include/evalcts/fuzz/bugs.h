@@ -23,7 +23,7 @@ struct BugRequest {
 };
 
 // Reduces the first failing case of each failing test of the run to a minimal program, and sets `bugs` and
-// `bugs_note` of the run. Failures of a second pass are not reduced, because they depend on earlier tests.
+// `bugs_note` of the run. Of each known bug that the baseline names, only the first tests are reduced. Failures of a second pass are not reduced, because they depend on earlier tests.
 // Throws CannotWrite.
 void find_bugs(RunResult& run, const BugRequest& request,
                const std::function<void(std::size_t done, std::size_t total)>& progress);
