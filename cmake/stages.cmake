@@ -36,7 +36,7 @@ endif()
 
 # The packages are installed and used in the smallest system that has apt; without root the stage ends after making them.
 evalcts_stage(package 7200 sh -c [=[if [ $(id -u) != 0 ]
-then echo 'only root can make a clean root: the packages are made, not tried'
+then echo 'only root can make a clean root: the packages were built but not tested'
 else exec harness/packages/check.sh build/packages
 fi]=])
 

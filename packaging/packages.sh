@@ -59,7 +59,7 @@ apt_get() { # log, argument...; the lock is closed, because services that a pack
 update_lists() {
   [[ $updated ]] && return 1
   updated=yes
-  say "bringing the lists of packages up to date (apt-get update)"
+  say "updating the package lists (apt-get update)"
   apt_get "$build/apt-update.log" -o APT::Update::Error-Mode=any update && updated=well && return
   say "apt-get update reports problems: see $build/apt-update.log"
 }

@@ -35,7 +35,7 @@ void expect_last_points(Test& t, const gl::Case& past, const gl::Case& c) {
                         last.primitives.begin() + static_cast<std::ptrdiff_t>(before));
   const std::size_t count = last.vertex_count();
   const auto judge_last = [&](const Observation& seen) {
-    if (seen.overflow) throw NotObservable("far too many vertices come out, which other tests say");
+    if (seen.overflow) throw NotObservable("there are far too many vertices, which other tests report");
     Observation tail = seen;
     std::vector<ObservedVertex> vertices = vertices_of(seen);
     if (vertices.size() > count)

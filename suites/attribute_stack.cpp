@@ -170,8 +170,8 @@ EVALCTS_TEST(AttributeStack, OtherBits, kMust, "EV-ATTRIB-OTHERBITS", combine(kO
 EVALCTS_TEST(AttributeStack, MapsStay, kMust, "EV-ATTRIB-NOMAPS",
              combine((std::vector<Named<GLbitfield>>{kWithEval[0], kWithAll[0], kWithAll[1]})).by(in_lists()))
 (Test& t, const Named<GLbitfield>& mask) {
-  for (const bool anew : {true, false}) {
-    CheckedCase c(t, anew ? "maps defined, pushed, defined anew, popped" : "maps defined, pushed, popped");
+  for (const bool again : {true, false}) {
+    CheckedCase c(t, again ? "maps defined, pushed, defined again, popped" : "maps defined, pushed, popped");
     std::vector<Map> maps;
     const auto define_all = [&](int order) {
       maps.clear();
@@ -183,7 +183,7 @@ EVALCTS_TEST(AttributeStack, MapsStay, kMust, "EV-ATTRIB-NOMAPS",
     };
     define_all(3);
     c.PushAttrib(mask.value);
-    if (anew) define_all(4);
+    if (again) define_all(4);
     c.PopAttrib();
     for (const Map& map : maps) c.expect_map(map);
     c.check();

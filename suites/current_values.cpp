@@ -255,7 +255,7 @@ EVALCTS_TEST(CurrentValues, LongPrimitives, kMust, "EV-CUR-COLOR/1-D", "EV-CUR-N
   for (const bool set_inside : {false, true})
     observed |= expect_kept(t, [&](bool evaluated) {
       const std::string identity =
-          fmt::format("{} vertices, {}", vertices, set_inside ? "set in the middle" : "set before");
+          fmt::format("{} vertices, {}", vertices, set_inside ? "set inside" : "set before");
       gl::Case c(evaluated ? identity : gl::control(identity));
       for (const Map& map : maps) define_and_enable(c, map);
       const auto set = [&] {

@@ -32,7 +32,7 @@ std::vector<Bad> bad_maps(bool doubles, const char* form, std::optional<int> lim
     const std::vector<double> points(512, 0.5);
     add(what, error, {target, u1, u2, 0, 1, stride, stride, order, 1, points, kCurves});
   };
-  add1("a target that is none", GL_INVALID_ENUM, GL_TEXTURE_2D, 0, 1, 4, 4);
+  add1("an invalid target", GL_INVALID_ENUM, GL_TEXTURE_2D, 0, 1, 4, 4);
   add1("a target of Map2", GL_INVALID_ENUM, GL_MAP2_VERTEX_3, 0, 1, 4, 4);
   add1("order 0", GL_INVALID_VALUE, GL_MAP1_VERTEX_3, 0, 1, 3, 0);
   add1("order -1", GL_INVALID_VALUE, GL_MAP1_VERTEX_3, 0, 1, 3, -1);
@@ -47,7 +47,7 @@ std::vector<Bad> bad_maps(bool doubles, const char* form, std::optional<int> lim
     const std::vector<double> points(2048, 0.5);
     add(what, error, {target, 0, u2, 0, v2, ustride, vstride, uorder, vorder, points, kSurfaces});
   };
-  add2("a target that is none", GL_INVALID_ENUM, GL_AUTO_NORMAL, 1, 8, 2, 1, 4, 2);
+  add2("an invalid target", GL_INVALID_ENUM, GL_AUTO_NORMAL, 1, 8, 2, 1, 4, 2);
   add2("a target of Map1", GL_INVALID_ENUM, GL_MAP1_VERTEX_3, 1, 8, 2, 1, 4, 2);
   add2("uorder 0", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 8, 0, 1, 4, 2);
   add2("vorder 0", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 8, 2, 1, 4, 0);

@@ -35,20 +35,21 @@ EVALCTS_TEST(DisplayLists, VertexMapsOfTheCall, kMust, "EV-DL-EXECSTATE-MAP", co
 (Test& t, const Dimension& dimension) {
   const GLenum three = target_in(dimension.two, GL_MAP1_VERTEX_3);
   const GLenum four = target_in(dimension.two, GL_MAP1_VERTEX_4);
-  const auto define_anew = [&](gl::Case& c, GLenum target) {
+  const auto define_again = [&](gl::Case& c, GLenum target) {
     define(c, random_map(t, target, dimension.two ? Orders{2, 3} : Orders{3}));
   };
-  gl::Case c("compiled with a map of VERTEX_3, called after it was defined anew, with VERTEX_4, and without");
-  define_anew(c, three);
+  gl::Case c(
+      "compiled with a map of VERTEX_3, called after it was defined again, with VERTEX_4, and without");
+  define_again(c, three);
   c.Enable(three);
   set_grid(c, dimension.two);
   compile_points(c, kList, dimension.two);
-  define_anew(c, three);
+  define_again(c, three);
   c.CallList(kList);
-  define_anew(c, four);
+  define_again(c, four);
   c.Enable(four);
   c.CallList(kList);
-  define_anew(c, four);
+  define_again(c, four);
   c.CallList(kList);
   c.Disable(four);
   c.CallList(kList);

@@ -366,7 +366,7 @@ EVALCTS_TEST(DisplayLists, CalledTwiceSameBits, kMust, "EV-DL-REPEAT", combine(k
       mismatch.what = "vertices";
       mismatch.expected = std::to_string(all);
       mismatch.captured = std::to_string(vertices.size());
-      mismatch.message = fmt::format("{} vertices come out, expected {}", vertices.size(), all);
+      mismatch.message = fmt::format("{} vertices are drawn, expected {}", vertices.size(), all);
       mismatch.of = Mismatch::Of::kVertices;
       return mismatches;
     }

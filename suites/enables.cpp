@@ -79,7 +79,7 @@ EVALCTS_TEST(Enables, EveryGet, kMust, "EV-EN-GETS", combine(all_caps()).by(gl::
 
 EVALCTS_TEST(Enables, AllTogether, kMust, "EV-EN-MULTI", by(gl::list_deliveries()))
 (Test& t) {
-  CheckedCase c(t, "all 18, enabled from the last to the first");
+  CheckedCase c(t, "all 19, enabled from the last to the first");
   const std::vector<GLenum>& caps = all_caps();
   for (std::size_t i = caps.size(); i-- > 0;) c.Enable(caps[i]);
   c.expect_no_error();

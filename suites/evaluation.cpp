@@ -443,7 +443,7 @@ EVALCTS_TEST(
 
 EVALCTS_TEST(Attributes, Vertex3HasW1, kMust, "EV-ATTR-VERTEX3/1-D", by(gl::curve_deliveries()))
 (Test& t) {
-  gl::Case c("after vertices with other w, beside coordinates with other q");
+  gl::Case c("after vertices with other w and coordinates with other q");
   define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   c.Begin(GL_POINTS);
   c.Vertex4f(1, 2, 3, 5);

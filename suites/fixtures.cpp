@@ -51,7 +51,7 @@ std::vector<ObservedVertex> vertices_of(const Observation& seen) {
 
 std::vector<ObservedVertex> vertices_of(const Observation& seen, std::size_t count) {
   std::vector<ObservedVertex> all = vertices_of(seen);
-  if (all.size() != count) throw NotObservable("the vertices do not come out, which other tests say");
+  if (all.size() != count) throw NotObservable("vertices are missing or surplus, which other tests report");
   return all;
 }
 

@@ -144,7 +144,7 @@ std::string in_words(const std::vector<SentCommand>& commands) {
                                 fmt::join(shown, " "),
                                 shown.size() < command.parameters.size() ? " ..." : ""));
   }
-  return words.empty() ? "nothing of evaluators" : fmt::format("{}", fmt::join(words, "; "));
+  return words.empty() ? "no evaluator commands" : fmt::format("{}", fmt::join(words, "; "));
 }
 
 }  // namespace evalcts

@@ -220,7 +220,7 @@ EVALCTS_TEST(Grids, PrimitiveUndisturbed, kMust, "EV-GRID-ERR-BEGINEND", "EV-GRI
 // A legal call after a rejected one sets the grid.
 EVALCTS_TEST(Grids, LegalCallAfterwards, kMust, "EV-GRID-ERR-NOEFFECT", kEachForm)
 (Test& t, const Form& form) {
-  CheckedCase c(t, "refused, then legal");
+  CheckedCase c(t, "rejected, then legal");
   set(c, Grids{0, 1, 2}, form.doubles);
   set(c, Grids{2, 1, 2, 0, 1, 2}, form.doubles);
   const Grids one{4, 6, 8}, two{3, 6, 8, 5, 9, 7};

@@ -57,7 +57,7 @@ void follow(Test& t, const std::string& text, const std::vector<double>& seen,
   failure.what = text;
   failure.expected = expected;
   failure.captured = shown(seen);
-  failure.message = fmt::format("{}: {} follows no reading that is known", text, failure.captured);
+  failure.message = fmt::format("{}: {} matches no known reading", text, failure.captured);
   t.fail(std::move(failure));
 }
 

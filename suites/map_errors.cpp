@@ -136,7 +136,7 @@ EVALCTS_TEST_PAIR(Map1Errors.LegalCallAfterwards, Map2Errors.LegalCallAfterwards
   for (int i = 0; i < 2 * gl::components_of(form.target); ++i) coefficients.push_back(i - 1.5);
   const Map map = two ? over(random_map(t, form.target, {3, 2}, 16, 5), {-4, 4}, {9, 8})
                       : make_map1(form.target, -4, 4, 6, coefficients);
-  CheckedCase c(t, fmt::format("refused for {}, then legal",
+  CheckedCase c(t, fmt::format("rejected for {}, then legal",
                                two ? "orders, strides and domains" : "order, stride and domain"));
   for_each_illegal(form.target, [&](const Map& bad) { define(c, bad, form.doubles); });
   define(c, map, form.doubles);

@@ -330,7 +330,7 @@ EVALCTS_TEST(Map1State, IndependentLongMaps, kMust, "EV-MAP1-INDEP", by(list_del
 EVALCTS_TEST(Map1State, Live, kMust, "EV-MAP1-LIVE",
              combine(visible_target_forms(kCurves)).by(list_deliveries()))
 (Test& t, const TargetForm& form) {
-  gl::Case c("evaluate, define anew, evaluate");
+  gl::Case c("evaluate, define again, evaluate");
   enable_visibly(c, form.target);
   Map map;
   const auto define_and_evaluate = [&] {

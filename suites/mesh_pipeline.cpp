@@ -179,7 +179,7 @@ void add_outlined(std::vector<Scene>& scenes, bool flag, const gl::Case& drawing
 void require_quads(const Picture& control) {
   for (std::size_t i = 0; i < control.parts.size(); ++i)
     if (outlines_of(control.parts[i]) != outlines_of_quads(kOutlined[i % 2]))
-      throw NotObservable("pipeline: explicit quad strips do not come out as the edges or corners of quads");
+      throw NotObservable("pipeline: explicit quad strips are not drawn as the edges or corners of quads");
 }
 
 // Returns the feedback of a mesh in polygon modes POINT and LINE, with each of the edge flags. Throws
@@ -268,7 +268,7 @@ EVALCTS_TEST(Mesh2, NonPlanarQuads, kQuality, "EV-MESH2-PLANAR")
 
   const Outlines expected = outlines_of(feedback(t, gl::control("vertices"), {}, strips).parts[0]);
   if (expected.corners.size() != (kColumns + 1) * (kRows + 1))
-    throw NotObservable("pipeline: explicit quad strips do not come out whole");
+    throw NotObservable("pipeline: explicit quad strips are not drawn completely");
   Picture polygons = feedback(t, "vertices", {}, twisted);
   expect_outlines(polygons, polygons.parts[0], outlines_of(polygons.parts[0]).corners == expected.corners,
                   expected);
@@ -281,7 +281,8 @@ EVALCTS_TEST(Mesh2, NonPlanarQuads, kQuality, "EV-MESH2-PLANAR")
   Picture picture = pixels(t, "middles of the quads", {}, twisted, middles);
   show_pixels(picture, control.parts);
   for (std::size_t i = 0; i < middles.size(); ++i) {
-    if (!lit(control.parts[i])) throw NotObservable("pipeline: explicit quad strips do not come out whole");
+    if (!lit(control.parts[i]))
+      throw NotObservable("pipeline: explicit quad strips are not drawn completely");
     const Part& part = picture.parts[i];
     picture.played.expect(lit(part), part.shown,
                           fmt::format("{}, in the middle of a quad, is not drawn", part.name), "drawn",

@@ -114,7 +114,7 @@ void expect_stipple(Test& t, const Stipple& stipple, const gl::Case& evaluated,
                                    control.parts.end());
   for (const Part& part : expected)
     if (!std::equal(part.values.begin() + 5, part.values.begin() + 14, expected[0].values.begin() + 5))
-      throw NotObservable("pipeline: the stipple does not start anew at each explicit line strip");
+      throw NotObservable("pipeline: the stipple does not restart at each explicit line strip");
   Picture picture = pixels(t, "evaluated", state, evaluated, areas, GL_RED);
   show_pixels(picture, expected);
   for (std::size_t i = 0; i < count; ++i) expect_like_explicit(picture.played, picture.parts[i], expected[i]);
@@ -133,7 +133,7 @@ void expect_starts(Test& t, const gl::Case& evaluated) {
   Picture picture = feedback(t, "evaluated", state, evaluated);
   const std::vector<bool> seen = starts_of(picture.parts[0]);
   picture.played.expect(seen.size() == expected.size(), picture.parts[0].shown,
-                        fmt::format("{} segments come out, expected {}", seen.size(), expected.size()),
+                        fmt::format("{} segments are drawn, expected {}", seen.size(), expected.size()),
                         fmt::format("{} segments", expected.size()), fmt::format("{} segments", seen.size()));
   for (std::size_t i = 0; i < std::min(seen.size(), expected.size()); ++i)
     picture.played.expect(!seen[i] || expected[i], picture.parts[0].shown,

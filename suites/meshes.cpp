@@ -344,7 +344,7 @@ void expect_no_accumulation(Test& t, const MeshMode& mode, const Along& along) {
     // mesh.
     const std::size_t groups = vertices.size() % (segments + 1) == 0 ? segments + 1 : segments;
     if (vertices.empty() || vertices.size() % groups != 0)
-      throw NotObservable("the points of the mesh do not come out, which other tests say");
+      throw NotObservable("points of the mesh are missing, which other tests report");
     // Other tests judge the order of rows.
     if (vertices.back().position[0] < vertices.front().position[0]) std::ranges::reverse(vertices);
     const auto size = static_cast<std::ptrdiff_t>(vertices.size() / groups);
@@ -441,7 +441,7 @@ void expect_same_bits(Test& t, const std::string& what, const ByPoint& all, cons
     if (found->second.front() != positions.front())
       fail_at(t, what, point, found->second.front(), positions.front());
   }
-  if (compared < 12) throw NotObservable("the points of the mesh do not come out, which other tests say");
+  if (compared < 12) throw NotObservable("points of the mesh are missing, which other tests report");
 }
 
 const Range kWhole = {0, 37, 0, 11};
@@ -460,7 +460,7 @@ EVALCTS_TEST(Mesh2, SharedVertices, kMust, "EV-MESH2-SHAREDROW",
     if (other != positions.end())
       fail_at(t, "in the primitives that share it", point, positions.front(), *other);
   }
-  if (shared < 100) throw NotObservable("the points of the mesh do not come out, which other tests say");
+  if (shared < 100) throw NotObservable("points of the mesh are missing, which other tests report");
 };
 
 EVALCTS_TEST(Mesh2, ModesAgree, kQuality, "EV-MESH2-MODESAGREE", by(gl::list_deliveries()))

@@ -371,7 +371,7 @@ EVALCTS_TEST_PAIR(Numeric.ResultsAfterSpecials1, Numeric.ResultsAfterSpecials2, 
   const std::vector<ObservedVertex> expected =
       vertices_of(t.observe(clean, kUnit0, before + count + 8), before + count);
 
-  gl::Case c("NaN, infinity and what overflows");
+  gl::Case c("NaN, infinity and overflow");
   begin(c);
   for (const double value : kSpecials)
     for (const Form& form : kForms) special.feed(t, c, two, form.doubles, value, {GL_POINT});
@@ -379,12 +379,12 @@ EVALCTS_TEST_PAIR(Numeric.ResultsAfterSpecials1, Numeric.ResultsAfterSpecials2, 
   draw_finite(c, two, maps);
   const std::vector<ObservedVertex> got = vertices_of(t.observe(c, kUnit0, 20000));
   if (got.size() < count) {
-    fail(t, c, "the number of vertices", "at least to come are", static_cast<float>(count),
+    fail(t, c, "the number of vertices", "expected at least", static_cast<float>(count),
          static_cast<float>(got.size()));
     return;
   }
   expect_same(t, c, std::span(expected).last(count), std::span(got).last(count), kUnit0,
-              "without values that are no numbers it is",
+              "without non-finite values it is",
               [&](std::size_t i) { return fmt::format("vertex {} of those drawn afterwards", i); });
 };
 
@@ -395,7 +395,7 @@ EVALCTS_TEST_PAIR(Numeric.StateAfterSpecials1, Numeric.StateAfterSpecials2, kMus
                   combine(kFeeds).by(in_lists()))
 (Test& t, bool two, const Special& special) {
   const Kinds& kinds = kinds_of(two)[1];
-  CheckedCase c(t, "NaN, infinity and what overflows");
+  CheckedCase c(t, "NaN, infinity and overflow");
   const Map others[] = {random_map(t, GL_MAP1_TEXTURE_COORD_1, 5),
                         random_map(t, GL_MAP2_TEXTURE_COORD_1, {3, 2})};
   for (const Map& other : others) define(c, other);

@@ -103,8 +103,7 @@ Plot pixel_plot(const std::vector<Part>& seen, const std::vector<Part>& expected
 }  // namespace
 
 void show_pixels(Picture& picture, const std::vector<Part>& control, std::size_t scene) {
-  picture.played.set_plot(
-      [&picture, &control, scene] { return pixel_plot(picture.parts, control, scene); });
+  picture.played.set_plot([&picture, &control, scene] { return pixel_plot(picture.parts, control, scene); });
 }
 
 Picture feedback(Test& t, const gl::Identity& identity, const std::vector<Scene>& scenes) {
@@ -221,8 +220,8 @@ void expect_like_explicit(Played& played, const Part& seen, const Part& control)
   const std::string expected = text(control.values), captured = text(seen.values);
   if (!seen.area) played.set_plot([&] { return feedback_plot(seen, control); });
   played.expect(alike(seen.values, control.values), seen.shown,
-                fmt::format("evaluated vertices come out of the pipeline as {}, explicit ones as {} ({})",
-                            captured, expected, seen.name),
+                fmt::format("evaluated vertices leave the pipeline as {}, explicit ones as {} ({})", captured,
+                            expected, seen.name),
                 expected, captured);
   if (!seen.area) played.set_plot({});
 }

@@ -140,7 +140,7 @@ EVALCTS_TEST(Points, SameBitsAsMesh, kQuality, "EV-POINT-LIKEMESH",
   const Observation seen = t.observe(c, kUnit0, 2 * count);
   const std::vector<ObservedVertex> vertices = vertices_of(seen);
   if (vertices.size() != 2 * count)
-    throw NotObservable("the number of vertices is wrong, which other tests say");
+    throw NotObservable("the number of vertices is wrong, which other tests report");
   std::size_t first = 0;
   for (const Grid& grid : awkward_grids()) {
     const auto of_grid = static_cast<std::size_t>(std::min(grid.segments, 40) + 3) * (d.two ? 3 : 1);

@@ -110,7 +110,8 @@ void expect_discarded(Test& t, const std::vector<Drawing>& drawings) {
   const Conditional control = render(t, gl::control("explicit vertices"), scenes_of(drawings, false));
   for (std::size_t i = 0; i < drawings.size(); ++i)
     if (control.lit(control.failed[i]) > 0 || control.lit(control.passed[i]) == 0)
-      throw NotObservable("pipeline: explicit vertices are not discarded, or are whatever the query says");
+      throw NotObservable(
+          "pipeline: explicit vertices are not discarded, or are discarded regardless of the query");
   const std::vector<Scene> scenes = scenes_of(drawings, true);
   Conditional evaluated = render(t, "evaluated", scenes);
   for (std::size_t i = 0; i < drawings.size(); ++i) {

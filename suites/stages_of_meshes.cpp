@@ -364,7 +364,7 @@ EVALCTS_TEST(Pipeline, NoPrimitiveRestart, kMust, "EV-PIPE-NORESTART")
   };
   for (std::size_t i = 0; i < control.parts.size(); ++i)
     if (control.parts[i].values.empty() || !is_as_without(control, i))
-      throw NotObservable("pipeline: explicit vertices come out otherwise with primitive restart");
+      throw NotObservable("pipeline: explicit vertices differ with primitive restart");
   Picture picture = feedback(t, "evaluated", staged(stages, drawings, true));
   forget_stipple_starts(picture);
   for (std::size_t i = 0; i < picture.parts.size(); ++i) {
@@ -374,9 +374,9 @@ EVALCTS_TEST(Pipeline, NoPrimitiveRestart, kMust, "EV-PIPE-NORESTART")
       expect_drawn_like_explicit(picture.played, drawings[i], seen, control.parts[i]);
     } else {
       picture.played.expect(is_as_without(picture, i), seen.shown,
-                            fmt::format("{}: other primitives come out than without restart", seen.name),
+                            fmt::format("{}: the primitives differ from those without restart", seen.name),
                             fmt::format("the same {} values", without.values.size()),
-                            fmt::format("{} values, others", seen.values.size()));
+                            fmt::format("{} different values", seen.values.size()));
     }
   }
 };

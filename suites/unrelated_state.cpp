@@ -173,17 +173,17 @@ void give_wrong_commands(Test&, Repetition& r, bool) {
   c.GetError();
   c.Map2f(GL_MAP2_VERTEX_4, 0, 1, 4, 0, 0, 1, 4, 1, points);
   c.GetError();
-  r.after("maps that are refused");
+  r.after("maps that are rejected");
   c.MapGrid1f(0, 0, 1);
   c.GetError();
   c.MapGrid2f(1, 0, 1, -1, 0, 1);
   c.GetError();
-  r.after("grids that are refused");
+  r.after("grids that are rejected");
   c.EvalMesh1(GL_FILL, 0, 1);
   c.GetError();
   c.EvalMesh2(GL_QUADS, 0, 1, 0, 1);
   c.GetError();
-  r.after("meshes that are refused");
+  r.after("meshes that are rejected");
 }
 
 void ask_for_everything(Test& t, Repetition& r, bool) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Recomputes every number of the vector files from their inputs.
 
-    python3 check.py [--jobs N] [--quiet] [FILE]...         default: all *.json beside this program
+    python3 check.py [--jobs N] [--quiet] [FILE]...         default: all *.json next to this program
 
 Exit code: 0 all agree, 1 something differs, 2 a file is unreadable or not what INTERPRETING.md describes.
 This shares no code with the program that wrote the files: their description is all that it knows.
@@ -21,7 +21,7 @@ SHOWN = 40
 def main(arguments=None):
     parser = argparse.ArgumentParser(description="recomputes every number of the vector files")
     parser.add_argument("files", nargs="*", type=Path, metavar="FILE",
-                        help="default: all *.json beside this program")
+                        help="default: all *.json next to this program")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N",
                         help="processes (default: all cores)")
     parser.add_argument("--quiet", action="store_true", help="no line for files that agree")

@@ -75,8 +75,7 @@ class Captured final : public Subject {
     if (seen.error != GL_NO_ERROR)
       throw NotObservable(fmt::format("the commands raised {}", gl::error_name(seen.error)));
     if (seen.overflow || seen.vertex_count() != u.size())
-      throw NotObservable(
-          fmt::format("{} vertices should have come out, {} did", u.size(), seen.vertex_count()));
+      throw NotObservable(fmt::format("expected {} vertices, captured {}", u.size(), seen.vertex_count()));
     if (attribute == kColor && seen.clamped_colors)
       throw NotObservable("colours are clamped to [0,1] on the way");
     float* next = results.data();

@@ -80,7 +80,7 @@ SweptMap map_from(const json& checkpoint) {
 json read_whole(const std::filesystem::path& file) {
   json checkpoint = json::parse(read_file(file), nullptr, false);
   if (!checkpoint.is_object() || !checkpoint.contains("checksum"))
-    throw std::invalid_argument("no whole JSON");
+    throw std::invalid_argument("incomplete JSON");
   const json checksum = checkpoint["checksum"];
   checkpoint.erase("checksum");
   if (as_text(checksum) != checksum_of(checkpoint)) throw std::invalid_argument("its checksum is wrong");
@@ -215,7 +215,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, const SweepIdentit
   json checkpoint;
   const auto damaged = [&](const char* how) {
     return BadCheckpoint(fmt::format(
-        "{} is damaged ({}); it is left as it is: move it away to begin anew, or name another file "
+        "{} is damaged ({}); it was not modified: move it away to start again, or name another file "
         "with --checkpoint",
         file.string(), how));
   };

@@ -177,8 +177,8 @@ class RecordingStream final : public Stream {
                          results.data());
     const GLenum error = gl_.GetError();
     if (written != u.size() || error != GL_NO_ERROR)
-      throw NotObservable(fmt::format("{} vertices should have come out, {} did ({})", u.size(), written,
-                                      gl::error_name(error)));
+      throw NotObservable(
+          fmt::format("expected {} vertices, captured {} ({})", u.size(), written, gl::error_name(error)));
   }
 
  private:

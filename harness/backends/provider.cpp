@@ -24,7 +24,7 @@ class Provider final : public ContextMaker {
     if (provider_->version < 1 || provider_->version > EVALCTS_PROVIDER_VERSION)
       throw CannotStart(fmt::format(
           "{} was built for version {} of evalcts_provider.h, this evalcts knows versions 1 to {}: "
-          "build it anew",
+          "rebuild it",
           library_.path(), provider_->version, EVALCTS_PROVIDER_VERSION));
     if (!provider_->create || !provider_->destroy)
       throw CannotStart(fmt::format("{} lacks create or destroy", library_.path()));

@@ -84,7 +84,7 @@ double number_in(const std::string& text) {
 }  // namespace
 
 std::string positive_number(const std::string& text) {
-  return number_in(text) > 0 ? std::string() : fmt::format("'{}' is no number above 0", text);
+  return number_in(text) > 0 ? std::string() : fmt::format("'{}' is not a number above 0", text);
 }
 
 std::string number_from_zero(const std::string& text) {
@@ -112,7 +112,7 @@ int command_line(int argc, char** argv, bool only_parse) {
   app.footer(
       "'evalcts COMMAND --help' shows the options of a command with examples.\n"
       "Exit codes: 0 nothing unexpected; 1 an unexpected fail, crash or timeout; 2 wrong usage, or\n"
-      "something could not be started, read or written; 3 an internal error of evalcts.");
+      "something could not be started, read, written or observed; 3 an internal error of evalcts.");
   app.set_version_flag("--version", "evalcts " EVALCTS_VERSION, "print the version and exit");
   app.set_help_flag("-h,--help", "print this help and exit");
   app.require_subcommand(1);
@@ -126,8 +126,11 @@ int command_line(int argc, char** argv, bool only_parse) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (app.exit(error) == 0) return kNothingUnexpected;
     const std::string words = suggestion(app, {argv + std::min(argc, 1), argv + argc});
+    // For a mistyped command, the suggestion replaces CLI11's message that a subcommand is required.
+    const bool is_replaced =
+        !words.empty() && error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
+    if (!is_replaced && app.exit(error) == 0) return kNothingUnexpected;
     if (!words.empty()) std::cerr << words << "\n";
     return kWrongUse;
   }

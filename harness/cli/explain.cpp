@@ -144,7 +144,7 @@ void explain_cases(const PlayedTest& played) {
   std::vector<std::string> compared;
   if (!played.record->capture.empty())
     compared.emplace_back(
-        "the vertices and primitives that come out, with those of the executable specification");
+        "the vertices and primitives that are drawn, with those of the executable specification");
   if (const std::string queries = queries_of(played.first->calls); !queries.empty())
     compared.push_back("the answers of " + queries + ", with the answers that the rules demand");
   labelled("Compared", fmt::format("{}", fmt::join(compared, "; ")));

@@ -213,7 +213,7 @@ Replayed replay(const Candidate& failure, const std::string& program) {
   result.program = read_file(folder / "program.c");
   if (!started)
     throw CannotReproduce(
-        fmt::format("{} does not start any more:\n{}", failure.label(), read_file(folder / "log")));
+        fmt::format("{} no longer starts:\n{}", failure.label(), read_file(folder / "log")));
   return result;
 }
 
@@ -298,7 +298,7 @@ int reproduce_or_throw(const ReproduceOptions& options) {
         fmt::format("{} passes now, alone in a new process: {}", failure.name(),
                     failure.test->verdict == Verdict::kFail
                         ? "the library has changed, or it depends on chance"
-                        : "what it needs to fail is in its message:\n  " + failure.test->message));
+                        : "its message says what it needs to fail:\n  " + failure.test->message));
   if (record && record->verdict != Verdict::kFail)
     throw CannotReproduce(
         fmt::format("{} is {} now: {}", failure.name(), text_of(record->verdict).word, record->message));
@@ -356,7 +356,7 @@ const Command kReproduceCommand = {
     "reproduce", "write a stand-alone C program for a failing test or a bug of the last run",
     R"(  $ evalcts reproduce IntegersSaturate/MAP1_INDEX
   $ evalcts reproduce osmesa:GetMap.IntegersSaturate/MAP1_INDEX --output saturate.c
-  $ evalcts reproduce EV-GETMAP-SATURATE-2b7c)",
+  $ evalcts reproduce EV-GETMAP-SATURATE-b20f)",
     define_reproduce};
 
 }  // namespace evalcts::cli

@@ -253,20 +253,26 @@ std::vector<RunResult> passes_over(RunRequest request, const RunOptions& options
   return passes;
 }
 
-// Compares the result with its baseline. If --write-baseline is given, the baseline is updated first.
-void apply_baseline(RunResult& result, const RunOptions& options, const RunRequest& request,
-                    const std::vector<ListedTest>& all_tests) {
+// Compares the result with its baseline. If --write-baseline is given, the baseline is updated first. Returns
+// the reason if it cannot be updated, otherwise an empty text.
+std::string apply_baseline(RunResult& result, const RunOptions& options, const RunRequest& request,
+                           const std::vector<ListedTest>& all_tests) {
+  std::string problem;
   Baseline baseline =
       Baseline::best_fit(request.baselines, result.implementation, result.pass, request.baseline);
   // If the chosen baseline is for one pass, the other pass must not write it.
-  if (options.write_baseline && (request.baseline.empty() || baseline.has_part(request.baseline))) {
-    const BaselineFiles renewed = baseline.renewed(result, request.baseline, result.file_label());
-    if (!baseline.name().empty() || !renewed.entries.empty())
-      renewed.write(baseline_of(options.baseline, places().baselines).folder);
-    baseline = baseline.with(renewed);
-  }
+  if (options.write_baseline && (request.baseline.empty() || baseline.has_part(request.baseline))) try {
+      const BaselineFiles renewed =
+          baseline.renewed(result, request.baseline, result.file_label(), request.baselines);
+      if (!baseline.name().empty() || !renewed.entries.empty())
+        renewed.write(baseline_of(options.baseline, places().baselines).folder);
+      baseline = baseline.with(renewed);
+    } catch (const BadBaseline& error) {
+      problem = error.what();
+    }
   baseline.apply(result);
   result.stale_baseline_entries = baseline.stale_entries(all_tests);
+  return problem;
 }
 
 int run(const RunOptions& options, const std::string& shard) {
@@ -315,8 +321,9 @@ int run(const RunOptions& options, const std::string& shard) {
     }
     for (RunResult& result : passes) {
       const std::string label = result.file_label();
+      std::string problem;  // with --write-baseline
       if (options.baseline != "none" && result.has_started())
-        apply_baseline(result, options, request, all_tests);
+        problem = apply_baseline(result, options, request, all_tests);
       write_atomically(output / fmt::format("results-{}.json", label), to_text(result));
       write_atomically(output / fmt::format("junit-{}.xml", label), reports::junit(result));
       line.print(options.quiet ? reports::terminal_line(result, shows_colour())
@@ -324,6 +331,7 @@ int run(const RunOptions& options, const std::string& shard) {
                                                            options.verbose, screen_of(STDOUT_FILENO).lines) +
                                      "\n");
       code = std::max(code, exit_code_of(result, options));
+      if (!problem.empty()) code = std::max(code, wrong_use(problem));
       if (result.status == RunStatus::kInterrupted) code = std::max(code, kWrongUse);
       results.push_back(std::move(result));
     }
@@ -406,7 +414,7 @@ const Command kRunCommand = {
   $ evalcts run --library ./libOSMesa.so.8              # a library that you built
   $ evalcts run --filter 'Map1Errors.*:-*ActiveTexture*' --depth quick
   $ evalcts run --library ./libEGL.so.1 --baseline mine --write-baseline    # once
-  $ evalcts run --library ./libEGL.so.1 --baseline mine --strict --quiet    # in CI
+  $ evalcts run --library ./libEGL.so.1 --baseline mine/library --strict    # in CI
   $ evalcts run --shard 2/4 --output part-2             # the second of four machines)",
     define_run};
 

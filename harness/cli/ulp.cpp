@@ -161,8 +161,7 @@ int replay(const UlpOptions& options) {
     for (const std::string& target : targets_of(options)) {
       const float got = accuracy::replay(*subject, target, input);
       std::cout << fmt::format(
-          "{}, {}: {} ({}), correctly rounded {} ({})\nexact value {}: error {} ULP, {} beside the "
-          "condition\n",
+          "{}, {}: {} ({}), correctly rounded {} ({})\nexact value {}: error {} ULP, condition-aware {}\n",
           subject->info().name, target, hexadecimal(got), accuracy::bits(got), hexadecimal(right),
           accuracy::bits(right), reference::describe(exact.value),
           exact.value.is_zero() ? "no" : fmt::format("{:.6g}", reference::ulp_distance(got, exact.value)),

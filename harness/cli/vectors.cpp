@@ -96,14 +96,26 @@ std::function<int()> define_vectors(CLI::App& app, const Call&) {
   const auto options = std::make_shared<VectorsOptions>();
   app.require_subcommand(1);
   CLI::App* const write = app.add_subcommand("write", "write the shipped vectors again, byte for byte");
+  write->footer(R"(Examples:
+  $ evalcts vectors write
+  $ evalcts vectors write --output new)");
   write->add_option("--output", options->output, "folder for the vector files (default: the shipped ones)");
   CLI::App* const lint =
       app.add_subcommand("lint", "check the structure, IDs, requirements and claims of vector files");
+  lint->footer(R"(Examples:
+  $ evalcts vectors lint
+  $ evalcts vectors lint mine.json)");
   lint->add_option("file", options->files, "vector files (default: the shipped ones)");
   CLI::App* const emit = app.add_subcommand(
       "emit",
       "print cases as lines of text for another program to answer: emit | PROGRAM | evalcts vectors check");
+  emit->footer(R"(Examples:
+  $ evalcts vectors emit | ./mine | evalcts vectors check
+  $ evalcts vectors emit --kind grid >cases.txt)");
   CLI::App* const check = app.add_subcommand("check", "judge the answers on standard input");
+  check->footer(R"(Examples:
+  $ ./mine <cases.txt | evalcts vectors check --kind grid
+  $ evalcts vectors emit --seed 7 --count 100000 | ./mine | evalcts vectors check --seed 7 --count 100000)");
   for (CLI::App* command : {emit, check}) {
     command
         ->add_option("--kind", options->kinds,

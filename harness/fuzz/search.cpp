@@ -300,7 +300,7 @@ class Searcher {
       fresh.finding = finding;
       const auto as = request_.known.find(cause);
       if (as != request_.known.end()) fresh.known_as = as->second;
-      if (finding.outside_evaluators) fresh.known_as = "a defect outside evaluators";
+      if (finding.outside_evaluators) fresh.known_as = "a bug outside the evaluators";
       fresh.file = (request_.output / fmt::format("fuzz-{}-{}.json", request_.name, found_.causes.size() + 1))
                        .string();
       found_.causes.push_back(std::move(fresh));

@@ -119,7 +119,7 @@ class ClientArray {
 std::string describe_missing(EntryPoint missing) {
   switch (missing) {
     case EntryPoint::OtherContextEVALCTS:
-      return "a second context cannot be created beside the first";
+      return "a second context cannot be created in addition to the first";
     case EntryPoint::SharingContextEVALCTS:
       return "a second context that shares objects with the first cannot be created";
     case EntryPoint::ContextOfKindEVALCTS:

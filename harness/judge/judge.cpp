@@ -75,6 +75,11 @@ class VertexJudge {
     // Quality is not judged if the capture adds an error, which would be attributed to the library.
     if (capture_error > 0 && options_.level == Level::kQuality) return;
     if (capture_error > 0) measured_ = false;
+    // If a map supplies some components only, the others have fixed values, not current ones.
+    const bool is_current =
+        attribute != kPosition && std::ranges::none_of(expected, [](const auto& component) {
+          return std::holds_alternative<Sample>(component);
+        });
     for (std::size_t i = 0; i < got.size(); ++i) {
       const auto what = [&] {
         const std::string number = attribute == kTextureCoordinate0 || attribute == kTextureCoordinatesOther
@@ -83,7 +88,7 @@ class VertexJudge {
         return fmt::format("{}{}.{} of vertex {}", name, number, components[i], index_);
       };
       if (const auto* given = std::get_if<float>(&expected[i])) {
-        given_value(attribute, what, clamped ? std::clamp(*given, 0.0f, 1.0f) : *given, got[i],
+        given_value(attribute, what, clamped ? std::clamp(*given, 0.0f, 1.0f) : *given, got[i], is_current,
                     capture_error);
       } else {
         evaluated_value(what, std::get<Sample>(expected[i]), got[i], clamped, capture_error);
@@ -92,13 +97,15 @@ class VertexJudge {
   }
 
   template <class What>
-  void given_value(Attribute attribute, const What& what, float expected, float got, double capture_error) {
+  void given_value(Attribute attribute, const What& what, float expected, float got, bool is_current,
+                   double capture_error) {
     if (expected == got || (std::isnan(expected) && std::isnan(got))) return;
     if (std::abs(static_cast<double>(expected) - static_cast<double>(got)) <= capture_error) return;
     Mismatch mismatch;
     mismatch.what = what();
-    mismatch.message = fmt::format("{} is {}, but no map supplies it: {} was given", mismatch.what, text(got),
-                                   text(expected));
+    mismatch.message =
+        fmt::format("{} is {}; expected {}{}, because no enabled map supplies this component", mismatch.what,
+                    text(got), is_current ? "the current value " : "", text(expected));
     mismatch.expected = text(expected);
     mismatch.captured = text(got);
     mismatch.exact = text(expected);

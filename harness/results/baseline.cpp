@@ -405,10 +405,20 @@ std::vector<std::string> Baseline::stale_entries(const std::vector<ListedTest>& 
 }
 
 BaselineFiles Baseline::renewed(const RunResult& result, const std::string& target,
-                                const std::string& new_name) const {
+                                const std::string& new_name, const std::vector<BaselineFiles>& all) const {
   BaselineFiles files;
   std::vector<BaselineFiles> others = parts_;
   if (parts_.empty()) {
+    if (const BaselineFiles* const existing = find(all, new_name)) {
+      std::vector<std::string> header;
+      for (const auto& [key, value] : existing->header.fields())
+        header.push_back(fmt::format("{}: {}", key, value));
+      throw BadBaseline(fmt::format(
+          "{0}-fails.txt is for other implementations ({1}) and was not replaced. To update it, choose it "
+          "with --baseline FOLDER/{0}, or change its header, for example to a range of versions "
+          "('# version: Mesa 20.3 to 24.3'); to write another file, choose its name with --name",
+          new_name, fmt::join(header, ", ")));
+    }
     const ImplementationRecord& implementation = result.implementation;
     files.name = new_name;
     files.header.vendor = implementation.vendor;

@@ -1,6 +1,7 @@
 #include <evalcts/results/known_bugs.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -100,14 +101,16 @@ std::vector<std::string> lint(const std::vector<KnownBug>& bugs) {
 
 std::string known_bugs_as_markdown(const std::vector<KnownBug>& bugs,
                                    const std::vector<std::string>& programs_as_c) {
-  std::string text =
+  std::set<std::string> products;
+  for (const KnownBug& bug : bugs) products.insert(bug.product);
+  std::string text = fmt::format(
       "# Known bugs\n\n"
-      "Bugs of evaluators in the implementations that were judged, one for each root cause. `evalcts run` "
-      "labels "
-      "failures\nthat match one of them, and `evalcts bugs` lists them; nothing is excused by it. This page "
-      "is "
-      "generated from\n`suites/bugs/` by the target `known_bugs`.\n\n"
-      "| bug | affects |\n| --- | --- |\n";
+      "Bugs in the evaluators of {}, one for each root cause. `evalcts run` labels failures that match one "
+      "of\n"
+      "them, and `evalcts bugs` lists them. A known bug is still a failure; only a [baseline](baselines.md)\n"
+      "excuses it. This page is generated from `suites/bugs/` by the target `known_bugs`.\n\n"
+      "| bug | affects |\n| --- | --- |\n",
+      fmt::join(products, ", "));
   const auto join = [](const std::vector<std::string>& parts) {
     std::string joined;
     for (const std::string& part : parts) joined += (joined.empty() ? "" : ", ") + part;

@@ -7,15 +7,16 @@ namespace evalcts {
 namespace {
 
 constexpr std::array<VerdictText, kVerdicts> kVerdictTexts{{
-    {"internal-error", "!", "evalcts itself went wrong; says nothing about the implementation"},
+    {"internal-error", "!", "an error of evalcts itself; says nothing about the implementation"},
     {"crash", "‼", "the process died while this test ran"},
     {"timeout", "◷", "no end within the time limit"},
     {"fail", "✗", "something observed contradicts the requirement"},
     {"quality-warning", "△",
      "falls short of what good implementations do; other tests decide whether it conforms"},
-    {"not-observable", "◌", "this implementation gives no trustworthy way to see the effect"},
+    {"not-observable", "◌",
+     "nothing that the implementation offers shows the effect reliably; this is never a pass"},
     {"not-supported", "∅", "the implementation does not offer what the test needs"},
-    {"skipped", "–", "not run, because something asked for that"},
+    {"skipped", "–", "not run, because a baseline or an option excludes the test"},
     {"pass", "✓", "everything observed agrees with the requirement"},
 }};
 

@@ -89,7 +89,7 @@ void OutputLog::take_line(const std::string& line) {
 }
 
 void OutputLog::say_what_is_left_out() {
-  if (left_out_ > 0) append(fmt::format("evalcts: {} bytes more are left out here\n", left_out_));
+  if (left_out_ > 0) append(fmt::format("evalcts: {} more bytes are omitted here\n", left_out_));
   left_out_ = 0;
 }
 

@@ -513,8 +513,8 @@ class Run {
     }
     if (!alone.in_flight.empty() && dies_with_explicit_vertices(name, alone)) {
       add_record(name, Verdict::kNotObservable,
-                 fmt::format("pipeline: {} in '{}', with explicit vertices in the place of evaluations, too",
-                             how, last_case));
+                 fmt::format("pipeline: {} in '{}', also with explicit vertices instead of evaluations", how,
+                             last_case));
       return;
     }
     if (!alone.in_flight.empty()) {
@@ -715,7 +715,7 @@ class Run {
             "{}; not reproduced, neither alone nor after the same {} tests: it does not always happen",
             message, predecessors);
       case History::Found::kOutOfTime:
-        return message + "; what it depends on was not found in the time given";
+        return message + "; the search for the tests that it depends on ran out of time";
       case History::Found::kShortest:
       case History::Found::kShortened:
         break;

@@ -278,7 +278,8 @@ void parse(int argc, char** argv, Options& options) {
   app.add_option("--first", options.campaign.first, "number of the first program")->needs("--fuzz");
   app.add_option("--step", options.campaign.step, "from a program to the next one")->needs("--fuzz");
   app.add_option("--programs", options.campaign.programs, "how many")->needs("--fuzz");
-  app.add_option("--seconds", options.campaign.seconds, "for how long")->needs("--fuzz");
+  app.add_option("--seconds", options.campaign.seconds, "time limit of the search, in seconds")
+      ->needs("--fuzz");
   app.add_option("--known", options.known, "file of causes that are known (JSON)")->needs("--fuzz");
   app.add_option("--in-flight", options.campaign.in_flight,
                  "file for each smaller version of a program, before it is run")
@@ -292,10 +293,11 @@ void parse(int argc, char** argv, Options& options) {
   app.add_option("--reduce", options.reduce,
                  "reduce the failing cases of this file (JSON) to minimal programs instead of running tests")
       ->needs("--claims");
-  app.add_option("--reduce-seconds", options.reduce_seconds, "for how long")->needs("--reduce");
+  app.add_option("--reduce-seconds", options.reduce_seconds, "time limit of the reduction, in seconds")
+      ->needs("--reduce");
   app.add_flag("--trace-cases", options.trace_cases, "record the calls of each case before it is run");
   app.add_flag("--crash-control", options.crash_control,
-               "run the last case of each test that --tests asks for with explicit vertices in the place of "
+               "run the last case of each test that --tests asks for with explicit vertices instead of "
                "evaluations, and stop the test");
   app.add_option("--leave-out", options.left_out,
                  "a command that crashes, \"glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)\": not run by tests "

@@ -62,7 +62,7 @@ void ExplicitControl::require_explicit_vertices(const std::string& what) {
   const auto found =
       std::ranges::find_if(wrong_, [&](const Mismatch& mismatch) { return explains(mismatch, what); });
   if (found != wrong_.end())
-    throw NotObservable("pipeline: explicit commands in the place of evaluation go wrong, too: " +
+    throw NotObservable("pipeline: explicit commands instead of evaluations go wrong as well: " +
                         found->message);
 }
 

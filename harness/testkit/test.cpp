@@ -234,7 +234,7 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
     // in this case.
     const Attributes lost = control_.lost_attributes(script, *capture);
     if (!(required & kAllAttributes & ~lost))
-      throw NotObservable(fmt::format("pipeline: {} of explicit vertices goes wrong, too", describe(lost)));
+      throw NotObservable(fmt::format("pipeline: wrong with explicit vertices as well: {}", describe(lost)));
     options.attributes &= ~lost;
     unobserved_ |= required & lost;
   }

@@ -264,6 +264,24 @@ TEST_F(Baselines, RenewedOnesKeepReasonsAndReadBack) {
   EXPECT_EQ(find(result.implementation).name(), "m");
 }
 
+// New files must not replace files of the same name whose header does not fit.
+TEST_F(Baselines, NewOnesDoNotReplaceOthers) {
+  write("m-fails.txt", "# version: Mesa 20.3\n\n# found by hand\nA.B,Fail\n");
+  const RunResult result = record({test("A.C", Verdict::kFail, {"x"})});
+  const std::vector<BaselineFiles> all = BaselineFiles::read_all(folder_);
+  const Baseline none = find(result.implementation);
+  ASSERT_EQ(none.name(), "");
+  try {
+    none.renewed(result, "", "m", all);
+    ADD_FAILURE();
+  } catch (const BadBaseline& error) {
+    EXPECT_TRUE(contains(error.what(), "m-fails.txt is for other implementations (version: Mesa 20.3)"));
+    EXPECT_TRUE(contains(error.what(), "--baseline FOLDER/m"));
+  }
+  EXPECT_EQ(none.renewed(result, "", "new", all).entries.size(), 1u);
+  EXPECT_EQ(read("m").renewed(result, "m", "m", all).entries.size(), 2u);
+}
+
 // --- overlays
 
 class Overlays : public Baselines {

@@ -417,6 +417,28 @@ TEST_F(CommandLine, BaselineIsNamedAndChosen) {
   EXPECT_TRUE(contains(absent.text, "not a directory, a baseline in a directory"));
 }
 
+// --write-baseline must not replace a file of the same name whose header does not fit the implementation.
+TEST_F(CommandLine, WriteBaselineKeepsFilesForOtherImplementations) {
+  const fs::path folder = folder_ / "baseline";
+  const std::string other = "# version: Mesa 20.3\n\n# found by hand\nMap1State.Stride/MAP1_INDEX_f,Fail\n";
+  fs::create_directories(folder);
+  std::ofstream(folder / "drill-fails.txt") << other;
+  const auto write = [&](const std::string& baseline) {
+    return drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f", "--baseline", baseline,
+                             "--write-baseline"});
+  };
+
+  const Outcome refused = write(folder.string());
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(contains(refused.text, "drill-fails.txt is for other implementations (version: Mesa 20.3)"));
+  EXPECT_EQ(read_file(folder / "drill-fails.txt"), other);
+  EXPECT_EQ(results("drill")["tests"].size(), 1u);  // the results are not lost
+
+  EXPECT_EQ(write((folder / "drill").string()).code, 0);
+  EXPECT_TRUE(contains(read_file(folder / "drill-fails.txt"), "# found by hand\n"));
+  EXPECT_TRUE(contains(read_file(folder / "drill-fails.txt"), "StrideBelowK/MAP1_VERTEX_3_f,Fail"));
+}
+
 TEST_F(CommandLine, ShuffledRunsDecideTheSame) {
   const auto names = [](const json& result) {
     std::vector<std::string> all;

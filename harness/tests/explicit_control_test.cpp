@@ -91,7 +91,7 @@ TEST_F(ExplicitControlTest, ListsThatLoseExplicitVerticesAre) {
     FAIL();
   } catch (const NotObservable& reason) {
     EXPECT_TRUE(std::string(reason.what())
-                    .starts_with("pipeline: explicit commands in the place of evaluation go wrong, too: "
+                    .starts_with("pipeline: explicit commands instead of evaluations go wrong as well: "
                                  "position.x of vertex 1 "))
         << reason.what();
   }

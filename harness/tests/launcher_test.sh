@@ -267,7 +267,7 @@ exits 7
 check "nothing but the program's output" test "$(head -n 1 <<<"$output")" = "<program><list><tests>"
 calls_are "build programs;"
 
-scenario "the lists of packages are brought up to date when they lack something"
+scenario "the package lists are updated if they lack something"
 : >"$machine/lists"
 evalcts run
 exits 7
@@ -502,7 +502,7 @@ scenario "bench: without a peer, but not without Google Benchmark"
 echo "$required libosmesa6 xvfb libbenchmark-dev libosd-dev" | tr ' ' '\n' >"$machine/installed"
 evalcts bench --no-install
 exits 7
-says "libsisl-dev is not installed: without SISL, which the evaluator is measured beside"
+says "libsisl-dev is not installed: without SISL, for comparison in bench"
 says_not libosd-dev
 sed -i /libbenchmark-dev/d "$machine/installed"
 evalcts bench --no-install

@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Misbehaviour{"thread", "crash", "SIGSEGV"},
                     Misbehaviour{"heap", "crash", "the process ended with"},
                     Misbehaviour{"memory", "crash", " MiB of memory"},
-                    Misbehaviour{"flood", "pass", " bytes more are left out here"},
+                    Misbehaviour{"flood", "pass", " more bytes are omitted here"},
                     Misbehaviour{"close", "pass"}, Misbehaviour{"close-and-open", "pass"},
                     Misbehaviour{"threads-stay", "pass"}, Misbehaviour{"process-stays", "pass"},
                     Misbehaviour{"daemon", "pass"}, Misbehaviour{"fork-goes-on", "pass"},
@@ -120,7 +120,7 @@ TEST_F(Misbehaviours, CrashOfAnyPrimitiveIsNotThatOfEvaluators) {
   };
   const json shared = outcome_of("end"), own = outcome_of("evaluation");
   EXPECT_EQ(as_text(shared.value("verdict", json())), "not-observable") << shared;
-  EXPECT_TRUE(contains(shared.dump(), "with explicit vertices in the place of evaluations, too"));
+  EXPECT_TRUE(contains(shared.dump(), "also with explicit vertices instead of evaluations"));
   EXPECT_EQ(as_text(own.value("verdict", json())), "crash") << own;
 }
 
@@ -508,6 +508,7 @@ TEST_F(Terminal, WhatWasMeantIsGuessed) {
     const Outcome outcome = evalcts(arguments);
     EXPECT_EQ(outcome.code, 2);
     EXPECT_TRUE(contains(outcome.text, words));
+    EXPECT_FALSE(contains(outcome.text, "is required"));
   }
   EXPECT_FALSE(contains(evalcts({"run", "--utterly-unlike"}).text, "did you mean"));
 }

@@ -47,7 +47,7 @@ TEST_F(OutputLogTest, KeepsTheBeginningOfWhatEachTestPrints) {
   }
   const std::size_t more = std::filesystem::file_size(path_);
   EXPECT_LT(more, 2 * kMostPrinted + 200);
-  const std::string text = content(), left_out = "evalcts: 16000 bytes more are left out here\n";
+  const std::string text = content(), left_out = "evalcts: 16000 more bytes are omitted here\n";
   EXPECT_TRUE(text.starts_with("before\n" + first + most)) << text.substr(0, 100);
   const std::size_t at = text.find(left_out);
   ASSERT_NE(at, std::string::npos) << text.substr(text.size() - 200);

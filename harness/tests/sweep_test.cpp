@@ -361,7 +361,7 @@ TEST_F(Checkpoints, ThatAreDamagedAreRefused) {
     return "none";
   };
   for (const std::size_t length : {std::size_t{0}, std::size_t{1}, whole.size() / 2, whole.size() - 10})
-    EXPECT_TRUE(contains(complaint(whole.substr(0, length)), "damaged (no whole JSON)")) << length;
+    EXPECT_TRUE(contains(complaint(whole.substr(0, length)), "damaged (incomplete JSON)")) << length;
   std::string changed = whole;
   changed.replace(changed.find("\"values\": ") + 10, 1, "9");
   if (changed == whole) changed.replace(changed.find("\"values\": ") + 10, 1, "8");
@@ -490,7 +490,7 @@ TEST_F(SweepCommand, ShardsAreMerged) {
   EXPECT_TRUE(contains(refused({"1"}), "shards are missing: 2/2"));
   EXPECT_TRUE(contains(refused({"1", "1"}), "is shard 1/2 a second time"));
   EXPECT_TRUE(contains(refused({"1", "whole"}), "is shard 1/1, but the others are of 2"));
-  EXPECT_TRUE(contains(refused({"1", "nowhere"}), "is damaged (no whole JSON)"));
+  EXPECT_TRUE(contains(refused({"1", "nowhere"}), "is damaged (incomplete JSON)"));
   std::ofstream(folder_ / "half") << std::ifstream(folder_ / "2").rdbuf();
   std::filesystem::resize_file(folder_ / "half", 300);
   EXPECT_TRUE(contains(refused({"1", "half"}), "is damaged"));

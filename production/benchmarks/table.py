@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures the evaluator beside its peers and prints the tables of the README.
+"""Compares the evaluator with its peers and prints the tables of the README.
 
 Every side of every workload is measured many times in one process, in random order; the result is the
 fastest time. Numbers are ns of processor time of one core per point (all components of one result).
@@ -103,7 +103,7 @@ HARD = [
 
 
 class Model:
-    """A line of the table of models: beside a float loop whose order is a constant, which knows the grid.
+    """A line of the table of models: compared with a float loop whose order is a constant, which knows the grid.
 
     must: so many times what the loop takes, or None. unit: what the numbers are of.
     """
@@ -245,7 +245,7 @@ def times(ns, peer):
 
 
 def models(results):
-    """Those first that take longest beside the loop."""
+    """The slowest first, compared with the loop."""
     rows = []
     for model in MODELS:
         loop, horner = results.side(model.name, model.loop), results.side(model.name, HORNER)

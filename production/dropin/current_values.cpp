@@ -56,7 +56,7 @@ void set(Attribute attribute, const Type* v) {
 
 // Only unit 0 is recorded, because maps replace only its texture coordinates.
 template <auto kCommand, auto kLongest, int kCount, class Type>
-void SetUnit(GLenum unit, const Type* v) {
+void set_unit(GLenum unit, const Type* v) {
   Context* const context = unit == GL_TEXTURE0 ? watching_context() : nullptr;
   if (context == nullptr && !evaluators_used) return (gl_below().*kCommand)(unit, v);
   const Complete<Type, 4> values(kTexCoord, kCount, v);
@@ -78,7 +78,7 @@ struct Packed {
 };
 
 template <auto kCommand>
-void SetPacked(Attribute attribute, GLenum type, GLuint value) {
+void set_packed(Attribute attribute, GLenum type, GLuint value) {
   (gl_below().*kCommand)(type, value);
   if (Context* const context = watching_context())
     context->note(attribute, make_setter(
@@ -90,7 +90,7 @@ void SetPacked(Attribute attribute, GLenum type, GLuint value) {
 }
 
 template <auto kCommand>
-void SetPackedUnit(GLenum unit, GLenum type, GLuint value) {
+void set_packed_unit(GLenum unit, GLenum type, GLuint value) {
   (gl_below().*kCommand)(unit, type, value);
   Context* const context = unit == GL_TEXTURE0 ? watching_context() : nullptr;
   if (context == nullptr) return;
@@ -124,26 +124,26 @@ void SetPackedUnit(GLenum unit, GLenum type, GLuint value) {
 DROPIN_SETTERS(X)
 #undef X
 
-#define X(attribute, command, n, most, letter, type)                                          \
-  DROPIN_EXPORT void gl##command##n##letter##v(GLenum unit, const type* v) {                  \
-    SetUnit<&GlBelow::command##n##letter##v, &GlBelow::command##most##letter##v, n>(unit, v); \
-  }                                                                                           \
-  DROPIN_EXPORT void gl##command##n##letter(GLenum unit, PARAMETERS_##n(type)) {              \
-    const type v[] = {VALUES_##n};                                                            \
-    SetUnit<&GlBelow::command##n##letter##v, &GlBelow::command##most##letter##v, n>(unit, v); \
-  }                                                                                           \
-  DROPIN_EXPORT void gl##command##n##letter##vARB(GLenum unit, const type* v) {               \
-    SetUnit<&GlBelow::command##n##letter##v, &GlBelow::command##most##letter##v, n>(unit, v); \
-  }                                                                                           \
-  DROPIN_EXPORT void gl##command##n##letter##ARB(GLenum unit, PARAMETERS_##n(type)) {         \
-    gl##command##n##letter(unit, VALUES_##n);                                                 \
+#define X(attribute, command, n, most, letter, type)                                           \
+  DROPIN_EXPORT void gl##command##n##letter##v(GLenum unit, const type* v) {                   \
+    set_unit<&GlBelow::command##n##letter##v, &GlBelow::command##most##letter##v, n>(unit, v); \
+  }                                                                                            \
+  DROPIN_EXPORT void gl##command##n##letter(GLenum unit, PARAMETERS_##n(type)) {               \
+    const type v[] = {VALUES_##n};                                                             \
+    set_unit<&GlBelow::command##n##letter##v, &GlBelow::command##most##letter##v, n>(unit, v); \
+  }                                                                                            \
+  DROPIN_EXPORT void gl##command##n##letter##vARB(GLenum unit, const type* v) {                \
+    set_unit<&GlBelow::command##n##letter##v, &GlBelow::command##most##letter##v, n>(unit, v); \
+  }                                                                                            \
+  DROPIN_EXPORT void gl##command##n##letter##ARB(GLenum unit, PARAMETERS_##n(type)) {          \
+    gl##command##n##letter(unit, VALUES_##n);                                                  \
   }
 DROPIN_UNIT_SETTERS(X)
 #undef X
 
 #define X(attribute, command)                                 \
   DROPIN_EXPORT void gl##command(GLenum type, GLuint value) { \
-    SetPacked<&GlBelow::command>(attribute, type, value);     \
+    set_packed<&GlBelow::command>(attribute, type, value);    \
   }                                                           \
   DROPIN_EXPORT void gl##command##v(GLenum type, const GLuint* value) { gl##command(type, *value); }
 DROPIN_PACKED_SETTERS(X)
@@ -151,7 +151,7 @@ DROPIN_PACKED_SETTERS(X)
 
 #define X(command)                                                                   \
   DROPIN_EXPORT void gl##command(GLenum unit, GLenum type, GLuint value) {           \
-    SetPackedUnit<&GlBelow::command>(unit, type, value);                             \
+    set_packed_unit<&GlBelow::command>(unit, type, value);                           \
   }                                                                                  \
   DROPIN_EXPORT void gl##command##v(GLenum unit, GLenum type, const GLuint* value) { \
     gl##command(unit, type, *value);                                                 \

@@ -233,7 +233,7 @@ void evaluate_rows(const glev_plan& plan, const MeshRange& range, const Destinat
       }
       if (!in_place) {
         if (!kVertices && kStep % 4 == 0 && count == kStep) {
-          CopyTriples(room, kStep, to.stride, element);
+          copy_triples(room, kStep, to.stride, element);
         } else {
           for (std::size_t i = 0; i < count; ++i)
             std::memcpy(element + i * to.stride, room + kValues * i, kValues * sizeof(float));

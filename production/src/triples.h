@@ -9,7 +9,7 @@ namespace glev {
 // Copies `count` elements, a multiple of 4, to `to`, where they are `stride` bytes apart. Each element is
 // read in two parts, neither of which crosses a block of 16 bytes, because processors cannot forward two
 // stores to one load.
-inline void CopyTriples(const float* from, std::size_t count, std::size_t stride, std::byte* to) {
+inline void copy_triples(const float* from, std::size_t count, std::size_t stride, std::byte* to) {
   constexpr std::size_t kOne = sizeof(float), kTwo = 2 * sizeof(float);
   for (std::size_t i = 0; i < count; i += 4, from += 12, to += 4 * stride) {
     std::memcpy(to, from, kTwo);

@@ -31,7 +31,7 @@ bool is_packed(const Destination& to) {
 template <int kComponents>
 HWY_NOINLINE void scatter(const float* values, std::size_t count, const Destination& to, std::byte* data) {
   if constexpr (kComponents == 3) {
-    if (count % 4 == 0 && to.components == 3) return CopyTriples(values, count, to.stride, data);
+    if (count % 4 == 0 && to.components == 3) return copy_triples(values, count, to.stride, data);
   }
   for (std::size_t i = 0; i < count; ++i) {
     std::array<float, 4> element = {0, 0, 0, 1};

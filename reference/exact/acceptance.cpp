@@ -1,4 +1,4 @@
-// Acceptance bounds of values (section 0.5 of the requirements): curves and surfaces in one form.
+// Acceptance bounds of values (the accuracy rule, see acceptance.h): curves and surfaces in one form.
 #include <reference/acceptance.h>
 
 #include <algorithm>

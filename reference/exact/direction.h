@@ -1,4 +1,4 @@
-// One direction of a map in the acceptance bound (section 0.5 of the requirements).
+// One direction of a map in the acceptance bound (the accuracy rule, see acceptance.h).
 #pragma once
 
 #include <reference/acceptance.h>

@@ -1,4 +1,4 @@
-// The acceptance rule for automatic normals: section 0.5 of the requirements.
+// The acceptance rule for automatic normals. vectors/INTERPRETING.md states it.
 //
 // An implementation has x, y, z, w and their derivatives with errors E. From these it computes one of the
 // pairs of tangents

@@ -1,4 +1,4 @@
-// Compares the formulas of section 0.5 of the requirements with a second implementation.
+// Compares the formulas of the accuracy rule (acceptance.h) with a second implementation.
 #include <gtest/gtest.h>
 #include <reference/acceptance.h>
 

@@ -1,5 +1,5 @@
-// Tests the acceptance rule of automatic normals: comparison with a second implementation of section 0.5 of
-// the requirements, the conditions for a must and for not judging, and the rejection of typical mistakes.
+// Tests the acceptance rule of automatic normals: comparison with a second implementation of
+// its formulas, the conditions for a must and for not judging, and the rejection of typical mistakes.
 #include <gtest/gtest.h>
 #include <reference/normal.h>
 

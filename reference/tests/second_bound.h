@@ -1,4 +1,4 @@
-// A second implementation of the formulas of section 0.5 of the requirements, in reduced fractions.
+// A second implementation of the formulas of the accuracy rule (acceptance.h), in reduced fractions.
 #pragma once
 
 #include <reference/bernstein.h>

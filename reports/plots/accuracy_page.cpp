@@ -161,13 +161,13 @@ data figures_view(const json& ulp, const Draw& draw) {
   for (const json& curve : ulp.at("curves"))
     add_figure(
         figures, errors_over_u(ulp, curve), draw, "Errors over u: " + words(curve, "what"),
-        "The largest of sixteen results in each 256th of the domain. Dashed lines stand at the zeros of the "
-        "polynomial: there the terms cancel and ULP explode, while the condition-aware error stays.",
+        "The largest of sixteen results in each 256th of the domain. Dashed lines mark the zeros of the "
+        "polynomial, where the terms cancel: errors in ULP grow, condition-aware errors do not.",
         shown(join(curve.at("points").get<std::vector<std::string>>(), ", ")));
-  add_figure(
-      figures, histograms(ulp), draw, "How many errors are how large",
-      "Shares of the random results, on a logarithmic scale; the first bar is what is within half an ULP.",
-      "");
+  add_figure(figures, histograms(ulp), draw, "How many errors are how large",
+             "Shares of the random results, on a logarithmic scale; the first bar counts the results within "
+             "half an ULP.",
+             "");
   return figures;
 }
 
@@ -304,9 +304,8 @@ std::string accuracy_html(const json& ulp, const std::vector<json>& sweeps, cons
   page.set("no_pictures",
            figures.is_non_empty_list()
                ? data(false)
-               : data("No pictures: gnuplot draws them (package gnuplot-nox), and it is not here or "
-                      "has not worked. Tables and the files of comma-separated values beside this "
-                      "page have the numbers."));
+               : data("No pictures: gnuplot draws them (package gnuplot-nox), and it is missing or "
+                      "failed. The tables and the CSV files next to this page have the numbers."));
   page.set("has_sweeps", !sweeps.empty());
   page.set("sweeps", sweeps_view(sweeps));
   page.set("worst", worst_view(ulp));

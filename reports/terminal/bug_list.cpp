@@ -27,7 +27,7 @@ std::string bug_text(const Bug& bug, std::size_t number, const Catalogue& catalo
     line(id.text(), requirement ? fmt::format("{} [{}]", requirement->text, requirement->source) : "");
   }
   if (!bug.known.empty()) line("known", fmt::format("{}, in {}", bug.known, bug.known_in));
-  if (bug.outside_evaluators) line("note", "explicit vertices in the place of evaluations show it as well");
+  if (bug.outside_evaluators) line("note", "explicit vertices instead of evaluations show it as well");
   line("not reduced", bug.why_not_reduced);
   line("what differs", bug.failure.what);
   line("expected", bug.failure.expected);

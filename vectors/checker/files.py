@@ -66,7 +66,7 @@ def _refuse(text):
 def _object(pairs):
     repeated = [name for name, times in Counter(name for name, _ in pairs).items() if times > 1]
     if repeated:
-        raise Malformed(f"member {show(repeated[0])} stands twice in an object")
+        raise Malformed(f"member {show(repeated[0])} occurs twice in an object")
     return dict(pairs)
 
 
@@ -110,7 +110,7 @@ def _check_names(found):
         if not parts:
             raise Malformed(f"cases[{i}]: id {show(name)} is not kind, theme and number")
         if name in ids:
-            raise Malformed(f"{name}: the id stands twice")
+            raise Malformed(f"{name}: the id occurs twice")
         ids.add(name)
         texts(f"{name}: requirements", case.get("requirements"), 1)
         texts(f"{name}: flags", case.get("flags"), 0)

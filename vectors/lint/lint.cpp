@@ -43,7 +43,7 @@ Report lint(const std::string& text, const std::set<std::string>& requirements) 
   std::map<std::string, std::size_t> uses;
   for (const json& entry : file["cases"]) {
     const std::string id = entry["id"];
-    if (!ids.insert(id).second) find(id, "the id stands twice");
+    if (!ids.insert(id).second) find(id, "the id occurs twice");
     if (!id.starts_with(report.kind + "."))
       find(id, fmt::format("an id of another kind than {}", report.kind));
     for (const std::string requirement : entry["requirements"])

@@ -75,7 +75,7 @@ TEST(Lint, FindsWhatDoesNotHoldTogether) {
   file["cases"].push_back(file["cases"][0]);
   EXPECT_EQ(complaint(file), "numberOfTests: 3 for 4 cases");
   file["numberOfTests"] = 4;
-  EXPECT_EQ(complaint(file), "grid.inside.1: the id stands twice");
+  EXPECT_EQ(complaint(file), "grid.inside.1: the id occurs twice");
   EXPECT_EQ(changed("grid", "/cases/0/id", "map1_eval.inside.1"),
             "map1_eval.inside.1: an id of another kind than grid");
   EXPECT_EQ(changed("grid", "/cases/1/requirements/0", "EV-NONE"),

@@ -35,7 +35,7 @@ TEST_P(Shipped, IsWhatIsWritten) {
   if (shipped == written) return;
   const auto [a, b] = std::mismatch(shipped.begin(), shipped.end(), written.begin(), written.end());
   const auto line = 1 + std::count(shipped.begin(), a, '\n');
-  ADD_FAILURE() << "line " << line << " differs; 'evalcts vectors write' makes the files anew";
+  ADD_FAILURE() << "line " << line << " differs; 'evalcts vectors write' rewrites the files";
 }
 
 TEST_P(Shipped, FollowsTheSchema) {

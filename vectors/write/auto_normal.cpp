@@ -124,7 +124,7 @@ void places(Document& document) {
                 "domains of another length or place than [0, 1]: the direction does not change",
                 {"EV-AUTON-DIRECTION", "EV-MAP2-DOMAIN"});
   Theme reversed(document, "reversed",
-                 "u1 > u2 or v1 > v2: either sign will do; with both the sign is determined",
+                 "u1 > u2 or v1 > v2: either sign is accepted; with both, the sign is determined",
                  {"EV-AUTON-DIRECTION"});
   constexpr std::pair<Ends, Ends> kDomains[] = {
       {{2, 5}, {-1, 1}}, {{0, 0x1p-10}, {0, 1}}, {{0, 1000}, {0, 0.001}}, {{100, 101}, {-7, -5}}};
@@ -218,7 +218,7 @@ void rational(Document& document) {
     }
   }
 
-  Theme planar(document, "rational-plane", "a plane whose w varies: the normal of the plane all the same",
+  Theme planar(document, "rational-plane", "a plane whose w varies: its normal does not change",
                {"EV-AUTON-RATIONAL"});
   for (int i = 0; i < 20; ++i) {
     Dice& dice = planar.dice();
@@ -229,7 +229,7 @@ void rational(Document& document) {
     planar.add(inside_case(dice, map, kTypes[i % 2]));
   }
 
-  Theme no_w(document, "zero-w", "w = 0 at the point: there is no normal, and nothing must stop",
+  Theme no_w(document, "zero-w", "w = 0 at the point: there is no normal, and the GL must not crash or hang",
              {"EV-AUTON-DEGENERATE"});
   for (int i = 0; i < 12; ++i) {
     Dice& dice = no_w.dice();
@@ -251,7 +251,7 @@ void degenerate(Document& document) {
   Theme lines(document, "collapsed-to-a-line", "derivatives that are parallel everywhere: no normal",
               requirements);
   Theme edges(document, "collapsed-edge",
-              "an edge whose control points are equal: no normal on it, a normal beside it", requirements);
+              "an edge whose control points are equal: no normal on it, a normal near it", requirements);
   Theme folds(document, "corner-without-derivative",
               "neighbouring control points equal at a corner: the analytic normal is undefined there",
               requirements);
@@ -297,8 +297,8 @@ void extreme(Document& document) {
 
   Theme parallel(
       document, "nearly-parallel",
-      "derivatives that are parallel but for a little: the rule judges as long as the little is larger "
-      "than the errors",
+      "nearly parallel derivatives: the rule applies as long as their difference is larger than the "
+      "errors",
       {"EV-AUTON-DIRECTION", "EV-AUTON-METHOD"});
   for (int bits = 1; bits <= 20; ++bits)
     for (const Type type : kTypes) {

@@ -35,7 +35,7 @@ std::string Document::text() const {
   Names sorted = ids_;
   std::ranges::sort(sorted);
   if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
-    throw std::logic_error(fmt::format("the id '{}' stands twice", *twice));
+    throw std::logic_error(fmt::format("the id '{}' occurs twice", *twice));
 
   Json head = {
       {"format", kFormat}, {"schemaVersion", kSchemaVersion}, {"generatorVersion", kGeneratorVersion},

@@ -85,8 +85,7 @@ class MapErrors {
 
   void add_targets() {
     Theme target_theme =
-        theme("target", "a target that this command does not have, those of the other dimension first",
-              "ERR-TARGET");
+        theme("target", "invalid targets for this command, those of the other dimension first", "ERR-TARGET");
     std::vector<GLenum> wrong(targets(!two_).begin(), targets(!two_).end());
     const GLenum first = targets(two_).front(), last = targets(two_).back();
     wrong.insert(wrong.end(), {0, first - 1, last + 1, GL_TEXTURE_2D, GL_AUTO_NORMAL, GL_COEFF});
@@ -202,8 +201,7 @@ class MapErrors {
   // Adds calls with two errors at a time.
   void add_several() {
     const GLenum last = targets(two_).back();
-    Theme several(document_, named("several"),
-                  "several reasons to refuse the command: any of their codes will do, one is needed",
+    Theme several(document_, named("several"), "several errors apply: any one of their codes is required",
                   {"EV-MAP-ERR-ANY", rule(two_, "ERR-NOEFFECT")});
     const std::vector<std::pair<std::string, std::function<void(Arguments&)>>> kReasons = {
         {"ERR-TARGET", [](Arguments& a) { a.target = GL_TEXTURE_2D; }},
@@ -316,8 +314,7 @@ void grids(Document& document) {
     c.MapGrid1f(3, 0.25f, 0.75f);
     c.MapGrid2f(5, -1, 2, 7, 3, -4);
   };
-  Theme one(document, "grid1-segments", "MapGrid1 with no segments or fewer",
-            {"EV-GRID-ERR-N", "EV-GRID-ERR-NOEFFECT"});
+  Theme one(document, "grid1-segments", "MapGrid1 with n <= 0", {"EV-GRID-ERR-N", "EV-GRID-ERR-NOEFFECT"});
   Theme u(document, "grid2-usegments", "MapGrid2 with un <= 0", {"EV-GRID-ERR-UN", "EV-GRID-ERR-NOEFFECT"});
   Theme v(document, "grid2-vsegments", "MapGrid2 with vn <= 0", {"EV-GRID-ERR-VN", "EV-GRID-ERR-NOEFFECT"});
   Theme inside(document, "grid-begin-end", "MapGrid between Begin and End", {"EV-GRID-ERR-BEGINEND"});
@@ -419,10 +416,10 @@ void meshes(Document& document) {
 // --- Queries
 
 void queries(Document& document) {
-  Theme target(document, "getmap-target", "GetMap of what is no map: nothing is written",
+  Theme target(document, "getmap-target", "GetMap of an invalid target: nothing is written",
                {"EV-GETMAP-ERR-TARGET", "EV-GETMAP-ERR-NOWRITE"});
   Theme query(document, "getmap-query",
-              "GetMap of something else than COEFF, ORDER and DOMAIN: nothing is written",
+              "GetMap of a query other than COEFF, ORDER and DOMAIN: nothing is written",
               {"EV-GETMAP-ERR-QUERY", "EV-GETMAP-ERR-NOWRITE"});
   Theme inside(document, "getmap-begin-end", "GetMap between Begin and End: nothing is written",
                {"EV-GETMAP-ERR-BEGINEND", "EV-GETMAP-ERR-NOWRITE"});
@@ -574,7 +571,7 @@ void primitives_and_units(Document& document) {
       c.End();
     });
 
-  Theme unit(document, "active-texture", "ActiveTexture of what is no unit, and between Begin and End",
+  Theme unit(document, "active-texture", "ActiveTexture of an invalid unit, and between Begin and End",
              {"EV-EXT-MT-RULE"});
   add(unit, [](gl::Case& c) { c.ActiveTexture(GL_TEXTURE_2D); });
   add(unit, [](gl::Case& c) { c.ActiveTexture(0); });

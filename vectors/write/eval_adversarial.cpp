@@ -60,7 +60,7 @@ Values tied(Dice& dice, int n, int more) {
 void float_ties(Document& document) {
   Theme exactly(document, "tie-float", "exactly halfway between two binary32: rounds to the even one",
                 {"EV-NUM-ACCURACY"});
-  Theme nearly(document, "near-tie-float", "just beside the middle of two binary32", {"EV-NUM-ACCURACY"});
+  Theme nearly(document, "near-tie-float", "near the midpoint of two binary32", {"EV-NUM-ACCURACY"});
   for (const auto& [theme, is_near] : {std::pair(&exactly, false), std::pair(&nearly, true)}) {
     Dice& dice = theme->dice();
     for (int i = 0; i < 72; ++i) {
@@ -86,7 +86,7 @@ void float_ties(Document& document) {
 void double_ties(Document& document) {
   Theme exactly(document, "tie-double", "exactly halfway between two binary64: rounds to the even one",
                 {"EV-NUM-ACCURACY"});
-  Theme nearly(document, "near-tie-double", "just beside the middle of two binary64", {"EV-NUM-ACCURACY"});
+  Theme nearly(document, "near-tie-double", "near the midpoint of two binary64", {"EV-NUM-ACCURACY"});
   for (const auto& [theme, is_near] : {std::pair(&exactly, false), std::pair(&nearly, true)}) {
     Dice& dice = theme->dice();
     // (2^30 * R_0 - R_0 + R_1)/2^30 has 54 bits, the last of which is set if R_1 - R_0 is odd.
@@ -148,7 +148,8 @@ void cancellation(Document& document) {
   }
 
   Theme roots(document, "roots",
-              "Wilkinson's way: a product of (u - i/8), its coefficients rounded, at a root and next to it",
+              "products of (u - i/8) as in Wilkinson's polynomial, with rounded coefficients, at a root and "
+              "next to it",
               {"EV-NUM-ACCURACY"});
   for (int n = 2; n <= 16; ++n) {
     std::vector<Rational> zeros;
@@ -166,8 +167,8 @@ void cancellation(Document& document) {
 }
 
 void special_nets(Document& document) {
-  Theme constant(document, "constant", "all control points equal: the value is that of each, wherever",
-                 {"EV-NUM-CONVEX"});
+  Theme constant(document, "constant",
+                 "all control points equal: the value is that of each, at every argument", {"EV-NUM-CONVEX"});
   Theme linear(document, "linear", "equally spaced control values: a straight line, however high the order",
                {"EV-NUM-ELEVATION", "EV-NUM-AFFINE"});
   Theme one(document, "one-point",
@@ -250,7 +251,7 @@ void rational(Document& document) {
 void hardest(Document& document) {
   Theme theme(
       document, "hardest",
-      "of all binary32 from 1/4 to 1 the arguments at which the value lies nearest to the middle of two "
+      "of all binary32 from 1/4 to 1 the arguments at which the value lies nearest to the midpoint of two "
       "binary32, found by trying all",
       {"EV-NUM-ACCURACY"});
   for (const int order : {2, 3, 4, 5, 8, 10}) {
@@ -276,7 +277,7 @@ void ties(Document& document) {
   };
   for (const auto& [name, meaning, is_near] :
        {Kind{"tie-float", "exactly halfway between two binary32: rounds to the even one", false},
-        Kind{"near-tie-float", "just beside the middle of two binary32", true}}) {
+        Kind{"near-tie-float", "near the midpoint of two binary32", true}}) {
     Theme theme(document, name, meaning, {"EV-NUM-ACCURACY"});
     Dice& dice = theme.dice();
     for (int i = 0; i < 40; ++i) {
@@ -349,8 +350,8 @@ void cancellation(Document& document) {
 }
 
 void special_nets(Document& document) {
-  Theme constant(document, "constant", "all control points equal: the value is that of each, wherever",
-                 {"EV-NUM-CONVEX"});
+  Theme constant(document, "constant",
+                 "all control points equal: the value is that of each, at every argument", {"EV-NUM-CONVEX"});
   Theme bilinear(document, "bilinear",
                  "control points of i, j and i*j: a bilinear surface, however high the orders",
                  {"EV-NUM-ELEVATION", "EV-COORD-ARGORDER"});

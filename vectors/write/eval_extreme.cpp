@@ -150,7 +150,7 @@ void underflow(Document& document) {
 }
 
 void extreme_arguments(Document& document) {
-  Theme theme(document, "far-away", "arguments that are huge or tiny beside the domain",
+  Theme theme(document, "far-away", "arguments that are huge or tiny compared with the domain",
               {"EV-MAP1-EXTRAPOLATE"});
   constexpr double kArguments[] = {0x1p60,    -0x1p31,  0x1p15,   1e6, 0x1p-100,
                                    -0x1p-126, 0x1p-149, -0x1p-60, 1e30};

@@ -112,11 +112,11 @@ void domains(Document& document) {
        {{-3, -1}, {-1000, -10}, {-0.75, -0.5}, {-7, 0}},
        {"EV-MAP1-DOMAIN"}},
       {"domain-offset",
-       "domains that are short beside their distance from zero, so that their width cancels",
+       "domains that are short compared with their distance from zero, so that their width cancels",
        {{1000, 1001}, {1e6, 1e6 + 1}, {-4096, -4095.5}, {16777210, 16777215}, {100000, 100000.125}},
        {"EV-MAP1-DOMAIN", "EV-NUM-DOMAINSHIFT"}},
       {"domain-inexact",
-       "domains whose ends and widths are no short binary numbers",
+       "domains whose ends and widths have many bits",
        {{0.1, 0.7}, {-0.3, 1.1}, {1e-3, 2e-3}, {3.3, -1.7}, {1.0 / 3, 2.0 / 3}},
        {"EV-MAP1-DOMAIN"}}};
   for (const auto& [name, meaning, ends, requirements] : kKinds) {
@@ -340,11 +340,11 @@ void domains(Document& document) {
        {{{1, 1 + 0x1p-20}, {0, 1}}, {{0, 1}, {0, 0x1p-60}}, {{-2, -2 + 0x1p-10}, {0x1p-40, 0x1p-39}}},
        {"EV-MAP2-DOMAIN"}},
       {"domain-offset",
-       "domains that are short beside their distance from zero, so that their width cancels",
+       "domains that are short compared with their distance from zero, so that their width cancels",
        {{{1000, 1001}, {0, 1}}, {{-4096, -4095.5}, {1e6, 1e6 + 1}}, {{0, 1}, {16777210, 16777215}}},
        {"EV-MAP2-DOMAIN", "EV-NUM-DOMAINSHIFT"}},
       {"domain-inexact",
-       "domains whose ends and widths are no short binary numbers",
+       "domains whose ends and widths have many bits",
        {{{0.1, 0.7}, {-0.3, 1.1}}, {{1e-3, 2e-3}, {3.3, -1.7}}, {{1.0 / 3, 2.0 / 3}, {0, 1}}},
        {"EV-MAP2-DOMAIN"}}};
   for (const auto& [name, meaning, ends, requirements] : kKinds) {

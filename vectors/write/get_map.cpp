@@ -117,10 +117,9 @@ void reals(Document& document) {
     }
   }
 
-  Theme doubles(
-      document, "double-only",
-      "doubles that no float holds: they come back as they are, or as one of the floats beside them",
-      {"EV-GETMAP-DOUBLE"});
+  Theme doubles(document, "double-only",
+                "doubles that no float holds: they come back as they are, or as one of the adjacent floats",
+                {"EV-GETMAP-DOUBLE"});
   for (const GLenum target : all_targets()) {
     Map map{target, {2, 0.1, 0.7}, {}, {}};
     if (is_two(target)) map.v = {2, -0.3, 1.0 / 3};
@@ -136,9 +135,9 @@ void reals(Document& document) {
 
 void integers(Document& document) {
   Theme rounding(document, "rounding", "GetMapiv rounds to the nearest integer", {"EV-GETMAP-ROUND"});
-  Theme halves(document, "halves", "GetMapiv halfway between two integers: either will do",
+  Theme halves(document, "halves", "GetMapiv halfway between two integers: either is accepted",
                {"EV-GETMAP-ROUND"});
-  Theme saturating(document, "saturating", "GetMapiv of what no int can hold: the nearest that it can",
+  Theme saturating(document, "saturating", "GetMapiv of values beyond the range of int: the nearest int",
                    {"EV-GETMAP-SATURATE"});
   // These themes include colours and normals, for which the specification makes no exception, with a flag for
   // implementations that scale them.
@@ -223,7 +222,7 @@ void histories(Document& document) {
   }
 
   Theme separate(
-      document, "separate", "all maps defined differently, then all asked",
+      document, "separate", "all maps defined differently, then all queried",
       {"EV-MAP1-INDEP", "EV-MAP1-VS-MAP2", "EV-GETMAP-NOSIDE", "EV-MAP1-NOENABLE", "EV-MAP2-NOENABLE"});
   for (const bool backwards : {false, true}) {
     std::vector<GLenum> targets = all_targets();

@@ -56,7 +56,7 @@ const std::vector<Kind>& all_kinds() {
        80,
        60},
       {"awkward",
-       "intervals and numbers of segments whose quotient is no floating-point number",
+       "intervals and numbers of segments whose quotient is not a floating-point number",
        {"EV-POINT1-EQUIV", "EV-POINT2-EQUIV", "EV-MESH1-NOACCUM", "EV-MESH2-NOACCUM"},
        {{0.1, 0.7}, {-0.3, 1.1}, {1e-3, 0.9}, {1.0 / 3, 2.0 / 3}},
        {3, 7, 11, 13, 49, 97, 1000},

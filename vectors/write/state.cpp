@@ -202,7 +202,7 @@ void grids(Document& document) {
 
 void attributes(Document& document) {
   Theme theme(document, "attribute",
-              "one map beside the vertex map: what it sets, and that current values stay",
+              "one map in addition to the vertex map: what it sets, and that current values stay",
               {"EV-COORD-ASIF", "EV-COORD-VERTEXLAST", "EV-COORD-CURRENT", "EV-CUR-NEXTVERTEX"});
   const Names kRequirements[] = {{"EV-ATTR-COLOR", "EV-CUR-COLOR"},
                                  {"EV-ATTR-INDEX-RGBA", "EV-CUR-INDEX"},
@@ -307,7 +307,7 @@ void nothing(Document& document) {
         query_current_values(c);
       });
 
-  Theme dimensions(document, "dimension", "maps of one dimension say nothing to evaluation in the other",
+  Theme dimensions(document, "dimension", "maps of one dimension do not affect evaluation in the other",
                    {"EV-COORD-DIM1", "EV-COORD-DIM2", "EV-MESH1-ONLY1D", "EV-MESH2-ONLY2D"});
   for (const bool two : {false, true})
     add(dimensions, kEverything, [&](gl::Case& c) {
@@ -487,7 +487,8 @@ void meshes(Document& document) {
           r.requirements);
     }
 
-  Theme late(document, "grid-late", "meshes and points use the grid and the maps of the moment",
+  Theme late(document, "grid-late",
+             "meshes and points use the grid and the maps in force when they are executed",
              {"EV-GRID-LATE", "EV-MAP1-LIVE"});
   for (const bool surfaces : {false, true})
     add(late, kPositions, [&](gl::Case& c) {
@@ -561,7 +562,7 @@ void normals(Document& document) {
 // --- Saved state and lists
 
 void attribute_stack(Document& document) {
-  Theme theme(document, "attribute-stack", "what each bit saves and brings back: never the maps themselves",
+  Theme theme(document, "attribute-stack", "what each bit saves and restores: never the maps themselves",
               {"EV-ATTRIB-EVALBIT", "EV-ATTRIB-ENABLEBIT", "EV-ATTRIB-ENABLEBIT-NOGRID", "EV-ATTRIB-NOMAPS",
                "EV-ATTRIB-ALL", "EV-ATTRIB-OTHERBITS", "EV-ATTRIB-NEST"});
   constexpr GLbitfield kMasks[] = {GL_EVAL_BIT,        GL_ENABLE_BIT,   GL_CURRENT_BIT,
@@ -623,7 +624,7 @@ void random_programs(Document& document) {
   constexpr int kPrograms = 60, kLength = 24, kMaxEvalOrder = 64;
   constexpr std::size_t kMostVertices = 24, kFewestVertices = 1;
   Theme theme(document, "random",
-              "random legal programs, commands that are refused among them; orders up to 8",
+              "random legal programs, commands that are rejected among them; orders up to 8",
               {"EV-COORD-ASIF", "EV-COORD-CURRENT", "EV-CUR-GRIDMAPS", "EV-BE-ORDER"});
   for (std::uint32_t number = 0; theme.count() < kPrograms && number < kMostTried; ++number) {
     const fuzz::SpecifiedProgram random =
@@ -647,7 +648,7 @@ namespace evalcts::vectors {
 Document state() {
   using namespace states;
   Document document("state",
-                    "Sequences of commands: errors, answers to queries, and the vertices that come out.");
+                    "Sequences of commands: errors, answers to queries, and the vertices that are drawn.");
   initial(document);
   enables(document);
   grids(document);

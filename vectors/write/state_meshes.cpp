@@ -115,14 +115,14 @@ Map falling_map(bool two, bool along_v, int order) {
 void long_meshes(Document& document) {
   Theme one(
       document, "long-mesh1",
-      "EvalMesh1 with 10^3 and 10^4 points on grids far from zero beside their steps: what is summed up "
-      "step by step, arguments or differences, leaves what is accepted",
+      "EvalMesh1 with 10^3 and 10^4 points on grids far from zero compared with their steps: arguments or "
+      "differences that are added up step by step leave the accepted interval",
       {"EV-MESH1-NOACCUM", "EV-MESH1-COORDS", "EV-MESH1-SUBRANGE"});
-  Theme two(
-      document, "long-mesh2",
-      "EvalMesh2 with 10^3 and 10^4 points on grids far from zero beside their steps, long in u, in v, or "
-      "in both",
-      {"EV-MESH2-NOACCUM", "EV-MESH2-COORDS"});
+  Theme two(document, "long-mesh2",
+            "EvalMesh2 with 10^3 and 10^4 points on grids far from zero compared with their steps, long in "
+            "u, in v, or "
+            "in both",
+            {"EV-MESH2-NOACCUM", "EV-MESH2-COORDS"});
   // Ends of both the grid and the domain.
   const std::pair<double, double> kEnds[] = {{16, 17}, {-33, -32}, {0.1, 0.7}, {17.3, 16.1}};
   const auto of_type = [](const std::pair<double, double>& ends, Type type) {
@@ -165,7 +165,7 @@ void steep_meshes(Document& document) {
   Theme theme(
       document, "steep-mesh",
       "meshes with 10^3 and 10^4 points over maps that fall from 1000 to 0: forward differences, single or "
-      "double, leave what is accepted",
+      "double, leave the accepted interval",
       {"EV-MESH1-NOACCUM", "EV-MESH2-NOACCUM"});
   for (const int n : {1000, 9999})
     for (const int order : {4, 6})

@@ -123,19 +123,19 @@ void change_values(std::vector<ObservedPrimitive>& primitives, Change change) {
     }
 }
 
-EVALCTS_VARIATION(NoNegativeZero, "production", "results of -0 come out as +0", "") {
+EVALCTS_VARIATION(NoNegativeZero, "production", "results of -0 are returned as +0", "") {
   v.emitted = [](std::vector<ObservedPrimitive>& primitives) {
     change_values(primitives, [](float& x) { x += 0.0f; });
   };
 }
-EVALCTS_VARIATION(NoSubnormals, "production", "subnormal results come out as 0", "") {
+EVALCTS_VARIATION(NoSubnormals, "production", "subnormal results are returned as 0", "") {
   v.emitted = [](std::vector<ObservedPrimitive>& primitives) {
     change_values(primitives, [](float& x) {
       if (std::fpclassify(x) == FP_SUBNORMAL) x = 0;
     });
   };
 }
-EVALCTS_VARIATION(ClampedColors, "production", "colours come out clamped to [0,1]", "") {
+EVALCTS_VARIATION(ClampedColors, "production", "colours are clamped to [0,1]", "") {
   v.emitted = [](std::vector<ObservedPrimitive>& primitives) {
     for (ObservedPrimitive& primitive : primitives)
       for (ObservedVertex& vertex : primitive.vertices)
@@ -148,7 +148,7 @@ EVALCTS_VARIATION(WhiteOnly, "production", "every colour comes out white, explic
       for (ObservedVertex& vertex : primitive.vertices) vertex.color = {1, 1, 1, 1};
   };
 }
-EVALCTS_VARIATION(PositionOnly, "production", "nothing but positions come out", "") {
+EVALCTS_VARIATION(PositionOnly, "production", "only positions are output", "") {
   v.emitted = [](std::vector<ObservedPrimitive>& primitives) {
     for (ObservedPrimitive& primitive : primitives)
       for (ObservedVertex& vertex : primitive.vertices) {
@@ -160,7 +160,7 @@ EVALCTS_VARIATION(PositionOnly, "production", "nothing but positions come out", 
 }
 
 EVALCTS_VARIATION(LeastRange, "production",
-                  "positions, normals and texture coordinates beyond 2^33 come out infinite, colours beyond "
+                  "positions, normals and texture coordinates beyond 2^33 become infinite, colours beyond "
                   "2^11 saturated",
                   "") {
   v.emitted = [](std::vector<ObservedPrimitive>& primitives) {

@@ -62,7 +62,7 @@ EVALCTS_RULES(EnableBitHidesEvalBit, production, kMust, "EV-ATTRIB-EVALBIT",
               "of EVAL_BIT and ENABLE_BIT together the latter counts: the grid of two dimensions stays",
               not_restored(grid2_state(), kLevelMask == (GL_EVAL_BIT | GL_ENABLE_BIT)));
 EVALCTS_RULES(PopOnlyEnables, production, kMust, "EV-ATTRIB-EVALBIT EV-ATTRIB-ENABLEBIT",
-              "PopAttrib enables MAP1_INDEX again where it was on, but does not disable it",
+              "PopAttrib enables MAP1_INDEX again if it was enabled, but never disables it",
               around(PopAttrib, kLevel > 0 && enabled(GL_MAP1_INDEX), 0, enable(GL_MAP1_INDEX)));
 
 // --- ENABLE_BIT --------------------------------------------------------------------------------------------

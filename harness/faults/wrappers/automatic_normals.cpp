@@ -23,7 +23,7 @@ void round_normal(ObservedVertex& vertex, float steps) {
 }
 
 EVALCTS_RULES(NormalMapEnabledLastWins, production, kMust, "EV-AUTON-OVERRIDE",
-              "a normal map that was enabled after AUTO_NORMAL wins",
+              "a normal map that was enabled after AUTO_NORMAL takes precedence",
               after(Enable, kName == GL_MAP2_NORMAL && noted_on(GL_AUTO_NORMAL), disable(GL_AUTO_NORMAL)));
 EVALCTS_RULES(AutoNormalBeforeVertexMapLost, production, kMust, "EV-AUTON-USED",
               "Enable of AUTO_NORMAL before that of a vertex map of surfaces has no effect",

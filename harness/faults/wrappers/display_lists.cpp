@@ -107,7 +107,7 @@ EVALCTS_RULES(CompiledErrorAtEndList, production, kMust, "EV-DL-ERR-LATE",
               before(kMapGrid1, kListMode == GL_COMPILE && kSegments <= 0, set(kFlag, 1)),
               after(EndList, kFlag, {set(kFlag, 0), error_now(GL_INVALID_VALUE)}));
 EVALCTS_RULES(CompiledBadTargetDropped, production, kMust, "EV-DL-ERR-ALL",
-              "a Map2 with a target that is none is left out of lists",
+              "a Map2 with an invalid target is left out of lists",
               skip(kMap2, kCompiling && (kComponents == 0 || kTarget < GL_MAP2_COLOR_4)));
 EVALCTS_RULES(CompiledSmallVStrideDropped, production, kMust, "EV-DL-ERR-ALL",
               "in lists a vstride below k is taken for k",

@@ -65,7 +65,7 @@ EVALCTS_RULES(EvalCoord1dvReadsTwoValues, production, kMust, "EV-API-V/1-D",
               "EvalCoord1dv loads two values where there is one",
               before(EvalCoord1dv, set(kNumber, element(1))));
 EVALCTS_RULES(EvalCoord2dvCountsInFloats, production, kMust, "EV-API-V/2-D",
-              "EvalCoord2dv takes v from where it is in an array of floats",
+              "EvalCoord2dv reads v from its place in an array of floats",
               before(EvalCoord2dv,
                      set(kV, [](Call& c) { return static_cast<const GLfloat*>(c.pointer)[1]; })));
 EVALCTS_RULES(EvalCoord1fvOneUlpOff, production, kQuality, "EV-API-V/1-D",

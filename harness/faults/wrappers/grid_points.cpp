@@ -49,7 +49,7 @@ EVALCTS_RULES(LastPointExactInRisingGridsOnly, production, kMust, "EV-POINT-EXAC
               "EvalPoint1 has the rule for the last index where u1 is below u2",
               point1_at(kI == noted_grid1(0) && noted_grid1(1) > noted_grid1(2), kInexact));
 EVALCTS_RULES(LastPointOfOneSegmentByArithmetic, production, kMust, "EV-POINT-EXACT-N",
-              "EvalPoint2 has no rule for the last index of u where that is 1",
+              "EvalPoint2 has no rule for the last index of u if this index is 1",
               point2_at(kI == 1 && noted_grid2(0) == 1, kInexact, kExact));
 EVALCTS_RULES(NegativeIndexIsFirst, production, kMust, "EV-POINT-RANGE", "EvalPoint2 takes a negative j as 0",
               before(EvalPoint2, set(kJ, max(kJ, 0))));

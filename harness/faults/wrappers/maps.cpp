@@ -279,7 +279,7 @@ EVALCTS_RULES(MemoryOrderAssumed, production, kMust, "EV-MAP2-ADDRESS",
               "of a square net the direction with the smaller stride is taken for v",
               before(kMap2, kOrder == kVOrder && kStride < kVStride, transpose()));
 EVALCTS_RULES(RowsTakenAsAdjacent, production, kMust, "EV-MAP2-ADDRESS EV-MAP2-PADDING",
-              "ustride is not looked at while it is larger than a packed row of v",
+              "ustride is ignored while it is larger than a packed row of v",
               before(kMap2, kStride > kVOrder * kVStride && kIsLegal && kVOrder > 2,
                      set(kStride, kVOrder* kVStride)));
 EVALCTS_RULES(EqualStridesRefused, production, kMust, "EV-MAP2-STRIDE-FREE",
@@ -324,7 +324,7 @@ EVALCTS_RULES(UStrideInBytesOfFloats, production, kMust, "EV-MAP2-STRIDE-UNITS E
                                        sizeof(double) * static_cast<std::size_t>(net.components));
                      })));
 EVALCTS_RULES(DomainOfTexturesExchanged, production, kMust, "EV-MAP2-DOMAIN",
-              "a texture map takes the interval of u for v as well, where it is as wide",
+              "a texture map takes the interval of u for v as well if both are equally wide",
               before(kMap2, is_texture_map(kTarget) && kU2 - kU1 == kV2 - kV1,
                      {set(kV1, kU1), set(kV2, kU2)}));
 EVALCTS_RULES(BothReversedIsNeither, production, kMust, "EV-MAP2-REVERSED",

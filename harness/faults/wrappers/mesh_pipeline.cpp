@@ -15,7 +15,7 @@ Value set_two_sides(Value on) {
 }
 
 EVALCTS_RULES(CurveMeshOfSeparateLines, osmesa, kMust, "EV-MESH1-STIPPLE",
-              "EvalMesh1 with LINE draws separate lines: the stipple starts anew at each",
+              "EvalMesh1 with LINE draws separate lines: the stipple restarts at each",
               instead(EvalMesh1, kMode == GL_LINE,
                       loop(kColumn, kI1, kI2 - 1, curve(GL_LINE, kColumn, kColumn + 1))));
 EVALCTS_RULES(CurveMeshInTwoStrips, osmesa, kMust, "EV-MESH1-STIPPLE",

@@ -53,7 +53,7 @@ EVALCTS_RULES(CurveMeshByArithmeticAtItsLastIndex, production, kMust, "EV-MESH1-
               "EvalMesh1 does its last vertex after the loop, and without the rule for the last index",
               curve_at(kI2 == grid1(0), kInexact));
 EVALCTS_RULES(CurveMeshExactAtItsOwnEndOnly, production, kMust, "EV-MESH1-EXACT-N",
-              "EvalMesh1 is exact at the last index where that is the last it draws",
+              "EvalMesh1 is exact at the last index only if it draws no further point",
               curve_at(kI2 > grid1(0), kInexact));
 EVALCTS_RULES(CurveMeshFromNegativeIndexInexact, production, kMust, "EV-MESH1-EXACT-0",
               "EvalMesh1 from a negative index is not exact at index 0",
@@ -191,7 +191,7 @@ EVALCTS_RULES(SurfacePointsByColumns, production, kMust, "EV-MESH2-POINT",
               instead(EvalMesh2, kMode == GL_POINT && kI1 <= kI2,
                       loop(kColumn, kI1, kI2, surface(GL_POINT, kColumn, kColumn, kJ1, kJ2))));
 EVALCTS_RULES(LastRowOfPointsForgotten, production, kMust, "EV-MESH2-POINT",
-              "EvalMesh2 with POINT draws no row j2, but where it is the only one",
+              "EvalMesh2 with POINT does not draw row j2 unless it is the only one",
               before(EvalMesh2, kMode == GL_POINT && kJ2 > kJ1, set(kJ2, kJ2 - 1)));
 
 EVALCTS_RULES(ColumnsBeforeRows, production, kMust, "EV-MESH2-LINE",
@@ -314,7 +314,7 @@ EVALCTS_RULES(BadModeOfSurfaceDraws, production, kMust, "EV-MESH2-ERR-MODE",
               before(EvalMesh2, kMode == GL_QUADS && !kInside,
                      call(EvalMesh2, {GL_POINT, kI1, kI2, kJ1, kJ2})));
 EVALCTS_RULES(SurfaceMeshInsideEndsPrimitive, production, kMust, "EV-MESH2-ERR-BEGINEND",
-              "EvalMesh2 between Begin and End raises the error and begins the primitive anew",
+              "EvalMesh2 between Begin and End raises the error and begins the primitive again",
               after(EvalMesh2, kInside, {call(End), call(Begin, {kOpenMode})}));
 EVALCTS_RULES(SurfaceMeshInsideWithoutMapIsIgnored, production, kMust, "EV-MESH2-ERR-BEGINEND",
               "EvalMesh2 between Begin and End without a vertex map raises no error",

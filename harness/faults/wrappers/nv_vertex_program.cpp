@@ -81,7 +81,8 @@ NV_RULES(VertexAttributeWithoutProgram, "EV-EXT-NVVP-MODE",
                 {when(!evaluates() && enabled(kCurveMap), stand_in(GL_MAP1_VERTEX_4, kCurveMap)),
                  when(!evaluates() && enabled(kSurfaceMap), stand_in(GL_MAP2_VERTEX_4, kSurfaceMap))}));
 
-NV_RULES(ConventionalColorWins, "EV-EXT-NVVP-PRIORITY", "COLOR_4 beats the map of attribute 3 in curves",
+NV_RULES(ConventionalColorWins, "EV-EXT-NVVP-PRIORITY",
+         "COLOR_4 takes precedence over the map of attribute 3 in curves",
          without(Begin, kInProgramMode != 0 && enabled(GL_MAP1_COLOR_4), kCurveMap + kColor));
 NV_RULES(DisabledAttributeMapShadows, "EV-EXT-NVVP-PRIORITY",
          "in program mode surfaces have no conventional colours, whether attribute 3 has a map or not",

@@ -7,7 +7,7 @@ namespace evalcts::faults {
 namespace {
 
 EVALCTS_RULES(LastEnabledVertexMapWins, production, kMust, "EV-PREC-VERTEX EV-PREC-ORDERFREE",
-              "VERTEX_3 wins where it was enabled after VERTEX_4",
+              "VERTEX_3 takes precedence if it was enabled after VERTEX_4",
               after(Enable, kName == GL_MAP1_VERTEX_3 || kName == GL_MAP2_VERTEX_3, disable(kName + 1)));
 EVALCTS_RULES(BothVertexMapsDraw, production, kMust, "EV-PREC-VERTEX",
               "EvalPoint1 draws a vertex for each of two enabled vertex maps",
@@ -52,7 +52,7 @@ EVALCTS_RULES(UndefinedTextureMapGivesWay, production, kMust, "EV-PREC-NOVALIDIT
               before(kMap1, kTarget == GL_MAP1_TEXTURE_COORD_4, set(kFlag, 1)),
               skip(Enable, kName == GL_MAP1_TEXTURE_COORD_4 && !kFlag));
 EVALCTS_RULES(UndefinedVertexMapGivesWay, production, kMust, "EV-PREC-NOVALIDITY",
-              "MAP2_VERTEX_4 wins only after it was defined",
+              "MAP2_VERTEX_4 takes precedence only after it was defined",
               before(kMap2, kTarget == GL_MAP2_VERTEX_4, set(kFlag, 1)),
               skip(Enable, kName == GL_MAP2_VERTEX_4 && !kFlag));
 

@@ -158,7 +158,7 @@ EVALCTS_RULES(ProgramOfPrimitivesSeesNoColorMap, osmesa, kMust, "EV-PIPE-VS",
 // --- Primitive restart -------------------------------------------------------------------------------------
 
 EVALCTS_RULES(RestartIndexSplitsMesh, osmesa, kMust, "EV-PIPE-NORESTART",
-              "a LINE mesh of one dimension starts anew at the restart index",
+              "a LINE mesh of one dimension restarts at the restart index",
               instead(EvalMesh1,
                       kMode == GL_LINE && enabled(GL_PRIMITIVE_RESTART) && kI1 <= kRestartIndex &&
                           kRestartIndex <= kI2,
@@ -267,11 +267,11 @@ EVALCTS_RULES(GeometryInputMismatchIsInvalidValue, osmesa, kMust, "EV-PIPE-GS",
               after(EvalMesh1, kMode == GL_LINE && has_program(),
                     replace_error(GL_INVALID_OPERATION, GL_INVALID_VALUE)));
 EVALCTS_RULES(TessellatedMeshIsSilent, osmesa, kMust, "EV-PIPE-TESS",
-              "FILL meshes are ignored where tessellation is active",
+              "FILL meshes are ignored while tessellation is active",
               after(EvalMesh2, kMode == GL_FILL && has_program(),
                     replace_error(GL_INVALID_OPERATION, GL_NO_ERROR)));
 EVALCTS_RULES(TessellatedMeshIsDrawn, osmesa, kMust, "EV-PIPE-TESS",
-              "EvalMesh1 draws without tessellation where that is active",
+              "EvalMesh1 draws without tessellation while tessellation is active",
               keeping(EvalMesh1, has_program(), setting(UseProgram, {state(GL_CURRENT_PROGRAM)}),
                       call(UseProgram, {0})));
 

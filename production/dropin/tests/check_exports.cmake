@@ -10,7 +10,7 @@ if(RUNTIME)
   list(FILTER strangers EXCLUDE REGEX "^(__gcov_|mangle_path$)")
 endif()
 if(strangers)
-  message(FATAL_ERROR "exported, but no name of the GL: ${strangers}")
+  message(FATAL_ERROR "exported, but not a GL name: ${strangers}")
 endif()
 
 file(READ ${HEADER} header)

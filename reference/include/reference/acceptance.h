@@ -1,10 +1,10 @@
-// Acceptance: the largest permitted distance of a result from the exact value, by section 0.5 of the
-// requirements, in exact rational arithmetic.
+// Acceptance: the largest permitted distance of a result from the exact value, by the accuracy rule
+// (vectors/INTERPRETING.md states its formulas), in exact rational arithmetic.
 //
 // The GL promises that a single floating-point operation is accurate to about one part in 10^5. The
 // acceptance interval contains every result that any usual order of evaluation can give under that promise.
 //
-// Notation of section 0.5: eps = 10738 * 2^-30, D = u2 - u1, t = (u - u1)/D, s = (u2 - u)/D, n = order - 1, m
+// Notation of the rule: eps = 10738 * 2^-30, D = u2 - u1, t = (u - u1)/D, s = (u2 - u)/D, n = order - 1, m
 // = vorder - 1. Functions throw the exceptions of bernstein.h.
 #pragma once
 

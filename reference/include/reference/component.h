@@ -67,7 +67,7 @@ float rounded(const Component& component);
 // it does not exist: non-finite data, parallel derivatives, w = 0.
 std::array<float, 3> rounded(const Normal& normal);
 
-// Same as in acceptance.h (section 0.5 of the requirements). For an explicit float, the bounds are zero and
+// Same as in acceptance.h (the accuracy rule). For an explicit float, the bounds are zero and
 // always a must.
 Rational acceptance_bound(const Component& component);
 bool must_applies(const Component& component, int range = kFullRange);

@@ -57,10 +57,10 @@ std::array<double, 3> rounded_unit_vector_to_double(const Vector& m);
 // Encloses |m|: high - low <= 2^-bits * |m|. Throws std::invalid_argument if bits is negative. m may be zero.
 Interval length(const Vector& m, int bits);
 
-// The largest permitted distance of a result from the exact normal: section 0.5 of the requirements, rounded
-// outward by less than one part in 10^6.
+// The largest permitted distance of a result from the exact normal by the rule in
+// vectors/INTERPRETING.md, rounded outward by less than one part in 10^6.
 struct NormalAcceptance {
-  // The vector a x b of section 0.5, which has the direction of normal_vector(): m itself, or w^4 * m for
+  // The vector a x b of that rule, which has the direction of normal_vector(): m itself, or w^4 * m for
   // four components (w may be negative). Zero if m or w is zero.
   Vector m;
   // True if the bounds are a "must"; otherwise any result is accepted. The conditions of acceptance.h hold

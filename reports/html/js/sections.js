@@ -180,7 +180,7 @@ function bugDetails(bug) {
        lines.length ? copyButton('Copy reproducer', lines.join('\n')) : null),
     bug.known ? el('p', null, `Known bug ${bug.known}${bug.knownIn ? `, in ${bug.knownIn}` : ''}.`) : null,
     bug.breaksPrograms ? el('p', null, 'A real program fails because of it.') : null,
-    bug.outside ? el('p', null, 'Explicit vertices in the place of the evaluation show it as well, so the evaluator is not its only place.') : null,
+    bug.outside ? el('p', null, 'Explicit vertices instead of evaluations show the bug as well, so it is not only in the evaluator.') : null,
     bug.requirements.map(requirementLine),
     bug.clause ? el('p', null, `Clause: ${bug.clause}`) : null,
     failureDetails(failure),

@@ -11,7 +11,7 @@ enum class Look { kAll, kAnswers, kVertices };
 
 // The body of a test. All answers of the commands, including errors, and all emitted vertices must agree with
 // `specified`, the outcome of the same program on the executable specification, within the permitted
-// tolerances (section 0.5, EV-GETMAP-FLOAT).
+// tolerances (the accuracy rule, EV-GETMAP-FLOAT).
 void expect_as_specified(Test& t, const gl::Case& program, const Specified& specified,
                          Look look = Look::kAll);
 

@@ -1,5 +1,5 @@
-// The judge compares captured values with exact ones, by the accuracy rule of section 0.5 of the
-// requirements.
+// The judge compares captured values with exact ones, by the accuracy rule
+// (vectors/INTERPRETING.md).
 #pragma once
 
 #include <string>

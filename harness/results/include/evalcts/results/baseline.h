@@ -141,10 +141,10 @@ class Baseline {
   // part called `target`; an empty `target` stands for the only part, or, if there is none, for new files
   // called `new_name`. Their entries are the differences from the other parts. Existing reasons are kept;
   // new entries state that their cause has not been traced. Skips and flakes are kept, and flaky tests
-  // get no entry. Throws BadBaseline if no part is called `target`, or if there are several parts and
-  // `target` is empty.
-  BaselineFiles renewed(const RunResult& result, const std::string& target,
-                        const std::string& new_name) const;
+  // get no entry. Throws BadBaseline if no part is called `target`, if there are several parts and `target`
+  // is empty, or if the new files would replace files in `all`, which are for other implementations.
+  BaselineFiles renewed(const RunResult& result, const std::string& target, const std::string& new_name,
+                        const std::vector<BaselineFiles>& all = {}) const;
 
  private:
   static Baseline composed(std::vector<BaselineFiles> parts);
