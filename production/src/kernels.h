@@ -106,7 +106,7 @@ struct Kernels {
 
 // Returns the bytes of scratch memory for `columns` columns of a map of degree `degree` in u.
 std::size_t mesh_scratch(int degree, std::size_t columns);
-// The same for normals, which need the weights of the vertex map and of its derivative.
+// Returns the bytes for normals, which need the weights of the vertex map and of its derivative.
 inline std::size_t normal_mesh_scratch(int degree, std::size_t columns) {
   return mesh_scratch(2 * degree, columns);
 }

@@ -102,7 +102,8 @@ struct PreparedMap {
   bool is_direct = false;
 };
 
-// A cubic or bicubic map of vertices for consecutive single calls. The inverse of each width is exact.
+// The transformation of arguments to x and y for consecutive single calls, for a cubic or bicubic map of
+// vertices. The inverse of the width of each domain is exact.
 struct DirectMap {
   // x = u * scale - middle
   struct Place {

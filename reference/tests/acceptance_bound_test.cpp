@@ -1,4 +1,5 @@
-// Compares the formulas of section 0.5 of the requirements with a second implementation.
+// Tests acceptance intervals: compares their bounds (section 0.5 of the requirements) with a second
+// implementation, and tests the inputs to which the accuracy rule applies.
 #include <gtest/gtest.h>
 #include <reference/acceptance.h>
 
