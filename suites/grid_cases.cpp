@@ -1,3 +1,4 @@
+// Makes the grids and the probe maps whose values show at which argument a grid point is evaluated.
 #include "grid_cases.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Reads the feedback buffer or pixels after a drawing, compares pictures, and plots their differences.
 #include "pictures.h"
 
 #include <fmt/format.h>

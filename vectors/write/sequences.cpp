@@ -1,3 +1,4 @@
+// Runs a sequence of commands on the executable specification and writes the expected answers.
 #include "sequences.h"
 
 #include <fmt/format.h>
