@@ -1,3 +1,4 @@
+// Implements the shared context of a second pass: between cases, commands restore the initial state of GL.
 #include <evalcts/backends/reused_context.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Starts the child processes of a search, collects their findings, and groups them by cause.
 #include <evalcts/fuzz/search.h>
 
 #include <fmt/format.h>

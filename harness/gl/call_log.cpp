@@ -1,3 +1,4 @@
+// Formats commands, arguments and constants as C. Long arrays are abbreviated in failure records.
 #include <evalcts/gl/call_log.h>
 
 #include <fmt/format.h>

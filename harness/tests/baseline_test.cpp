@@ -1,3 +1,4 @@
+// Tests reading, applying, overlaying and updating baselines.
 #include <evalcts/results/baseline.h>
 
 #include <gtest/gtest.h>

@@ -228,7 +228,7 @@ void draw_mesh(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   }
 }
 
-// The requirements that demand the order of the loops in the specification. Only their tests may
+// The requirements on the order of the loops in the specification. Only their tests may
 // depend on it.
 #define MESH_ROWS "EV-MESH2-POINT EV-MESH2-LINE EV-MESH2-FILL"
 EVALCTS_VARIATION(MeshesInColumns, "production", "EvalMesh2 draws in another order", MESH_ROWS) {

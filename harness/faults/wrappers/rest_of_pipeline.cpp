@@ -1,4 +1,5 @@
-// Section 22: evaluated primitives in the stages of the pipeline after evaluation.
+// Faults against section 22 of the requirements: evaluated primitives in the stages of the pipeline after
+// evaluation.
 #include <algorithm>
 
 #include "grid_steps.h"
