@@ -1,4 +1,4 @@
-// PushAttrib and PopAttrib (GL 2.1 section 6.1.14); section 21 of the requirements.
+// Tests PushAttrib and PopAttrib (GL 2.1 section 6.1.14; section 21 of the requirements).
 #include <gtest/gtest.h>
 #include <reference/specification.h>
 

@@ -1,4 +1,4 @@
-// Display lists (GL 2.1 section 5.4); section 20 of the requirements.
+// Tests display lists (GL 2.1 section 5.4; section 20 of the requirements).
 #include <gtest/gtest.h>
 #include <reference/specification.h>
 

@@ -198,7 +198,6 @@ EVALCTS_RULES(ConditionalEvalPointNeverDrawn, osmesa, kMust, "EV-PIPE-CONDRENDER
               skip(kPoints2, kCondition));
 
 // --- Rejected primitives
-// ------------------------------------------------------------------------------------
 
 EVALCTS_RULES(IncompleteFramebufferIsInvalidOperation, osmesa, kMust, "EV-PIPE-FBO",
               "EvalMesh1 with an incomplete framebuffer raises INVALID_OPERATION",
