@@ -338,7 +338,7 @@ class Searcher {
   std::vector<Lane> lanes_;
   SearchResult found_;
   int empty_starts_ = 0;
-  int max_eval_order_ = 8;  // as reported by the children
+  int max_eval_order_ = 8;  // reported by the children
 };
 
 }  // namespace

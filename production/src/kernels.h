@@ -65,7 +65,7 @@ struct PatchBlock {
   // The largest number of fractional bits of x^degree and y^degree together; kManyBits if they are not
   // dyadic.
   int bits_of_places;
-  Destination to;  // of patch 0; patch p begins p * patch_stride bytes later
+  Destination to;  // destination of patch 0; patch p begins p * patch_stride bytes later
   std::size_t patch_stride;
 };
 

@@ -325,7 +325,7 @@ std::optional<Specification::Answer> Specification::answer(GLenum pname) const {
       return Answer{Kind::kNormalized, list(attributes_.current.color)};
     case GL_CURRENT_NORMAL:
       return Answer{Kind::kNormalized, list(attributes_.current.normal)};
-    case GL_CURRENT_TEXTURE_COORDS:  // of the active unit
+    case GL_CURRENT_TEXTURE_COORDS:  // coordinates of the active unit
       return Answer{Kind::kFloatingPoint,
                     list(attributes_.current.texture_coordinate[attributes_.active_texture])};
     case GL_CURRENT_INDEX:

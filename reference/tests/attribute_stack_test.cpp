@@ -109,7 +109,7 @@ TEST(AttributeStack, SavesTheGroupsOfTheMask) {
 
 TEST(AttributeStack, SavesEverythingWithAllBits) {  // EV-ATTRIB-ALL
   expect_groups(GL_ALL_ATTRIB_BITS);
-  expect_groups(0x000FFFFF);  // as it was defined before GL 1.3
+  expect_groups(0x000FFFFF);  // ALL_ATTRIB_BITS before GL 1.3
 }
 
 TEST(AttributeStack, Nests) {  // EV-ATTRIB-NEST

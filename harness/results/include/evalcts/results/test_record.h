@@ -42,7 +42,7 @@ struct PlottedPixels {
 
 // A failing case as it is expected and as it was captured, for a picture in the report: primitives or pixels.
 struct Plot {
-  static constexpr std::size_t kMostVertices = 96;  // of each side
+  static constexpr std::size_t kMostVertices = 96;  // limit for each side
   static constexpr std::size_t kMostPixels = 4096;
 
   std::optional<std::vector<PlottedPrimitive>> expected;  // none if the test has a rule in place of expected vertices
