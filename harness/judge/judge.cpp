@@ -147,7 +147,7 @@ class VertexJudge {
   }
 
   // Judges an automatic normal. Any method is allowed (EV-AUTON-METHOD); agreement with the analytic method,
-  // which GL 1.0 demanded, is quality. With a vertex shader, the normal is not normalised. Then only its
+  // which GL 1.0 required, is quality. With a vertex shader, the normal is not normalised. Then only its
   // direction is judged, because its length depends on the variables of the derivatives (U-AUTON-MAGN),
   // except over [0,1].
   void automatic_normal(const reference::AutomaticNormal& normal, const std::array<float, 3>& got) {

@@ -25,9 +25,9 @@ inline std::vector<GLenum> map_targets() {
   return targets;
 }
 
+constexpr GLdouble kPoison = -12345.678;
 // Returns the values that a query has written, without the trailing elements that still contain the poison
 // value.
-constexpr GLdouble kPoison = -12345.678;
 inline std::vector<GLdouble> written(std::vector<GLdouble> answer) {
   while (!answer.empty() && answer.back() == kPoison) answer.pop_back();
   return answer;

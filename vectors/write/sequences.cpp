@@ -239,7 +239,7 @@ bool has_zeros_of_both_signs(const gl::Command& map) {
   return false;
 }
 
-// Finds the level of a sequence and the first version of the GL that demands its answers (INTERPRETING.md,
+// Finds the level of a sequence and the first version of the GL that requires its answers (INTERPRETING.md,
 // "Levels and versions").
 class Standing {
  public:
