@@ -31,7 +31,7 @@ make_root() { # suite, folder
   mmdebstrap --quiet --variant=apt "${options[@]}" "$1" "$root" "${sources[@]}" &&
     mount -t proc proc "$root/proc" &&
     mount --bind /dev "$root/dev" &&
-    mount --make-private "$root/dev" && # what is mounted below must not appear in this machine's /dev
+    mount --make-private "$root/dev" && # mounts below it must not appear in this machine's /dev
     mount -t devpts devpts "$root/dev/pts" &&
     mount -t tmpfs tmpfs "$root/dev/shm"
 }

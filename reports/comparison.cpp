@@ -1,3 +1,4 @@
+// Compares current with earlier results, test by test, and classifies the changes.
 #include "comparison.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Describes the verdicts of the quality tests: single precision by map target, and equal bits.
 #include "quality.h"
 
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ std::string target_of(const TestRecord& test) {
   return test.name.substr(slash + 1, test.name.find('/', slash + 1) - slash - 1);
 }
 
-// Requirements whose tests of level quality demand equal bits, and the results that they compare.
+// Requirements whose tests of level quality require equal bits, and the results that they compare.
 constexpr std::pair<std::string_view, std::string_view> kEqualBits[] = {
     {"EV-API-V", "EvalCoord and its vector form"},
     {"EV-AUTON-SAMEVERTEX", "AUTO_NORMAL on and off"},

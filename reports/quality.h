@@ -13,7 +13,7 @@ namespace evalcts::reports {
 std::string single_precision_in_words(const RunResult& record);
 
 // Returns "bits differ between EvalPoint and EvalMesh (2 tests), AUTO_NORMAL on and off (4 tests)", by the
-// tests of level quality that demand equal bits where commands are equivalent; empty if none of them warns.
+// tests of level quality that require equal bits where commands are equivalent; empty if none of them warns.
 std::string equal_bits_in_words(const RunResult& record);
 
 // Returns those of the two texts above that are not empty.

@@ -1,3 +1,4 @@
+// Merges the results of the shards of a run.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Arranges the tests and bugs of several records in rows.
 #include "side_by_side.h"
 
 #include <fmt/format.h>

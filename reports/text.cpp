@@ -1,3 +1,4 @@
+// Formats numbers, counts and Markdown code spans.
 #include "text.h"
 
 #include <fmt/format.h>

@@ -26,8 +26,8 @@ std::string join(const std::vector<std::string>& parts, std::string_view separat
 // run of backticks in the text, so that no part of the text becomes markup, a link or a mention.
 std::string markdown_code(const std::string& text, std::size_t most = 200);
 
-// The same for a cell of a table: a bar becomes a slash, because a bar ends the cell even in code, and no
-// escape for it works everywhere.
+// Returns a Markdown code span for a cell of a table. A bar becomes a slash, because a bar ends the cell even
+// in code, and no escape for it works everywhere.
 std::string markdown_cell(std::string text);
 
 }  // namespace evalcts::reports

@@ -11,7 +11,7 @@ namespace {
 
 // A setting of all evaluator state that belongs to attribute groups.
 struct State {
-  bool odd_maps = false;  // which half of the maps is enabled: every second one
+  bool odd_maps = false;  // selects which maps are enabled: every second one
   bool auto_normal = false;
   GLint segments = 1;  // segments of the one-dimensional grid; all other grid values follow from this one
 };

@@ -267,7 +267,7 @@ EVALCTS_TEST(AutomaticNormals, Curved, kMust, "EV-AUTON-CURVED", "EV-AUTON-METHO
                  {patch.map(), over(patch.map(), {2, 5}, {-3, -1})});
 };
 
-// GL 1.0 demands the analytic normal, to the accuracy of the operations.
+// GL 1.0 requires the analytic normal, to the accuracy of the operations.
 EVALCTS_TEST(AutomaticNormals, Analytic, kQuality, "EV-AUTON-METHOD",
              combine(kPolynomial).by(gl::list_deliveries()))
 (Test& t, const Patch& patch) { expect_normals(t, "the analytic normal", {patch.map()}); };

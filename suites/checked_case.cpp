@@ -1,3 +1,4 @@
+// Implements CheckedCase: adds commands to a case and keeps their checks until the case has run.
 #include "checked_case.h"
 
 namespace evalcts {

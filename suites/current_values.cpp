@@ -43,9 +43,9 @@ void set_texture(gl::Case& c, int variant) {
 // Appends one vertex, evaluated or explicit.
 void emit(gl::Case& c, bool evaluated, float u) { evaluated ? c.EvalCoord1f(u) : c.Vertex3f(u, 0, 0); }
 
+constexpr int kVariants = 6;
 // Sets the current value before a primitive: alone, after others (the layout of an implementation's vertices
 // depends on which values were set, and in which order), or not at all.
-constexpr int kVariants = 6;
 void set_before(gl::Case& c, int variant, Setter set) {
   switch (variant) {
     case 2:

@@ -1,4 +1,5 @@
-// Helpers of display_lists.cpp, display_list_errors.cpp and display_list_state.cpp.
+// Drawings and settings that the tests of display lists compile (display_lists.cpp, display_list_errors.cpp,
+// display_list_state.cpp).
 #pragma once
 
 #include <vector>

@@ -1,3 +1,4 @@
+// Makes the curves, patches and meshes of the pipeline tests, and the explicit primitives that replace them.
 #include "drawings.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Implements the helpers that several suites share.
 #include "fixtures.h"
 
 namespace evalcts {

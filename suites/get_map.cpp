@@ -55,7 +55,7 @@ void expect_unchanged_values(CheckedCase& c, gl::Ref query, const std::vector<do
 
 // --- Rules of both dimensions ----------------------------------------------------------------------------
 
-// Floats are returned unchanged, which is more than the specification demands of a conversion.
+// Floats are returned unchanged, which is more than the specification requires of a conversion.
 EVALCTS_TEST_PAIR(GetMap.FloatDataUnchanged, GetMap2.FloatDataUnchanged, kQuality,
                   decide("EV-GETMAP-FLOAT/1-D", "EV-GETMAP-FLOAT/2-D"), kEachTarget)
 (Test& t, bool, GLenum target) {

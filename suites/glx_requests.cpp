@@ -1,3 +1,4 @@
+// Parses GLX requests (Render, RenderLarge and single commands) into evaluator commands.
 #include "glx_requests.h"
 
 #include <fmt/format.h>

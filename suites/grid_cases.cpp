@@ -1,3 +1,4 @@
+// Makes the grids and the probe maps whose values show at which argument a grid point is evaluated.
 #include "grid_cases.h"
 
 #include <fmt/format.h>
@@ -91,7 +92,7 @@ void draw_at(gl::Case& c, const Along& along, PrimitiveKind kind, float value) {
 struct Probed {
   static constexpr int kTags = 4;
   std::optional<float> at_end, at_next, at_previous;
-  std::vector<float> near_end;  // of the drawing under test
+  std::vector<float> near_end;  // values of the drawing under test
 
   // Returns true if EvalCoord gives different values at the end and at one of the adjacent floats at least.
   bool tells() const {

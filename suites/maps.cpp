@@ -1,3 +1,4 @@
+// Makes maps with given or random points, in several memory layouts, and defines and queries them.
 #include "maps.h"
 
 #include <fmt/format.h>

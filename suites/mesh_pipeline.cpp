@@ -70,8 +70,8 @@ void for_each_quad(Action action) {
     for (int i = 0; i < kColumns; ++i) action(i, j);
 }
 
-// Returns four pixels in each quad, two in each half, whichever diagonal splits it.
 constexpr std::size_t kSamples = 4;
+// Returns four pixels in each quad, two in each half, whichever diagonal splits it.
 std::vector<Area> samples_in_halves() {
   std::vector<Area> areas;
   for_each_quad([&](int i, int j) {

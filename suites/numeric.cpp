@@ -375,7 +375,7 @@ EVALCTS_TEST_PAIR(Numeric.ResultsAfterSpecials1, Numeric.ResultsAfterSpecials2, 
   begin(c);
   for (const double value : kSpecials)
     for (const Form& form : kForms) special.feed(t, c, two, form.doubles, value, {GL_POINT});
-  c.GetError();  // whether such a domain is an error is unspecified (U-NAN-DOMAIN)
+  c.GetError();  // it is unspecified if such a domain is an error (U-NAN-DOMAIN)
   draw_finite(c, two, maps);
   const std::vector<ObservedVertex> got = vertices_of(t.observe(c, kUnit0, 20000));
   if (got.size() < count) {

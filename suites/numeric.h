@@ -1,4 +1,4 @@
-// Helpers of the tests about particular values (numeric.cpp, unrelated_state.cpp).
+// Constants, deliveries and checks for the tests about particular values (numeric.cpp, unrelated_state.cpp).
 #pragma once
 
 #include <functional>
@@ -14,12 +14,13 @@ namespace evalcts::suite_numeric {
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// Domains, some of whose ends or widths round in single precision.
+// Domains. Some have ends that are not exact in single precision, or a width that is rounded.
 inline constexpr Interval kDomains[] = {{0, 1},       {2, 5},         {1, -3},
                                         {0.1f, 0.7f}, {-1e-3f, 1e5f}, {1000, 1000.25}};
 
-// Deliveries without arrays of arguments, which have a requirement of their own (EV-API-V), and without
-// repetition.
+// Return the deliveries of cases with curves, with surfaces, and with curves that are not lifted to surfaces.
+// Forms with arrays of arguments are not among them, because they have a requirement of their own (EV-API-V),
+// nor are repeated lists.
 std::vector<gl::Delivery> of_curves();
 std::vector<gl::Delivery> of_surfaces();
 std::vector<gl::Delivery> in_one_dimension();
@@ -35,7 +36,7 @@ void expect_same(Test& t, const gl::Case& c, std::span<const ObservedVertex> exp
                  std::span<const ObservedVertex> got, Attributes attributes, const std::string& why,
                  const std::function<std::string(std::size_t)>& name);
 
-// Defines and enables random maps of all the targets over the domain, which is that of u and of v.
+// Defines and enables a random map of each target. The domain and the order hold for u and v.
 void define_random(Test& t, gl::Case& c, const Kinds& kinds, int order, const Interval& domain);
 
 void evaluate_at(gl::Case& c, bool two, double u);

@@ -1,3 +1,4 @@
+// Reads the feedback buffer or pixels after a drawing, compares pictures, and plots their differences.
 #include "pictures.h"
 
 #include <fmt/format.h>
@@ -61,7 +62,7 @@ std::vector<PlottedPrimitive> plotted(const Part& feedback) {
   return out;
 }
 
-// True if the pictures of both are the same: what differs is a colour or the like.
+// Returns true if both have the same picture, so that only values such as colours differ.
 bool look_alike(const std::vector<PlottedPrimitive>& a, const std::vector<PlottedPrimitive>& b) {
   return std::ranges::equal(a, b, [](const PlottedPrimitive& one, const PlottedPrimitive& other) {
     return one.mode == other.mode &&

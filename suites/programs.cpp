@@ -1,3 +1,4 @@
+// Appends the commands that link programs, load assembly programs and bind buffers for transform feedback.
 #include "programs.h"
 
 namespace evalcts {

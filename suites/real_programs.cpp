@@ -83,7 +83,7 @@ struct Step {
 struct RealProgram {
   const char* name;
   std::vector<RequirementId> requirements;
-  Attributes attributes;  // those that the picture depends on
+  Attributes attributes;  // attributes that the picture depends on
   std::vector<Step> (*steps)();
 };
 

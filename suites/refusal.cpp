@@ -1,3 +1,5 @@
+// Prepares the state that a rejected command must not change, and lists the commands that are legal or
+// illegal between Begin and End.
 #include "refusal.h"
 
 #include <fmt/format.h>

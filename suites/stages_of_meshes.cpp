@@ -167,8 +167,8 @@ std::vector<Stage> clip_stages() {
   return {{"no clip plane", none}, {"the right half clipped", left}, {"the upper part clipped", lower}};
 }
 
-// Returns a stage without clip planes, and stages in which one of the planes clips the right half.
 constexpr GLenum kPlanes[] = {GL_CLIP_PLANE0, GL_CLIP_PLANE1, GL_CLIP_PLANE5};
+// Returns a stage without clip planes, and stages in which one of the planes clips the right half.
 std::vector<Stage> right_halves_clipped() {
   std::vector<Stage> stages(1);
   stages[0].name = "no clip plane";

@@ -1,4 +1,4 @@
-// The curves of profiles, their zeros, and the measurement of their errors.
+// Defines the curves of profiles, finds their zeros, and measures the errors of a subject along them.
 #include <evalcts/accuracy/profile.h>
 
 #include <fmt/format.h>

@@ -85,7 +85,7 @@ WorstResult worst_from(const json& in) {
   return result;
 }
 
-// Calls each(name, field) for the fields of one type.
+// These functions call each(name, field) for all fields of one type, for writing and for reading.
 template <class R, class Each>
 void for_row_counts(R& row, const Each& each) {
   each("values", row.values);

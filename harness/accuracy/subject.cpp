@@ -1,4 +1,4 @@
-// The targets of maps, and the list of subjects.
+// Defines the targets of maps and the list of subjects, and opens subjects.
 #include <evalcts/accuracy/subject.h>
 
 #include <fmt/format.h>

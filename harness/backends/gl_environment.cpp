@@ -1,3 +1,5 @@
+// Describes the environment variables and EGL vendor files that select GL drivers, with values that cannot be
+// right, and compares the requested driver with the loaded one.
 #include <evalcts/backends/gl_environment.h>
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// A GL library as an implementation: loads its entry points into a table, and makes the contexts of cases
+// with a ContextMaker.
 #include <algorithm>
 #include <initializer_list>
 #include <map>
@@ -19,7 +21,7 @@ class NoContexts final : public ContextMaker {
   std::string library() const override { return {}; }
 };
 
-// A context, and further contexts that a case has made.
+// The initial context of a case, and the further contexts that the case makes.
 class MadeContext final : public Context {
  public:
   MadeContext(ContextMaker& maker, void* handle, const gl::Table& table)

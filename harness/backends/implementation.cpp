@@ -1,3 +1,4 @@
+// Opens implementations by name or by library, and queries the properties of a GL that tests depend on.
 #include <evalcts/backends/implementation.h>
 
 #include <fmt/format.h>

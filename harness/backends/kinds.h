@@ -1,4 +1,4 @@
-// Implementations that are not GL libraries. implementation.cpp chooses among all kinds.
+// Opens implementations other than plain GL libraries. implementation.cpp chooses among all kinds.
 #pragma once
 
 #include <memory>

@@ -1,3 +1,4 @@
+// Makes contexts with OSMesa, Mesa's interface for drawing into memory without a window system.
 #include <fmt/format.h>
 
 #include <vector>

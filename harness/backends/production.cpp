@@ -28,7 +28,8 @@ auto forward(Result (*)(Parameters...), Function) -> Result (*)(Parameters...) {
   }
 }
 
-// Every command of entry_points.def that the library has a function for, glevMap1f for Map1f.
+// Returns a table with the commands of entry_points.def that the library provides, such as glevMap1f for
+// Map1f.
 gl::Table bind_functions() {
   gl::Table table;
 #define GL_ENTRY(name, kinds)                                                                                \
@@ -41,7 +42,7 @@ gl::Table bind_functions() {
   return table;
 }
 
-// A context, and further contexts that a case has made. They share no objects.
+// The initial context of a case, and the further contexts that the case makes. They share no objects.
 class ProductionContext final : public Context {
  public:
   explicit ProductionContext(const gl::Table& table) : table_(table) { switch_to(0); }
@@ -56,7 +57,7 @@ class ProductionContext final : public Context {
   bool has_sink() const override { return true; }
   std::vector<ObservedPrimitive> take_emitted() override { return std::exchange(emitted_, {}); }
 
-  // Implements the command of gl/contexts.h.
+  // Implements glOtherContextEVALCTS (gl/contexts.h).
   static void other(GLuint number) { of_the_case_->switch_to(number); }
 
  private:

@@ -37,7 +37,7 @@ int max_eval_order() {
   return wanted ? std::atoi(wanted) : reference::kMaxOrder;
 }
 
-// A context, and further contexts that a case has made.
+// The initial context of a case, and the further contexts that the case makes.
 class ReferenceContext final : public Context {
  public:
   explicit ReferenceContext(const gl::Table& table) : table_(table) { switch_to(0); }
@@ -57,7 +57,7 @@ class ReferenceContext final : public Context {
     return primitives;
   }
 
-  // Implements the command of gl/contexts.h.
+  // Implements glOtherContextEVALCTS (gl/contexts.h).
   static void other(GLuint number) { of_the_case_->switch_to(number); }
 
  private:

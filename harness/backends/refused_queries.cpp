@@ -1,3 +1,5 @@
+// Finds the rejected queries in a fresh context, and wraps an implementation so that its Get commands ignore
+// them outside of Begin and End.
 #include <evalcts/backends/refused_queries.h>
 
 #include <utility>

@@ -1,3 +1,4 @@
+// Implements the shared context of a second pass: between cases, commands restore the initial state of GL.
 #include <evalcts/backends/reused_context.h>
 
 #include <algorithm>
@@ -378,7 +379,7 @@ class Shared {
     Case commands = available(remains.closing(), table());
     commands.append(restoring_);
     commands.append(available(remains.deleting(kept_), table()));
-    context_->play(commands);  // which drains the errors, too
+    context_->play(commands);  // also drains the errors
     context_->take_emitted();
   }
 

@@ -1,3 +1,5 @@
+// Opens shared libraries with dlopen(). Explains why a file cannot be loaded, for example because it is built
+// for another machine.
 #include "shared_library.h"
 
 #include <dlfcn.h>

@@ -1,3 +1,5 @@
+// Implements XRecorder: a thread that passes bytes and file descriptors between the sockets of the client and
+// the server.
 #include "x_recorder.h"
 
 #include <fcntl.h>

@@ -1,3 +1,5 @@
+// Implements XServer: a guardian process starts Xvfb, and ends it when this process ends or no longer needs
+// it.
 #include "x_server.h"
 
 #include <fcntl.h>

@@ -63,7 +63,7 @@ void Judge(benchmark::State& state, const char* name, bool with_lists, bool fres
     shared = reuse_context(*implementation, subject.info, Programs::kKept);
     subject.implementation = shared.get();
   }
-  if (!fresh)  // what the library keeps of a program is there
+  if (!fresh)  // a warm-up, after which the library has all data that it keeps for a program
     for (const SpecifiedProgram& program : programs)
       judge_program(subject, program.program, program.specified);
   std::uint64_t commands = 0;

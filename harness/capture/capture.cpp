@@ -1,3 +1,5 @@
+// Proves captures on an implementation when they are first needed, and selects those that show the attributes
+// of a test.
 #include <evalcts/capture/capture.h>
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Draws the control of captures, compares its vertices with the known values, and measures the error of
+// inexact colours.
 #include "control.h"
 
 #include <fmt/format.h>

@@ -146,7 +146,7 @@ class Windows {
   // False if the case touches the current texture coordinates of unit 1.
   bool split() {
     gl::Case windowed(script_.identity());
-    std::vector<int> positions;  // of the original commands in `windowed`
+    std::vector<int> positions;  // positions of the original commands in `windowed`
     std::size_t in_window = 0;
     for (gl::Command command : script_.commands()) {
       const std::string_view name = gl::name_of(command.entry);

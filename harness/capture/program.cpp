@@ -1,3 +1,4 @@
+// Appends the commands that compile, link and use the shader program of a capture.
 #include "program.h"
 
 #include <map>

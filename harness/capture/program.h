@@ -15,7 +15,7 @@ struct ProgramSource {
   std::string vertex;                                          // GLSL
   std::string fragment = {};                                   // GLSL; empty: no fragment shader
   std::vector<std::string> varyings = {};                      // recorded by transform feedback, interleaved
-  std::vector<std::pair<GLuint, std::string>> locations = {};  // of generic attributes, bound before linking
+  std::vector<std::pair<GLuint, std::string>> locations = {};  // generic attributes, bound before linking
 };
 
 // A program that a case makes and uses.

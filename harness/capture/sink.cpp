@@ -15,7 +15,7 @@ class Sink final : public Capture {
       const std::unique_ptr<Context> context = implementation.create_context();
       if (!context->has_sink()) throw NotObservable("not an evaluator inside this process");
       attributes_ = context->emitted_attributes();
-      if (attributes_ & kNormal) attributes_ |= kUnitNormal;  // no shader in the way
+      if (attributes_ & kNormal) attributes_ |= kUnitNormal;  // no vertex shader is involved
     }
     std::string wrong;
     try {

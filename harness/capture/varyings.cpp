@@ -1,3 +1,4 @@
+// Runs a case with a vertex shader and reads the recorded outputs from the transform feedback buffer.
 #include <evalcts/capture/varyings.h>
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Determines the implementations that are judged if the user names none, and the reason why one does not
+// start.
 #include "default_implementations.h"
 
 #include <fmt/format.h>

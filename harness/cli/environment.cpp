@@ -1,3 +1,5 @@
+// Converts GTEST_SHARD_INDEX and GTEST_TOTAL_SHARDS to the form of --shard, and removes GoogleTest's
+// variables from the environment.
 #include "environment.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// `evalcts faults`: injects one fault at a time and shows which test detects it.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>

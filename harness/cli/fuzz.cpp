@@ -1,3 +1,4 @@
+// `evalcts fuzz`: compares implementations with the executable specification on random programs.
 #include <fmt/format.h>
 #include <unistd.h>
 

@@ -1,3 +1,4 @@
+// Formats --help, and suggests the word with the smallest edit distance for a mistyped one.
 #include "help.h"
 
 #include <CLI/CLI.hpp>

@@ -1,3 +1,4 @@
+// `evalcts list`: prints the implementations, requirements, interpretations, tests, faults or baselines.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,4 +1,4 @@
-// Implements World with MPI (its C interface). Rank 0 keeps the state and hands out blocks. The other ranks
+// Implements World with the C interface of MPI. Rank 0 keeps the state and hands out blocks. The other ranks
 // request blocks; each request also contains the results of the previous blocks.
 #define OMPI_SKIP_MPICXX 1
 #define MPICH_SKIP_MPICXX 1
@@ -28,8 +28,8 @@ using Clock = std::chrono::steady_clock;
 
 enum Tag { kHello = 1, kReport, kGoodbye, kProblem, kOrders };
 
-// The number of blocks of an order is adapted so that an order takes about this long: messages are rare, and
-// little work is lost if a process dies.
+// An order is the list of blocks in one message to a rank. Its length is adapted so that the blocks take
+// about this long: messages are rare, and little work is lost if a process dies.
 constexpr auto kShortOrder = std::chrono::milliseconds(50);
 constexpr std::int64_t kLongestOrder = 64;
 constexpr auto kBetweenLooks = std::chrono::microseconds(200);

@@ -1,3 +1,4 @@
+// Writes index.html and summary.md.
 #include "pages.h"
 
 #include <evalcts/reports.h>

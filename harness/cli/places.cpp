@@ -1,3 +1,4 @@
+// Finds the programs and data of evalcts relative to the running program, and locks the output folder.
 #include <fmt/format.h>
 #include <unistd.h>
 

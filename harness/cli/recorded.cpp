@@ -1,3 +1,5 @@
+// Selects the tests to replay, and reads the options of the suite program from the results. Unexpected
+// options are rejected.
 #include "recorded.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Finds and reads result files, and merges the shards of a run.
 #include "result_files.h"
 
 #include <evalcts/reports.h>

@@ -1,3 +1,4 @@
+// `evalcts rounding`: checks that `production` rounds correctly (harness/rounding).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

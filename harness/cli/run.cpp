@@ -1,3 +1,5 @@
+// `evalcts run`: judges implementations with the tests of the suite, reduces their failures to distinct bugs,
+// and writes results and pages.
 #include <evalcts/reports.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>

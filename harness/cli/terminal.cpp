@@ -1,3 +1,5 @@
+// Implements the signal handlers, the number of parallel processes and the progress line of long-running
+// commands.
 #include "terminal.h"
 
 #include <fmt/format.h>

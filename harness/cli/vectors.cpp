@@ -1,3 +1,4 @@
+// `evalcts vectors`: writes and checks the shipped vector files, and starts the pipe of vectors_pipe.cpp.
 #include <fmt/format.h>
 #include <unistd.h>
 

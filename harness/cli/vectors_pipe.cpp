@@ -1,3 +1,5 @@
+// `evalcts vectors emit` prints cases as lines of text, and `evalcts vectors check` judges the answers of
+// another program to them.
 #include <fmt/format.h>
 
 #include <fstream>

@@ -1,3 +1,4 @@
+// Breaks text between words, counting code points as columns.
 #include "wrap.h"
 
 #include <sys/ioctl.h>

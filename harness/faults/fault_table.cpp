@@ -1,3 +1,5 @@
+// Runs the tests of each violated requirement, first at quick and then at full depth, until one detects the
+// fault. Only tests that pass without the fault are run.
 #include <evalcts/faults/fault_table.h>
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Implements steps that draw meshes point by point, at arguments that the fault computes.
 #include "grid_steps.h"
 
 namespace evalcts::faults {

@@ -1,3 +1,5 @@
+// Collects all faults, those of wrappers and mutations of `production`, and injects a fault into the contexts
+// of an implementation.
 #include <fmt/format.h>
 
 #include <algorithm>

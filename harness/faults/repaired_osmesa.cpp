@@ -1,3 +1,4 @@
+// Implements the repairs as wrappers of EvalMesh2 and CopyContext in the table of a context.
 #include "repaired_osmesa.h"
 
 #include <array>

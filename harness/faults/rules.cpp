@@ -1,3 +1,5 @@
+// Evaluates the conditions and steps of faults during a call, with the state that the rules of a fault keep
+// between calls.
 #include "rules.h"
 
 #include <algorithm>

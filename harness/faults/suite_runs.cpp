@@ -1,3 +1,4 @@
+// Starts the suite program that contains the faults and waits for its tests.
 #include "suite_runs.h"
 
 #include <fmt/format.h>

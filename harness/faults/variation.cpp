@@ -1,3 +1,4 @@
+// Collects all variations, and applies one to the contexts of an implementation.
 #include "variation.h"
 
 #include <fmt/format.h>

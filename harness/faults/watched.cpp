@@ -1,3 +1,5 @@
+// Implements the wrappers that track primitives, lists, enables, the texture unit, pushed attribute groups
+// and bound buffers.
 #include "watched.h"
 
 namespace evalcts::faults {

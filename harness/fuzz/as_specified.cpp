@@ -1,3 +1,5 @@
+// Expects the answers, errors and vertices of a program on the executable specification from the
+// implementation under test.
 #include <evalcts/fuzz/as_specified.h>
 
 namespace evalcts::fuzz {

@@ -1,3 +1,5 @@
+// Reduces the failing cases of a run in child processes, and groups the failing tests by the minimal
+// programs.
 #include <evalcts/fuzz/bugs.h>
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Runs random programs one after the other, most of them in the shared context, repeats differences in a
+// fresh context, and reduces them to findings.
 #include <evalcts/fuzz/campaign.h>
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Derives the words of a cause from the commands of a minimal program and from the kind of its difference.
 #include "causes.h"
 
 #include <fmt/format.h>

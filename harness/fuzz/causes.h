@@ -8,9 +8,9 @@
 
 namespace evalcts::fuzz {
 
+inline constexpr char kPrimitives[] = "primitives";
 // Returns the kind of a difference, "position" for "position.x of vertex 3". A wrong number of vertices is of
 // the kind kPrimitives.
-inline constexpr char kPrimitives[] = "primitives";
 std::string kind_of(const std::string& what);
 
 // Returns the words of the program's commands in a cause, see Finding::cause.

@@ -1,3 +1,4 @@
+// Converts findings, events of campaigns and lists of failing cases to JSON and back.
 #include <evalcts/fuzz/events.h>
 #include <evalcts/fuzz/reduction.h>
 

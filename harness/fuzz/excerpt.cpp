@@ -1,3 +1,4 @@
+// Implements excerpts: programs with only some of the drawing commands, or with shorter ranges of meshes.
 #include "excerpt.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Checks the primitives, lists and errors of a program for effects that the specification does not define.
 #include "legal.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Implements the normal form: facts about the program and its difference, from which the words of the cause
+// are chosen.
 #include <evalcts/fuzz/normal_form.h>
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Writes random programs. Each has a random selection of the kinds of commands, so that the bug that shows
+// most easily does not hide all others.
 #include <evalcts/fuzz/random_program.h>
 
 #include <fmt/format.h>

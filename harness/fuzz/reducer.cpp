@@ -1,3 +1,4 @@
+// Implements Reducer: tries the commands of known causes first, then shrinks the program.
 #include "reducer.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Implements the reduction of failing cases, in the suite program.
 #include <evalcts/fuzz/reduction.h>
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Starts the child processes of a search, collects their findings, and groups them by cause.
 #include <evalcts/fuzz/search.h>
 
 #include <fmt/format.h>
@@ -337,7 +338,7 @@ class Searcher {
   std::vector<Lane> lanes_;
   SearchResult found_;
   int empty_starts_ = 0;
-  int max_eval_order_ = 8;  // as reported by the children
+  int max_eval_order_ = 8;  // reported by the children
 };
 
 }  // namespace

@@ -46,7 +46,7 @@ class SharedContext {
   }
 
  private:
-  // A context that becomes current again before each case.
+  // A context that is made current again before each case, because other contexts are used in between.
   class BesideContext final : public Context {
    public:
     explicit BesideContext(std::unique_ptr<Context> inner) : inner_(std::move(inner)) {}

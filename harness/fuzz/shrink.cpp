@@ -1,3 +1,4 @@
+// Shrinks programs: removes commands by delta debugging, then simplifies arguments one by one.
 #include "shrink.h"
 
 #include <algorithm>

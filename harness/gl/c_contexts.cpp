@@ -1,3 +1,4 @@
+// The C code that makes contexts, for each kind of context: OSMesa, EGL, a provider, or none.
 #include "c_contexts.h"
 
 #include <fmt/format.h>

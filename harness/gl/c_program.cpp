@@ -1,3 +1,4 @@
+// Writes the headers, the commands of the case, the check of its result and main() of a C program.
 #include <evalcts/gl/c_program.h>
 
 #include <fmt/format.h>

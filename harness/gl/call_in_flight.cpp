@@ -1,3 +1,4 @@
+// Formats the command that is being issued without allocating memory, because a signal handler calls it.
 #include <evalcts/gl/call_in_flight.h>
 
 #include <algorithm>

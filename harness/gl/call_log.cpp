@@ -1,3 +1,4 @@
+// Formats commands, arguments and constants as C. Long arrays are abbreviated in failure records.
 #include <evalcts/gl/call_log.h>
 
 #include <fmt/format.h>
@@ -179,7 +180,7 @@ std::string to_c(const Command& command, std::size_t most_elements) {
 
 std::string to_c(const Command& command, const OwnText& own, std::size_t most_elements) {
   const auto number = [&](std::size_t i) { return argument(command.arguments[i], '.', 0); };
-  switch (command.entry) {  // as in C programs
+  switch (command.entry) {  // calls of functions that the C program defines
     case EntryPoint::OtherContextEVALCTS:
       return fmt::format("use_context({}, 0);", number(0));
     case EntryPoint::SharingContextEVALCTS:

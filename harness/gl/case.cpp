@@ -1,3 +1,4 @@
+// Joins cases, and determines properties of their commands and element types.
 #include <evalcts/gl/case.h>
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// Converts cases to JSON and back, with tokens by name and numbers that read back exactly.
 #include <evalcts/gl/case_json.h>
 
 #include <fmt/format.h>

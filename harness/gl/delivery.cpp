@@ -1,3 +1,4 @@
+// Defines all deliveries, and rewrites the commands of a case for each.
 #include <evalcts/gl/delivery.h>
 
 #include <algorithm>

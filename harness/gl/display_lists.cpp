@@ -1,3 +1,5 @@
+// Implements the deliveries through display lists: chooses the commands to compile and inserts NewList,
+// EndList and CallList.
 #include <evalcts/gl/display_lists.h>
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Replaces evaluation by Vertex, Color, Normal and TexCoord commands with known values, and meshes by
+// primitives of such vertices.
 #include <evalcts/gl/explicit_vertices.h>
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Finds the coarsest grid through given arguments: its step is the greatest common divisor of their
+// distances, as exact integers.
 #include "grid.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Implements hexadecimal() with the %a of the C library.
 #include <evalcts/gl/hexadecimal.h>
 
 #include <array>

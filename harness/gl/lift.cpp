@@ -1,3 +1,5 @@
+// Implements lifting: the control points are repeated for an order of 1 to 3 in the other direction, so that
+// the surface is constant along it.
 #include <evalcts/gl/lift.h>
 
 #include <array>

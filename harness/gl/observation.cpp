@@ -1,3 +1,4 @@
+// Names attributes in messages, and determines kinds of primitives.
 #include <evalcts/gl/observation.h>
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Issues the commands of a case, with client arrays next to inaccessible pages, and drains the errors at its
+// end.
 #include <evalcts/gl/player.h>
 
 #include <sys/mman.h>

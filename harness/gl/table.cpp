@@ -1,3 +1,4 @@
+// Looks up the entry points of a library by their names in GL and in its extensions.
 #include <evalcts/gl/table.h>
 
 #include <array>

@@ -1,3 +1,4 @@
+// The table of tokens that cases use, with their names.
 #include <evalcts/gl/tokens.h>
 
 #include <fmt/format.h>

@@ -154,7 +154,7 @@ class VertexJudge {
   }
 
   // Judges an automatic normal. Any method is allowed (EV-AUTON-METHOD); agreement with the analytic method,
-  // which GL 1.0 demanded, is quality. With a vertex shader, the normal is not normalised. Then only its
+  // which GL 1.0 required, is quality. With a vertex shader, the normal is not normalised. Then only its
   // direction is judged, because its length depends on the variables of the derivatives (U-AUTON-MAGN),
   // except over [0,1].
   void automatic_normal(const reference::AutomaticNormal& normal, const std::array<float, 3>& got) {
@@ -235,12 +235,12 @@ class VertexJudge {
     if (clamped && mismatch.highest >= 1) mismatch.lowest = std::min(mismatch.lowest, 1.0);
   }
 
-  // True if a clamped colour is accepted: a value of the interval may have been clamped to 0 or 1.
+  // Returns true if a clamped colour is accepted: a value of the interval may have been clamped to 0 or 1.
   static bool within_clamped(float got, const Rational& exact, const Rational& bound) {
     return (got == 0.0f && (exact - bound).sign() <= 0) || (got == 1.0f && exact + bound >= Rational(1));
   }
 
-  // The weights t and s = 1 - t of an argument in the domain of a map.
+  // Barycentric coordinates t and s = 1 - t of an argument in the domain of a map.
   struct Weights {
     double t = 0, s = 1;
   };
@@ -253,7 +253,7 @@ class VertexJudge {
     return {((u - first) / (last - first)).to_double(), ((last - u) / (last - first)).to_double()};
   }
 
-  // The Bernstein polynomials of the order at these weights.
+  // Returns the values of the Bernstein polynomials of degree order - 1. `order`: at most 8.
   static std::array<double, 8> polynomials(const Weights& weights, int order) {
     std::array<double, 8> values = {1};
     for (int n = 1; n < order; ++n)
@@ -264,8 +264,8 @@ class VertexJudge {
     return values;
   }
 
-  // True if an evaluation in double shows that the value is within half of the least bound, 4e-5 of the
-  // magnitude. t and s are accurate to 2^-51, and each polynomial is a sum of products of them without
+  // Returns true if an evaluation in double shows that the value is within 2e-5 of the magnitude, half of the
+  // least bound. t and s are accurate to 2^-51, and each polynomial is a sum of products of them without
   // cancellation if both are positive, so that the error is below 1e-12 of the magnitude.
   static bool plainly_accepted(const Sample& sample, float got) {
     constexpr int kHighestOrder = 8;
@@ -289,8 +289,8 @@ class VertexJudge {
            std::abs(static_cast<double>(got) - value) <= kAccepted * magnitude;
   }
 
-  // True if the value is within a lower estimate of the bound, computed in double with a margin for rounding.
-  // Almost every value is accepted here, and none that the exact bound would reject.
+  // Returns true if the value is within a lower estimate of the bound, computed in double with a margin for
+  // rounding. Almost every value is accepted here, and none that the exact bound would reject.
   static bool clearly_accepted(const Sample& sample, const Rational& exact, const Rational& magnitude,
                                float got) {
     if (!std::isfinite(got)) return false;

@@ -40,7 +40,7 @@ gl::Trace play(const gl::Case& script, reference::Specification& specification,
 // Returns the commands of a case that the specification supports.
 gl::Case known_commands(const gl::Case& script) {
   gl::Case known;
-  std::vector<std::optional<int>> places;  // of all commands, in `known`
+  std::vector<std::optional<int>> places;  // positions in `known`; none for omitted commands
   for (gl::Command command : script.commands()) {
     std::optional<int>& place = places.emplace_back();
     if (gl::is_of_harness(command.entry))

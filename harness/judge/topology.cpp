@@ -17,8 +17,8 @@
 namespace evalcts {
 namespace {
 
-// Returns how many of n vertices a primitive uses; an incomplete rest at its end is ignored (GL 2.1 section
-// 2.6.1).
+// Returns the number of vertices that a primitive with n vertices uses. Vertices of an incomplete last part
+// are ignored (GL 2.1 section 2.6.1).
 std::size_t used_vertices(GLenum mode, std::size_t n) {
   switch (mode) {
     case GL_POINTS:
@@ -348,7 +348,7 @@ class MeshMatch {
 std::optional<Topology> match_meshes(const Prediction& prediction, const Topology& topology,
                                      const Observation& observation) {
   if (!prediction.has_meshes()) return {};
-  std::vector<std::size_t> mesh_of;  // for each vertex
+  std::vector<std::size_t> mesh_of;  // the mesh of each vertex; 0 for none
   std::map<std::size_t, std::vector<Quad>> quads;
   for (const reference::Primitive& primitive : prediction.primitives) {
     if (primitive.mesh != 0 && primitive.mode == GL_QUAD_STRIP)

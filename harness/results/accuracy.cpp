@@ -1,3 +1,4 @@
+// Adds the statistics of several tests.
 #include <evalcts/results/accuracy.h>
 
 namespace evalcts {

@@ -1,3 +1,4 @@
+// Reads, applies and writes the files of baselines.
 #include <evalcts/results/baseline.h>
 
 #include <fmt/format.h>

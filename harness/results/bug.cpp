@@ -1,3 +1,4 @@
+// Sorts distinct bugs by importance.
 #include <evalcts/results/bug.h>
 
 #include <algorithm>

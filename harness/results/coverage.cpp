@@ -1,3 +1,5 @@
+// Determines the tests that decide each requirement, in one and in two dimensions, and checks the stated
+// reasons for requirements without tests.
 #include <evalcts/results/coverage.h>
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Implements EventFile. Before each line, it checks that the descriptor still refers to the file.
 #include <evalcts/results/event_file.h>
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// Reads whole files, and replaces files atomically by renaming a complete new one.
 #include <evalcts/results/files.h>
 
 #include <fcntl.h>

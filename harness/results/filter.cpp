@@ -1,3 +1,4 @@
+// Matches names against the patterns of filters.
 #include <evalcts/results/filter.h>
 #include <fnmatch.h>
 

@@ -1,3 +1,4 @@
+// Implements JsonSchema with valijson.
 #include <evalcts/results/json_schema.h>
 
 #include <fmt/format.h>

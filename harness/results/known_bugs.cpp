@@ -1,3 +1,5 @@
+// Reads the known bugs from JSON that is compiled in, finds a bug by its ID or its sign, checks all of them,
+// and lists them as Markdown.
 #include <evalcts/results/known_bugs.h>
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Reads results and events from JSON, which may come from anybody: unknown fields are ignored, and errors
+// name the field.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Parses the IDs of requirements, which may name one dimension ("EV-NUM-START/1-D").
 #include <evalcts/results/requirement_id.h>
 
 #include <algorithm>

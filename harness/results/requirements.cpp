@@ -1,3 +1,4 @@
+// Reads the catalogue of requirements and ambiguous passages, and writes it as JSON for `evalcts list`.
 #include <evalcts/results/requirements.h>
 
 #include <algorithm>

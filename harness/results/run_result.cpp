@@ -1,3 +1,4 @@
+// Counts, sorts and labels the tests of a run, and derives signatures and requirements from their records.
 #include <evalcts/results/hash.h>
 #include <evalcts/results/run_result.h>
 

@@ -1,3 +1,4 @@
+// Replaces control characters and malformed UTF-8, and shortens text by code points.
 #include <evalcts/results/text.h>
 
 #include <algorithm>

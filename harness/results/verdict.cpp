@@ -1,3 +1,4 @@
+// The tables of verdicts and levels.
 #include <evalcts/results/verdict.h>
 
 #include <algorithm>

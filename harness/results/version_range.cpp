@@ -1,3 +1,4 @@
+// Parses ranges such as "Mesa 22.3 or newer", and compares version numbers component by component.
 #include <evalcts/results/version_range.h>
 
 #include <fmt/format.h>

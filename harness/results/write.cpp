@@ -1,3 +1,4 @@
+// Writes results and events as JSON. Optional fields that are empty are omitted.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -349,7 +349,7 @@ std::string words(const Class& what, const Map& map, const std::string& target, 
   return text;
 }
 
-// ---- One item: one map at some arguments
+// ---- Items: each is one map at some arguments
 
 class Item {
  public:

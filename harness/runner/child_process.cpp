@@ -1,3 +1,4 @@
+// Starts child processes in process groups of their own, and kills them with all their descendants.
 #include <evalcts/runner/child_process.h>
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// Implements Claims as a shared file mapping with one atomic byte for each test.
 #include <evalcts/runner/claims.h>
 
 #include <fcntl.h>

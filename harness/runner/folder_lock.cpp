@@ -1,3 +1,4 @@
+// Implements FolderLock with flock().
 #include <evalcts/runner/folder_lock.h>
 
 #include <fcntl.h>

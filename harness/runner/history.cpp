@@ -1,3 +1,5 @@
+// Finds how many preceding tests are needed by doubling and bisection, then removes unnecessary tests by
+// delta debugging.
 #include "history.h"
 
 #include <algorithm>

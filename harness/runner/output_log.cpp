@@ -1,3 +1,4 @@
+// Implements OutputLog: copies the output to the log line by line, up to a limit for each test.
 #include <evalcts/runner/output_log.h>
 
 #include <fcntl.h>

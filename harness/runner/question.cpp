@@ -1,3 +1,5 @@
+// Starts the suite program for a question, such as the list of its tests, and waits for the answer in a
+// temporary file.
 #include <evalcts/runner/question.h>
 
 #include <fmt/format.h>

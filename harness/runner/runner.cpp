@@ -1,3 +1,5 @@
+// Runs the tests of one implementation in child processes, repeats unexpected failures alone, and makes the
+// record of the run.
 #include <evalcts/runner/runner.h>
 
 #include <fmt/format.h>
@@ -543,7 +545,7 @@ class Run {
     return Repetition{other.verdict, other.message};
   }
 
-  // Repeats fails that the baseline does not know. (Crashes and timeouts have already been repeated.)
+  // Repeats fails that the baseline does not list. (Crashes and timeouts have already been repeated.)
   void play_failures_again() {
     std::vector<std::string> names;
     for (const ListedTest& test : request_.tests) {

@@ -1,3 +1,4 @@
+// Implements SuiteChild: reads the events of the suite program, and kills it if it exceeds a limit.
 #include <evalcts/runner/suite_child.h>
 
 #include <fmt/format.h>

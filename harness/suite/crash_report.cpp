@@ -1,3 +1,4 @@
+// Installs the signal handlers that write the crash event. They allocate no memory.
 #include "crash_report.h"
 
 #include <dlfcn.h>

@@ -1,3 +1,5 @@
+// Implements the suite program: parses its options, opens the implementation, and registers each test with
+// GoogleTest.
 #include <evalcts/suite/suite_main.h>
 
 #include <fmt/format.h>
@@ -42,8 +44,8 @@
 namespace evalcts {
 namespace {
 
-// Exit codes, as in the command line (README): 2 for wrong use or an implementation that does not start, 3
-// for an internal error of evalcts.
+// Exit codes, as of `evalcts run` (docs/reading-verdicts.md): 2 for wrong use or an implementation that does
+// not start, 3 for an internal error of evalcts.
 constexpr int kCannotStart = 2;
 constexpr int kOwnFault = 3;
 

@@ -1,3 +1,4 @@
+// Implements Surroundings: restores the working directory and the locale, and stops timers.
 #include "surroundings.h"
 
 #include <sys/time.h>

@@ -11,8 +11,9 @@ class Surroundings {
   // Saves the current state.
   Surroundings();
 
-  // Restores the saved state. Returns the names of the parts that had changed: "the working directory", "the
-  // locale", "a timer". (The floating-point environment is restored after each case, see gl::play.)
+  // Restores the saved state, and stops timers. Returns the names of the parts that had changed: "the working
+  // directory", "the locale", "a timer". (The floating-point environment is restored after each case, see
+  // gl::play.)
   std::vector<std::string> put_back() const;
 
  private:

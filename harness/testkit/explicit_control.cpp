@@ -1,3 +1,5 @@
+// Replays failing cases with explicit vertices or explicit commands, and compares the results with the
+// prediction.
 #include <evalcts/testkit/explicit_control.h>
 
 #include <algorithm>

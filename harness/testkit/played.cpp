@@ -1,3 +1,4 @@
+// Checks the answers and errors of a case, and records each failure with a check for the C program.
 #include <evalcts/testkit/played.h>
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Converts observations and predictions to the positions of a plot, divided by w.
 #include "plot.h"
 
 #include <algorithm>

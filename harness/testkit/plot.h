@@ -10,7 +10,7 @@ namespace evalcts {
 // Returns the first vertices of the prediction, correctly rounded, and of the observation, divided by w.
 Plot plot_of(const Prediction& prediction, const Observation& observation);
 
-// The same for a case that a rule judges, without expected vertices.
+// Returns the plot of a case that a rule judges, without expected vertices.
 Plot plot_of(const Observation& observation);
 
 }  // namespace evalcts

@@ -1,3 +1,5 @@
+// The registry of tests. Combines the parameters of a test with its deliveries, and derives names,
+// requirements and depths.
 #include <evalcts/testkit/registration.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Records the cases of a test, finds the check that distinguishes the failure, and writes the C program.
 #include <evalcts/testkit/reproduction.h>
 
 #include <fmt/format.h>
@@ -147,7 +148,7 @@ class Experiment {
 
   // Finds the answer that determines the number of vertices: the emitted vertices, or an answer to the
   // capture's own commands after the case. Only the capture knows the correct answer, so the check only
-  // demands another one.
+  // requires a different one.
   bool find_count() {
     if (!pass().emitted.empty() && mismatch_.got != mismatch_.lowest) {
       check_.answer = {Of::kEmittedVertices};

@@ -1,3 +1,4 @@
+// Implements Schedule by the hash of the test's name.
 #include "schedule.h"
 
 #include <algorithm>

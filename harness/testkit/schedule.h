@@ -18,7 +18,8 @@ class Schedule {
   explicit Schedule(std::string_view test) : turn_(fnv1a<std::uint32_t>(test)) {}
 
   // Returns the least depth of each of `count` tests that differ in a parameter: quick for a few of them,
-  // full for the rest. Fewer are quick if there are deliveries, and even fewer if these are sparing.
+  // full for the rest. Fewer are quick if there are deliveries, and even fewer if these are for expensive
+  // tests (gl::sparing).
   std::vector<Depth> of_parameters(std::size_t count, const std::vector<gl::Delivery>& deliveries) const;
 
   // Returns the least depth of the test through each of the deliveries; `from` is the least depth of

@@ -1,3 +1,5 @@
+// Implements Test: delivers cases, observes them through captures, judges them, and turns mismatches into
+// failures and a verdict.
 #include <evalcts/testkit/test.h>
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Learns topologies by drawing explicit primitives, and keeps them.
 #include <evalcts/testkit/topologies.h>
 
 #include <fmt/format.h>

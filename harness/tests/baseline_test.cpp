@@ -1,3 +1,4 @@
+// Tests reading, applying, overlaying and updating baselines.
 #include <evalcts/results/baseline.h>
 
 #include <gtest/gtest.h>
@@ -319,7 +320,8 @@ TEST_F(Overlays, AreAddedToTheBaseThatTheyExtend) {
   const Baseline softpipe = find(mesa("softpipe", "4.5 Mesa 25.0.7"));
   EXPECT_EQ(softpipe.name(), "mesa with mesa.softpipe");
   EXPECT_EQ(softpipe.entries().at("A.C").status, "Crash");
-  EXPECT_TRUE(softpipe.entries().at("A.C").signatures.empty());  // those of the base belong to a fail
+  EXPECT_TRUE(
+      softpipe.entries().at("A.C").signatures.empty());  // the signatures of the base belong to a fail
   EXPECT_EQ(softpipe.entries().count("A.S"), 1u);
   EXPECT_EQ(softpipe.entries().count("A.B"), 0u);  // withdrawn by the overlay
   EXPECT_NE(softpipe.flake("F.x"), nullptr);

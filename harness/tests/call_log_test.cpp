@@ -1,3 +1,4 @@
+// Tests the C text of constants and commands.
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/hexadecimal.h>
 

@@ -1,3 +1,4 @@
+// Tests child processes: their end, time limits, logs, and the quoting of shell commands.
 #include <evalcts/runner/child_process.h>
 
 #include <gtest/gtest.h>

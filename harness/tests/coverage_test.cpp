@@ -1,3 +1,5 @@
+// Tests the coverage of requirements, the catalogue's reasons for undecidable ones, and the wrapping of its
+// text.
 #include <evalcts/results/coverage.h>
 
 #include <gtest/gtest.h>

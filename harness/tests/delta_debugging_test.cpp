@@ -1,3 +1,4 @@
+// Tests delta debugging on lists of numbers.
 #include <evalcts/runner/delta_debugging.h>
 
 #include <gtest/gtest.h>

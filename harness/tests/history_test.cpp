@@ -1,3 +1,4 @@
+// Tests the search for the tests that a failure depends on.
 #include "runner/history.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Tests that JSON values and strings cannot be compared by accident (json.h).
 #include <evalcts/results/json.h>
 
 #include <gtest/gtest.h>

@@ -4,9 +4,9 @@
 # switches to an ordinary user, so that the result is the same everywhere.
 # usage: launcher_test.sh [LAUNCHER]
 set -u
-unset EVALCTS_ASSUME_DEPENDENCIES # of whoever runs this test
+unset EVALCTS_ASSUME_DEPENDENCIES # the user may have set it
 launcher=$(readlink -f -- "${1:-$(dirname -- "${BASH_SOURCE[0]}")/../../evalcts}")
-parts=(evalcts CMakeLists.txt CMakePresets.json docs/help packaging) # what of the checkout the launcher reads
+parts=(evalcts CMakeLists.txt CMakePresets.json docs/help packaging) # parts of the checkout that the launcher reads
 if [[ $EUID == 0 && ! ${LAUNCHER_TEST_DROPPED:-} ]]; then
   copy=$(mktemp -d)
   chmod 755 "$copy"
@@ -23,7 +23,7 @@ top=$(mktemp -d) || exit 1
 trap 'rm -rf "$top"' EXIT
 tree="$top/a tree"          # the checkout; the space is on purpose
 bin=$top/bin                # all that is on the PATH
-machine=$top/machine        # what the scripts below know and note
+machine=$top/machine        # state of the scripts below
 required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-json3-dev libfmt-dev libvalijson-dev
   libhwy-dev libkainjow-mustache-dev libgl-dev libegl-dev'
 required=${required//$'\n '/}
@@ -77,7 +77,7 @@ printf '%s\n' "${@%=*}" | awk -v verb="$verb" '
   $0 in exact { tell($0); next }
   { for (i = 1; i <= n; ++i) if (known[i] ~ $0) tell(known[i]) }' "$machine"/{versions,base,lists} -
 X
-  : >"$machine/versions" # of packages that the distribution offers; 99 if a package is not in it
+  : >"$machine/versions" # versions of the offered packages; 99 for packages that are not listed
   script dpkg <<'X'
 [[ $3 == lt && $2 != "$4" && $(printf '%s\n' "$2" "$4" | sort -V | head -n 1) == "$2" ]]
 X
@@ -147,7 +147,7 @@ install_all() { echo "$everything" | tr ' ' '\n' >"$machine/installed"; }
 # --- checks ------------------------------------------------------------------------------------------------
 
 failures=0
-check() { # what must hold, command...
+check() { # arguments: the expectation in words, command...
   "${@:2}" && return
   failures=$((failures + 1))
   printf 'FAILED (%s, line %s): %s\n--- output, exit code %s\n%s\n--- calls\n%s\n' "$scenario" "${BASH_LINENO[*]}" \
@@ -466,7 +466,7 @@ rm "$machine/build-seconds"
 evalcts run
 exits 7
 
-if terminal=$(type -P script); then # of bsdutils
+if terminal=$(type -P script); then # part of bsdutils
   scenario "on a terminal"
   touch "$machine/no-build-release"
   output=$(cd "$top" && PATH=$bin SHELL=$bin/bash "$terminal" -qec "'$tree/evalcts' run" /dev/null 2>&1 </dev/null)

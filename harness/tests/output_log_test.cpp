@@ -1,3 +1,4 @@
+// Tests the limits of the log of a child process, and that messages of evalcts are kept.
 #include <evalcts/runner/output_log.h>
 
 #include <gtest/gtest.h>

@@ -16,7 +16,7 @@ void horner_curve(const float* points, int order, int components, float u, float
 // points[(j * u_order + i) * components].
 void horner_surface(const float* points, int u_order, int v_order, int components, float u, float v,
                     float* result);
-// The same with the derivatives, up to positive factors. Orders must be at least 2.
+// Evaluates a surface as above, and its derivatives, up to positive factors. Orders must be at least 2.
 void de_casteljau_surface(const float* points, int u_order, int v_order, int components, float u, float v,
                           float* result, float* along_u, float* along_v);
 

@@ -1,5 +1,5 @@
-// Benchmarks the evaluators of OSMesa. Vertices go through a vertex shader into a buffer (transform
-// feedback), and nothing is rasterized.
+// Registers the evaluators of OSMesa with the benchmarks (side.h). A vertex shader writes the vertices to a
+// transform feedback buffer, and nothing is rasterized.
 #include <GL/gl.h>
 #include <GL/glext.h>
 

@@ -23,8 +23,8 @@ struct Mesh {
   int columns, rows;
   int ring;      // number of rows of the memory for results, which is reused
   bool normals;  // each position is followed by its unit normal
-  std::vector<float>
-      points;  // control point (i, j), i in the direction of u, begins at (j * order + i) * components
+  // Control point (i, j), i in the direction of u, begins at points[(j * order + i) * components].
+  std::vector<float> points;
 
   float u(int i) const { return static_cast<float>(i) / static_cast<float>(columns - 1); }
   float v(int j) const { return static_cast<float>(j) / static_cast<float>(rows - 1); }

@@ -30,7 +30,7 @@ class Group::Lock {
   Lock& operator=(const Lock&) = delete;
 
  private:
-  static pthread_mutex_t mutex;  // of all groups
+  static pthread_mutex_t mutex;  // protects all groups
 };
 pthread_mutex_t Group::Lock::mutex = PTHREAD_MUTEX_INITIALIZER;
 

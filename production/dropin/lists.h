@@ -139,11 +139,11 @@ struct OpenList {
   bool open = false;
   GLuint name = 0;
   GLenum mode = 0;
-  GLuint segment = 0;  // name of the open driver's list
+  GLuint segment = 0;  // name of the list that is open in the driver
   bool driver_is_open = false;
-  bool begins_elsewhere = false;                // its first driver's list has another name
-  Summary summary;                              // of the open driver's list
-  Primitive primitive = Primitive::kUnchanged;  // of all commands before it
+  bool begins_elsewhere = false;                // the first list in the driver has another name
+  Summary summary;                              // summary of the list that is open in the driver
+  Primitive primitive = Primitive::kUnchanged;  // effect of all commands before it
   Code code;
   Array<GLuint> segments;
   // The GL does not close lists between Begin and End. Therefore, with COMPILE_AND_EXECUTE, a primitive is

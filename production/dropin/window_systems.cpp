@@ -1,5 +1,5 @@
-// The functions of GLX, EGL and OSMesa that make, destroy and choose contexts, and those that look up
-// commands.
+// The functions of GLX, EGL and OSMesa that create contexts, destroy them and make them current, and those
+// that look up commands.
 #include "window_systems.h"
 
 #include <dlfcn.h>

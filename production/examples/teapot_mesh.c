@@ -1,3 +1,4 @@
+/* Computes the vertices and indices of the teapot. */
 #include "teapot_mesh.h"
 
 #include <glevaluator.h>

@@ -1,3 +1,5 @@
+/* The control points of the teapot's patches, from the rings of its body and the sections of its handle and
+ * spout. */
 #include "teapot_patches.h"
 
 /* Body, lid, rim and bottom are round. A ring is approximately a quarter of a circle of radius r at height z,

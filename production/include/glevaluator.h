@@ -641,7 +641,7 @@ GLEV_API void glevReleasePlan(glev_plan* plan); /* null is ignored */
 typedef enum glev_attribute {
   GLEV_ATTRIBUTE_VERTEX = 0,
   GLEV_ATTRIBUTE_COLOR = 1,
-  GLEV_ATTRIBUTE_NORMAL = 2, /* of a normal map, or automatic */
+  GLEV_ATTRIBUTE_NORMAL = 2, /* from a normal map, or automatic */
   GLEV_ATTRIBUTE_TEXCOORD = 3,
   GLEV_ATTRIBUTE_TANGENT_U = 4,
   GLEV_ATTRIBUTE_TANGENT_V = 5

@@ -66,7 +66,7 @@ struct glev_context {
     }
     command.run(*this);
   }
-  // The same for the two commands whose arrays are read at once.
+  // Do what issue() does for the two commands with arrays, which are read immediately.
   template <class Real>
   void issue_define_map(int dimension, glev_enum target, const std::array<glev::MapDirection, 2>& directions,
                         const Real* points);
@@ -129,7 +129,8 @@ struct glev_context {
  private:
   // Between Begin and End, records INVALID_OPERATION and returns true.
   bool is_rejected_in_primitive();
-  // The same, also within callbacks, because lists must not change while one may be executing.
+  // Between Begin and End and within callbacks, records INVALID_OPERATION and returns true, because lists
+  // must not change while one may be executing.
   bool is_rejected_with_lists();
   // Commands of a callback are not compiled, because the callback issues them again when the list is
   // executed.

@@ -65,7 +65,7 @@ struct PatchBlock {
   // The largest number of fractional bits of x^degree and y^degree together; kManyBits if they are not
   // dyadic.
   int bits_of_places;
-  Destination to;  // of patch 0; patch p begins p * patch_stride bytes later
+  Destination to;  // destination of patch 0; patch p begins p * patch_stride bytes later
   std::size_t patch_stride;
 };
 
@@ -106,7 +106,7 @@ struct Kernels {
 
 // Returns the bytes of scratch memory for `columns` columns of a map of degree `degree` in u.
 std::size_t mesh_scratch(int degree, std::size_t columns);
-// The same for normals, which need the weights of the vertex map and of its derivative.
+// Returns the bytes for normals, which need the weights of the vertex map and of its derivative.
 inline std::size_t normal_mesh_scratch(int degree, std::size_t columns) {
   return mesh_scratch(2 * degree, columns);
 }

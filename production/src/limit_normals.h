@@ -42,7 +42,7 @@ class LimitNormals {
 
   std::array<Domain, 2> domain_;
   bool has_edges_ = false;
-  std::array<std::array<Edge, 2>, 2> edges_;  // of the directions u and v: first and last
+  std::array<std::array<Edge, 2>, 2> edges_;  // first and last edge in the directions u and v
 };
 
 }  // namespace glev

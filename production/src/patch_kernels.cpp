@@ -1,5 +1,6 @@
-// Evaluates vertices of patches of low degree, one patch in each lane, correctly rounded, in powers of x = t
-// - s and y. This file is compiled once for each instruction set. prepared_map.h derives the test.
+// Evaluates patches of low degree, one patch in each lane of a vector, correctly rounded, in powers of x and
+// y, the values of t - s in both directions. This file is compiled once for each instruction set.
+// prepared_map.h derives the bound by which a value is known to be correctly rounded.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -38,8 +39,8 @@ struct Lanes {
 
 constexpr int kMostValues = (kMaxCentredDegree + 1) * (kMaxCentredDegree + 1);
 
-// One component of the patches in the lanes of a vector: the coefficients of x^i y^j, and the error of the
-// test.
+// One component of the patches in the lanes of a vector: the coefficients of x^i y^j, and the bound on the
+// error of values. A value is correctly rounded if value - error and value + error round to the same float.
 template <int kDegree>
 class Component {
  public:
@@ -107,7 +108,7 @@ class Component {
   }
 
  private:
-  // Returns 2^(bits - exponent) for numbers from 2^(exponent - 1) to 2^exponent.
+  // Returns 2^(bits - exponent) for numbers in [2^(exponent - 1), 2^exponent).
   static HWY_INLINE Vector scale_by(Vector number, int bits) {
     constexpr hn::RebindToSigned<Doubles> kWords;
     const auto biased = hn::ShiftRight<52>(hn::BitCast(kWords, number));

@@ -56,14 +56,14 @@ struct glev_plan {
   // Returns the function for consecutive single calls; null if the plan has other attributes than vertices,
   // or if its map cannot be evaluated in this way.
   glev::EvaluatesDirectly direct() const { return direct_; }
-  // Returns the map of cubics for this function.
+  // Returns the transformation of arguments that direct() uses. Valid only if direct() is not null.
   const glev::DirectMap& direct_map() const { return direct_map_; }
   // Returns true if normals are computed from the vertex map. The plan then has no normal map.
   bool automatic_normals() const { return automatic_normals_; }
   // Returns the derivative of the vertex map by the normalised coordinate of a direction, without the factor
   // degree. It has no components in a direction of degree 0, where the derivative is zero.
   const glev::Surface& tangent(int direction) const { return tangents_[direction]; }
-  // Returns the bounds of automatic normals.
+  // Returns the bounds on the errors of automatic normals.
   const glev::NormalBounds& normal_bounds() const { return normal_bounds_; }
   // Returns the factor by which tangent() must be multiplied to get the derivative by u or v.
   double tangent_factor(int direction) const;

@@ -69,14 +69,14 @@ inline constexpr int kExactBits = 53, kManyBits = 1 << 20;
 struct PreparedMap {
   Surface surface;
   std::array<PreparedComponent, 4> component;
-  // The test of values in double: V is between value - error and value + error. The error covers the
-  // roundings of these sums. So if both round to the same float, V does, too.
+  // The rounding test of values in double: V is between value - error and value + error. The error covers the
+  // roundings of these sums. So if both sums round to the same float, V does, too.
   struct Test {
     std::array<double, 4> error{};
   };
   Test test;  // for sums of weights with the parameters of locate()
   // Coefficients of the powers of x and y: component k of that of x^i y^j is centred[row * j + 4 * i + k],
-  // with row = 4 * (degree[0] + 1); Components that the map does not have are those of (0,0,0,1). Null if a
+  // with row = 4 * (degree[0] + 1). Components that the map does not have are those of (0,0,0,1). Null if a
   // degree is too high.
   const double* centred = nullptr;
   // high - low, where the sum of the magnitudes of the coefficients of a component is at most 2^high and all
@@ -102,7 +102,8 @@ struct PreparedMap {
   bool is_direct = false;
 };
 
-// A cubic or bicubic map of vertices for consecutive single calls. The inverse of each width is exact.
+// The transformation of arguments to x and y for consecutive single calls, for a cubic or bicubic map of
+// vertices. The inverse of the width of each domain is exact.
 struct DirectMap {
   // x = u * scale - middle
   struct Place {

@@ -9,7 +9,7 @@ namespace glev {
 
 struct IntegerPower {
   const Limb* base;  // positive, without leading zero limbs
-  int size;          // of the base
+  int size;          // limbs of the base
   int exponent;      // 0..63
 };
 

@@ -1,4 +1,6 @@
-// Vectors of doubles and of as many floats, and how many of them the kernels keep in flight.
+// Defines the vectors of the kernels: Vector has kLanes doubles, Half as many floats, and Whole the floats of
+// kUnroll vectors of doubles. Kernels evaluate kStep = kUnroll * kLanes arguments at a time, to hide
+// latencies.
 #if defined(GLEVALUATOR_VECTORS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLEVALUATOR_VECTORS_INL_H_
 #undef GLEVALUATOR_VECTORS_INL_H_

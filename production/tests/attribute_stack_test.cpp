@@ -8,7 +8,7 @@ namespace {
 
 class AttributeStack : public ContextTest {
  protected:
-  // State that belongs to the groups; maps do not.
+  // State of the attribute groups. Maps are not part of any group.
   struct Groups {
     std::vector<double> flags, grids, current, texture, list;
     bool operator==(const Groups&) const = default;

@@ -13,7 +13,8 @@ struct GridCase {
   double u1, u2;
 };
 
-// Spanning the domain [0, 1], reversed, others, of one segment and of none.
+// Grids: over the domain [0, 1] or reversed, with one segment, over other intervals, with equal ends, with
+// many segments, and with extreme ends.
 constexpr GridCase kGridCases[] = {{8, 0, 1},      {7, 1, 0},       {1, 0, 1},
                                    {5, 0.25, 0.8}, {3, -1, 4.7},    {11, 0.3, 0.3},
                                    {64, 0, 1},     {INT_MAX, 0, 1}, {2, 1e-300, 1e10}};
@@ -77,7 +78,7 @@ class GridPoints : public ContextTest {
       for (const GridCase& v : kGridCases) {
         define_maps(gl, chance_, most_order);
         enable_maps(gl, chance_);
-        // for grids that span the domain of a map
+        // The map has the domain [0, 1], because grids that span the domain have their own code path.
         std::vector<float> points = chance_.next_points(16 * 3);
         glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 12, 4, 0, 1, 3, 4, points.data());
         glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 4, points.data());
@@ -153,7 +154,7 @@ TEST_F(Scratch, DependsOnTheColumnsAlone) {
   EXPECT_GT(size, 0u);
   mesh = mesh_of({5, 14, -7, 900});
   EXPECT_EQ(glevGetMeshScratchSize(plan, &mesh), size);
-  const glev_output output{};  // ignored
+  const glev_output output{};  // outputs do not change the size
   const Outputs outputs(mesh, {{GLEV_ATTRIBUTE_VERTEX, &output}});
   EXPECT_EQ(glevGetMeshScratchSize(plan, &mesh), size);
   mesh = mesh_of({0, 999, 0, 9});
@@ -208,7 +209,7 @@ TEST_F(Scratch, ExtremeRangesAreRefusedWithoutOverflow) {
     for (std::size_t stride : {std::size_t{16}, std::size_t{1} << 31, SIZE_MAX / 2 + 1, SIZE_MAX}) {
       for (std::size_t row_stride : {std::size_t{0}, SIZE_MAX / 2, SIZE_MAX}) {
         for (std::size_t size : {memory.size(), SIZE_MAX}) {
-          if (size == SIZE_MAX && stride <= SIZE_MAX / 2) continue;  // this much memory is possible
+          if (size == SIZE_MAX && stride <= SIZE_MAX / 2) continue;  // the points may fit into so much memory
           glev_output color = memory.make_output(0, stride, 4, 0, row_stride);
           color.data_size = size;
           glev_mesh mesh = mesh_of(range);

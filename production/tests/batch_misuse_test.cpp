@@ -123,7 +123,7 @@ TEST_F(Misuse, OfOutputs) {
   const auto change = [&](glev_result expected, const char* what, auto spoil) {
     expect_both(expected, what, [&](Call& call) { spoil(call.vertex); });
     expect_both(expected, what, [&](Call& call) {
-      call.texcoord.components = 3;  // of 12 bytes, too
+      call.texcoord.components = 3;  // 12 bytes, too
       spoil(call.texcoord);
     });
     expect_batch(expected, 2, what, [&](Call& call) { spoil(call.tangent); });

@@ -1,5 +1,5 @@
-// The bounds of automatic normals and of tangents, with 600 binary digits as the oracle; every route and
-// instruction set gives the same bits.
+// Tests the error bounds of automatic normals and tangents, with 600 binary digits as the oracle; every route
+// and instruction set gives the same bits.
 #include <algorithm>
 #include <bit>
 #include <boost/multiprecision/cpp_bin_float.hpp>

@@ -107,7 +107,7 @@ TEST_F(OrdinaryData, QuadraticsGivenAsCubics) {
   // Degree-elevated quadratics: R_0, (R_0 + 2 R_1) / 3, (2 R_1 + R_2) / 3, R_2.
   for (auto [a, b, c] : {std::array{0.0F, 3.0F, 0.0F}, {3.0F, 6.0F, -9.0F}, {1.0F, -0.5F, 4.0F}})
     expect_nearest_curve({a, (a + 2 * b) / 3, (2 * b + c) / 3, c});
-  expect_nearest_curve({0, 0, 1, 3});  // of 3 t^2
+  expect_nearest_curve({0, 0, 1, 3});  // control points of 3 t^2
   expect_nearest_curve({0, 0, 0, 1, 4, 10});
 }
 

@@ -20,7 +20,7 @@ struct Net {
   std::size_t count = 3;
   std::array<double, 4> domain = {0, 1, 0, 1};
   std::vector<double> values;           // without padding, v fastest
-  std::array<std::size_t, 3> stride{};  // of v, u and patches, in bytes; 0 as in glev_patches
+  std::array<std::size_t, 3> stride{};  // strides of v, u and patches, in bytes; 0 as in glev_patches
 
   std::size_t values_of_patch() const {
     return static_cast<std::size_t>(order[0]) * static_cast<std::size_t>(order[1] * components);

@@ -92,7 +92,7 @@ TEST_F(PlanTest, IsSharedUntilTheStateChanges) {
   glevEnable(gl, GLEV_MAP1_COLOR_4);
   glev_plan* fourth = create();
   EXPECT_NE(first, fourth);
-  glevMapGrid2f(gl, 3, 0, 1, 3, 0, 1);  // of the other dimension
+  glevMapGrid2f(gl, 3, 0, 1, 3, 0, 1);  // the grid of the other dimension
   glevEnable(gl, GLEV_MAP2_VERTEX_3);
   glevEnable(gl, GLEV_AUTO_NORMAL);
   glev_plan* fifth = create();

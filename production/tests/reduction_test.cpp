@@ -240,7 +240,8 @@ TEST_F(Reduction, RowsMayBeFarApart) {
 
 TEST_F(Reduction, RowsAgreeOnADegree) {
   // Two curves of degree 4, given by their differences at degree 11. The control points of the first are
-  // doubles at degree 4 and not at 5, those of the second at 5; those of both only at 11.
+  // doubles at degree 4, but not at 5; those of the second not below degree 5. Only at degree 11 are all of
+  // them doubles.
   Net net = {{2, 12}, {}};
   for (const std::array<int, 5>& differences : {std::array{0, -1, -3, -1, -2}, std::array{0, 0, 1, 0, -1}}) {
     for (int j = 0; j < 12; ++j) {
@@ -259,7 +260,7 @@ TEST_F(Reduction, RowsAgreeOnADegree) {
 }
 
 TEST_F(Reduction, WhatIsTooWideStays) {
-  // 0 modulo any 448 bits.
+  // The second difference is 0 in any window of 448 bits.
   expect_unchanged({{3, 1}, {0x1p-599, 0x1p-600, 1}});
   expect_unchanged({{3, 1}, {-0x1p1000, 0x1p-1000, 0x1p1000}});
   // The curve differs from a line only by 2^-1074: the relevant bits are far apart.
@@ -281,7 +282,7 @@ TEST_F(Reduction, PointsThatAreNoDoublesAtTheTrueDegree) {
 }
 
 TEST_F(Reduction, TheEndsOfTheRangeOfDouble) {
-  // (0, x, x, 0) is (0, 3x/2, 0).
+  // The cubic (0, x, x, 0) is the quadratic (0, 3x/2, 0).
   const auto order = [](double x) { return reduce_net({{4, 1}, {0, x, x, 0}}).order[0]; };
   EXPECT_EQ(order(2 * 0x1.8p52), 3);
   EXPECT_EQ(order(2 * (0x1p53 + 1) / 3), 4);  // 2^53 + 1 has 54 bits

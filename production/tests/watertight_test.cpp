@@ -53,7 +53,8 @@ class Watertight : public ContextTest {
                            : evaluate_scattered(plan, GLEV_ATTRIBUTE_VERTEX, across, along);
   }
 
-  // The same at the points of a grid, as part of the mesh of the whole patch or as a mesh of the edge alone.
+  // Evaluates the edge at the points of a grid, as part of the mesh of the whole patch or as a mesh of the
+  // edge alone.
   Floats evaluate_mesh(const SharedEdge& edge, int segments, int other_segments, bool whole,
                        glev_precision precision = GLEV_CORRECTLY_ROUNDED) {
     glevMapGrid2f(gl, edge.is_along_u ? segments : other_segments, 0, 1,

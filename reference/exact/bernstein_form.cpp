@@ -84,7 +84,7 @@ std::optional<Power> BernsteinForm::Data::sum_of(const Argument& u, const Argume
   check_argument(u);
   if (!is_curve) check_argument(v);
   if (!terms) return std::nullopt;
-  ShortHomogeneous s{0, 1, 1}, t{0, 1, 1};  // of a constant: anything
+  ShortHomogeneous s{0, 1, 1}, t{0, 1, 1};  // arbitrary for a constant
   const auto homogenise_into = [](ShortHomogeneous& result, const Argument& x, double x1, double x2) {
     const auto found = homogenise_short(x, x1, x2);
     if (found) result = *found;

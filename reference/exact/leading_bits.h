@@ -1,4 +1,4 @@
-// Rounding of computed natural numbers, without a Rational.
+// Rounds natural numbers of any size by their leading 64 bits, without constructing a Rational.
 #pragma once
 
 #include <reference/rational.h>

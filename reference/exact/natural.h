@@ -1,4 +1,5 @@
-// Natural numbers of bounded size on the stack, with the arithmetic of Bernstein sums.
+// Defines Natural, a natural number of bounded size on the stack, with the operations that exact sums of
+// Bernstein terms need (short_sum.cpp).
 #pragma once
 
 #include <reference/rational.h>
@@ -13,8 +14,8 @@ namespace evalcts::reference {
 
 class Natural {
  public:
-  // Number of limbs for the numerator of a surface of orders 64 x 64 with coordinates of 62 bits and control
-  // values of 63 bits, and a carry.
+  // Number of limbs for the numerator of a value of a surface of orders 64 x 64, if the numerators of t and s
+  // have 62 bits and control values 63 bits, and for a carry. No operation checks this limit.
   static constexpr int kCapacity = 132;
   using Limb = std::uint64_t;
   using TwoLimbs = unsigned __int128;
@@ -72,7 +73,7 @@ class Natural {
     for (int k = 0; k < y.size_; ++k) add_product(x, y.limbs_[k], k);
   }
 
-  // Computes the magnitude of a - b. Returns true if a < b.
+  // Sets `difference` to |a - b|. Returns true if a < b.
   static bool subtract(const Natural& a, const Natural& b, Natural& difference) {
     const bool less = is_less(a, b);
     const Natural& large = less ? b : a;
@@ -89,7 +90,7 @@ class Natural {
     return less;
   }
 
-  // Returns the leading bits; *this is about bits * 2^(bits() - 64). Must not be called for zero.
+  // Returns the 64 leading bits, for round_leading(). Must not be called for zero.
   LeadingBits leading_bits() const {
     const int zeros = std::countl_zero(limbs_[size_ - 1]);
     Limb leading = limbs_[size_ - 1] << zeros;

@@ -14,7 +14,7 @@ Vector operator/(Vector vector, const Rational& divisor) {
   return vector;
 }
 
-// Returns w^2, the factor of the cleared_tangents().
+// Returns w^2, the factor by which cleared_tangents() are larger than the tangents; 1 for three components.
 Rational cleared_factor(const std::vector<Jet>& jets) {
   if (jets.size() == 3) return 1;
   const Rational& w = jets[3].value;

@@ -1,4 +1,6 @@
-// Section numbers are those of the GL 2.1 specification; EV-, C- and U- names are rows of the requirements.
+// Implements the state of the executable specification: errors, maps, primitives, current values, enables and
+// queries. Section numbers are those of the GL 2.1 specification; EV-, C- and U- names are rows of the
+// requirements.
 
 #include <reference/specification.h>
 
@@ -37,7 +39,7 @@ std::vector<double> answer_of_map(const Map& map, GLenum query) {
   }
 }
 
-// Converts a state value to the answer of a query of type T. `normalized`: for colours and normals.
+// Converts a state value to the answer of a query of type T. `normalized`: true for colours and normals.
 template <typename T>
 T convert(double value, bool normalized);
 template <>
@@ -277,7 +279,7 @@ void Specification::get_map(GLenum target, GLenum query, GLsizei size, T* v) {
   const std::vector<double> values =
       is_map_target(target) ? answer_of_map(*maps_[slot(target)], query) : std::vector<double>{};
   if (refused({{inside(), GL_INVALID_OPERATION},
-               {values.empty(), GL_INVALID_ENUM},  // neither target nor query may be unknown
+               {values.empty(), GL_INVALID_ENUM},  // unknown target or query
                {size < 0, GL_INVALID_VALUE},       // EV-GETN-NEGATIVE
                {std::cmp_less(size, values.size() * sizeof(T)), GL_INVALID_OPERATION}}) ||  // EV-GETN-SMALL
       v == nullptr) {
@@ -323,7 +325,7 @@ std::optional<Specification::Answer> Specification::answer(GLenum pname) const {
       return Answer{Kind::kNormalized, list(attributes_.current.color)};
     case GL_CURRENT_NORMAL:
       return Answer{Kind::kNormalized, list(attributes_.current.normal)};
-    case GL_CURRENT_TEXTURE_COORDS:  // of the active unit
+    case GL_CURRENT_TEXTURE_COORDS:  // coordinates of the active unit
       return Answer{Kind::kFloatingPoint,
                     list(attributes_.current.texture_coordinate[attributes_.active_texture])};
     case GL_CURRENT_INDEX:

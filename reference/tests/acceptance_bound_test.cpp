@@ -1,4 +1,5 @@
-// Compares the formulas of the accuracy rule (acceptance.h) with a second implementation.
+// Compares the bounds of the accuracy rule (acceptance.h) with a second implementation, and tests the inputs to
+// which the rule applies.
 #include <gtest/gtest.h>
 #include <reference/acceptance.h>
 

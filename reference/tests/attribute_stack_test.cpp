@@ -1,4 +1,4 @@
-// PushAttrib and PopAttrib (GL 2.1 section 6.1.14); section 21 of the requirements.
+// Tests PushAttrib and PopAttrib (GL 2.1 section 6.1.14; section 21 of the requirements).
 #include <gtest/gtest.h>
 #include <reference/specification.h>
 
@@ -109,7 +109,7 @@ TEST(AttributeStack, SavesTheGroupsOfTheMask) {
 
 TEST(AttributeStack, SavesEverythingWithAllBits) {  // EV-ATTRIB-ALL
   expect_groups(GL_ALL_ATTRIB_BITS);
-  expect_groups(0x000FFFFF);  // as it was defined before GL 1.3
+  expect_groups(0x000FFFFF);  // ALL_ATTRIB_BITS before GL 1.3
 }
 
 TEST(AttributeStack, Nests) {  // EV-ATTRIB-NEST

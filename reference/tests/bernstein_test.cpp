@@ -215,7 +215,7 @@ TEST(BernsteinForm, RoundsAsTheHardwareDoes) {
     std::vector<double> points;
     for (int i = 0; i < order; ++i) points.push_back(i);
     const BernsteinForm form(Curve{points.data(), 1, order, 0, static_cast<double>(order - 1)});
-    // A float and half a unit in its last place, or nearly; sometimes subnormal or too large.
+    // The midpoint between two floats, or a double next to it; sometimes subnormal or too large.
     double u = std::ldexp(static_cast<double>((generator() >> 40 << 1) | 1), pick(generator, -180, 110));
     if (pick(generator, 0, 1) == 0) u = std::nextafter(u, pick(generator, 0, 1) == 0 ? 0.0 : 1e300);
     if (pick(generator, 0, 1) == 0) u = -u;

@@ -1,4 +1,4 @@
-// Tests of components: exact values, bounds and rounding of the output of the executable specification.
+// Tests components: exact values, bounds and rounding of the output of the executable specification.
 #include <gtest/gtest.h>
 #include <reference/component.h>
 #include <reference/rounding.h>

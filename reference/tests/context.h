@@ -16,7 +16,7 @@ constexpr GLenum kMap1Targets[] = {GL_MAP1_COLOR_4,         GL_MAP1_INDEX,      
 constexpr GLenum kMap2Targets[] = {GL_MAP2_COLOR_4,         GL_MAP2_INDEX,           GL_MAP2_NORMAL,
                                    GL_MAP2_TEXTURE_COORD_1, GL_MAP2_TEXTURE_COORD_2, GL_MAP2_TEXTURE_COORD_3,
                                    GL_MAP2_TEXTURE_COORD_4, GL_MAP2_VERTEX_3,        GL_MAP2_VERTEX_4};
-constexpr int kValuesPerPoint[] = {4, 1, 3, 1, 2, 3, 4, 3, 4};  // of the targets above
+constexpr int kValuesPerPoint[] = {4, 1, 3, 1, 2, 3, 4, 3, 4};  // components of the targets above
 
 // Returns all 18 map targets.
 inline std::vector<GLenum> map_targets() {
@@ -25,9 +25,9 @@ inline std::vector<GLenum> map_targets() {
   return targets;
 }
 
+constexpr GLdouble kPoison = -12345.678;
 // Returns the values that a query has written, without the trailing elements that still contain the poison
 // value.
-constexpr GLdouble kPoison = -12345.678;
 inline std::vector<GLdouble> written(std::vector<GLdouble> answer) {
   while (!answer.empty() && answer.back() == kPoison) answer.pop_back();
   return answer;

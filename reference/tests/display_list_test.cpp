@@ -1,4 +1,4 @@
-// Display lists (GL 2.1 section 5.4); section 20 of the requirements.
+// Tests display lists (GL 2.1 section 5.4; section 20 of the requirements).
 #include <gtest/gtest.h>
 #include <reference/specification.h>
 
@@ -339,7 +339,7 @@ TEST(DisplayLists, DoNotHoldWhatTheGlExecutesAtOnce) {  // EV-DL-GETMAP
   gl.Begin(GL_POINTS);  // the commands above would be errors here
   gl.CallList(1);
   gl.End();
-  expect_error(gl, GL_INVALID_OPERATION);  // of Map1f and Enable
+  expect_error(gl, GL_INVALID_OPERATION);  // from Map1f and Enable
   gl.DeleteLists(3, 1);
   gl.CallList(1);
   expect_error(gl, GL_NO_ERROR);

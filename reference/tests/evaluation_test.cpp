@@ -1,4 +1,5 @@
-// Sections 7, 8, 9 and 11 of the requirements for one dimension, and Begin, End and the current values.
+// Tests the specification against sections 7, 8, 9 and 11 of the requirements in one dimension, and tests
+// Begin, End and current values.
 #include <gtest/gtest.h>
 
 #include <limits>

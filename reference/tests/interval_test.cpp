@@ -108,7 +108,7 @@ TEST(Intervals, ContainNormals) {
       p_u.push_back(derivative(along_v, Ball(u)));
       p_v.push_back(bernstein_sum(slopes, Ball(u)));
     }
-    if (k == 4) {  // of x/w, y/w, z/w
+    if (k == 4) {  // tangents of (x, y, z) / w
       for (int c = 0; c < 3; ++c) {
         p_u[c] = (p_u[c] * p[3] - p[c] * p_u[3]) / (p[3] * p[3]);
         p_v[c] = (p_v[c] * p[3] - p[c] * p_v[3]) / (p[3] * p[3]);

@@ -1,4 +1,4 @@
-// CallLists: types of names, their order, and the list base (GL 2.1 section 5.4).
+// Tests CallLists: types of names, their order, and the list base (GL 2.1 section 5.4).
 #include <gtest/gtest.h>
 #include <reference/specification.h>
 

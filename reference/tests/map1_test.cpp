@@ -1,4 +1,4 @@
-// Sections 3 and 5 of the requirements: Map1 and its errors.
+// Tests the specification against sections 3 and 5 of the requirements: Map1 and its errors.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Every usual method to compute a normal stays within the acceptance bound, in single precision and with
-// errors of one part in 10^5 in every operation. The bound is not much wider than necessary.
+// Tests that every usual method to compute a normal stays within the acceptance bound, in single precision
+// and with errors of one part in 10^5 in every operation. The bound is not much wider than necessary.
 #include <gtest/gtest.h>
 #include <reference/normal.h>
 

@@ -58,7 +58,7 @@ class SignedErrors : public Arithmetic {
   std::size_t next_ = 0;
 };
 
-enum class Parameter { kDivision, kReciprocal, kTwoDivisions };  // how t and s are computed
+enum class Parameter { kDivision, kReciprocal, kTwoDivisions };  // the computation of t and s
 enum class Method { kDeCasteljau, kDeCasteljauFused, kLerp, kLerpFused, kHorner, kHornerFused, kDirectSum };
 
 constexpr Parameter kParameters[] = {Parameter::kDivision, Parameter::kReciprocal, Parameter::kTwoDivisions};
@@ -118,9 +118,9 @@ inline long double evaluate_by(Arithmetic& a, Method method, std::vector<long do
       return sum;
     }
     case Method::kDirectSum: {
-      std::vector<long double> powers(order, 1);  // of s
+      std::vector<long double> powers(order, 1);  // powers of s
       for (std::size_t i = 1; i < order; ++i) powers[i] = i == 1 ? w.s : a.mul(powers[i - 1], w.s);
-      long double sum = 0, binomial = 1, power = 1;  // of t
+      long double sum = 0, binomial = 1, power = 1;  // power of t
       for (std::size_t i = 0; i <= n; ++i) {
         if (i > 0) {
           power = i == 1 ? w.t : a.mul(power, w.t);

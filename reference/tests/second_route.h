@@ -1,5 +1,5 @@
-// A slow second method: ordinary reduced rationals and de Casteljau's construction. It shares no code with
-// the code under test.
+// Evaluates Bernstein polynomials by a slow second method: de Casteljau's construction with reduced fractions
+// of Boost. It shares no arithmetic with the code under test.
 #pragma once
 
 #include <reference/rational.h>
@@ -29,7 +29,7 @@ inline Fraction fraction(const Rational& x) {
   return Fraction(x.numerator(), x.denominator()) * power_of_two(static_cast<long>(x.exponent()));
 }
 
-// Returns the value at t of the Bernstein polynomial over the points.
+// Returns the value at t of the polynomial with these control points.
 inline Fraction de_casteljau(std::vector<Fraction> points, const Fraction& t) {
   for (std::size_t last = points.size() - 1; last > 0; --last) {
     for (std::size_t i = 0; i < last; ++i) points[i] = (1 - t) * points[i] + t * points[i + 1];

@@ -1,4 +1,5 @@
-// Sections 1, 2, 6 and 18 of the requirements: tokens, initial state, enables, queries and errors.
+// Tests the specification against sections 1, 2, 6 and 18 of the requirements: tokens, initial state,
+// enables, queries and errors.
 #include <gtest/gtest.h>
 
 #include <cstring>

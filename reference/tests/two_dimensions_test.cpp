@@ -1,4 +1,4 @@
-// Sections 4, 5, 10 and 13 to 16 of the requirements on the executable specification: two-dimensional maps,
+// Tests the specification against sections 4, 5, 10 and 13 to 16 of the requirements: two-dimensional maps,
 // grids, points, meshes, and the sources of automatic normals.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// The parts of the page about single runs: their cards, and the readings of ambiguous passages.
 #include <fmt/format.h>
 
 #include "text.h"

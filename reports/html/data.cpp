@@ -1,3 +1,4 @@
+// Writes the data of the page as JSON, with each text stored once.
 #include "data.h"
 
 #include <fmt/format.h>

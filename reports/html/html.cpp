@@ -1,3 +1,4 @@
+// Makes the HTML page from its template, its scripts and the data of view.h and data.h.
 #include <fmt/format.h>
 
 #include <algorithm>

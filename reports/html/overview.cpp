@@ -1,3 +1,4 @@
+// The first parts of the page: the table of counts and the distinct bugs.
 #include <fmt/format.h>
 
 #include <algorithm>

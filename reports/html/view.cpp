@@ -1,3 +1,4 @@
+// Implements the helpers that the parts of the page share: verdicts, rows, links and percentages.
 #include "view.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
-// The parts of the page that need no script: the data for index.mustache, as strings in the order of the
-// page. Mustache looks up a missing name in the enclosing sections, so every name that a section uses is set
-// in it, to false if there is nothing to show.
+// Makes the parts of the page that need no script: the data for index.mustache, as strings in the order of
+// the page. Mustache looks up a missing name in the enclosing sections, so every name that a section uses is
+// set in it, to false if there is nothing to show.
 #pragma once
 
 #include <kainjow/mustache.hpp>
@@ -48,7 +48,7 @@ data bugs(const std::vector<Column>& columns);
 // Returns the facts about the run of one record: the library, the machine, the options and so on.
 data card(const Column& column);
 
-// Returns one row for each ambiguous text of which an implementation has shown its reading.
+// Returns one row for each ambiguous passage of which an implementation has shown its reading.
 data readings(const std::vector<Column>& columns, const Catalogue& catalogue);
 
 }  // namespace evalcts::reports::view

@@ -1,5 +1,6 @@
-// The document follows what CI readers have in common: a <testcase> contains at most one <failure>, <error>
-// or <skipped>, with all text in it (Jenkins keeps only the first), and the counts agree with the elements.
+// Writes results as JUnit XML, in the form that all CI systems read: a <testcase> contains at most one
+// <failure>, <error> or <skipped>, with all text in it (Jenkins keeps only the first), and the counts agree
+// with the elements.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-// The XML element in a testcase with its attributes and text; a plain pass has no element.
+// The XML element in a testcase, with its attributes and text. The name of the element is empty for a pass.
 struct Outcome {
   std::string element, type, message, body;
 };
@@ -32,7 +33,7 @@ struct Totals {
   }
 };
 
-// Returns the time without a sign, as the schemas demand.
+// Returns the time as text. A negative time becomes 0, because the schemas do not allow a sign.
 std::string seconds(double value) { return fmt::format("{:.6f}", std::max(value, 0.0)); }
 
 // Returns everything that is recorded about the failures, for readers who have no other report.

@@ -1,3 +1,4 @@
+// Writes the summary in Markdown for a pull request.
 #include <fmt/format.h>
 
 #include <algorithm>

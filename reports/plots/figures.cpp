@@ -1,3 +1,4 @@
+// Writes the gnuplot scripts of the accuracy page, and adapts the SVG to the page's colours and IDs.
 #include "figures.h"
 
 #include <fmt/format.h>

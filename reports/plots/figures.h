@@ -1,4 +1,5 @@
-// Pictures as scripts for gnuplot, and the resulting SVG as part of a page.
+// Makes the pictures of the accuracy page: scripts for gnuplot, and the resulting SVG as an element of the
+// page.
 #pragma once
 
 #include <cstdint>

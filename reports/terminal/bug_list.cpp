@@ -1,3 +1,4 @@
+// Writes the distinct bugs for a terminal, each with its minimal program.
 #include <fmt/format.h>
 
 #include "evalcts/reports.h"

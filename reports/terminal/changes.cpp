@@ -1,3 +1,4 @@
+// Writes the changes since earlier results for a terminal.
 #include <fmt/format.h>
 
 #include "comparison.h"

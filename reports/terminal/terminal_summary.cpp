@@ -1,3 +1,5 @@
+// Writes the summary of a run for a terminal: distinct bugs, unexpected results and counts, cut to the size
+// of the screen.
 #include <fmt/format.h>
 
 #include <algorithm>

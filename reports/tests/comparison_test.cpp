@@ -1,4 +1,4 @@
-// Tests of changes and their wording, of merged shards, and of the pages in Markdown.
+// Tests changes and their wording, merged shards, and the pages in Markdown.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

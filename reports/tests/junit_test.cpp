@@ -1,4 +1,4 @@
-// Tests of the bytes of the XML; check_pages.py reads it with a parser and checks the verdicts.
+// Tests the bytes of the XML; check_pages.py reads it with a parser and checks the verdicts.
 #include <gtest/gtest.h>
 
 #include "evalcts/reports.h"

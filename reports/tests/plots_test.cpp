@@ -1,4 +1,4 @@
-// Tests of the accuracy page with and without pictures, and with untrusted strings.
+// Tests the accuracy page with and without pictures, and with untrusted strings.
 #include <gtest/gtest.h>
 
 #include "evalcts/accuracy_page.h"

@@ -1,3 +1,4 @@
+// Tests the reading of result records, and the properties that are derived from them.
 #include <evalcts/results/run_result.h>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Tests the summary, the list of bugs and the changes for a terminal.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Tests that untrusted text is made safe, and the format of numbers.
 #include "text.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Tests the parser of GLX requests on hand-made requests.
 #include "glx_requests.h"
 
 #include <gtest/gtest.h>

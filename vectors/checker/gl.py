@@ -83,8 +83,8 @@ class Context:
         self.stack = []
         self.lists, self.open_list, self.nesting = {}, None, 0
         self.errors, self.emitted = set(), []
-        # The first version of GL that demands the answers; true if no text demands the sequence, or if only the
-        # reference pages demand the answer of the current step.
+        # The first version of GL that requires the answers; true if no text requires the sequence, or if only the
+        # reference pages require the answer of the current step.
         self.since, self.advisory, self.advisory_step = FIRST_VERSION, False, False
         self.pushes_enables = self.names_automatic_normals = False
         self.meshed = {}  # vertices of the current mesh, by their indices

@@ -81,7 +81,7 @@ def integer(where, found, least=None):
     return found
 
 
-# Levels of cases: some text of the GL demands the answer, or none does.
+# Levels of cases: some text of the GL requires the answer, or none does.
 MUST, ADVISORY = "must", "advisory"
 FIRST_VERSION = "1.0"
 

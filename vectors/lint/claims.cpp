@@ -1,3 +1,5 @@
+// Checks that a case has the property of its theme, and that a case about the ends of a grid distinguishes an
+// exact end from a computed one.
 #include "claims.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Checks the structure, IDs, requirements and flags of a file of vectors, and the claims of its cases.
 #include <evalcts/vectors/lint.h>
 
 #include <fmt/format.h>

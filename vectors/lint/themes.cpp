@@ -1,3 +1,4 @@
+// The property of each theme, as a predicate on a case with its exact values.
 #include "themes.h"
 
 #include <reference/rounding.h>

@@ -1,3 +1,4 @@
+// Converts the JSON of a case to maps and arguments of the oracle.
 #include "value_case.h"
 
 #include <functional>

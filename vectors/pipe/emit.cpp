@@ -1,3 +1,4 @@
+// Prints cases as lines of numbers for another program to answer (INTERPRETING.md).
 #include <fmt/format.h>
 
 #include <evalcts/vectors/pipe.h>

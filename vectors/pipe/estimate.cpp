@@ -1,3 +1,4 @@
+// Evaluates in long double, with a bound on the rounding error.
 #include "estimate.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Judges the answers of another program: answers to shipped cases by their stored results, answers to random
+// cases by estimates or, if these do not decide, by exact arithmetic.
 #include <fmt/format.h>
 #include <reference/rounding.h>
 

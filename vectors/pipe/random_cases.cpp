@@ -1,3 +1,4 @@
+// Draws random maps and arguments, for a given seed the same on every machine.
 #include "random_cases.h"
 
 #include <fmt/format.h>

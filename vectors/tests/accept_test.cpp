@@ -1,4 +1,4 @@
-// Tests of accepted(): the least and the greatest float within a bound, compared with all floats around.
+// Tests accepted(): the least and the greatest float within a bound, compared with all floats around.
 #include <gtest/gtest.h>
 
 #include <algorithm>

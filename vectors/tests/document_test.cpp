@@ -1,4 +1,4 @@
-// Tests of Document, Theme and Dice.
+// Tests Document, Theme and Dice.
 #include "write/document.h"
 
 #include <gtest/gtest.h>

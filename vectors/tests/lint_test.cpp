@@ -1,4 +1,4 @@
-// Tests of the linter: it finds errors in a file and names the case.
+// Tests the linter: it finds errors in a file and names the case.
 #include <evalcts/vectors/lint.h>
 
 #include <fmt/format.h>

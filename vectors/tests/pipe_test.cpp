@@ -1,5 +1,5 @@
-// Tests of random cases in a pipe: they are the same on every machine, judged like exact arithmetic, and
-// fast.
+// Tests the pipe: random cases are the same on every machine, are judged as by exact arithmetic, and are made
+// and judged fast.
 #include <evalcts/vectors/pipe.h>
 
 #include <fmt/format.h>

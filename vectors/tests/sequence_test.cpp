@@ -1,4 +1,4 @@
-// Tests of the JSON of sequences.
+// Tests the JSON of sequences.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

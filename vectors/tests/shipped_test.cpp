@@ -1,4 +1,4 @@
-// Tests that the shipped files are those that the writer makes, and tests of the command line.
+// Tests that the shipped files are the same as those that the writer makes, and tests `evalcts vectors`.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>

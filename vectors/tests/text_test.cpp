@@ -1,4 +1,4 @@
-// Tests of numbers as text, which are read back with other libraries.
+// Tests numbers as text, which are read back with other libraries.
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>

@@ -14,16 +14,19 @@ Direction along(int order, const Ends& ends = {0, 1}) { return {order, ends.firs
 
 Argument at(double u) { return Argument::coordinate(u); }
 
+// Returns a random argument inside the domain.
 double inside(Dice& dice, const Direction& u, Type type) {
   return between(u.first, u.last, Rational(dice.below(33)) / 32, type);
 }
 
+// Returns a case with the map at random arguments inside its domain.
 Json inside_case(Dice& dice, const Map& map, Type type) {
   const double u = inside(dice, map.u, type);
   const double v = inside(dice, map.v, type);
   return normal_case({map, type, at(u), at(v)});
 }
 
+// Return surfaces of VERTEX_3 and VERTEX_4 with the control values value(i, j, component).
 Map three(const Direction& u, const Direction& v, const ValueOf& value) {
   return surface(GL_MAP2_VERTEX_3, u, v, value);
 }
@@ -50,8 +53,7 @@ void planes(Document& document) {
     double sides[2][3];
     for (auto& side : sides)
       for (double& x : side) x = simple(dice);
-    // The sides of the first planes lie along the axes, so that the normals are exactly (0, 0, 1), (0, 0, -1)
-    // etc.
+    // The sides of the first planes lie along the axes, so that the normals are exact, such as (0, 0, -1).
     if (i < 12)
       for (int c = 0; c < 3; ++c) {
         sides[0][c] = c == i % 3 ? 1 : 0;

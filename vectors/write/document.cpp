@@ -1,3 +1,4 @@
+// Adds cases with their IDs to themes, and formats the file.
 #include "document.h"
 
 #include <fmt/format.h>

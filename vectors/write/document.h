@@ -18,7 +18,7 @@ inline constexpr const char* kSchemaVersion = "1.1";
 // Incremented with each change of the cases.
 inline constexpr const char* kGeneratorVersion = "2";
 
-// The value of `since` of a case whose answers all versions of GL demand.
+// The value of `since` of a case whose answers all versions of GL require.
 inline constexpr const char* kFirstVersion = "1.0";
 
 using Names = std::vector<std::string>;

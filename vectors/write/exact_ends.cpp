@@ -1,3 +1,5 @@
+// Computes the end of a grid from its other end in floating-point arithmetic, and draws random grids for
+// which this is not exact.
 #include "exact_ends.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// Searches all floats of an interval for the values closest to a rounding midpoint, except ties.
 #include "hardest.h"
 
 #include <reference/filter.h>

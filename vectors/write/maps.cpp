@@ -1,3 +1,4 @@
+// Makes maps with exact, rounded and random control points.
 #include "maps.h"
 
 #include <reference/rounding.h>

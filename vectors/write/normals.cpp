@@ -1,3 +1,4 @@
+// Writes the exact derivatives, the normal and its acceptance of a case about automatic normals.
 #include "normals.h"
 
 #include <reference/normal.h>

@@ -1,3 +1,4 @@
+// Runs a sequence of commands on the executable specification and writes the expected answers.
 #include "sequences.h"
 
 #include <fmt/format.h>
@@ -238,7 +239,7 @@ bool has_zeros_of_both_signs(const gl::Command& map) {
   return false;
 }
 
-// Finds the level of a sequence and the first version of the GL that demands its answers (INTERPRETING.md,
+// Finds the level of a sequence and the first version of the GL that requires its answers (INTERPRETING.md,
 // "Levels and versions").
 class Standing {
  public:

@@ -1,4 +1,4 @@
-// Helpers of the sequences in state.json (state.cpp, state_lists.cpp, state_meshes.cpp).
+// Commands that the sequences of state.json share (state.cpp, state_lists.cpp, state_meshes.cpp).
 #pragma once
 
 #include <functional>

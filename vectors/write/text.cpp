@@ -1,3 +1,4 @@
+// Formats hexadecimal floats and fractions, and rounds intervals inward.
 #include "text.h"
 
 #include <reference/rounding.h>

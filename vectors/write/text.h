@@ -15,11 +15,11 @@ std::string hexadecimal(double value);
 // Returns a number as in "-3/8" or "2/1": in lowest terms, always with a denominator, which is positive.
 std::string fraction(const reference::Rational& x);
 
-// Returns the least and the greatest finite float within `bound` >= 0 of `exact`, or nothing if there is
-// none. Zero is +0.
 struct Interval {
   float low, high;
 };
+// Returns the least and the greatest finite float within `bound` >= 0 of `exact`, or nothing if there is
+// none. Zero is +0.
 std::optional<Interval> accepted(const reference::Rational& exact, const reference::Rational& bound);
 
 // Returns the least binary32 that is not below x. Throws std::domain_error if x is above the largest one.

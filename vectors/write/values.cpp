@@ -1,3 +1,5 @@
+// Writes the exact value, its roundings, its acceptance interval and intermediate results of a case about
+// values.
 #include "values.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Writes one file for each kind of vectors.
 #include <evalcts/vectors/write.h>
 
 #include <fmt/format.h>

@@ -8,7 +8,6 @@ namespace evalcts::variations {
 namespace {
 
 // --- Feedback and transform feedback
-// -------------------------------------------------------------------------
 
 GLenum feedback_type = GL_2D;
 
@@ -110,7 +109,6 @@ EVALCTS_VARIATION(NothingToSee, "dropin", "there is neither feedback mode nor tr
 }
 
 // --- Values
-// --------------------------------------------------------------------------------------------------
 
 template <class Change>
 void change_values(std::vector<ObservedPrimitive>& primitives, Change change) {
@@ -178,7 +176,6 @@ EVALCTS_VARIATION(LeastRange, "production",
 }
 
 // --- Meshes
-// --------------------------------------------------------------------------------------------------
 
 // True if EvalMesh2 draws: the mode is legal, and the call is neither inside a primitive nor compiled
 // into a list.
@@ -228,7 +225,7 @@ void draw_mesh(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   }
 }
 
-// The requirements that demand the order of the loops in the specification. Only their tests may
+// The requirements on the order of the loops in the specification. Only their tests may
 // depend on it.
 #define MESH_ROWS "EV-MESH2-POINT EV-MESH2-LINE EV-MESH2-FILL"
 EVALCTS_VARIATION(MeshesInColumns, "production", "EvalMesh2 draws in another order", MESH_ROWS) {
@@ -245,7 +242,6 @@ EVALCTS_VARIATION(PipelineMeshesBackwards, "dropin", "EvalMesh2 begins at the la
 }
 
 // --- Single precision
-// ----------------------------------------------------------------------------------------
 
 EVALCTS_VARIATION(FloatArguments, "production", "arguments of EvalCoord in double are rounded to float", "") {
   v.gl.EvalCoord1d = [](GLdouble u) { unvaried.EvalCoord1f(static_cast<GLfloat>(u)); };

@@ -385,7 +385,6 @@ EVALCTS_VARIATION(OneStateInProcess, "production", "all contexts have one state"
 EVALCTS_VARIATION(OneState, "dropin", "all contexts have one state", "") { v.one_state = true; }
 
 // --- State outside of evaluators
-// ------------------------------------------------------------------------------
 
 EVALCTS_VARIATION(NoisyOutput, "production", "each EvalCoord writes to standard output and standard error",
                   "") {

@@ -1,4 +1,4 @@
-// Section 21: the attribute stack and several contexts.
+// Faults against section 21 of the requirements: the attribute stack and several contexts.
 #include <algorithm>
 
 #include "rules.h"

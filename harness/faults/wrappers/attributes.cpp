@@ -1,4 +1,4 @@
-// Section 8: the attributes of evaluated vertices.
+// Faults against section 8 of the requirements: the attributes of evaluated vertices.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Section 10: normals that AUTO_NORMAL generates.
+// Faults against section 10 of the requirements: normals that AUTO_NORMAL generates.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Section 11: state that evaluation must not change.
+// Faults against section 11 of the requirements: state that evaluation must not change.
 #include "rules.h"
 
 namespace evalcts::faults {

@@ -1,4 +1,4 @@
-// Section 20: evaluator commands in display lists.
+// Faults against section 20 of the requirements: evaluator commands in display lists.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Section 6: the 18 map enables and AUTO_NORMAL.
+// Faults against section 6 of the requirements: the 18 map enables and AUTO_NORMAL.
 #include <algorithm>
 
 #include "rules.h"

@@ -1,4 +1,4 @@
-// Section 1: entry points, tokens and forms.
+// Faults against section 1 of the requirements: entry points, tokens and forms.
 #include "grid_steps.h"
 
 namespace evalcts::faults {

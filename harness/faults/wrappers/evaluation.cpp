@@ -1,4 +1,4 @@
-// Section 7: effects of evaluation, and state that it must not change.
+// Faults against section 7 of the requirements: effects of evaluation, and state that it must not change.
 #include "grid_steps.h"
 
 namespace evalcts::faults {

@@ -1,4 +1,4 @@
-// Section 22: evaluated primitives in feedback and selection mode.
+// Faults against section 22 of the requirements: evaluated primitives in feedback and selection mode.
 #include <algorithm>
 
 #include "grid_steps.h"

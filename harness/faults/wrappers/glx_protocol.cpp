@@ -1,5 +1,5 @@
-// Section 25: requests that an indirect GLX client sends, and replies that it reads. A rule that replaces a
-// command by another one makes the client send another request.
+// Faults against section 25 of the requirements: requests that an indirect GLX client sends, and replies that
+// it reads. A rule that replaces a command by another one makes the client send another request.
 #include <algorithm>
 #include <cmath>
 #include <cstring>

@@ -1,4 +1,4 @@
-// Section 14: EvalPoint.
+// Faults against section 14 of the requirements: EvalPoint.
 #include <cmath>
 #include <limits>
 

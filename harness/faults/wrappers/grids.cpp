@@ -1,4 +1,4 @@
-// Section 13: grids.
+// Faults against section 13 of the requirements: grids.
 #include <algorithm>
 #include <limits>
 

@@ -1,4 +1,4 @@
-// Section 2: the initial state of a context.
+// Faults against section 2 of the requirements: the initial state of a context.
 #include "rules.h"
 
 namespace evalcts::faults {

@@ -1,4 +1,4 @@
-// Section 12: evaluated colours in the lighting equation.
+// Faults against section 12 of the requirements: evaluated colours in the lighting equation.
 #include "rules.h"
 
 namespace evalcts::faults::lighting {

@@ -1,4 +1,4 @@
-// Section 5: errors of Map1 and Map2.
+// Faults against section 5 of the requirements: errors of Map1 and Map2.
 #include <algorithm>
 #include <limits>
 

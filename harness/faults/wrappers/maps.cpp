@@ -1,4 +1,4 @@
-// Sections 3 and 4: the state and the values of maps.
+// Faults against sections 3 and 4 of the requirements: the state and the values of maps.
 #include <algorithm>
 #include <cmath>
 #include <cstring>

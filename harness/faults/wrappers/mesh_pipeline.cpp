@@ -1,4 +1,5 @@
-// Sections 15 and 16, later stages of the pipeline: stippling, faces, polygon modes.
+// Faults against sections 15 and 16 of the requirements, later stages of the pipeline: stippling, faces,
+// polygon modes.
 #include "grid_steps.h"
 
 namespace evalcts::faults {

@@ -1,4 +1,4 @@
-// Sections 15 and 16: the drawing and the errors of meshes.
+// Faults against sections 15 and 16 of the requirements: the drawing and the errors of meshes.
 #include "grid_steps.h"
 
 namespace evalcts::faults {

@@ -1,4 +1,5 @@
-// Section 17: evaluated values. Mistakes of the arithmetic itself are mutations of production.
+// Faults against section 17 of the requirements: evaluated values. Mistakes of the arithmetic itself are
+// mutations of production.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Section 19: commands between Begin and End, and their order.
+// Faults against section 19 of the requirements: commands between Begin and End, and their order.
 #include "grid_steps.h"
 
 namespace evalcts::faults {

@@ -1,4 +1,4 @@
-// Section 9: precedence among several enabled maps.
+// Faults against section 9 of the requirements: precedence among several enabled maps.
 #include <algorithm>
 
 #include "rules.h"

@@ -1,4 +1,5 @@
-// Sections 23 and 24: contexts without evaluators, and extensions that affect evaluators.
+// Faults against sections 23 and 24 of the requirements: contexts without evaluators, and extensions that
+// affect evaluators.
 #include <algorithm>
 
 #include "grid_steps.h"

@@ -1,4 +1,4 @@
-// Section 18: GetMap, GetnMap and Get.
+// Faults against section 18 of the requirements: GetMap, GetnMap and Get.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,4 +1,5 @@
-// Section 22: evaluated primitives in the stages of the pipeline after evaluation.
+// Faults against section 22 of the requirements: evaluated primitives in the stages of the pipeline after
+// evaluation.
 #include <algorithm>
 
 #include "grid_steps.h"
@@ -197,7 +198,6 @@ EVALCTS_RULES(ConditionalEvalPointNeverDrawn, osmesa, kMust, "EV-PIPE-CONDRENDER
               skip(kPoints2, kCondition));
 
 // --- Rejected primitives
-// ------------------------------------------------------------------------------------
 
 EVALCTS_RULES(IncompleteFramebufferIsInvalidOperation, osmesa, kMust, "EV-PIPE-FBO",
               "EvalMesh1 with an incomplete framebuffer raises INVALID_OPERATION",

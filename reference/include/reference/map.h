@@ -45,7 +45,7 @@ struct Map {
   // Views of one component, 0 <= component < components(); valid as long as the map.
   Curve curve(int component) const;       // one-dimensional maps only
   Surface surface(int component) const;   // both: a one-dimensional map is constant in v
-  std::vector<Surface> surfaces() const;  // of all components
+  std::vector<Surface> surfaces() const;  // surfaces of all components
 };
 
 // Returns the map of a new context for the target: order 1, domain (0,1), one constant control point

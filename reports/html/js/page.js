@@ -83,7 +83,7 @@ function fit() {
 
 // --- the address
 
-let typed = false;  // whether the latest entry of the history is for a text that is being typed
+let typed = false;  // true if the latest entry of the history is for a text that is being typed
 
 function change(changes, typing = false) {
   Object.assign(state, changes);

@@ -23,7 +23,7 @@ namespace evalcts::reports {
 
 struct PageOptions {
   std::vector<RunResult> before;  // earlier results; empty: nothing is compared
-  bool accuracy_page = false;     // whether the folder of the page has an accuracy.html to link to
+  bool accuracy_page = false;     // true if the folder of the page has an accuracy.html to link to
 };
 
 // Returns one self-contained HTML page that compares any number of records (without records, the page says
@@ -74,7 +74,7 @@ std::string junit(const RunResult& result);
 // requirement comes before the second of any. Without `verbose` there are at most 8 failures, on lines of 100
 // columns; commands are never cut. With `verbose` there are all unexpected failures with all their recorded
 // cases, the failures that the baseline expects (one line each), and the tests that were not judged, with the
-// reasons. catalogue: as for html. colour: whether to add ANSI colour sequences; the words are the same.
+// reasons. catalogue: as for html. colour: true to add ANSI colour sequences; the words are the same.
 // lines: height of the screen, on which fewer than 8 failures may fit; 0: unknown. The text ends with a
 // newline.
 std::string terminal_summary(const RunResult& result, const Catalogue& catalogue, bool colour, bool verbose,

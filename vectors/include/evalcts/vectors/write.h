@@ -15,12 +15,13 @@ const std::vector<std::string>& kinds();
 // Returns the text of the file of a kind. Throws std::invalid_argument for another name.
 std::string text_of(const std::string& kind);
 
-// Writes KIND.json to the folder for each kind, atomically, and calls `wrote` after each file with its kind
-// and its numbers of cases and bytes. Throws std::runtime_error if a file cannot be written.
+// A file that was written.
 struct Written {
   std::string kind;
   std::size_t cases, bytes;
 };
+// Writes KIND.json to the folder for each kind, atomically, and calls `wrote` after each file with its kind
+// and its numbers of cases and bytes. Throws std::runtime_error if a file cannot be written.
 void write_all(const std::filesystem::path& folder, const std::function<void(const Written&)>& wrote);
 
 }  // namespace evalcts::vectors

@@ -22,7 +22,7 @@ struct BadCheckpoint : std::runtime_error {
 // The properties in which two sweeps must agree, besides the block size, so that one can resume the other.
 struct SweepIdentity {
   std::string evalcts_version;
-  std::string kind, library, vendor, renderer, gl_version;  // of the implementation
+  std::string kind, library, vendor, renderer, gl_version;  // describe the implementation
   SweepTask task;
 };
 SweepIdentity identity_of(const SweepTask& task, const ImplementationInfo& info);
@@ -34,7 +34,7 @@ struct LargestError {
   double error;
   float at, got;
   float right;        // the exact value, correctly rounded
-  std::string exact;  // as reference::describe() writes it
+  std::string exact;  // text of reference::describe()
 };
 // Returns nothing if all results are correctly rounded.
 std::optional<LargestError> largest_error(const SweepTask& task, const SweepResult::Largest& found);

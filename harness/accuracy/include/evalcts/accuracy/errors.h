@@ -31,7 +31,7 @@ struct Worst {
   Input input;
   float got = 0;
   float right = 0;       // the exact value, correctly rounded
-  std::string exact;     // as reference::describe() writes it
+  std::string exact;     // text of reference::describe()
   bool climbed = false;  // found by climb(), not in the sample
 
   // Replaces this result by another one if the error of the other one is larger.
@@ -55,7 +55,7 @@ struct Errors {
 
   std::uint64_t zeros = 0;
   std::uint64_t zeros_wrong = 0;  // the result is not zero
-  Worst zero;                     // by the condition-aware error
+  Worst zero;                     // the worst by condition-aware error
   std::uint64_t without_terms = 0;
   std::uint64_t without_terms_wrong = 0;
 

@@ -54,7 +54,7 @@ Row not_measured(const RowRequest& request, const std::string& why);
 struct MeasuredImplementation {
   enum class Status { kComplete, kInterrupted, kCrashed, kNotStarted };
 
-  std::string name;                        // of the implementation, or its label
+  std::string name;                        // the implementation's name or label
   std::optional<ImplementationInfo> info;  // names, versions and the largest order; none if it did not start
   Status status = Status::kComplete;
   std::string reason;  // why the status is not complete

@@ -45,7 +45,7 @@ struct Class {
 
   std::string name() const;  // "curve/4/ordinary", "surface/4x4/integers"
   Domain domain() const;
-  int segments() const;  // of the grid whose points are the arguments; 0: coordinates
+  int segments() const;  // segments of the grid whose points are the arguments; 0: coordinates
 };
 
 struct Map {
@@ -54,7 +54,8 @@ struct Map {
   bool is_float;  // all control points are floats
   Domain domain;
   std::vector<double> points;  // v fastest, components innermost
-  int segments = 0;            // of the grid over the domain whose points the arguments are; 0: coordinates
+  int segments =
+      0;  // segments of the grid over the domain, at whose points the map is evaluated; 0: coordinates
 };
 
 // Fills map.points with random control points of the class, independently for each component. Orders and

@@ -32,7 +32,7 @@ struct SweepTask {
   std::int64_t shard = 0, shards = 1;
 
   std::int64_t first_block() const;
-  std::int64_t blocks() const;                             // of all shards
+  std::int64_t blocks() const;                             // number of blocks of all shards
   std::vector<float> arguments(std::int64_t block) const;  // all arguments of a block, in order
   bool mine(std::int64_t block) const { return block % shards == shard; }
   std::int64_t blocks_of_shard() const { return (blocks() - shard + shards - 1) / shards; }
@@ -52,7 +52,7 @@ struct SweepResult {
   // argument, and of its components that of the first.
   struct Largest {
     double error = 0;
-    std::int64_t number = 0;  // of the argument
+    std::int64_t number = 0;  // number_of() the argument
     float got = 0;
     int component = 0;
     void keep(const Largest& other);

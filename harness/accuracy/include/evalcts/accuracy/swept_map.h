@@ -51,7 +51,7 @@ class SweptPolynomial {
   std::optional<reference::CorrectlyRounded> right_;
   std::optional<reference::Filter> filter_;
   std::optional<ExactLine> line_;
-  std::vector<double> magnitudes_;  // of the control points of the curve along the swept argument
+  std::vector<double> magnitudes_;  // magnitudes of the control points of the curve along the swept argument
 };
 
 }  // namespace evalcts::accuracy

@@ -9,13 +9,14 @@
 
 namespace evalcts {
 
+// The shader programs of captures: made for each case, or kept by the shared context.
+enum class Programs { kMadeAnew, kKept };
 // Returns an implementation whose create_context() returns handles to a single context of `inner`, which the
 // first call creates. Each further call restores the state first: it closes what earlier cases left open,
 // deletes the objects that they made, and runs restoring_commands(). No other context of `inner` may be
 // created while the implementation exists, because it would become current. `inner` must outlive the returned
 // implementation. `programs` determines if captures make their shader programs for each case, or keep them.
 // To keep them is much faster, but less like a fresh context.
-enum class Programs { kMadeAnew, kKept };
 std::unique_ptr<Implementation> reuse_context(Implementation& inner, const ImplementationInfo& info,
                                               Programs programs = Programs::kMadeAnew);
 

@@ -14,8 +14,8 @@ struct VaryingShader {
   std::string source;                 // GLSL
   std::vector<std::string> varyings;  // recorded in this order, interleaved
   std::size_t floats = 0;             // number of floats per vertex, over all varyings
-  std::vector<std::pair<GLuint, std::string>> locations =
-      {};  // locations of generic attributes, bound before linking
+  // Locations of generic attributes, bound before linking.
+  std::vector<std::pair<GLuint, std::string>> locations = {};
 };
 
 struct RecordedVaryings {

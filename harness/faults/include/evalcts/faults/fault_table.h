@@ -17,7 +17,7 @@ namespace evalcts::faults {
 struct ListedFault {
   std::string name;
   std::string implementation;             // the implementation that gets the fault
-  std::vector<std::string> arguments;     // by which the suite program opens it; empty: --implementation
+  std::vector<std::string> arguments;     // with them, the suite program opens it; empty: --implementation
   Level level = Level::kMust;             // minimum level of the tests that must detect the fault
   std::vector<std::string> requirements;  // violated requirements: IDs, or halves ("ID/2-D")
   std::string what;                       // the mistake, in words

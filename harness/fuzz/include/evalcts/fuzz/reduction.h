@@ -16,7 +16,7 @@ namespace evalcts::fuzz {
 // The first failing case of a test.
 struct FailingCase {
   std::string test;
-  std::string what;      // as in Failure: "color.R of vertex 1"
+  std::string what;      // Failure::what: "color.R of vertex 1"
   std::string commands;  // JSON text (gl/case_json.h); may be empty
 };
 

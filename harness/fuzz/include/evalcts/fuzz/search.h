@@ -24,7 +24,7 @@ struct SearchRequest {
   double seconds = 0;                     // time limit; 0: none
   int length = 120;
   int jobs = 1;
-  bool fresh_contexts = false;  // as in Campaign
+  bool fresh_contexts = false;  // see Campaign
   double seconds_per_program = 20;
   std::map<std::string, std::string> known;  // names of the known causes, by cause
   std::filesystem::path output;              // an existing folder

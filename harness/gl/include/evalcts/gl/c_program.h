@@ -19,8 +19,8 @@ struct NoCProgram : std::runtime_error {
 };
 
 struct CProgram {
-  std::string
-      context;  // the kind of contexts: "osmesa", "egl", "egl-gles2", "provider", "none", "production"
+  // The kind of contexts: "osmesa", "egl", "egl-gles2", "provider", "none" or "production".
+  std::string context;
   std::string context_library = {};  // the file that makes the context, if the commands come from `library`
   std::string library;               // the file that was judged; empty for "production"
   const Case* script = nullptr;

@@ -1,4 +1,4 @@
-// The command that the player is issuing, kept for the report of a crash.
+// Keeps the command that the player is issuing, for the report of a crash.
 #pragma once
 
 #include <atomic>

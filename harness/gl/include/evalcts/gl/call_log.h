@@ -17,9 +17,9 @@ std::string c_constant(double value);
 // 0x1p+1f});". Arrays longer than `most_elements` are cut ("... 96 more"); 0 means no limit.
 std::string to_c(const Command& command, std::size_t most_elements = 0);
 
-// Returns one command as above, but the caller can replace arguments: `own` receives the position of an
-// argument and returns its text, or an empty string for the default text.
+// Returns the text of the argument at a position, or an empty string for the default text.
 using OwnText = std::function<std::string(std::size_t position)>;
+// Returns one command as above, with the texts that `own` returns for its arguments.
 std::string to_c(const Command& command, const OwnText& own, std::size_t most_elements = 0);
 
 // Returns the elements of a client array, such as "0x0p+0f, 0x1p+0f".

@@ -13,8 +13,7 @@ void glOtherContextEVALCTS(GLuint context);
 // Like glOtherContextEVALCTS, but a new context shares objects (display lists, textures) with context 0.
 void glSharingContextEVALCTS(GLuint context);
 
-// Like glOtherContextEVALCTS, but a new context is of this kind. An implementation need not
-// support every kind.
+// Kinds of contexts. An implementation need not support every kind.
 enum {
   EVALCTS_CORE_PROFILE = 1,    // core profile of GL 3.2 or newer
   EVALCTS_FORWARD_COMPATIBLE,  // GL 3.1, without the deprecated features of GL 3.0
@@ -22,6 +21,7 @@ enum {
   EVALCTS_NO_ERROR,            // compatibility profile, KHR_no_error
   EVALCTS_COLOR_INDEX          // RGBA_MODE is false
 };
+// Like glOtherContextEVALCTS, but a new context is of this kind.
 void glContextOfKindEVALCTS(GLuint context, GLuint kind);
 
 // Copies the state of the attribute groups in the mask from one context of the case, which becomes current,

@@ -9,9 +9,9 @@ enum class Lists {
   kNone,
   kCompiled,  // lists are compiled (COMPILE) before everything else; CallList replaces the commands
   kExecuted,  // the commands keep their place, enclosed by NewList(COMPILE_AND_EXECUTE) and EndList
-  kNested,    // as kCompiled, but in two halves, which a third list calls
-  kRepeated,  // as kCompiled, but a list whose Begin and End commands match is called twice
-  kSplit      // as kCompiled, but three commands at a time; every third piece is not compiled
+  kNested,    // like kCompiled, but in two halves, which a third list calls
+  kRepeated,  // like kCompiled, but a list whose Begin and End commands match is called twice
+  kSplit      // like kCompiled, but three commands at a time; every third piece is not compiled
 };
 
 // A rewritten case. Command i of the original case is command positions[i] of `script`, whose other commands

@@ -32,6 +32,7 @@ using Attributes = std::uint32_t;
 inline constexpr Attributes kAllAttributes =
     kPosition | kColor | kNormal | kTextureCoordinate0 | kTextureCoordinatesOther;
 
+// Returns the names of the attributes, for messages.
 std::string describe(Attributes attributes);
 
 // Returns the attribute that shows the values of a map with this target, of either dimension. Throws
@@ -55,6 +56,7 @@ enum PrimitiveKind : std::uint32_t {
   kPolygons = 1u << 2,  // everything that is filled
 };
 using PrimitiveKinds = std::uint32_t;
+// Returns the kind of the primitives that Begin(mode) starts.
 PrimitiveKind kind_of(GLenum mode);
 
 // A captured primitive. An implementation may have split a strip, a quad or a polygon.

@@ -20,7 +20,7 @@ struct Prediction {
   // True if a position may come out as infinity or NaN, because the GL promises nothing about its value.
   bool has_positions_beyond_float() const;
   bool has_automatic_normals() const;
-  bool has_meshes() const;  // of EvalMesh2
+  bool has_meshes() const;  // true if EvalMesh2 draws any of the primitives
 };
 
 // Predicts the primitives and the first error of a case. Commands that the specification does not support

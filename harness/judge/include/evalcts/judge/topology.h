@@ -28,6 +28,7 @@ struct Topology {
   bool only_points() const;
 };
 
+// Returns the kinds of the predicted primitives; kPoints if there are none.
 PrimitiveKinds kinds_of(const Prediction& prediction);
 
 // Returns the largest possible number of captured vertices, which counts each triangle of a strip separately.

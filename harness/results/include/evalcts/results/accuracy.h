@@ -21,7 +21,7 @@ struct Accuracy {
   std::uint64_t not_correctly_rounded = 0;
   std::uint64_t all_terms_zero = 0;
   std::uint64_t all_terms_zero_wrong = 0;
-  std::uint64_t not_judged = 0;  // values on which the accuracy rule makes no demand
+  std::uint64_t not_judged = 0;  // values to which the accuracy rule does not apply
   Worst ulp;                     // error in ULP of binary32
   Worst condition_aware;         // error divided by 2^-24 * sum |B_i| |R_i|
 

@@ -1,5 +1,5 @@
-// FNV-1a, the hash of names. It gives each test a seed that is independent of other tests,
-// and makes signatures.
+// The hash function FNV-1a. Hashes of names give each test a seed that is independent of other tests, and
+// hashes of mismatches make signatures.
 #pragma once
 
 #include <cstdint>

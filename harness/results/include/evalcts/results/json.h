@@ -1,5 +1,5 @@
-// nlohmann-json, as every file of the project includes it: comparisons between JSON values and strings do not
-// compile. Whether the library accepts them depends on its version, the compiler and the order of the
+// Includes nlohmann-json for all files of the project. Comparisons between JSON values and strings do not
+// compile, because whether the library accepts them depends on its version, the compiler and the order of the
 // operands.
 #pragma once
 

@@ -1,5 +1,5 @@
-// A JSON object that is read field by field, with error messages that name the place. Used only by the files
-// that read formats.
+// Reads a JSON object field by field, with error messages that name the field. Used only by the files that
+// read formats.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,8 +17,8 @@
 
 namespace evalcts {
 
-// A field that is missing or null is empty: the functions return an empty or false value, or none. They throw
-// FormatError if the field has another type.
+// If a field is missing or null, the functions return an empty or false value, or none. They throw
+// FormatError if it has another type.
 class JsonObject {
  public:
   JsonObject(const nlohmann::json& value, std::string path) : value_(value), path_(std::move(path)) {

@@ -34,7 +34,7 @@ struct ImplementationRecord {
   std::string kind;  // the name of the implementation in --implementation
   std::string library, vendor, renderer, version, machine;
   std::string note;  // a warning for the reader, for example that another driver than requested was loaded
-  std::optional<std::int64_t> max_eval_order;  // as reported; a broken implementation may report anything
+  std::optional<std::int64_t> max_eval_order;  // the reported value, which may be anything
   std::vector<std::string> files;              // the libraries and drivers that were loaded
   std::vector<CaptureRecord> captures;
 };

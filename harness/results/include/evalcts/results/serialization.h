@@ -36,13 +36,13 @@ struct TestStarted {
 struct CaseStarted {
   std::string identity;
   bool is_control;                 // explicit vertices are drawn instead of evaluating
-  std::vector<std::string> calls;  // as C
+  std::vector<std::string> calls;  // C statements
   std::string commands;            // for a replay: JSON text (gl/case_json.h); empty if there is none
 };
 // The first failing case of a test, written before TestFinished.
 struct CaseFailed {
   std::string test;
-  std::string commands;  // as in CaseStarted
+  std::string commands;  // see CaseStarted
 };
 struct TestFinished {
   TestRecord record;

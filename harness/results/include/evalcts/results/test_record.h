@@ -42,7 +42,7 @@ struct PlottedPixels {
 
 // A failing case as it is expected and as it was captured, for a picture in the report: primitives or pixels.
 struct Plot {
-  static constexpr std::size_t kMostVertices = 96;  // of each side
+  static constexpr std::size_t kMostVertices = 96;  // limit for each side
   static constexpr std::size_t kMostPixels = 4096;
 
   std::optional<std::vector<PlottedPrimitive>> expected;  // none if the test has a rule in place of expected vertices
@@ -71,8 +71,8 @@ struct Failure {
 
 // The place of a crash in the library.
 struct Crash {
-  std::string
-      call;  // the GL command in flight, "glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)"; empty if none was
+  // The GL command in flight, "glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)"; empty if there was none.
+  std::string call;
   std::uint64_t commands_before = 0;  // number of commands of the case before `call`
   std::vector<std::string> frames;    // the innermost first, "libGL.so.1 glGetMapiv+0x2c"; empty if unknown
 

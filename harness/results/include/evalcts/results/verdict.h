@@ -41,7 +41,7 @@ constexpr bool is_failure(Verdict verdict) { return verdict == Verdict::kFail ||
 // True for a failure or an internal error.
 constexpr bool is_bad(Verdict verdict) { return verdict <= Verdict::kFail; }
 
-// The kind of demand that a test makes, in ascending order of weight. kMust: values lie in the acceptance
+// The kind of rule that a test checks, in ascending order of weight. kMust: values lie in the acceptance
 // interval, otherwise the test fails. kInterpretation: judged like kMust, by tests that select a reading.
 // kQuality: values have the accuracy of good single precision, or commands that the specification calls
 // equivalent give equal bits; otherwise the test gives a warning.

@@ -33,7 +33,7 @@ struct Request {
 // value and result, with numbers as hexadecimal floats.
 struct Outcome {
   std::uint64_t samples = 0;  // values compared, each for all instruction sets and deliveries
-  std::uint64_t exact = 0;    // of these, decided by the exact route
+  std::uint64_t exact = 0;    // part of `samples` that the exact route decided
   std::uint64_t wrong = 0;
   std::string first_wrong;
 };

@@ -60,7 +60,7 @@ inline constexpr std::size_t kMostPlayedAgain = 100;
 // "interrupted" and the reason. Throws CannotWrite if results-NAME.json cannot be written; the results are
 // then in records-NAME.jsonl.
 //
-// A fail that the baseline does not know is repeated alone in a new process, up to `retries` times (see
+// A fail that the baseline does not list is repeated alone in a new process, up to `retries` times (see
 // kMostPlayedAgain), a crash or timeout once. If the outcome differs, the failure either happens again after
 // tests that ran before it, which the message and "history" then name, or the test is a flake: "flake" is
 // true, and "again" is the other outcome. The test keeps its verdict, because the library did fail.

@@ -113,7 +113,7 @@ struct Registration {};
 
 // A test with one combination of its parameters.
 struct Variant {
-  std::array<std::string, 2> names;  // of the parameters in one and in two dimensions; empty: no parameters
+  std::array<std::string, 2> names;  // names of the parameters in one and in two dimensions; empty: none
   std::function<void(Test&)> body;
 };
 Registration register_tests(const TestInfo& info, const std::vector<gl::Delivery>& deliveries,

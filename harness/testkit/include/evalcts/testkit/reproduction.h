@@ -29,10 +29,11 @@ class Reproduction {
   // of earlier cases.
   void begin_case();
 
+  // Observes and judges the case again on the given implementation.
+  using Rejudge = std::function<std::vector<Mismatch>(Implementation&)>;
   // Returns the check that decides `mismatch`, one of `all` mismatches of an observation; none if it does not
   // depend on a single answer. The answer is found by experiment: `rejudge` observes and judges the case
   // again on an implementation that gives the recorded answers, with one of them changed.
-  using Rejudge = std::function<std::vector<Mismatch>(Implementation&)>;
   std::optional<gl::Check> check_of(const Mismatch& mismatch, const std::vector<Mismatch>& all,
                                     const Rejudge& rejudge) const;
 
