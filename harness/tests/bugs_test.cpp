@@ -425,7 +425,7 @@ TEST(FaultyImplementation, HasFewBugs) {
   }
 }
 
-// Of a bug that the baseline names, three tests are reduced and the other ones are taken on trust.
+// Three tests of a bug that the baseline names are reduced; the other ones are not.
 TEST(FaultyImplementation, IsReducedOnlyAsFarAsTheBaselineDoesNotNameTheBug) {
   std::vector<std::string> tests;
   for (const char* target : {"COLOR_4", "INDEX", "NORMAL", "VERTEX_3", "VERTEX_4"})
