@@ -55,7 +55,7 @@ same find_package_shared "$work/build/curve_glevaluator_shared"
 [[ $fortran == OFF ]] || same find_package_fortran "$work/build/curve_fortran"
 
 # A version that is not installed is not found.
-sed 's/glevaluator 0.1/glevaluator 99.0/' "$here/CMakeLists.txt" >"$work/CMakeLists.txt"
+sed 's/glevaluator 0.2/glevaluator 99.0/' "$here/CMakeLists.txt" >"$work/CMakeLists.txt"
 if cmake -G Ninja -S "$work" -B "$work/refused" -DCMAKE_PREFIX_PATH="$prefix" -DEXAMPLES="$examples" >"$work/refused.log" 2>&1; then
   fail "version 99 was found"
 fi
