@@ -132,7 +132,7 @@ X
   script ninja </dev/null
   script ctest <<'X'
 echo "ctest $* in ${PWD##*/}" >>"$machine/calls"
-if [[ -e $machine/root-$2 ]]; then # what a clean root ends with
+if [[ -e $machine/root-$2 ]]; then # the exit code of the clean root
   cat "$machine/root-$2" >"build/$2.status"
   [[ $(cat "$machine/root-$2") == 77 ]]
   exit $(($? * 8))

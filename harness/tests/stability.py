@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks that verdicts and signatures depend on nothing but the implementation: three runs, a run in a random
-order, and each test alone in a process of its own have to decide the same. Left out is what the shipped baseline
-calls flaky, with its reason: there the library itself decides by chance.
+order, and runs of each test alone in a separate process must give the same verdicts. Tests that the shipped baseline
+lists as flaky are left out, because the library itself decides them by chance.
 
 usage: stability.py EVALCTS [--implementation NAME]... [--depth quick] [--shuffle SEED]
 
@@ -39,7 +39,7 @@ def whole_run(program, name, depth, folder, *options):
 
 
 def alone(suite, name, depth, captures, test, folder):
-    """The outcome of one test in a process of its own; a death has no signature."""
+    """Returns the outcome of one test that runs alone in a separate process; a crash or hang has no signature."""
     stem = test.replace("/", "~")
     tests, records = folder / f"{stem}.txt", folder / f"{stem}.jsonl"
     tests.write_text(test + "\n")

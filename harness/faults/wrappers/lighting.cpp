@@ -25,7 +25,7 @@ Rules note_tracking() {
 // --- Tracked colours ---------------------------------------------------------------------------------------
 
 EVALCTS_RULES(MeshIgnoresColorMaterial, osmesa, kMust, "EV-CMAT-EFFECT",
-              "meshes are lit with the material of the current colour, whatever the colour map says",
+              "meshes are lit with the material of the current colour, regardless of the colour map",
               without(kMeshes, true, GL_COLOR_MATERIAL));
 EVALCTS_RULES(PrimitiveTracksCurrentColor, osmesa, kMust, "EV-CMAT-EFFECT",
               "EvalCoord and EvalPoint give no colour while COLOR_MATERIAL is on",

@@ -272,7 +272,7 @@ EVALCTS_RULES(CallAfterErrorIgnored, production, kMust, "EV-MAP1-ERR-NOEFFECT",
               "the Map1 that follows a rejected one is ignored",
               instead(kMap1, kFlag != 0 && kIsLegal, set(kFlag, 0)), before(kMap1, set(kFlag, !kIsLegal)));
 EVALCTS_RULES(UnitOfPopAttribMissed, production, kMust, "EV-MAP1-ERR-ACTIVETEX",
-              "Map1 goes by the unit of the last ActiveTexture, whatever PopAttrib brought back",
+              "Map1 goes by the unit of the last ActiveTexture, regardless of what PopAttrib restored",
               instead(kMap1, kUnit != GL_TEXTURE0 && kIsLegal, error(GL_INVALID_OPERATION)));
 EVALCTS_RULES(UnitBroughtBackByPopAttribMissed2, production, kMust, "EV-MAP2-ERR-ACTIVETEX",
               "Map2 is legal after ActiveTexture(TEXTURE0), though PopAttrib brought unit 1 back",

@@ -32,7 +32,7 @@ EVALCTS_RULES(PointsLostAfter255, production, kMust, "EV-MESH1-POINT",
               "EvalMesh1 with POINT counts its points in a byte",
               before(EvalMesh1, kMode == GL_POINT && kI2 - kI1 > 255, set(kI2, kI1 + (kI2 - kI1) % 256)));
 EVALCTS_RULES(PartOfMeshFromTheBeginning, production, kMust, "EV-MESH1-COORDS EV-MESH1-SUBRANGE",
-              "EvalMesh1 begins at the first end of the grid, whatever i1",
+              "EvalMesh1 begins at the first end of the grid, regardless of i1",
               before(EvalMesh1, kI1 > 0 && kI2 >= kI1, {set(kI2, kI2 - kI1), set(kI1, 0)}));
 EVALCTS_RULES(PartOfMeshHasStepOfOneMore, production, kMust, "EV-MESH1-COORDS EV-MESH1-SUBRANGE",
               "EvalMesh1 of a part of the grid from index 1 on counts points instead of segments",
@@ -233,7 +233,7 @@ EVALCTS_RULES(StepOfRowsFromSegmentsOfU, production, kMust, "EV-MESH2-COORDS",
               keeping(EvalMesh2, !kInside, grid2_state(),
                       call(MapGrid2f, {grid2(0), grid2(1), grid2(2), grid2(0), grid2(4), grid2(5)})));
 EVALCTS_RULES(PartOfSurfaceFromTheFirstRow, production, kMust, "EV-MESH2-COORDS",
-              "EvalMesh2 with FILL begins at the first row of the grid, whatever j1, if i1 is not 0",
+              "EvalMesh2 with FILL begins at the first row of the grid, regardless of j1, if i1 is not 0",
               before(EvalMesh2, kMode == GL_FILL && kI1 > 0 && kJ1 > 0 && kJ2 >= kJ1,
                      {set(kJ2, kJ2 - kJ1), set(kJ1, 0)}));
 EVALCTS_RULES(UpperRowByOneMoreStep, production, kMust, "EV-MESH2-EXACT",

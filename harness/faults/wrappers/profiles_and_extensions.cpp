@@ -86,7 +86,7 @@ EVALCTS_RULES(ActiveTextureRuleForTexturesOnly, production, kMust, "EV-EXT-MT-RU
               "under another texture unit Map1 rejects maps of texture coordinates alone",
               on_unit_0(kMap1, !is_texture_map(kTarget)));
 EVALCTS_RULES(ActiveTextureRuleNotForMap2d, production, kMust, "EV-EXT-MT-RULE",
-              "Map2d takes points whatever the texture unit", on_unit_0(Map2d, true));
+              "Map2d takes points regardless of the texture unit", on_unit_0(Map2d, true));
 EVALCTS_RULES(ActiveTextureRuleForUnitOneOnly, production, kMust, "EV-EXT-MT-RULE",
               "under the last texture unit Map1f raises no error", on_unit_0(Map1f, kUnit != GL_TEXTURE1));
 

@@ -112,7 +112,7 @@ EVALCTS_RULES(FogOfFirstVertex, osmesa, kMust, "EV-PIPE-FOG",
               keeping(kMeshes, kMode == GL_POINT && state(GL_FOG_COORD_SRC) == GL_FOG_COORD,
                       current(FogCoordf, GL_CURRENT_FOG_COORD), call(FogCoordf, {1})));
 EVALCTS_RULES(MeshesWithoutExponentialFog, osmesa, kMust, "EV-PIPE-FOG",
-              "fog of meshes of two dimensions is linear whatever the mode",
+              "fog of meshes of two dimensions is linear regardless of the mode",
               keeping(EvalMesh2, true, parameter(Fogi, GL_FOG_MODE), call(Fogi, {GL_FOG_MODE, GL_LINEAR})));
 EVALCTS_RULES(CurveMeshIgnoresFogCoordinate, osmesa, kMust, "EV-PIPE-FOG",
               "fog of meshes of one dimension goes by the distance though the coordinate is selected",
@@ -188,7 +188,7 @@ EVALCTS_RULES(ColumnsUnconditional, osmesa, kMust, "EV-PIPE-CONDRENDER",
               after(EvalMesh2, kMode == GL_LINE && kCondition,
                     {pause_condition(), kColumns, resume_condition()}));
 EVALCTS_RULES(ConditionalMeshNeverDrawn, osmesa, kMust, "EV-PIPE-CONDRENDER",
-              "conditional rendering discards EvalMesh1 whatever the query says", note_condition(),
+              "conditional rendering discards EvalMesh1 regardless of the query", note_condition(),
               skip(EvalMesh1, kCondition));
 EVALCTS_RULES(EvaluatedPrimitiveUnconditional, osmesa, kMust, "EV-PIPE-CONDRENDER-COORD",
               "conditional rendering leaves evaluated primitives alone", note_condition(),
