@@ -230,9 +230,15 @@ void find_bugs(RunResult& result, const RunRequest& request, const RunOptions& o
                            .scratch = scratch,
                            .limits = request.limits};
   bugs.suite_command.insert(bugs.suite_command.begin(), request.suite_program.string());
-  fuzz::find_bugs(result, bugs, [&](std::size_t done, std::size_t total) {
+  // The baseline names the bugs of known failures. It is applied to the result itself later, after --write-baseline.
+  RunResult judged = result;
+  if (options.baseline != "none" && result.has_started())
+    Baseline::best_fit(request.baselines, result.implementation, result.pass, request.baseline).apply(judged);
+  fuzz::find_bugs(judged, bugs, [&](std::size_t done, std::size_t total) {
     line.show(request.name, fmt::format("reducing failing tests, {} of {}", done, total));
   });
+  result.bugs = std::move(judged.bugs);
+  result.bugs_note = std::move(judged.bugs_note);
   fs::remove_all(scratch);
 }
 
