@@ -119,6 +119,20 @@ TEST_P(OffScreenLibraries, EveryFloatOfAnIntervalIsMeasured) {
   EXPECT_TRUE(contains(again.text, worst["got"]["bits"])) << again.text << worst;
 }
 
+// Failures that the baseline explains by a known bug belong to this bug, and only three of them are reduced.
+TEST_P(OffScreenLibraries, KnownFailuresBelongToTheBugOfTheBaseline) {
+  const Outcome outcome = evalcts({"run", "--implementation", GetParam(), "--filter", "GetMap.IntegersSaturate/*",
+                                   "--output", folder_.string()});
+  const json result = results(GetParam());
+  if (!as_text(result["baseline"]).starts_with("mesa")) GTEST_SKIP() << GetParam() << " is not Mesa's";
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  ASSERT_EQ(result["bugs"].size(), 1u) << result["bugs"];
+  EXPECT_EQ(as_text(result["bugs"][0]["known"]), "mesa-getmap-saturation");
+  EXPECT_EQ(result["bugs"][0]["tests"].size(), 7u);
+  EXPECT_EQ(as_text(result["bugs_note"]),
+            "4 of 7 failing tests belong to the known bugs that the baseline names and were not reduced");
+}
+
 TEST_F(GlLibrary, EglContexts) {
   if (!available("egl")) GTEST_SKIP() << "no EGL here";
   expect_judged(run({"--implementation", "egl"}), "egl");
