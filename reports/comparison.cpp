@@ -27,7 +27,8 @@ constexpr std::array<ChangeText, kChangeKinds> kChangeTexts{{
 }};
 constexpr std::array<ChangeText, kChangeKinds> kDifferenceTexts{{
     {"worse", "worse test", "worse tests", ""},
-    {"failing test of the second only", "failing test of the second only", "failing tests of the second only", ""},
+    {"failing test of the second only", "failing test of the second only", "failing tests of the second only",
+     ""},
     {"better", "better test", "better tests", ""},
     {"judged in the first only", "test judged in the first only", "tests judged in the first only", ""},
     {"fails differently", "test that fails differently", "tests that fail differently", ""},
@@ -79,7 +80,8 @@ std::string words_of(const Change& change) {
   const std::string word(text_of(latest.verdict).word);
   const bool both = change.now && change.before;
   if (both && change.kind == ChangeKind::kRegression && change.now->verdict == change.before->verdict)
-    return fmt::format("{}, in more cases: {}", word, one_line(further_mismatch(*change.before, *change.now)));
+    return fmt::format("{}, in more cases: {}", word,
+                       one_line(further_mismatch(*change.before, *change.now)));
   const std::string message = latest.message.empty() ? "" : ": " + one_line(latest.message);
   if (both && change.now->verdict != change.before->verdict)
     return fmt::format("{}, now {}{}", text_of(change.before->verdict).word, word, message);

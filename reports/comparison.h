@@ -29,7 +29,8 @@ struct ChangeText {
   std::string_view word, one, several, filter;
 };
 const ChangeText& text_of(ChangeKind kind);
-// The same for a comparison of two implementations, in which nothing is earlier and nothing is filtered by it.
+// The same for a comparison of two implementations, in which nothing is earlier and nothing is filtered by
+// it.
 const ChangeText& text_of_difference(ChangeKind kind);
 
 struct Change {
@@ -47,9 +48,9 @@ std::string words_of(const Change& change);
 struct Comparison {
   std::string label;
   const RunResult *before, *now;
-  bool no_longer_starts = false;     // counts as a regression
-  std::vector<std::string> caveats;  // sentences about what makes the two less comparable
-  std::vector<Change> changes;       // sorted by kind, within a kind in the order of the tests
+  bool no_longer_starts = false;        // counts as a regression
+  std::vector<std::string> caveats;     // sentences about what makes the two less comparable
+  std::vector<Change> changes;          // sorted by kind, within a kind in the order of the tests
   bool of_two_implementations = false;  // chooses the words of the headline
 
   std::uint64_t count(ChangeKind kind) const;

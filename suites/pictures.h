@@ -86,8 +86,8 @@ Picture pixels(Test& t, const gl::Identity& identity, const std::vector<Scene>& 
 Picture pixels(Test& t, const gl::Identity& identity, const gl::Case& state, const gl::Case& drawing,
                const std::vector<Area>& areas, GLenum format = GL_RGBA);
 
-// If a check on the picture fails after this call, the report shows the pixels of the scene next to those of the
-// control, which has the same areas. Both arguments must outlive the checks.
+// If a check on the picture fails after this call, the report shows the pixels of the scene next to those of
+// the control, which has the same areas. Both arguments must outlive the checks.
 void show_pixels(Picture& picture, const std::vector<Part>& control, std::size_t scene = 0);
 
 bool alike(const std::vector<double>& a, const std::vector<double>& b, double tolerance = kTolerance);

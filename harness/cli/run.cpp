@@ -230,7 +230,8 @@ void find_bugs(RunResult& result, const RunRequest& request, const RunOptions& o
                            .scratch = scratch,
                            .limits = request.limits};
   bugs.suite_command.insert(bugs.suite_command.begin(), request.suite_program.string());
-  // The baseline names the bugs of known failures. It is applied to the result itself later, after --write-baseline.
+  // The baseline names the bugs of known failures. It is applied to the result itself later, after
+  // --write-baseline.
   RunResult judged = result;
   if (options.baseline != "none" && result.has_started())
     Baseline::best_fit(request.baselines, result.implementation, result.pass, request.baseline).apply(judged);

@@ -61,8 +61,11 @@ std::vector<PlottedPrimitive> read_primitives(const JsonObject& in, const std::s
 std::vector<PlottedPixels> read_pixels(const JsonObject& in, const std::string& key) {
   std::vector<PlottedPixels> out;
   in.each_object(key, [&](const JsonObject& item) {
-    const auto number = [&](const std::string& name) { return static_cast<int>(item.natural(name).value_or(0)); };
-    out.push_back({number("x"), number("y"), number("width"), number("height"), item.text("expected"), item.text("captured")});
+    const auto number = [&](const std::string& name) {
+      return static_cast<int>(item.natural(name).value_or(0));
+    };
+    out.push_back({number("x"), number("y"), number("width"), number("height"), item.text("expected"),
+                   item.text("captured")});
   });
   return out;
 }

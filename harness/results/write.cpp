@@ -55,9 +55,12 @@ json to_json(const std::vector<PlottedPrimitive>& primitives) {
 }
 
 json to_json(const PlottedPixels& pixels) {
-  return {{"x", pixels.x},           {"y", pixels.y},
-          {"width", pixels.width},   {"height", pixels.height},
-          {"expected", pixels.expected}, {"captured", pixels.captured}};
+  return {{"x", pixels.x},
+          {"y", pixels.y},
+          {"width", pixels.width},
+          {"height", pixels.height},
+          {"expected", pixels.expected},
+          {"captured", pixels.captured}};
 }
 
 json to_json(const Plot& plot) {

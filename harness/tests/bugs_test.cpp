@@ -246,7 +246,8 @@ TEST(Bugs, KnownOnesAreNamedAndNothingIsExcused) {
 TEST(Bugs, WhatIsNotReducedBelongsToTheBugOfTheBaseline) {
   RunResult run;
   run.implementation.version = "4.5 (Compatibility Profile) Mesa 22.3.6";
-  run.tests = {failing("Mesh1.A", "EV-MESH1-POINT"), failing("Mesh2.B", "EV-MESH2-FILL"), failing("Mesh2.C", "EV-MESH2-FILL")};
+  run.tests = {failing("Mesh1.A", "EV-MESH1-POINT"), failing("Mesh2.B", "EV-MESH2-FILL"),
+               failing("Mesh2.C", "EV-MESH2-FILL")};
   for (TestRecord& test : run.tests) {
     test.expected_by_baseline = true;
     test.baseline_reason = "bug: mesa-initial-grid. EV-INIT-GRID1. GL 1.0 5.1";
@@ -429,9 +430,11 @@ TEST(FaultyImplementation, HasFewBugs) {
 TEST(FaultyImplementation, IsReducedOnlyAsFarAsTheBaselineDoesNotNameTheBug) {
   std::vector<std::string> tests;
   for (const char* target : {"COLOR_4", "INDEX", "NORMAL", "VERTEX_3", "VERTEX_4"})
-    for (const char* form : {"d", "f"}) tests.push_back(fmt::format("Map1Errors.OrderTooLow/MAP1_{}_{}", target, form));
+    for (const char* form : {"d", "f"})
+      tests.push_back(fmt::format("Map1Errors.OrderTooLow/MAP1_{}_{}", target, form));
   std::size_t reduced = 0;
-  const RunResult run = run_with_fault("OrderZeroTaken", tests, "bug: mesa-getmap-saturation. A test", &reduced);
+  const RunResult run =
+      run_with_fault("OrderZeroTaken", tests, "bug: mesa-getmap-saturation. A test", &reduced);
   EXPECT_EQ(run.tests.size(), tests.size());
   EXPECT_EQ(reduced, 3u);
   // The minimal programs of the three are not those of the named bug.

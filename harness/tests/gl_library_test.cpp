@@ -121,8 +121,8 @@ TEST_P(OffScreenLibraries, EveryFloatOfAnIntervalIsMeasured) {
 
 // Failures that the baseline explains by a known bug belong to this bug, and only three of them are reduced.
 TEST_P(OffScreenLibraries, KnownFailuresBelongToTheBugOfTheBaseline) {
-  const Outcome outcome = evalcts({"run", "--implementation", GetParam(), "--filter", "GetMap.IntegersSaturate/*",
-                                   "--output", folder_.string()});
+  const Outcome outcome = evalcts({"run", "--implementation", GetParam(), "--filter",
+                                   "GetMap.IntegersSaturate/*", "--output", folder_.string()});
   const json result = results(GetParam());
   if (!as_text(result["baseline"]).starts_with("mesa")) GTEST_SKIP() << GetParam() << " is not Mesa's";
   EXPECT_EQ(outcome.code, 0) << outcome.text;

@@ -1,5 +1,5 @@
-// Compares the bounds of the accuracy rule (acceptance.h) with a second implementation, and tests the inputs to
-// which the rule applies.
+// Compares the bounds of the accuracy rule (acceptance.h) with a second implementation, and tests the inputs
+// to which the rule applies.
 #include <gtest/gtest.h>
 #include <reference/acceptance.h>
 

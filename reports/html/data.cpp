@@ -144,8 +144,8 @@ class Writer {
   json plot_of(const Failure& failure) {
     if (!failure.plot) return json::array();
     const Plot& plot = *failure.plot;
-    return {plot.expected ? json(plotted(*plot.expected)) : json(), plotted(plot.captured), plot.is_cut ? 1 : 0,
-            plotted(plot.pixels)};
+    return {plot.expected ? json(plotted(*plot.expected)) : json(), plotted(plot.captured),
+            plot.is_cut ? 1 : 0, plotted(plot.pixels)};
   }
 
   Number failure(const Failure& failure) {

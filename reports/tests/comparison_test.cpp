@@ -66,8 +66,8 @@ TEST(Comparison, FurtherCasesAreARegression) {
   EXPECT_EQ(change(two, one), "fails differently");
   EXPECT_EQ(change(two, other, "quick"), "");
   EXPECT_EQ(change(outcome("A.b", "fail"), other), "");  // earlier mismatches were not recorded
-  EXPECT_TRUE(
-      contains(changes_of({result("x", {other})}, {result("x", {two})}).text, "A.b (fail, in more cases: u=2: y)"));
+  EXPECT_TRUE(contains(changes_of({result("x", {other})}, {result("x", {two})}).text,
+                       "A.b (fail, in more cases: u=2: y)"));
 }
 
 TEST(Comparison, NewAndVanishedTests) {

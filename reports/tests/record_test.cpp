@@ -75,9 +75,10 @@ TEST(RunResult, ReadsEveryField) {
   EXPECT_EQ(failure.plot->captured[0].positions[1], (std::array<float, 3>{0.5f, 0.25f, 0}));
   EXPECT_TRUE(std::isnan(failure.plot->captured[0].positions[2][0]));
   ASSERT_TRUE(test.failures[1].plot);
-  EXPECT_EQ(test.failures[1].plot->pixels,
-            (std::vector<PlottedPixels>{
-                {10, 20, 2, 2, "000000ffffff808080ff0000", "000000ffffff82808000ff00"}, {14, 20, 1, 1, "ffffff", "000000"}}));
+  EXPECT_EQ(
+      test.failures[1].plot->pixels,
+      (std::vector<PlottedPixels>{{10, 20, 2, 2, "000000ffffff808080ff0000", "000000ffffff82808000ff00"},
+                                  {14, 20, 1, 1, "ffffff", "000000"}}));
   ASSERT_TRUE(test.accuracy);
   EXPECT_EQ(test.accuracy->values, 12u);
   EXPECT_EQ(test.accuracy->not_correctly_rounded, 2u);

@@ -227,9 +227,10 @@ EVALCTS_RULES(UnpackBufferRefusesMap1d, osmesa, kMust, "EV-MAP1-NOBUFFER",
 
 // --- Curves: mistakes that need certain earlier commands
 
-EVALCTS_RULES(SamePointsOtherDomainIgnored, production, kMust, "EV-MAP1-REPLACE EV-MAP1-LIVE",
-              "Map1 with the points that the map has is taken for the same definition, regardless of its domain",
-              skip(kMap1, kRepeatsValues));
+EVALCTS_RULES(
+    SamePointsOtherDomainIgnored, production, kMust, "EV-MAP1-REPLACE EV-MAP1-LIVE",
+    "Map1 with the points that the map has is taken for the same definition, regardless of its domain",
+    skip(kMap1, kRepeatsValues));
 EVALCTS_RULES(LongMapsShareOverflow, production, kMust, "EV-MAP1-INDEP",
               "maps of more than 32 points share the place of what is beyond",
               after(kMap1, kOrder > 32 && kIsLegal,
@@ -405,9 +406,10 @@ EVALCTS_RULES(FlatVertexNetSwitchesAutoNormalOff, production, kMust, "EV-MAP2-NO
 
 // --- Surfaces: mistakes that need certain earlier commands
 
-EVALCTS_RULES(SameArrayOtherShapeIgnored, production, kMust, "EV-MAP2-REPLACE",
-              "Map2 with the values that the map has is taken for the same definition, regardless of its orders",
-              skip(kMap2, kRepeatsValues));
+EVALCTS_RULES(
+    SameArrayOtherShapeIgnored, production, kMust, "EV-MAP2-REPLACE",
+    "Map2 with the values that the map has is taken for the same definition, regardless of its orders",
+    skip(kMap2, kRepeatsValues));
 EVALCTS_RULES(LargeNetsShareOverflow, production, kMust, "EV-MAP2-REPLACE",
               "nets of more than 100 points share the place of their last value",
               after(kMap2, kOrder* kVOrder > 100 && kIsLegal,

@@ -23,16 +23,16 @@ struct BugRequest {
 };
 
 // Reduces the first failing case of each failing test of the run to a minimal program, and sets `bugs` and
-// `bugs_note` of the run. Of each known bug that the baseline names, only the first tests are reduced. Failures of a second pass are not reduced, because they depend on earlier tests.
-// Throws CannotWrite.
+// `bugs_note` of the run. Of each known bug that the baseline names, only the first tests are reduced.
+// Failures of a second pass are not reduced, because they depend on earlier tests. Throws CannotWrite.
 void find_bugs(RunResult& run, const BugRequest& request,
                const std::function<void(std::size_t done, std::size_t total)>& progress);
 
 // Groups the failing tests into bugs. Tests are one bug if their minimal programs have the same normal form,
-// or match the same known bug. A test that could not be reduced belongs to the known bug that its entry in the
-// baseline names. Other tests that could not be reduced are grouped by requirement, kind of difference and
-// family ("Mesh.LastIsExact" for Mesh1.LastIsExact/LINE). If the reason was lack of time or a death of the
-// library, they join the bug of a reduced test that agrees in all three. `reductions`: by test.
+// or match the same known bug. A test that could not be reduced belongs to the known bug that its entry in
+// the baseline names. Other tests that could not be reduced are grouped by requirement, kind of difference
+// and family ("Mesh.LastIsExact" for Mesh1.LastIsExact/LINE). If the reason was lack of time or a death of
+// the library, they join the bug of a reduced test that agrees in all three. `reductions`: by test.
 std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduction>& reductions,
                          int max_eval_order);
 

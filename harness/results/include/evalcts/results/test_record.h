@@ -45,7 +45,8 @@ struct Plot {
   static constexpr std::size_t kMostVertices = 96;  // limit for each side
   static constexpr std::size_t kMostPixels = 4096;
 
-  std::optional<std::vector<PlottedPrimitive>> expected;  // none if the test has a rule in place of expected vertices
+  // None if the test has a rule in place of expected vertices.
+  std::optional<std::vector<PlottedPrimitive>> expected;
   std::vector<PlottedPrimitive> captured;
   std::vector<PlottedPixels> pixels;
   bool is_cut = false;  // there are more vertices or pixels
@@ -64,7 +65,7 @@ struct Failure {
   std::string capture;                         // the name of the capture that observed the value
   std::optional<double> ulp, condition_aware;  // infinite for an infinite error
   std::vector<std::string> calls;              // the GL commands of the case, as C
-  std::optional<Plot> plot;                    // only for a test's first failure in positions, vertices or pixels
+  std::optional<Plot> plot;  // only for a test's first failure in positions, vertices or pixels
 
   bool operator==(const Failure&) const = default;
 };

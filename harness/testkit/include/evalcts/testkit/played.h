@@ -53,7 +53,8 @@ class Played {
   void expect(bool holds, gl::Ref command, const std::string& message, const std::string& expected,
               const std::string& captured);
 
-  // Checks that fail from here on are shown in this plot, unless a failure of the test has one already. Empty: no plot.
+  // Checks that fail from here on are shown in this plot, unless a failure of the test has one already.
+  // Empty: no plot.
   void set_plot(std::function<std::optional<Plot>()> plot) { plot_ = std::move(plot); }
 
  private:
