@@ -16,25 +16,17 @@ namespace evalcts::reports {
 namespace {
 
 constexpr std::array<ChangeText, kChangeKinds> kChangeTexts{{
-    {"regression", "regression", "regressions", "regression"},
-    {"new failure", "new failing test", "new failing tests", "new"},
-    {"fix", "fix", "fixes", "fix"},
-    {"no longer judged", "test no longer judged", "tests no longer judged", "changed"},
-    {"fails differently", "test that fails differently", "tests that fail differently", "changed"},
-    {"other change", "other change", "other changes", "changed"},
-    {"new test", "new test", "new tests", "new"},
-    {"vanished", "vanished test", "vanished tests", ""},
-}};
-constexpr std::array<ChangeText, kChangeKinds> kDifferenceTexts{{
-    {"worse", "worse test", "worse tests", ""},
-    {"failing test of the second only", "failing test of the second only", "failing tests of the second only",
-     ""},
-    {"better", "better test", "better tests", ""},
-    {"judged in the first only", "test judged in the first only", "tests judged in the first only", ""},
-    {"fails differently", "test that fails differently", "tests that fail differently", ""},
-    {"other difference", "other difference", "other differences", ""},
-    {"test of the second only", "test of the second only", "tests of the second only", ""},
-    {"test of the first only", "test of the first only", "tests of the first only", ""},
+    {"regression", "regression", "regressions", "regression", "worse test", "worse tests"},
+    {"new failure", "new failing test", "new failing tests", "new", "failing test of the second only",
+     "failing tests of the second only"},
+    {"fix", "fix", "fixes", "fix", "better test", "better tests"},
+    {"no longer judged", "test no longer judged", "tests no longer judged", "changed",
+     "test judged in the first only", "tests judged in the first only"},
+    {"fails differently", "test that fails differently", "tests that fail differently", "changed",
+     "test that fails differently", "tests that fail differently"},
+    {"other change", "other change", "other changes", "changed", "other difference", "other differences"},
+    {"new test", "new test", "new tests", "new", "test of the second only", "tests of the second only"},
+    {"vanished", "vanished test", "vanished tests", "", "test of the first only", "tests of the first only"},
 }};
 
 bool judged(const TestRecord& test) {
@@ -64,9 +56,6 @@ std::optional<ChangeKind> change_of(const TestRecord& before, const TestRecord& 
 }  // namespace
 
 const ChangeText& text_of(ChangeKind kind) { return kChangeTexts[static_cast<std::size_t>(kind)]; }
-const ChangeText& text_of_difference(ChangeKind kind) {
-  return kDifferenceTexts[static_cast<std::size_t>(kind)];
-}
 
 std::string further_mismatch(const TestRecord& before, const TestRecord& now) {
   std::vector<std::string> further;
@@ -98,9 +87,10 @@ std::string Comparison::headline() const {
   if (no_longer_starts) parts.emplace_back("no longer starts");
   for (std::size_t i = 0; i < kChangeKinds; ++i) {
     const auto kind = static_cast<ChangeKind>(i);
-    const ChangeText& text = of_two_implementations ? text_of_difference(kind) : text_of(kind);
-    if (const std::uint64_t n = count(kind))
-      parts.push_back(fmt::format("{} {}", n, n == 1 ? text.one : text.several));
+    const ChangeText& text = text_of(kind);
+    const std::string_view one = of_two_implementations ? text.difference : text.one;
+    const std::string_view several = of_two_implementations ? text.differences : text.several;
+    if (const std::uint64_t n = count(kind)) parts.push_back(fmt::format("{} {}", n, n == 1 ? one : several));
   }
   if (!parts.empty()) return join(parts, ", ");
   return of_two_implementations ? "no difference" : "nothing has changed";

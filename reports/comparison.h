@@ -23,15 +23,13 @@ enum class ChangeKind {
 };
 inline constexpr std::size_t kChangeKinds = 8;
 
-// Texts for a kind: a word for it ("regression"), the noun in singular and plural, and the word of its
-// filter: "regression", "fix", "changed", "new", or empty for a vanished test.
+// Texts for a kind: a word for it ("regression"), the noun in singular and plural, the word of its filter
+// ("regression", "fix", "changed", "new", or empty for a vanished test), and the nouns for a comparison of
+// two implementations, in which nothing is earlier ("worse test").
 struct ChangeText {
-  std::string_view word, one, several, filter;
+  std::string_view word, one, several, filter, difference, differences;
 };
 const ChangeText& text_of(ChangeKind kind);
-// The same for a comparison of two implementations, in which nothing is earlier and nothing is filtered by
-// it.
-const ChangeText& text_of_difference(ChangeKind kind);
 
 struct Change {
   ChangeKind kind;

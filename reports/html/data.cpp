@@ -285,9 +285,8 @@ std::string page_data(const std::vector<Column>& columns, std::size_t earlier, c
     levels.push_back(name_of(level));
   json& kinds = out["changeKinds"] = json::array();
   for (std::size_t i = 0; i < kChangeKinds; ++i) {
-    const auto kind = static_cast<ChangeKind>(i);
-    const ChangeText &change = text_of(kind), &difference = text_of_difference(kind);
-    kinds.push_back({change.one, change.several, difference.one, difference.several});
+    const ChangeText& kind = text_of(static_cast<ChangeKind>(i));
+    kinds.push_back({kind.one, kind.several, kind.difference, kind.differences});
   }
 
   json& labels = out["columns"] = json::array();

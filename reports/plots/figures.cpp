@@ -25,7 +25,7 @@ constexpr const char* kFaintColour = "#020202";
 constexpr const char* kZeroColour = "#030303";
 constexpr const char* kUlpColour = "#040404";
 constexpr const char* kConditionColour = "#050505";
-// The number of placeholder colours for the series of a picture with many lines: #111101, #111102, ...
+// The number of colours that gnuplot gives to the series of a picture with many lines: #111101, #111102, ...
 constexpr int kSeries = 12;
 
 // Returns the error; null is infinity.
