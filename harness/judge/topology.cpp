@@ -162,7 +162,9 @@ std::optional<std::vector<Quad>> quads_of(const Prediction& prediction) {
   return quads;
 }
 
-// Distance between a captured vertex and a predicted vertex: near zero if they are the same vertex.
+// Distance between a captured vertex and a predicted vertex: near zero if they are the same vertex. Automatic
+// normals may have any length and, with some maps, either sign; they only decide between vertices that agree
+// in everything else, such as those of a seam.
 class Distance {
  public:
   Distance(const Prediction& prediction, const Observation& observation)
@@ -176,12 +178,13 @@ class Distance {
           for (auto color = values.end() - 4; color != values.end(); ++color)
             *color = std::clamp(*color, 0.0f, 1.0f);
         for (const float component : reference::rounded(vertex.normal)) values.push_back(component);
-        expected_.push_back(std::move(values));
+        expected_.push_back(
+            {std::move(values), std::holds_alternative<reference::AutomaticNormal>(vertex.normal)});
       }
   }
 
   double operator()(std::size_t vertex, const ObservedVertex& seen) const {
-    const float* expected = expected_[vertex].data();
+    const float* expected = expected_[vertex].values.data();
     double distance = 0;
     const auto add = [&](Attribute attribute, const auto& values) {
       for (std::size_t i = 0; i < values.size() && (attributes_ & attribute); ++i) {
@@ -193,14 +196,35 @@ class Distance {
     add(kPosition, seen.position);
     add(kTextureCoordinate0, seen.texture_coordinate[0]);
     add(kColor, seen.color);
-    add(kNormal, seen.normal);
+    if (!expected_[vertex].has_automatic_normal) {
+      add(kNormal, seen.normal);
+    } else if (attributes_ & kNormal) {
+      distance += kWeightOfDirection * angle(expected, seen.normal);
+    }
     return distance;
   }
 
  private:
-  static constexpr double kFar = 1e6;
+  struct Expected {
+    std::vector<float> values;
+    bool has_automatic_normal;
+  };
+
+  // Returns 1 - |cos| of the angle between two normals, or 0 if one has no direction.
+  static double angle(const float* expected, const std::array<float, 3>& seen) {
+    double product = 0, a = 0, b = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      product += static_cast<double>(expected[i]) * seen[i];
+      a += static_cast<double>(expected[i]) * expected[i];
+      b += static_cast<double>(seen[i]) * seen[i];
+    }
+    const double cosine = std::abs(product) / std::sqrt(a * b);
+    return cosine <= 1 ? 1 - cosine : 0;  // also for NaN
+  }
+
+  static constexpr double kFar = 1e6, kWeightOfDirection = 1e-3;
   Attributes attributes_;
-  std::vector<std::vector<float>> expected_;
+  std::vector<Expected> expected_;
 };
 
 struct Match {

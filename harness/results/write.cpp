@@ -255,7 +255,7 @@ std::string to_text(const std::vector<ListedTest>& tests) {
                    {"requirements", texts_of(test.requirements)},
                    {"level", name_of(test.level)},
                    {"from", name_of(test.from)}});
-  return dumped({{"tests", out}}, 1);
+  return dumped({{"tests", out}}, -1);
 }
 
 std::string cannot_start_text(const std::string& reason) { return dumped({{"cannot_start", reason}}, 1); }

@@ -63,12 +63,9 @@ std::optional<std::string> Question::wait(std::string& reason) {
   }
   ending_ = *ending;
   std::string text = read_file(answer_file_);
-  if (const std::optional<std::string> refusal = parse_cannot_start(text)) {
-    reason = *refusal + quote_output();
-    return std::nullopt;
-  }
   if (!ending->signalled && ending->value == 0) return text;
-  reason = how_it_ended();
+  const std::optional<std::string> refusal = parse_cannot_start(text);
+  reason = refusal ? *refusal + quote_output() : how_it_ended();
   return std::nullopt;
 }
 

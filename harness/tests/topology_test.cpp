@@ -194,6 +194,27 @@ TEST(MatchMeshes, NormalsTellPointsApart) {
   EXPECT_EQ(wrong_in_own_order(predict(c, 8), Topology::points(4), seen), 0u);
 }
 
+// A triangle with a pole, where there is no automatic normal; elsewhere the normal has another length or
+// sign.
+TEST(MatchMeshes, AutomaticNormalsDoNotMislead) {
+  gl::Case c;
+  c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 2, 0, 1, 3, 2,
+          std::vector<float>{10, 1, 0, 11, 1, 0, 10, 1, 0, 11, 1, 1});
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.Enable(GL_AUTO_NORMAL);
+  c.MapGrid2f(1, 0, 1, 1, 0, 1);
+  c.EvalMesh2(GL_POINT, 0, 1, 0, 1);
+  Observation seen = observed(GL_POINTS, {{11}, {10}, {11}, {10}});
+  seen.attributes |= kNormal;
+  seen.primitives[0].vertices[0].position[2] = 1;
+  for (ObservedPrimitive& primitive : seen.primitives) primitive.vertices[0].normal = {0, 50, 0};
+  seen.primitives[2].vertices[0].normal = {0, -1, 0};
+  const auto matched = match_meshes(predict(c, 8), Topology::points(4), seen);
+  ASSERT_TRUE(matched);
+  EXPECT_EQ(matched->vertices[0], 3u);
+  EXPECT_EQ(matched->vertices[2], 2u);
+}
+
 TEST(MatchMeshes, LinesGoEitherWay) {
   const Prediction lines = predict(mesh(GL_LINE, 1), 8);
   const auto text = read_topology(lines, observed(GL_LINES, {{0, 1}, {2, 3}, {4, 5}, {6, 7}}));
