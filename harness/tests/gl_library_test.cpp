@@ -121,6 +121,7 @@ TEST_P(OffScreenLibraries, EveryFloatOfAnIntervalIsMeasured) {
 
 // Failures that the baseline explains by a known bug belong to this bug, and only three of them are reduced.
 TEST_P(OffScreenLibraries, KnownFailuresBelongToTheBugOfTheBaseline) {
+  reduces_failures_ = true;
   const Outcome outcome = evalcts({"run", "--implementation", GetParam(), "--filter",
                                    "GetMap.IntegersSaturate/*", "--output", folder_.string()});
   const json result = results(GetParam());

@@ -41,7 +41,9 @@ class ProgramTest : public testing::Test {
     const auto ending = child.wait(120);
     return {ending && !ending->signalled ? ending->value : -1, read_file(log)};
   }
+  // Failing tests are not reduced to bugs unless the test is about that, because this takes most of the time.
   Outcome evalcts(std::vector<std::string> arguments) {
+    if (!reduces_failures_ && arguments.at(0) == "run") arguments.emplace_back("--no-bugs");
     arguments.insert(arguments.begin(), EVALCTS_PROGRAM);
     return start(arguments);
   }
@@ -59,6 +61,7 @@ class ProgramTest : public testing::Test {
   }
 
   std::filesystem::path folder_;
+  bool reduces_failures_ = false;
 };
 
 }  // namespace evalcts
