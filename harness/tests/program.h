@@ -38,12 +38,13 @@ class ProgramTest : public testing::Test {
     const std::filesystem::path log = folder_ / "command.log";
     std::filesystem::remove(log);
     ChildProcess child(command, log.string());
-    const auto ending = child.wait(120);
+    const auto ending = child.wait(240);
     return {ending && !ending->signalled ? ending->value : -1, read_file(log)};
   }
   // Failing tests are not reduced to bugs unless the test is about that, because this takes most of the time.
   Outcome evalcts(std::vector<std::string> arguments) {
-    if (!reduces_failures_ && arguments.at(0) == "run") arguments.emplace_back("--no-bugs");
+    if (!reduces_failures_ && !arguments.empty() && arguments[0] == "run")
+      arguments.emplace_back("--no-bugs");
     arguments.insert(arguments.begin(), EVALCTS_PROGRAM);
     return start(arguments);
   }
