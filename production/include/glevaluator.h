@@ -631,20 +631,21 @@ GLEV_API glev_result glevCreatePlan(glev_context* context, const glev_plan_info*
 GLEV_API void glevRetainPlan(glev_plan* plan);
 GLEV_API void glevReleasePlan(glev_plan* plan); /* null is ignored */
 
-/* The attributes of a vertex. TANGENT_U and TANGENT_V exist in plans of dimension 2 with a vertex map. They
- * are the derivatives of its components by u and v (of homogeneous coordinates, not of their quotient). Let V
- * be the exact value, n and m the degrees, and D the largest difference of adjacent control points in that
- * direction, times the degree over the width of the domain. Inside the domain, float results are within
- * 2^-24 |V| + (13 (n + m) + 4) 2^-53 D and double results within 2^-53 |V| + 2^-80 D, for finite maps whose
- * magnitudes are zero or from 2^-300 to 2^300 and grids of at most 2^10 times the domain. Automatic normals
- * as doubles have the values of the floats. */
+/* The attributes of a vertex. TANGENT_U and the attributes after it exist in plans of dimension 2 with a
+ * vertex map. They are the derivatives of its components of first and second order by u and v (of homogeneous
+ * coordinates, not of their quotient). They are correctly rounded as floats, and within one ULP of the exact
+ * value as doubles, for all finite maps, domains and arguments. Automatic normals as doubles have the values
+ * of the floats. */
 typedef enum glev_attribute {
   GLEV_ATTRIBUTE_VERTEX = 0,
   GLEV_ATTRIBUTE_COLOR = 1,
   GLEV_ATTRIBUTE_NORMAL = 2, /* from a normal map, or automatic */
   GLEV_ATTRIBUTE_TEXCOORD = 3,
   GLEV_ATTRIBUTE_TANGENT_U = 4,
-  GLEV_ATTRIBUTE_TANGENT_V = 5
+  GLEV_ATTRIBUTE_TANGENT_V = 5,
+  GLEV_ATTRIBUTE_SECOND_UU = 6, /* d2/du2 */
+  GLEV_ATTRIBUTE_SECOND_UV = 7, /* d2/du dv */
+  GLEV_ATTRIBUTE_SECOND_VV = 8  /* d2/dv2 */
 } glev_attribute;
 
 /* Returns the number of values (1 to 4) of an attribute; 0 if the plan has no map for it or there is no such
@@ -660,13 +661,13 @@ GLEV_API size_t glevGetPlanComponents(const glev_plan* plan, glev_attribute attr
  *   largest magnitude of that component of a control point, is between 2^-80 and 2^80. Otherwise, outside the
  *   domain and on its boundary the result is correctly rounded. So patches that share the control points of
  *   an edge meet there without a crack, whatever their orders, directions, domains and numbers of segments.
- * Automatic normals, tangents and double results are the same in both. */
+ * Automatic normals, derivatives and double results are the same in both. */
 typedef enum glev_precision { GLEV_CORRECTLY_ROUNDED = 0, GLEV_FAST = 1 } glev_precision;
 
 /* Destination of one attribute: element i is `components` values at data + i*stride bytes; in a mesh of two
  * dimensions, element (i, j) lies at data + i*stride + j*row_stride, counted from (i1, j1).
  * components: at least glevGetPlanComponents, at most 4 (3 for normals). Missing components are those of
- *   (0,0,0,1), or 0 for tangents.
+ *   (0,0,0,1), or 0 for derivatives.
  * stride: at least the bytes of the components.
  * data_size: bytes at data that may be written.
  * type: GLEV_FLOAT (0 means the same) or GLEV_DOUBLE.
@@ -811,18 +812,17 @@ typedef struct glev_patch_grid {
   const char* target;
 } glev_patch_grid;
 
-/* Evaluates an array of patches. The attributes are VERTEX, the values of the patches; TANGENT_U and
- * TANGENT_V; and, for 3 or 4 components, NORMAL, the automatic normals. Without limit_normals, a normal is
- * (0,0,0) if a tangent is zero, as for curves.
- * All results have the bits of MAP2 maps of the same control points: for UNIFORM those of glevEvaluateMesh,
- * otherwise those of glevEvaluate. Double results of curves in LISTS and SCATTERED are those of MAP1 maps.
- * Results do not depend on strides, other patches and, except for GLEV_FAST, the instruction set.
- * UNIFORM and LISTS: element (i, j) of an output, i along u, lies at data + p*patch_stride + j*row_stride +
- *   i*stride. SCATTERED: element i lies at data + i*stride.
- * scratch: scratch_size bytes of the caller, at least glevGetPatchScratchSize. Contents and alignment do not
- *   matter. No memory is allocated. Concurrent calls need different scratch memory.
- * All arguments are checked before anything is written. Without patches or points, nothing is read or
- * written, and points, arguments, data and scratch may be null; points of SCATTERED without patches are an
+/* Evaluates an array of patches. The attributes are VERTEX, the values of the patches; TANGENT_U to
+ * SECOND_VV, their derivatives; and, for 3 or 4 components, NORMAL, the automatic normals. Without
+ * limit_normals, a normal is (0,0,0) if a tangent is zero, as for curves. All results have the bits of MAP2
+ * maps of the same control points: for UNIFORM those of glevEvaluateMesh, otherwise those of glevEvaluate.
+ * Double results of curves in LISTS and SCATTERED are those of MAP1 maps. Results do not depend on strides,
+ * other patches and, except for GLEV_FAST, the instruction set. UNIFORM and LISTS: element (i, j) of an
+ * output, i along u, lies at data + p*patch_stride + j*row_stride + i*stride. SCATTERED: element i lies at
+ * data + i*stride. scratch: scratch_size bytes of the caller, at least glevGetPatchScratchSize. Contents and
+ * alignment do not matter. No memory is allocated. Concurrent calls need different scratch memory. All
+ * arguments are checked before anything is written. Without patches or points, nothing is read or written,
+ * and points, arguments, data and scratch may be null; points of SCATTERED without patches are an
  * INVALID_ARGUMENT.
  * Returns SUCCESS or
  * INVALID_ARGUMENT: a null pointer; a wrong size, type, order, number of components, stride of an output,
@@ -869,23 +869,29 @@ GLEV_API glev_result glevCreatePlanFromMap(const glev_map_info* info, glev_plan*
 #define GLEV_CW 0x0900
 #define GLEV_CCW 0x0901
 
-/* The primitives of meshes of columns * rows vertices, numbered along u first, for glDrawElements.
+/* The primitives of meshes of columns * rows vertices, numbered along u first, for glDrawElements and
+ * vkCmdDrawIndexed.
  * mode: the primitives.
  *   POINT: POINTS, in the order of EvalMesh2.
  *   LINE: LINES, first those along u, then those along v, each as EvalMesh draws it.
  *   FILL: TRIANGLES, two for each quadrilateral of the QUAD_STRIPs of EvalMesh2, (i,j) (i,j+1) (i+1,j) and
  *     (i+1,j) (i,j+1) (i+1,j+1), with the same front face.
- *   A mesh of dimension 1 has rows = 1 and no FILL.
- * patches: number of meshes; 0 means 1. Their vertices are contiguous, as glevEvaluatePatches writes them,
- *   and so are their primitives.
- * winding: winding of FILL as seen from the side to which automatic normals point. GLEV_CW (0 means the same)
- *   is that of EvalMesh2; GLEV_CCW swaps the second and third index of each triangle.
+ *   TRIANGLE_STRIP: the triangles of FILL as TRIANGLE_STRIPs, those of EvalMesh2, or strips along v if
+ * winding is GLEV_CCW. Between two strips there is the largest number of the type, as
+ * PRIMITIVE_RESTART_FIXED_INDEX and primitiveRestartEnable of Vulkan expect it. No vertex may have this
+ * number. A mesh of dimension 1 has rows = 1, and no FILL or TRIANGLE_STRIP. patches: number of meshes; 0
+ * means 1. Their vertices are contiguous, as glevEvaluatePatches writes them, and so are their primitives.
+ * winding: winding of triangles as seen from the side to which automatic normals point. GLEV_CW (0 means the
+ *   same) is that of EvalMesh2; GLEV_CCW swaps the second and third vertex of each triangle.
  * vertices: if not null, vertices with equal bits are shared: each index is that of the first vertex, among
  *   those of all patches, whose vertex_bytes bytes are equal. Vertex number i is at vertices +
  *   i*vertex_stride; vertices_size bytes may be read. Vertices are not moved, even if no index refers to
  *   them.
  * scratch: needed to share vertices: scratch_size bytes, at least glevGetIndexScratchSize. Contents and
- *   alignment do not matter. */
+ *   alignment do not matter.
+ * edge_segments: the member of the same name of glev_patch_grid if the vertices are those of GLEV_GRID_EDGES;
+ *   columns and rows are then u_segments + 1 and v_segments + 1, and mode is FILL. The first triangles are
+ *   those of the grid of inner vertices. All four are 0 for other grids. */
 typedef struct glev_indices {
   size_t size;
   glev_enum mode;
@@ -900,6 +906,7 @@ typedef struct glev_indices {
   size_t vertices_size, vertex_stride, vertex_bytes;
   void* scratch;
   size_t scratch_size;
+  glev_int edge_segments[4];
 } glev_indices;
 
 /* Returns the number of indices; 0 if glevGetIndices rejects the arguments. Ignores data and scratch. */
@@ -911,8 +918,9 @@ GLEV_API size_t glevGetIndexScratchSize(const glev_indices* indices);
 
 /* Writes the indices without gaps. Data, vertices and scratch must not overlap; this is not checked.
  * Returns SUCCESS or
- * INVALID_ARGUMENT: a null pointer; a wrong size, mode, type or winding; a vertex whose number the type
- *   cannot hold; vertex_bytes that are 0 or more than vertex_stride; 2^32 vertices or more to share.
+ * INVALID_ARGUMENT: a null pointer; a wrong size, mode, type, winding or edge_segments; less than 3 columns
+ *   or rows with edge_segments; a vertex whose number the type cannot hold; vertex_bytes that are 0 or more
+ *   than vertex_stride; 2^32 vertices or more to share.
  * BUFFER_TOO_SMALL: data_size, vertices_size or scratch_size. */
 GLEV_API glev_result glevGetIndices(const glev_indices* indices);
 

@@ -141,7 +141,7 @@ class Outputs {
 
  private:
   // One more than the number of attributes: the last output then repeats an attribute, which is an error.
-  static constexpr std::size_t kMost = 7;
+  static constexpr std::size_t kMost = 10;
 
   static glev_output make(void* data, std::size_t size, std::size_t stride, std::size_t components,
                           glev_enum type) noexcept {

@@ -89,8 +89,8 @@ inline Stream claim(void* memory, std::size_t bytes) {
 
 // ---- Outputs
 
-constexpr int kFirstTangent = kAttributes, kOutputs = kAttributes + 2;
-static_assert(kFirstTangent == GLEV_ATTRIBUTE_TANGENT_U && kOutputs == GLEV_ATTRIBUTE_TANGENT_V + 1);
+constexpr int kFirstDerivative = kAttributes, kOutputs = kAttributes + 5;
+static_assert(kFirstDerivative == GLEV_ATTRIBUTE_TANGENT_U && kOutputs == GLEV_ATTRIBUTE_SECOND_VV + 1);
 
 struct Output {
   bool is_wanted = false, is_double = false;

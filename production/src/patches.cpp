@@ -177,8 +177,8 @@ glev_result locate_inputs(const glev_patches& patches, const glev_patch_grid& gr
 
 std::array<std::size_t, glev::kOutputs> components_of(const glev_patches& patches) {
   std::array<std::size_t, glev::kOutputs> components{};
-  components[kVertex] = components[GLEV_ATTRIBUTE_TANGENT_U] = components[GLEV_ATTRIBUTE_TANGENT_V] =
-      patches.components;
+  components[kVertex] = patches.components;
+  for (int o = glev::kFirstDerivative; o < glev::kOutputs; ++o) components[o] = patches.components;
   components[kNormal] = patches.components >= 3 ? 3 : 0;
   return components;
 }
@@ -186,8 +186,8 @@ std::array<std::size_t, glev::kOutputs> components_of(const glev_patches& patche
 // Makes plans of patches, one at a time, in memory of the caller.
 class PatchPlans {
  public:
-  PatchPlans(const glev_patches& patches, bool normals, bool tangents, const glev::Kernels* kernels)
-      : patches_(patches), normals_(normals), tangents_(tangents), kernels_(kernels) {
+  PatchPlans(const glev_patches& patches, bool normals, bool derivatives, const glev::Kernels* kernels)
+      : patches_(patches), normals_(normals), derivatives_(derivatives), kernels_(kernels) {
     slot_ = patches.components == 4 ? glev::slots_of(Attribute::kVertex).last
                                     : glev::slots_of(Attribute::kVertex).first;
     enabled_[static_cast<std::size_t>(slot_)] = true;
@@ -215,10 +215,10 @@ class PatchPlans {
     maps_[static_cast<std::size_t>(slot_)].refer_to(net, static_cast<int>(patches_.components),
                                                     order_of(patches_), domain_of(patches_));
   }
-  glev_plan::Source source() const { return {2, maps_, enabled_, {}, normals_, tangents_, kernels_}; }
+  glev_plan::Source source() const { return {2, maps_, enabled_, {}, normals_, derivatives_, kernels_}; }
 
   const glev_patches& patches_;
-  bool normals_, tangents_;
+  bool normals_, derivatives_;
   const glev::Kernels* kernels_;
   int slot_;
   std::byte* memory_ = nullptr;
@@ -481,9 +481,9 @@ glev_result glevEvaluatePatches(const glev_patches* given_patches, const glev_pa
   if (result != GLEV_SUCCESS) return result;
 
   const glev::DefaultEnvironment environment;
-  const bool has_tangents =
-      outputs[GLEV_ATTRIBUTE_TANGENT_U].is_wanted || outputs[GLEV_ATTRIBUTE_TANGENT_V].is_wanted;
-  PatchPlans plans(patches, outputs[kNormal].is_wanted, has_tangents, kernels);
+  const bool has_derivatives = std::any_of(outputs.begin() + glev::kFirstDerivative, outputs.end(),
+                                           [](const Output& output) { return output.is_wanted; });
+  PatchPlans plans(patches, outputs[kNormal].is_wanted, has_derivatives, kernels);
   // The aligned memory of SideBySide is first, followed by the plan with its scratch memory.
   std::byte* const memory = glev::align(static_cast<std::byte*>(scratch));
   plans.use(memory + glev::round_up(SideBySide::bytes_for(patches, grid)));

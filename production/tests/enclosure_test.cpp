@@ -74,7 +74,7 @@ class Enclosures : public ::testing::Test {
     Fraction exact = exact_value(differences, lower, t_u, t_v);
     exact.numerator *= order[direction] - 1;
     const glev::Component component = {points.data(), 1, order, domain};
-    expect_contains(glev::enclose_derivative(component, direction, u, v), exact, "EncloseDerivative");
+    expect_contains(glev::enclose_derivative(component, {1 - direction, direction}, u, v), exact, "EncloseDerivative");
   }
 
   std::mt19937_64 random_{kSeed};
