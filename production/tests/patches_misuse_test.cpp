@@ -231,7 +231,7 @@ TEST_F(PatchMisuse, OfOutputs) {
   expect_all(kRejected, "null", [](Call& call) { call.outputs_at = nullptr; });
   expect_all(kRejected, "a null output", [](Call& call) { call.outputs[0].output = nullptr; });
   expect_all(kRejected, "twice", [](Call& call) { call.outputs[1].attribute = GLEV_ATTRIBUTE_VERTEX; });
-  for (int attribute : {6, -1, INT_MAX}) {
+  for (int attribute : {9, -1, INT_MAX}) {
     expect_all(kRejected, "attribute",
                [&](Call& call) { std::memcpy(&call.outputs[1].attribute, &attribute, sizeof attribute); });
   }
@@ -442,7 +442,8 @@ TEST_F(PlanFromMap, GivesWhatThePlanOfAContextGives) {
       ASSERT_EQ(glevCreatePlanFromMap(&info_, &plan), GLEV_SUCCESS) << std::hex << target;
       for (glev_attribute attribute :
            {GLEV_ATTRIBUTE_VERTEX, GLEV_ATTRIBUTE_COLOR, GLEV_ATTRIBUTE_NORMAL, GLEV_ATTRIBUTE_TEXCOORD,
-            GLEV_ATTRIBUTE_TANGENT_U, GLEV_ATTRIBUTE_TANGENT_V}) {
+            GLEV_ATTRIBUTE_TANGENT_U, GLEV_ATTRIBUTE_TANGENT_V, GLEV_ATTRIBUTE_SECOND_UU,
+            GLEV_ATTRIBUTE_SECOND_UV, GLEV_ATTRIBUTE_SECOND_VV}) {
         ASSERT_EQ(glevGetPlanComponents(plan, attribute), glevGetPlanComponents(expected, attribute));
         if (glevGetPlanComponents(plan, attribute) == 0) continue;
         const Range range = {0, 5, 0, dimension == 2 ? 6 : 0};

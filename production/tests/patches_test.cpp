@@ -358,7 +358,8 @@ class Patches : public ::testing::Test {
   std::vector<Wanted> choose_outputs(const Net& net) {
     std::vector<Wanted> wanted;
     for (glev_attribute attribute :
-         {GLEV_ATTRIBUTE_VERTEX, GLEV_ATTRIBUTE_NORMAL, GLEV_ATTRIBUTE_TANGENT_U, GLEV_ATTRIBUTE_TANGENT_V}) {
+         {GLEV_ATTRIBUTE_VERTEX, GLEV_ATTRIBUTE_NORMAL, GLEV_ATTRIBUTE_TANGENT_U, GLEV_ATTRIBUTE_TANGENT_V,
+          GLEV_ATTRIBUTE_SECOND_UU, GLEV_ATTRIBUTE_SECOND_UV, GLEV_ATTRIBUTE_SECOND_VV}) {
       const bool is_normal = attribute == GLEV_ATTRIBUTE_NORMAL;
       if ((is_normal && net.components < 3) || (!wanted.empty() && chance_.whole(0, 1) == 0)) continue;
       Wanted own;
