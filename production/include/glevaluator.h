@@ -781,15 +781,23 @@ typedef struct glev_patches {
  *   v_segments, v1, v2) with the ends of the domain. A direction of 0 segments has one point, the first end.
  * LISTS: each patch at u_count * v_count points, (u[i], v[j]).
  * SCATTERED: u_count points; point i is the point of patch number patch[i] at (u[i], v[i]). Consecutive
- *   points of the same patch take less time. */
+ *   points of the same patch take less time.
+ * EDGES: the points of UNIFORM that are not on the boundary, and edges with numbers of segments of their own,
+ *   so that patches meet without cracks although they have different u_segments and v_segments. Each patch
+ *   has one row of points: first the inner ones, (u_segments - 1) * (v_segments - 1), numbered along u first.
+ *   Then once around, in the order of edge_segments and each edge without its last point, the edges v = v1
+ *   from u1 to u2, u = u2 from v1 to v2, v = v2 from u2 to u1, and u = u1 from v2 to v1. The points divide an
+ *   edge into equal segments. Edges with the same control points and numbers of segments have vertices of
+ *   equal bits, in whatever direction, order of the patch and kind of edge. */
 typedef enum glev_grid_kind {
   GLEV_GRID_UNIFORM = 0,
   GLEV_GRID_LISTS = 1,
-  GLEV_GRID_SCATTERED = 2
+  GLEV_GRID_SCATTERED = 2,
+  GLEV_GRID_EDGES = 3
 } glev_grid_kind;
 
 /* The arguments at which patches are evaluated. Members that the kind of grid does not use must be zero.
- * u_segments, v_segments: UNIFORM only, 0 or more.
+ * u_segments, v_segments: UNIFORM, 0 or more; EDGES, 2 or more.
  * u_count: LISTS and SCATTERED. v_count: LISTS only.
  * type: LISTS and SCATTERED: type of the arguments u and v, GLEV_FLOAT or GLEV_DOUBLE.
  * v: LISTS and SCATTERED. It has no effect on curves, for which it may be all zero; v_count 0 then means one
@@ -799,7 +807,8 @@ typedef enum glev_grid_kind {
  *   the patch, computed in double from derivatives of second order; (0,0,0) if these do not determine the
  *   limit.
  * patch: SCATTERED only; patch numbers of type glev_uint.
- * target: a name from glevGetTargetName; null: the best one. */
+ * target: a name from glevGetTargetName; null: the best one.
+ * edge_segments: EDGES only, 1 or more. */
 typedef struct glev_patch_grid {
   size_t size;
   glev_grid_kind kind;
@@ -810,19 +819,22 @@ typedef struct glev_patch_grid {
   glev_boolean limit_normals;
   glev_input u, v, patch;
   const char* target;
+  glev_int edge_segments[4]; /* of the edges v = v1, u = u2, v = v2, u = u1 */
 } glev_patch_grid;
 
 /* Evaluates an array of patches. The attributes are VERTEX, the values of the patches; TANGENT_U to
  * SECOND_VV, their derivatives; and, for 3 or 4 components, NORMAL, the automatic normals. Without
- * limit_normals, a normal is (0,0,0) if a tangent is zero, as for curves. All results have the bits of MAP2
- * maps of the same control points: for UNIFORM those of glevEvaluateMesh, otherwise those of glevEvaluate.
- * Double results of curves in LISTS and SCATTERED are those of MAP1 maps. Results do not depend on strides,
- * other patches and, except for GLEV_FAST, the instruction set. UNIFORM and LISTS: element (i, j) of an
- * output, i along u, lies at data + p*patch_stride + j*row_stride + i*stride. SCATTERED: element i lies at
- * data + i*stride. scratch: scratch_size bytes of the caller, at least glevGetPatchScratchSize. Contents and
- * alignment do not matter. No memory is allocated. Concurrent calls need different scratch memory. All
- * arguments are checked before anything is written. Without patches or points, nothing is read or written,
- * and points, arguments, data and scratch may be null; points of SCATTERED without patches are an
+ * limit_normals, a normal is (0,0,0) if a tangent is zero, as for curves.
+ * All results have the bits of MAP2 maps of the same control points: for UNIFORM and EDGES those of
+ * glevEvaluateMesh, otherwise those of glevEvaluate. Double results of curves in LISTS and SCATTERED are
+ * those of MAP1 maps. Results do not depend on strides, other patches and, except for GLEV_FAST, the
+ * instruction set.
+ * UNIFORM and LISTS: element (i, j) of an output, i along u, lies at data + p*patch_stride + j*row_stride +
+ *   i*stride. EDGES: there is one row. SCATTERED: element i lies at data + i*stride.
+ * scratch: scratch_size bytes of the caller, at least glevGetPatchScratchSize. Contents and alignment do not
+ *   matter. No memory is allocated. Concurrent calls need different scratch memory.
+ * All arguments are checked before anything is written. Without patches or points, nothing is read or
+ * written, and points, arguments, data and scratch may be null; points of SCATTERED without patches are an
  * INVALID_ARGUMENT.
  * Returns SUCCESS or
  * INVALID_ARGUMENT: a null pointer; a wrong size, type, order, number of components, stride of an output,
@@ -876,11 +888,13 @@ GLEV_API glev_result glevCreatePlanFromMap(const glev_map_info* info, glev_plan*
  *   LINE: LINES, first those along u, then those along v, each as EvalMesh draws it.
  *   FILL: TRIANGLES, two for each quadrilateral of the QUAD_STRIPs of EvalMesh2, (i,j) (i,j+1) (i+1,j) and
  *     (i+1,j) (i,j+1) (i+1,j+1), with the same front face.
- *   TRIANGLE_STRIP: the triangles of FILL as TRIANGLE_STRIPs, those of EvalMesh2, or strips along v if
- * winding is GLEV_CCW. Between two strips there is the largest number of the type, as
- * PRIMITIVE_RESTART_FIXED_INDEX and primitiveRestartEnable of Vulkan expect it. No vertex may have this
- * number. A mesh of dimension 1 has rows = 1, and no FILL or TRIANGLE_STRIP. patches: number of meshes; 0
- * means 1. Their vertices are contiguous, as glevEvaluatePatches writes them, and so are their primitives.
+ *   TRIANGLE_STRIP: the triangles of FILL as TRIANGLE_STRIPs: those of EvalMesh2, or strips along v if
+ *     winding is GLEV_CCW. Between two strips there is the largest number of the type, as
+ *     PRIMITIVE_RESTART_FIXED_INDEX and primitiveRestartEnable of Vulkan expect it. No vertex may have this
+ *     number.
+ *   A mesh of dimension 1 has rows = 1, and no FILL or TRIANGLE_STRIP.
+ * patches: number of meshes; 0 means 1. Their vertices are contiguous, as glevEvaluatePatches writes them,
+ *   and so are their primitives.
  * winding: winding of triangles as seen from the side to which automatic normals point. GLEV_CW (0 means the
  *   same) is that of EvalMesh2; GLEV_CCW swaps the second and third vertex of each triangle.
  * vertices: if not null, vertices with equal bits are shared: each index is that of the first vertex, among

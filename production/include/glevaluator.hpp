@@ -227,6 +227,16 @@ inline glev_patch_grid make_uniform_grid(int u_segments, int v_segments) noexcep
   return grid;
 }
 
+// Returns a grid whose edges v = v1, u = u2, v = v2 and u = u1 have other numbers of segments
+// (GLEV_GRID_EDGES).
+inline glev_patch_grid make_edge_grid(int u_segments, int v_segments,
+                                      const std::array<int, 4>& edge_segments) noexcept {
+  glev_patch_grid grid = make_uniform_grid(u_segments, v_segments);
+  grid.kind = GLEV_GRID_EDGES;
+  for (std::size_t edge = 0; edge < 4; ++edge) grid.edge_segments[edge] = edge_segments[edge];
+  return grid;
+}
+
 template <Real T>
 glev_patch_grid make_list_grid(std::span<const T> u, std::span<const T> v) noexcept {
   glev_patch_grid grid{};
@@ -273,6 +283,14 @@ inline glev_indices make_indices(std::size_t columns, std::size_t rows, std::siz
   indices.rows = rows;
   indices.patches = patches;
   indices.type = GLEV_UNSIGNED_INT;
+  return indices;
+}
+
+// Returns the triangles of patches that are evaluated on this grid, from make_uniform_grid or make_edge_grid.
+inline glev_indices make_indices(const glev_patch_grid& grid, std::size_t patches = 1) noexcept {
+  glev_indices indices = make_indices(static_cast<std::size_t>(grid.u_segments) + 1,
+                                      static_cast<std::size_t>(grid.v_segments) + 1, patches);
+  for (std::size_t edge = 0; edge < 4; ++edge) indices.edge_segments[edge] = grid.edge_segments[edge];
   return indices;
 }
 

@@ -115,6 +115,13 @@ struct Output {
     part.stream.rows = 1;
     return part;
   }
+  // Returns `columns` * `rows` consecutive elements of a single row as a mesh.
+  Output mesh(std::size_t first, std::size_t columns, std::size_t rows) const {
+    Output part = this->columns(first, columns);
+    part.stream.rows = rows;
+    part.stream.row_stride = columns * stream.stride;
+    return part;
+  }
   // Returns `count` elements of a single row.
   Output columns(std::size_t first, std::size_t count) const {
     Output part = *this;

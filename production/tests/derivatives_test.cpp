@@ -137,7 +137,8 @@ class Derivatives : public ContextTest {
     Patch patch;
     patch.order = {chance_.whole(1, most_order), chance_.whole(1, most_order)};
     for (Domain& domain : patch.domain)
-      domain = chance_.one_of({Domain{0, 1}, Domain{0, 1}, Domain{1, 0}, Domain{-0.3, 0.9}, Domain{100, 103}});
+      domain =
+          chance_.one_of({Domain{0, 1}, Domain{0, 1}, Domain{1, 0}, Domain{-0.3, 0.9}, Domain{100, 103}});
     return patch;
   }
   template <class Point>
