@@ -805,7 +805,10 @@ typedef enum glev_grid_kind {
  * limit_normals: if not FALSE, normals on edges of the domain that are a single point, such as poles, are
  *   limits instead of (0,0,0). If all control points of the edge are equal, NORMAL is its limit from inside
  *   the patch, computed in double from derivatives of second order; (0,0,0) if these do not determine the
- *   limit.
+ *   limit. Let Q be the derivative across the edge, multiplied by w^2 for 4 components as in EvalCoord, and
+ * Q' its derivative along the edge. Each component is within 2^-25 + 2^-30 of the exact limit if |Q' x Q| is
+ *   at least 2^-12 of the same expression of the largest magnitudes of their control points, for magnitudes
+ *   as in EvalCoord. The control points of Q' count as twice those of Q, times the degree.
  * patch: SCATTERED only; patch numbers of type glev_uint.
  * target: a name from glevGetTargetName; null: the best one.
  * edge_segments: EDGES only, 1 or more. */
