@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <glevaluator.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 
 #include <evalcts/accuracy/subject.h>
@@ -76,6 +78,61 @@ class ProductionStream final : public Stream {
   std::size_t components_ = 0;
   glev_context* context_ = nullptr;
   glev_plan* plan_ = nullptr;
+};
+
+// Streams of libglevaluator, by its patches. Each call evaluates copies of the map, as many as the kernels
+// for several patches need, and returns the results of the last one.
+class PatchStream final : public Stream {
+ public:
+  PatchStream(const SweptMap& map, std::string instruction_set)
+      : map_(map), instruction_set_(std::move(instruction_set)) {
+    for (std::size_t p = 0; p < kPatches; ++p)
+      points_.insert(points_.end(), map.map.points.begin(), map.map.points.end());
+  }
+
+  void evaluate(std::span<const float> u, std::span<float> results) override {
+    glev_patches patches{};
+    patches.size = sizeof patches;
+    patches.count = kPatches;
+    patches.components = static_cast<std::size_t>(map_.map.components);
+    patches.uorder = map_.map.uorder;
+    patches.vorder = map_.two_dimensional ? map_.map.vorder : 1;
+    patches.type = GLEV_DOUBLE;
+    patches.points = points_.data();
+    patches.points_size = points_.size() * sizeof(double);
+    const glev_input swept = {u.data(), u.size_bytes(), sizeof(float)},
+                     other = {&map_.other, sizeof map_.other, 0};
+    glev_patch_grid grid{};
+    grid.size = sizeof grid;
+    grid.kind = GLEV_GRID_LISTS;
+    grid.type = GLEV_FLOAT;
+    grid.u = map_.along_v ? other : swept;
+    grid.v = map_.along_v ? swept : other;
+    grid.u_count = map_.along_v ? 1 : u.size();
+    grid.v_count = map_.along_v ? u.size() : 1;
+    grid.target = instruction_set_.empty() ? nullptr : instruction_set_.c_str();
+    all_.resize(kPatches * results.size());
+    scratch_.resize(glevGetPatchScratchSize(&patches, &grid));
+    glev_output output{};
+    output.size = sizeof output;
+    output.data = all_.data();
+    output.data_size = all_.size() * sizeof(float);
+    output.stride = patches.components * sizeof(float);
+    output.components = patches.components;
+    const glev_attribute_output outputs = {GLEV_ATTRIBUTE_VERTEX, &output};
+    if (glevEvaluatePatches(&patches, &grid, &outputs, 1, scratch_.data(), scratch_.size()) != GLEV_SUCCESS)
+      throw NotObservable("patches are rejected");
+    std::copy_n(all_.end() - static_cast<std::ptrdiff_t>(results.size()), results.size(), results.begin());
+  }
+
+ private:
+  static constexpr std::size_t kPatches = 4;
+
+  SweptMap map_;
+  std::string instruction_set_;
+  std::vector<double> points_;
+  std::vector<float> all_;
+  std::vector<std::byte> scratch_;
 };
 
 // Streams of any subject.
@@ -229,6 +286,9 @@ StreamSource production_source(const std::string& instruction_set) {
   source.for_threads = true;
   source.make = [instruction_set](const SweptMap& map) {
     return std::make_unique<ProductionStream>(map, instruction_set);
+  };
+  source.make_other = [instruction_set](const SweptMap& map) {
+    return std::make_unique<PatchStream>(map, instruction_set);
   };
   return source;
 }
