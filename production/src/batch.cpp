@@ -64,15 +64,24 @@ void evaluate_derivative(const glev_plan& plan, int number, const Output& output
   const glev::DerivativeMap& map = plan.derivative(number);
   const glev::Surface& net = map.net;
   std::array<double, glev::kMaxOrder * 4> room;
+  // The curve along u of the last v, which is often the next v, too.
+  GridArgument last_v{};
+  glev::Curve curve;
+  double growth_v = HUGE_VAL;
+  bool has_curve = false;
   for_each(output, u, v, [&](const GridArgument& at_u, const GridArgument& at_v) {
     std::array<double, 4> values{};
     if (net.components == 0) return values;
-    const glev::Parameter in_u = locate(net.domain[0], at_u), in_v = locate(net.domain[1], at_v);
-    const glev::Curve curve = curve_at(net, in_v, room.data());
+    if (!has_curve || last_v.index != at_v.index || last_v.grid != at_v.grid) {
+      const glev::Parameter in_v = locate(net.domain[1], at_v);
+      curve = curve_at(net, in_v, room.data());
+      growth_v = in_v.is_sure ? glev::growth_of(in_v, net.degree[1]) : HUGE_VAL;
+      last_v = at_v;
+      has_curve = true;
+    }
+    const glev::Parameter in_u = locate(net.domain[0], at_u);
     evaluate(curve, in_u, values.data());
-    double growth = HUGE_VAL;
-    if (in_u.is_sure && in_v.is_sure)
-      growth = glev::growth_of(in_u, net.degree[0]) * glev::growth_of(in_v, net.degree[1]);
+    const double growth = in_u.is_sure ? growth_v * glev::growth_of(in_u, net.degree[0]) : HUGE_VAL;
     for (int k = 0; k < net.components; ++k) {
       const double error = map.error[k] == 0 ? 0 : growth <= 0x1p300 ? map.error[k] * growth : HUGE_VAL;
       const auto resolve = [&]<class Real>(Real) {
