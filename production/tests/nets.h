@@ -67,9 +67,9 @@ struct Net {
   }
 };
 
-enum class Data { kRandom, kSymmetric, kDecimal, kDegenerate, kExtreme };
+enum class NetData { kRandom, kSymmetric, kDecimal, kDegenerate, kExtreme };
 
-inline Net choose_net(Chance& chance, int most_order, Data data) {
+inline Net choose_net(Chance& chance, int most_order, NetData data) {
   Net net;
   net.order = {chance.whole(1, most_order), chance.whole(1, most_order)};
   net.components = chance.whole(1, 4);
@@ -81,10 +81,10 @@ inline Net choose_net(Chance& chance, int most_order, Data data) {
   for (std::size_t p = 0; p < net.count; ++p) {
     for (std::size_t k = 0; k < values; ++k) {
       double value = net.is_double ? 4 * chance.next_double() - 2 : chance.between(-2, 2);
-      if (data == Data::kSymmetric) value = chance.whole(-3, 3) * 0.25;
-      if (data == Data::kDecimal) value = static_cast<float>(chance.whole(-300, 300) * 0.01);
-      if (data == Data::kDegenerate) value = k % 5 == 0 ? 0 : static_cast<double>(p);
-      if (data == Data::kExtreme)
+      if (data == NetData::kSymmetric) value = chance.whole(-3, 3) * 0.25;
+      if (data == NetData::kDecimal) value = static_cast<float>(chance.whole(-300, 300) * 0.01);
+      if (data == NetData::kDegenerate) value = k % 5 == 0 ? 0 : static_cast<double>(p);
+      if (data == NetData::kExtreme)
         value = chance.one_of({0.0, -0.0, kInfinity, kNaN, 0x1p-149, 0x1p127, -1.5, 3e38, 0x1p-130});
       net.values.push_back(value);
     }

@@ -293,8 +293,8 @@ class Patches : public ::testing::Test {
   Chance chance_;
 };
 
-constexpr Data kAllData[] = {Data::kRandom, Data::kRandom, Data::kSymmetric, Data::kDecimal,
-                             Data::kDegenerate};
+constexpr NetData kAllData[] = {NetData::kRandom, NetData::kRandom, NetData::kSymmetric, NetData::kDecimal,
+                                NetData::kDegenerate};
 
 TEST_F(Patches, UniformGridsHaveTheBitsOfMeshes) {
   for (int k = 0; k < 400; ++k) {
@@ -436,7 +436,7 @@ TEST_F(Patches, VerticesAreCorrectlyRounded) {
 // NaN, infinities, subnormal and huge numbers in a component do not affect other components.
 TEST_F(Patches, ExtremeComponentsHaveNoInfluenceOnOthers) {
   for (int k = 0; k < 100; ++k) {
-    Net net = choose_net(chance_, 4, Data::kRandom);
+    Net net = choose_net(chance_, 4, NetData::kRandom);
     net.components = 3;
     net.stride = {};
     net.values.clear();
@@ -469,7 +469,7 @@ TEST_F(Patches, ExtremeComponentsHaveNoInfluenceOnOthers) {
 }
 
 TEST_F(Patches, DoNotDependOnTheCallersRoundingMode) {
-  Net net = choose_net(chance_, 4, Data::kRandom);
+  Net net = choose_net(chance_, 4, NetData::kRandom);
   net.order = {4, 4}, net.components = 3, net.is_double = false, net.count = 11, net.stride = {};
   net.values.clear();
   for (std::size_t e = 0; e < net.count * net.values_of_patch(); ++e)
