@@ -53,7 +53,8 @@ std::uint64_t digest_of_map(const StreamSource& source, const DigestRequest& req
   map.other = map.two_dimensional ? anywhere(random) : 0;
   std::vector<float> u(kOfMap / map.map.components), results(kOfMap);
   for (float& x : u) x = anywhere(random);
-  source.make(map)->evaluate(u, results);
+  const auto& make = source.make_other && item % 2 == 1 ? source.make_other : source.make;
+  make(map)->evaluate(u, results);
   const std::uint64_t first = item * kOfMap, count = std::min(kOfMap, request.values - first);
   std::uint64_t sum = 0;
   for (std::uint64_t i = 0; i < count; ++i)

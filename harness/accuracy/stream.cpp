@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <glevaluator.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <functional>
 
 #include <evalcts/accuracy/subject.h>
@@ -76,6 +79,79 @@ class ProductionStream final : public Stream {
   std::size_t components_ = 0;
   glev_context* context_ = nullptr;
   glev_plan* plan_ = nullptr;
+};
+
+// Streams of libglevaluator, by its patches. Copies of the map are evaluated, as many as the kernels for
+// several patches need, and arguments outside the domain in a call of their own, because these kernels do not
+// support them.
+class PatchStream final : public Stream {
+ public:
+  PatchStream(const SweptMap& map, std::string instruction_set)
+      : map_(map),
+        instruction_set_(std::move(instruction_set)),
+        components_(static_cast<std::size_t>(map.map.components)) {
+    for (std::size_t p = 0; p < kPatches; ++p)
+      points_.insert(points_.end(), map.map.points.begin(), map.map.points.end());
+  }
+
+  void evaluate(std::span<const float> u, std::span<float> results) override {
+    const auto is_inside = [](float x) { return x >= 0 && x <= 1; };
+    std::array<std::vector<float>, 2> arguments, values;
+    for (const float x : u) arguments[is_inside(x) ? 1 : 0].push_back(x);
+    for (const std::size_t part : {0, 1}) values[part] = evaluate_part(arguments[part]);
+    std::array<std::size_t, 2> next{};
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const std::size_t part = is_inside(u[i]) ? 1 : 0;
+      std::copy_n(&values[part][next[part]], components_, &results[i * components_]);
+      next[part] += components_;
+    }
+  }
+
+ private:
+  static constexpr std::size_t kPatches = 4;
+
+  // Returns the results of the last patch.
+  std::vector<float> evaluate_part(std::span<const float> u) {
+    glev_patches patches{};
+    patches.size = sizeof patches;
+    patches.count = kPatches;
+    patches.components = components_;
+    patches.uorder = map_.map.uorder;
+    patches.vorder = map_.two_dimensional ? map_.map.vorder : 1;
+    patches.type = GLEV_DOUBLE;
+    patches.points = points_.data();
+    patches.points_size = points_.size() * sizeof(double);
+    const glev_input swept = {u.data(), u.size_bytes(), sizeof(float)},
+                     other = {&map_.other, sizeof map_.other, 0};
+    glev_patch_grid grid{};
+    grid.size = sizeof grid;
+    grid.kind = GLEV_GRID_LISTS;
+    grid.type = GLEV_FLOAT;
+    grid.u = map_.along_v ? other : swept;
+    grid.v = map_.along_v ? swept : other;
+    grid.u_count = map_.along_v ? 1 : u.size();
+    grid.v_count = map_.along_v ? u.size() : 1;
+    grid.target = instruction_set_.empty() ? nullptr : instruction_set_.c_str();
+    const std::size_t own = u.size() * components_;
+    std::vector<float> all(kPatches * own);
+    scratch_.resize(glevGetPatchScratchSize(&patches, &grid));
+    glev_output output{};
+    output.size = sizeof output;
+    output.data = all.data();
+    output.data_size = all.size() * sizeof(float);
+    output.stride = components_ * sizeof(float);
+    output.components = components_;
+    const glev_attribute_output outputs = {GLEV_ATTRIBUTE_VERTEX, &output};
+    if (glevEvaluatePatches(&patches, &grid, &outputs, 1, scratch_.data(), scratch_.size()) != GLEV_SUCCESS)
+      throw NotObservable("patches are rejected");
+    return {all.end() - static_cast<std::ptrdiff_t>(own), all.end()};
+  }
+
+  SweptMap map_;
+  std::string instruction_set_;
+  std::size_t components_;
+  std::vector<double> points_;
+  std::vector<std::byte> scratch_;
 };
 
 // Streams of any subject.
@@ -229,6 +305,9 @@ StreamSource production_source(const std::string& instruction_set) {
   source.for_threads = true;
   source.make = [instruction_set](const SweptMap& map) {
     return std::make_unique<ProductionStream>(map, instruction_set);
+  };
+  source.make_other = [instruction_set](const SweptMap& map) {
+    return std::make_unique<PatchStream>(map, instruction_set);
   };
   return source;
 }

@@ -1,4 +1,4 @@
-// Compares libglevaluator with the oracle in batches, single calls, meshes and patches.
+// Compares libglevaluator with the oracle in batches, single calls, meshes, patches and their derivatives.
 #include <evalcts/rounding/check.h>
 
 #include <fmt/format.h>
@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
@@ -105,6 +106,52 @@ double random_argument(double u1, double u2, Random& random) {
     default:
       return place(random.uniform());
   }
+}
+
+// ---- Derivatives
+
+struct Derivative {
+  glev_attribute attribute;
+  std::array<int, 2> order;
+  const char* delivery;
+};
+constexpr Derivative kDerivatives[] = {{GLEV_ATTRIBUTE_TANGENT_U, {1, 0}, "patches, TANGENT_U"},
+                                       {GLEV_ATTRIBUTE_TANGENT_V, {0, 1}, "patches, TANGENT_V"},
+                                       {GLEV_ATTRIBUTE_SECOND_UU, {2, 0}, "patches, SECOND_UU"},
+                                       {GLEV_ATTRIBUTE_SECOND_UV, {1, 1}, "patches, SECOND_UV"},
+                                       {GLEV_ATTRIBUTE_SECOND_VV, {0, 2}, "patches, SECOND_VV"}};
+
+// Returns the derivative of a map by u (direction 0) or v (1), which is a map of lower order. Returns nothing
+// if one of its control points is not a double.
+std::optional<Map> derive(const Map& map, int direction) {
+  const double first = map.domain[2 * direction], last = map.domain[2 * direction + 1], width = last - first;
+  int exponent = 0;
+  const bool is_exact =
+      width + first == last && last - width == first && std::fabs(std::frexp(width, &exponent)) == 0.5;
+  const int degree = (direction == 0 ? map.uorder : map.vorder) - 1;
+  if (!is_exact || std::abs(exponent) > 100) return std::nullopt;
+  Map result = map;
+  result.is_float = false;
+  if (degree == 0) {
+    result.points.assign(map.points.size(), 0);
+    return result;
+  }
+  --(direction == 0 ? result.uorder : result.vorder);
+  result.points.clear();
+  const std::size_t row = static_cast<std::size_t>(map.vorder) * map.components,
+                    next = direction == 0 ? row : map.components;
+  for (int i = 0; i < result.uorder; ++i) {
+    for (std::size_t j = 0; j < static_cast<std::size_t>(result.vorder) * map.components; ++j) {
+      const double from = map.points[i * row + j], to = map.points[i * row + j + next],
+                   difference = to - from, rest = difference - to, product = difference * degree;
+      const double lost = (to - (difference - rest)) - (from + rest);  // two-sum (Knuth)
+      const bool is_ordinary =
+          product == 0 || (std::fabs(product) > 0x1p-500 && std::fabs(product) < 0x1p500);
+      if (lost != 0 || std::fma(difference, degree, -product) != 0 || !is_ordinary) return std::nullopt;
+      result.points.push_back(product / width);
+    }
+  }
+  return result;
 }
 
 // ---- The library under test and the oracle
@@ -220,10 +267,10 @@ class Production {
     if (glevEvaluateMesh(plan_, &mesh) != GLEV_SUCCESS) throw std::logic_error("a mesh is rejected");
   }
 
-  // Evaluates `count` patches with the orders and domain of the map and the control points `points`, at all
-  // points of a grid over the domain.
+  // Evaluates `count` patches with the orders and domain of the map and the control points `points`, or a
+  // derivative, at all points of a grid over the domain.
   void patches(const Map& map, const std::vector<double>& points, std::size_t count,
-               const std::array<int, 2>& segments, std::vector<float>& results) {
+               const std::array<int, 2>& segments, glev_attribute attribute, std::vector<float>& results) {
     const std::vector<float> floats(map.is_float ? points.begin() : points.end(), points.end());
     glev_patches patches{};
     patches.size = sizeof patches;
@@ -242,7 +289,7 @@ class Production {
     grid.v_segments = segments[1];
     grid.target = target_.c_str();
     const glev_output output = output_of(results, map.components);
-    const glev_attribute_output outputs = {GLEV_ATTRIBUTE_VERTEX, &output};
+    const glev_attribute_output outputs = {attribute, &output};
     scratch_.resize(glevGetPatchScratchSize(&patches, &grid));
     if (glevEvaluatePatches(&patches, &grid, &outputs, 1, scratch_.data(), scratch_.size()) != GLEV_SUCCESS)
       throw std::logic_error("patches are rejected");
@@ -372,11 +419,12 @@ class Item {
   }
 
  private:
-  // Returns the correctly rounded values of each component.
-  std::vector<std::vector<float>> right(const std::vector<double>& u, const std::vector<double>& v) {
+  // Returns the correctly rounded values of each component of the map or its derivative.
+  std::vector<std::vector<float>> right(const Map& map, const std::vector<double>& u,
+                                        const std::vector<double>& v) {
     std::vector<std::vector<float>> values(map_.components, std::vector<float>(u.size()));
     for (int k = 0; k < map_.components; ++k)
-      outcome_.exact += right_values(map_, two_dimensional_, k, request_.oracle, u, v, grid_, values[k]);
+      outcome_.exact += right_values(map, two_dimensional_, k, request_.oracle, u, v, grid_, values[k]);
     outcome_.samples += u.size() * map_.components;
     return values;
   }
@@ -407,7 +455,7 @@ class Item {
     };
     for (double& x : u) x = argument(map_.domain[0], map_.domain[1]);
     for (double& x : v) x = argument(map_.domain[2], map_.domain[3]);
-    const std::vector<std::vector<float>> expected = right(u, v);
+    const std::vector<std::vector<float>> expected = right(map_, u, v);
     std::vector<float> got(count * map_.components);
     for (const auto& side : sides_) {
       side->define(map_, two_dimensional_, std::nullopt);
@@ -458,7 +506,7 @@ class Item {
         if (two_dimensional_) v.push_back(j1 + j);
       }
     }
-    const std::vector<std::vector<float>> expected = right(u, v);
+    const std::vector<std::vector<float>> expected = right(map_, u, v);
     std::vector<float> got(u.size() * map_.components);
     for (const auto& side : sides_) {
       side->define(map_, two_dimensional_, grid_);
@@ -491,7 +539,6 @@ class Item {
         if (two_dimensional_) v.push_back(static_cast<double>(j));
       }
     }
-    const std::vector<std::vector<float>> expected = right(u, v);
     const std::size_t patches = 1 + random_.below(20), own = random_.below(patches);
     std::vector<double> points;
     for (std::size_t p = 0; p < patches; ++p) {
@@ -503,12 +550,23 @@ class Item {
     }
     const std::size_t values = u.size() * static_cast<std::size_t>(map_.components);
     std::vector<float> all(patches * values);
-    for (const auto& side : sides_) {
-      side->patches(map_, points, patches,
-                    {static_cast<int>(in_u), two_dimensional_ ? static_cast<int>(in_v) : 0}, all);
-      const auto first = all.begin() + static_cast<std::ptrdiff_t>(own * values);
-      compare_all(*side, "patches", u, v, {first, first + static_cast<std::ptrdiff_t>(values)}, expected);
+    const auto compare_patches = [&](glev_attribute attribute, const char* delivery,
+                                     const std::vector<std::vector<float>>& expected) {
+      for (const auto& side : sides_) {
+        side->patches(map_, points, patches,
+                      {static_cast<int>(in_u), two_dimensional_ ? static_cast<int>(in_v) : 0}, attribute,
+                      all);
+        const auto first = all.begin() + static_cast<std::ptrdiff_t>(own * values);
+        compare_all(*side, delivery, u, v, {first, first + static_cast<std::ptrdiff_t>(values)}, expected);
+      }
+    };
+    compare_patches(GLEV_ATTRIBUTE_VERTEX, "patches", right(map_, u, v));
+    const Derivative& derivative = kDerivatives[random_.below(std::size(kDerivatives))];
+    std::optional<Map> derived = map_;
+    for (const int direction : {0, 1}) {
+      for (int k = 0; derived && k < derivative.order[direction]; ++k) derived = derive(*derived, direction);
     }
+    if (derived) compare_patches(derivative.attribute, derivative.delivery, right(*derived, u, v));
   }
 
   const Request& request_;

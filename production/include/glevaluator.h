@@ -631,20 +631,21 @@ GLEV_API glev_result glevCreatePlan(glev_context* context, const glev_plan_info*
 GLEV_API void glevRetainPlan(glev_plan* plan);
 GLEV_API void glevReleasePlan(glev_plan* plan); /* null is ignored */
 
-/* The attributes of a vertex. TANGENT_U and TANGENT_V exist in plans of dimension 2 with a vertex map. They
- * are the derivatives of its components by u and v (of homogeneous coordinates, not of their quotient). Let V
- * be the exact value, n and m the degrees, and D the largest difference of adjacent control points in that
- * direction, times the degree over the width of the domain. Inside the domain, float results are within
- * 2^-24 |V| + (13 (n + m) + 4) 2^-53 D and double results within 2^-53 |V| + 2^-80 D, for finite maps whose
- * magnitudes are zero or from 2^-300 to 2^300 and grids of at most 2^10 times the domain. Automatic normals
- * as doubles have the values of the floats. */
+/* The attributes of a vertex. TANGENT_U and the attributes after it exist in plans of dimension 2 with a
+ * vertex map. They are the derivatives of its components of first and second order by u and v (of homogeneous
+ * coordinates, not of their quotient). They are correctly rounded as floats, and within one ULP of the exact
+ * value as doubles, for all finite maps, domains and arguments. Automatic normals as doubles have the values
+ * of the floats. */
 typedef enum glev_attribute {
   GLEV_ATTRIBUTE_VERTEX = 0,
   GLEV_ATTRIBUTE_COLOR = 1,
   GLEV_ATTRIBUTE_NORMAL = 2, /* from a normal map, or automatic */
   GLEV_ATTRIBUTE_TEXCOORD = 3,
   GLEV_ATTRIBUTE_TANGENT_U = 4,
-  GLEV_ATTRIBUTE_TANGENT_V = 5
+  GLEV_ATTRIBUTE_TANGENT_V = 5,
+  GLEV_ATTRIBUTE_SECOND_UU = 6, /* d2/du2 */
+  GLEV_ATTRIBUTE_SECOND_UV = 7, /* d2/du dv */
+  GLEV_ATTRIBUTE_SECOND_VV = 8  /* d2/dv2 */
 } glev_attribute;
 
 /* Returns the number of values (1 to 4) of an attribute; 0 if the plan has no map for it or there is no such
@@ -660,13 +661,13 @@ GLEV_API size_t glevGetPlanComponents(const glev_plan* plan, glev_attribute attr
  *   largest magnitude of that component of a control point, is between 2^-80 and 2^80. Otherwise, outside the
  *   domain and on its boundary the result is correctly rounded. So patches that share the control points of
  *   an edge meet there without a crack, whatever their orders, directions, domains and numbers of segments.
- * Automatic normals, tangents and double results are the same in both. */
+ * Automatic normals, derivatives and double results are the same in both. */
 typedef enum glev_precision { GLEV_CORRECTLY_ROUNDED = 0, GLEV_FAST = 1 } glev_precision;
 
 /* Destination of one attribute: element i is `components` values at data + i*stride bytes; in a mesh of two
  * dimensions, element (i, j) lies at data + i*stride + j*row_stride, counted from (i1, j1).
  * components: at least glevGetPlanComponents, at most 4 (3 for normals). Missing components are those of
- *   (0,0,0,1), or 0 for tangents.
+ *   (0,0,0,1), or 0 for derivatives.
  * stride: at least the bytes of the components.
  * data_size: bytes at data that may be written.
  * type: GLEV_FLOAT (0 means the same) or GLEV_DOUBLE.
@@ -780,15 +781,23 @@ typedef struct glev_patches {
  *   v_segments, v1, v2) with the ends of the domain. A direction of 0 segments has one point, the first end.
  * LISTS: each patch at u_count * v_count points, (u[i], v[j]).
  * SCATTERED: u_count points; point i is the point of patch number patch[i] at (u[i], v[i]). Consecutive
- *   points of the same patch take less time. */
+ *   points of the same patch take less time.
+ * EDGES: the points of UNIFORM that are not on the boundary, and edges with numbers of segments of their own,
+ *   so that patches meet without cracks although they have different u_segments and v_segments. Each patch
+ *   has one row of points: first the inner ones, (u_segments - 1) * (v_segments - 1), numbered along u first.
+ *   Then once around, in the order of edge_segments and each edge without its last point, the edges v = v1
+ *   from u1 to u2, u = u2 from v1 to v2, v = v2 from u2 to u1, and u = u1 from v2 to v1. The points divide an
+ *   edge into equal segments. Edges with the same control points and numbers of segments have vertices of
+ *   equal bits, in whatever direction, order of the patch and kind of edge. */
 typedef enum glev_grid_kind {
   GLEV_GRID_UNIFORM = 0,
   GLEV_GRID_LISTS = 1,
-  GLEV_GRID_SCATTERED = 2
+  GLEV_GRID_SCATTERED = 2,
+  GLEV_GRID_EDGES = 3
 } glev_grid_kind;
 
 /* The arguments at which patches are evaluated. Members that the kind of grid does not use must be zero.
- * u_segments, v_segments: UNIFORM only, 0 or more.
+ * u_segments, v_segments: UNIFORM, 0 or more; EDGES, 2 or more.
  * u_count: LISTS and SCATTERED. v_count: LISTS only.
  * type: LISTS and SCATTERED: type of the arguments u and v, GLEV_FLOAT or GLEV_DOUBLE.
  * v: LISTS and SCATTERED. It has no effect on curves, for which it may be all zero; v_count 0 then means one
@@ -796,9 +805,13 @@ typedef enum glev_grid_kind {
  * limit_normals: if not FALSE, normals on edges of the domain that are a single point, such as poles, are
  *   limits instead of (0,0,0). If all control points of the edge are equal, NORMAL is its limit from inside
  *   the patch, computed in double from derivatives of second order; (0,0,0) if these do not determine the
- *   limit.
+ *   limit. Let Q be the derivative across the edge, multiplied by w^2 for 4 components as in EvalCoord, and
+ * Q' its derivative along the edge. Each component is within 2^-25 + 2^-30 of the exact limit if |Q' x Q| is
+ *   at least 2^-12 of the same expression of the largest magnitudes of their control points, for magnitudes
+ *   as in EvalCoord. The control points of Q' count as twice those of Q, times the degree.
  * patch: SCATTERED only; patch numbers of type glev_uint.
- * target: a name from glevGetTargetName; null: the best one. */
+ * target: a name from glevGetTargetName; null: the best one.
+ * edge_segments: EDGES only, 1 or more. */
 typedef struct glev_patch_grid {
   size_t size;
   glev_grid_kind kind;
@@ -809,16 +822,18 @@ typedef struct glev_patch_grid {
   glev_boolean limit_normals;
   glev_input u, v, patch;
   const char* target;
+  glev_int edge_segments[4]; /* of the edges v = v1, u = u2, v = v2, u = u1 */
 } glev_patch_grid;
 
-/* Evaluates an array of patches. The attributes are VERTEX, the values of the patches; TANGENT_U and
- * TANGENT_V; and, for 3 or 4 components, NORMAL, the automatic normals. Without limit_normals, a normal is
- * (0,0,0) if a tangent is zero, as for curves.
- * All results have the bits of MAP2 maps of the same control points: for UNIFORM those of glevEvaluateMesh,
- * otherwise those of glevEvaluate. Double results of curves in LISTS and SCATTERED are those of MAP1 maps.
- * Results do not depend on strides, other patches and, except for GLEV_FAST, the instruction set.
+/* Evaluates an array of patches. The attributes are VERTEX, the values of the patches; TANGENT_U to
+ * SECOND_VV, their derivatives; and, for 3 or 4 components, NORMAL, the automatic normals. Without
+ * limit_normals, a normal is (0,0,0) if a tangent is zero, as for curves.
+ * All results have the bits of MAP2 maps of the same control points: for UNIFORM and EDGES those of
+ * glevEvaluateMesh, otherwise those of glevEvaluate. Double results of curves in LISTS and SCATTERED are
+ * those of MAP1 maps. Results do not depend on strides, other patches and, except for GLEV_FAST, the
+ * instruction set.
  * UNIFORM and LISTS: element (i, j) of an output, i along u, lies at data + p*patch_stride + j*row_stride +
- *   i*stride. SCATTERED: element i lies at data + i*stride.
+ *   i*stride. EDGES: there is one row. SCATTERED: element i lies at data + i*stride.
  * scratch: scratch_size bytes of the caller, at least glevGetPatchScratchSize. Contents and alignment do not
  *   matter. No memory is allocated. Concurrent calls need different scratch memory.
  * All arguments are checked before anything is written. Without patches or points, nothing is read or
@@ -869,23 +884,31 @@ GLEV_API glev_result glevCreatePlanFromMap(const glev_map_info* info, glev_plan*
 #define GLEV_CW 0x0900
 #define GLEV_CCW 0x0901
 
-/* The primitives of meshes of columns * rows vertices, numbered along u first, for glDrawElements.
+/* The primitives of meshes of columns * rows vertices, numbered along u first, for glDrawElements and
+ * vkCmdDrawIndexed.
  * mode: the primitives.
  *   POINT: POINTS, in the order of EvalMesh2.
  *   LINE: LINES, first those along u, then those along v, each as EvalMesh draws it.
  *   FILL: TRIANGLES, two for each quadrilateral of the QUAD_STRIPs of EvalMesh2, (i,j) (i,j+1) (i+1,j) and
  *     (i+1,j) (i,j+1) (i+1,j+1), with the same front face.
- *   A mesh of dimension 1 has rows = 1 and no FILL.
+ *   TRIANGLE_STRIP: the triangles of FILL as TRIANGLE_STRIPs: those of EvalMesh2, or strips along v if
+ *     winding is GLEV_CCW. Between two strips there is the largest number of the type, as
+ *     PRIMITIVE_RESTART_FIXED_INDEX and primitiveRestartEnable of Vulkan expect it. No vertex may have this
+ *     number.
+ *   A mesh of dimension 1 has rows = 1, and no FILL or TRIANGLE_STRIP.
  * patches: number of meshes; 0 means 1. Their vertices are contiguous, as glevEvaluatePatches writes them,
  *   and so are their primitives.
- * winding: winding of FILL as seen from the side to which automatic normals point. GLEV_CW (0 means the same)
- *   is that of EvalMesh2; GLEV_CCW swaps the second and third index of each triangle.
+ * winding: winding of triangles as seen from the side to which automatic normals point. GLEV_CW (0 means the
+ *   same) is that of EvalMesh2; GLEV_CCW swaps the second and third vertex of each triangle.
  * vertices: if not null, vertices with equal bits are shared: each index is that of the first vertex, among
  *   those of all patches, whose vertex_bytes bytes are equal. Vertex number i is at vertices +
  *   i*vertex_stride; vertices_size bytes may be read. Vertices are not moved, even if no index refers to
  *   them.
  * scratch: needed to share vertices: scratch_size bytes, at least glevGetIndexScratchSize. Contents and
- *   alignment do not matter. */
+ *   alignment do not matter.
+ * edge_segments: the member of the same name of glev_patch_grid if the vertices are those of GLEV_GRID_EDGES;
+ *   columns and rows are then u_segments + 1 and v_segments + 1, and mode is FILL. The first triangles are
+ *   those of the grid of inner vertices. All four are 0 for other grids. */
 typedef struct glev_indices {
   size_t size;
   glev_enum mode;
@@ -900,6 +923,7 @@ typedef struct glev_indices {
   size_t vertices_size, vertex_stride, vertex_bytes;
   void* scratch;
   size_t scratch_size;
+  glev_int edge_segments[4];
 } glev_indices;
 
 /* Returns the number of indices; 0 if glevGetIndices rejects the arguments. Ignores data and scratch. */
@@ -911,8 +935,9 @@ GLEV_API size_t glevGetIndexScratchSize(const glev_indices* indices);
 
 /* Writes the indices without gaps. Data, vertices and scratch must not overlap; this is not checked.
  * Returns SUCCESS or
- * INVALID_ARGUMENT: a null pointer; a wrong size, mode, type or winding; a vertex whose number the type
- *   cannot hold; vertex_bytes that are 0 or more than vertex_stride; 2^32 vertices or more to share.
+ * INVALID_ARGUMENT: a null pointer; a wrong size, mode, type, winding or edge_segments; less than 3 columns
+ *   or rows with edge_segments; a vertex whose number the type cannot hold; vertex_bytes that are 0 or more
+ *   than vertex_stride; 2^32 vertices or more to share.
  * BUFFER_TOO_SMALL: data_size, vertices_size or scratch_size. */
 GLEV_API glev_result glevGetIndices(const glev_indices* indices);
 

@@ -24,66 +24,72 @@ concept Real = std::is_same_v<T, float> || std::is_same_v<T, double>;
 template <Real T>
 inline constexpr glev_enum kTypeOf = std::is_same_v<T, float> ? GLEV_FLOAT : GLEV_DOUBLE;
 
-// Owns a context. If it could not be made, get() is null and result() is the reason.
-class Context {
+// Owns an object of the library. If it could not be made, get() is null and result() is the reason.
+template <class Object, class Release>
+class Owner {
  public:
-  explicit Context(const glev_context_info* info = nullptr) noexcept {
-    glev_context* context = nullptr;
-    result_ = glevCreateContext(info, &context);
-    context_.reset(context);
+  glev_result result() const noexcept { return object_ != nullptr ? GLEV_SUCCESS : reason_; }
+  explicit operator bool() const noexcept { return object_ != nullptr; }
+  Object* get() const noexcept { return object_.get(); }
+
+ protected:
+  Owner() noexcept = default;
+  // `make` writes the object and returns the result.
+  template <class Make>
+  explicit Owner(const Make& make) noexcept {
+    Object* object = nullptr;
+    const glev_result result = make(&object);
+    object_.reset(object);
+    if (object == nullptr) reason_ = result;
   }
-  glev_result result() const noexcept { return result_; }
-  explicit operator bool() const noexcept { return context_ != nullptr; }
-  glev_context* get() const noexcept { return context_.get(); }
 
  private:
-  struct Destroy {
-    void operator()(glev_context* context) const noexcept { glevDestroyContext(context); }
-  };
-  std::unique_ptr<glev_context, Destroy> context_;
-  glev_result result_;
+  std::unique_ptr<Object, Release> object_;
+  glev_result reason_ = GLEV_ERROR_INVALID_ARGUMENT;
 };
 
-// A reference to a plan; copies share the plan. If it could not be made, get() is null and result() is the
-// reason.
-class Plan {
+struct DestroyContext {
+  void operator()(glev_context* context) const noexcept { glevDestroyContext(context); }
+};
+class Context : public Owner<glev_context, DestroyContext> {
+ public:
+  explicit Context(const glev_context_info* info = nullptr) noexcept
+      : Owner([&](glev_context** context) { return glevCreateContext(info, context); }) {}
+};
+
+struct ReleasePlan {
+  void operator()(glev_plan* plan) const noexcept { glevReleasePlan(plan); }
+};
+// A reference to a plan; copies share the plan.
+class Plan : public Owner<glev_plan, ReleasePlan> {
  public:
   Plan() noexcept = default;
   // Makes a plan of the maps of one dimension, 1 or 2 (glevCreatePlan).
-  Plan(const Context& context, std::size_t dimension) noexcept {
-    if (!context) return;
-    glev_plan_info info{};
-    info.size = sizeof info;
-    info.dimension = dimension;
-    result_ = glevCreatePlan(context.get(), &info, &plan_);
-  }
+  Plan(const Context& context, std::size_t dimension) noexcept
+      : Owner([&](glev_plan** plan) {
+          if (!context) return GLEV_ERROR_INVALID_ARGUMENT;
+          glev_plan_info info{};
+          info.size = sizeof info;
+          info.dimension = dimension;
+          return glevCreatePlan(context.get(), &info, plan);
+        }) {}
   // Makes a plan of one map, without a context (glevCreatePlanFromMap).
-  explicit Plan(const glev_map_info& info) noexcept : result_(glevCreatePlanFromMap(&info, &plan_)) {}
+  explicit Plan(const glev_map_info& info) noexcept
+      : Owner([&](glev_plan** plan) { return glevCreatePlanFromMap(&info, plan); }) {}
 
-  Plan(const Plan& other) noexcept : plan_(other.plan_), result_(other.result_) {
-    if (plan_ != nullptr) glevRetainPlan(plan_);
-  }
-  Plan(Plan&& other) noexcept
-      : plan_(std::exchange(other.plan_, nullptr)), result_(std::exchange(other.result_, kNone)) {}
-  Plan& operator=(Plan other) noexcept {
-    std::swap(plan_, other.plan_);
-    std::swap(result_, other.result_);
-    return *this;
-  }
-  ~Plan() { glevReleasePlan(plan_); }
+  Plan(const Plan& other) noexcept
+      : Owner([&](glev_plan** plan) {
+          *plan = other.get();
+          if (other) glevRetainPlan(*plan);
+          return other.result();
+        }) {}
+  Plan(Plan&&) noexcept = default;
+  Plan& operator=(const Plan& other) noexcept { return *this = Plan(other); }
+  Plan& operator=(Plan&&) noexcept = default;
 
-  glev_result result() const noexcept { return result_; }
-  explicit operator bool() const noexcept { return plan_ != nullptr; }
-  glev_plan* get() const noexcept { return plan_; }
   std::size_t components(glev_attribute attribute) const noexcept {
-    return plan_ == nullptr ? 0 : glevGetPlanComponents(plan_, attribute);
+    return get() == nullptr ? 0 : glevGetPlanComponents(get(), attribute);
   }
-
- private:
-  static constexpr glev_result kNone = GLEV_ERROR_INVALID_ARGUMENT;
-
-  glev_plan* plan_ = nullptr;
-  glev_result result_ = kNone;
 };
 
 // Scratch memory that can be reused by consecutive calls. It grows if necessary.
@@ -141,7 +147,7 @@ class Outputs {
 
  private:
   // One more than the number of attributes: the last output then repeats an attribute, which is an error.
-  static constexpr std::size_t kMost = 7;
+  static constexpr std::size_t kMost = 10;
 
   static glev_output make(void* data, std::size_t size, std::size_t stride, std::size_t components,
                           glev_enum type) noexcept {
@@ -227,6 +233,16 @@ inline glev_patch_grid make_uniform_grid(int u_segments, int v_segments) noexcep
   return grid;
 }
 
+// Returns a grid whose edges v = v1, u = u2, v = v2 and u = u1 have other numbers of segments
+// (GLEV_GRID_EDGES).
+inline glev_patch_grid make_edge_grid(int u_segments, int v_segments,
+                                      const std::array<int, 4>& edge_segments) noexcept {
+  glev_patch_grid grid = make_uniform_grid(u_segments, v_segments);
+  grid.kind = GLEV_GRID_EDGES;
+  for (std::size_t edge = 0; edge < 4; ++edge) grid.edge_segments[edge] = edge_segments[edge];
+  return grid;
+}
+
 template <Real T>
 glev_patch_grid make_list_grid(std::span<const T> u, std::span<const T> v) noexcept {
   glev_patch_grid grid{};
@@ -273,6 +289,14 @@ inline glev_indices make_indices(std::size_t columns, std::size_t rows, std::siz
   indices.rows = rows;
   indices.patches = patches;
   indices.type = GLEV_UNSIGNED_INT;
+  return indices;
+}
+
+// Returns the triangles of patches that are evaluated on this grid, from make_uniform_grid or make_edge_grid.
+inline glev_indices make_indices(const glev_patch_grid& grid, std::size_t patches = 1) noexcept {
+  glev_indices indices = make_indices(static_cast<std::size_t>(grid.u_segments) + 1,
+                                      static_cast<std::size_t>(grid.v_segments) + 1, patches);
+  for (std::size_t edge = 0; edge < 4; ++edge) indices.edge_segments[edge] = grid.edge_segments[edge];
   return indices;
 }
 

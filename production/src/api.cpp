@@ -492,7 +492,7 @@ void glevReleasePlan(glev_plan* plan) {
 size_t glevGetPlanComponents(const glev_plan* plan, glev_attribute attribute) {
   const auto index = static_cast<unsigned>(attribute);
   if (attribute == GLEV_ATTRIBUTE_NORMAL && plan->automatic_normals()) return 3;
-  if (attribute == GLEV_ATTRIBUTE_TANGENT_U || attribute == GLEV_ATTRIBUTE_TANGENT_V)
-    return plan->tangent_components();
+  if (attribute >= GLEV_ATTRIBUTE_TANGENT_U && attribute <= GLEV_ATTRIBUTE_SECOND_VV)
+    return plan->derivative_components();
   return index < glev::kAttributes ? plan->components(static_cast<glev::Attribute>(index)) : 0;
 }

@@ -2,6 +2,7 @@
 // of the caller.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -16,7 +17,7 @@
 namespace {
 
 using glev::Attribute, glev::GridArgument, glev::kAttributes, glev::kCacheLine, glev::kOutputs,
-    glev::kFirstTangent, glev::Output, glev::Outputs, glev::Stream;
+    glev::kFirstDerivative, glev::Output, glev::Outputs, glev::Stream;
 
 // ---- Evaluation without kernels
 
@@ -59,18 +60,36 @@ void evaluate_normals(const glev_plan& plan, const Output& output, const U& u, c
 }
 
 template <class U, class V>
-void evaluate_tangents(const glev_plan& plan, int direction, const Output& output, const U& u, const V& v) {
-  const glev::Surface& tangent = plan.tangent(direction);
-  const double factor = plan.tangent_factor(direction);
+void evaluate_derivative(const glev_plan& plan, int number, const Output& output, const U& u, const V& v) {
+  const glev::DerivativeMap& map = plan.derivative(number);
+  const glev::Surface& net = map.net;
   std::array<double, glev::kMaxOrder * 4> room;
+  // The curve along u of the last v, which is often the next v, too.
+  GridArgument last_v{};
+  glev::Curve curve;
+  double growth_v = HUGE_VAL;
+  bool has_curve = false;
   for_each(output, u, v, [&](const GridArgument& at_u, const GridArgument& at_v) {
     std::array<double, 4> values{};
-    if (tangent.components == 0) return values;
-    const glev::Curve curve = curve_at(tangent, locate(tangent.domain[1], at_v), room.data());
-    evaluate(curve, locate(tangent.domain[0], at_u), values.data());
-    for (int k = 0; k < tangent.components; ++k) values[k] *= factor;
-    for (int k = 0; k < tangent.components && output.is_double; ++k)
-      glev::resolve_derivative_in_double(plan.map(Attribute::kVertex), direction, k, at_u, at_v, &values[k]);
+    if (net.components == 0) return values;
+    if (!has_curve || last_v.index != at_v.index || last_v.grid != at_v.grid) {
+      const glev::Parameter in_v = locate(net.domain[1], at_v);
+      curve = curve_at(net, in_v, room.data());
+      growth_v = in_v.is_sure ? glev::growth_of(in_v, net.degree[1]) : HUGE_VAL;
+      last_v = at_v;
+      has_curve = true;
+    }
+    const glev::Parameter in_u = locate(net.domain[0], at_u);
+    evaluate(curve, in_u, values.data());
+    const double growth = in_u.is_sure ? growth_v * glev::growth_of(in_u, net.degree[0]) : HUGE_VAL;
+    for (int k = 0; k < net.components; ++k) {
+      const double error = map.error[k] == 0 ? 0 : growth <= 0x1p300 ? map.error[k] * growth : HUGE_VAL;
+      const auto resolve = [&]<class Real>(Real) {
+        return glev::resolve_derivative<Real>(plan.map(Attribute::kVertex), glev::kDerivatives[number], k,
+                                              at_u, at_v, values[k] * map.factor, error);
+      };
+      values[k] = output.is_double ? resolve(double{}) : resolve(float{});
+    }
     return values;
   });
 }
@@ -100,8 +119,8 @@ void evaluate_all(const glev_plan& plan, const Outputs& outputs, const U& u, con
     if (!output.is_wanted) continue;
     const glev::Destination to = {output.data, output.stream.stride, output.stream.row_stride,
                                   output.components};
-    if (o >= kFirstTangent) {
-      evaluate_tangents(plan, o - kFirstTangent, output, u, v);
+    if (o >= kFirstDerivative) {
+      evaluate_derivative(plan, o - kFirstDerivative, output, u, v);
     } else if (o == static_cast<int>(Attribute::kNormal) && plan.automatic_normals()) {
       if (output.is_double || !normals(to)) evaluate_normals(plan, output, u, v);
     } else if (output.is_double) {

@@ -116,24 +116,36 @@ Enclosure enclose(const Component& component, double largest, const GridArgument
       });
 }
 
-Enclosure enclose_derivative(const Component& component, int direction, const GridArgument& u,
+Enclosure enclose_derivative(const Component& component, const Derivative& derivative, const GridArgument& u,
                              const GridArgument& v) {
+  const std::ptrdiff_t row = component.order[1] * component.stride;
   std::array<int, 2> degree = {component.order[0] - 1, component.order[1] - 1};
-  const int factor = degree[direction]--;
+  int factor = 1;
+  for (const std::size_t d : {0, 1}) {
+    for (int k = 0; k < derivative[d]; ++k) factor *= degree[d]--;
+  }
   if (factor == 0) return {};
-  const std::ptrdiff_t row = component.order[1] * component.stride,
-                       next = direction == 0 ? row : component.stride;
+  const bool is_second = derivative[0] + derivative[1] == 2;
+  const std::ptrdiff_t first = derivative[0] > 0 ? row : component.stride,
+                       second = derivative[1] > 0 ? component.stride : row;
+  const auto point = [&](int i, int j) { return component.points + i * row + j * component.stride; };
   const auto difference = [&](int i, int j) {
-    const double* const point = component.points + i * row + j * component.stride;
-    return two_sum(point[next], -*point);
+    const double* const own = point(i, j);
+    const DoubleDouble near = two_sum(own[first], -*own);
+    return is_second ? two_sum(own[first + second], -own[second]) - near : near;
   };
   double largest = 0;
   for (int i = 0; i <= degree[0]; ++i) {
-    for (int j = 0; j <= degree[1]; ++j) largest = std::max(largest, std::fabs(difference(i, j).high));
+    for (int j = 0; j <= degree[1]; ++j) {
+      const double* const own = point(i, j);
+      const double far = is_second ? std::fabs(own[first + second] - own[second]) : 0;
+      largest = std::max(largest, std::fabs(own[first] - *own) + far);
+    }
   }
   if (largest == 0) return {};
   const Enclosure net = enclose_net(degree, component.domain, largest, u, v, difference);
-  return {net.value * factor, net.error * (factor * (1 + 0x1p-20))};
+  // The sum of two differences has an error of 4 units of their magnitudes, and the bound has at least 48.
+  return {net.value * factor, net.error * (factor * (is_second ? 1.125 : 1 + 0x1p-20))};
 }
 
 bool settle(const DoubleDouble& value, double error, float* result) {

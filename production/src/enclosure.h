@@ -42,10 +42,13 @@ bool is_claimed(const PreparedDirection& in_u, const PreparedDirection& in_v, do
 Enclosure enclosure_of(const DoubleDouble& sum, std::array<int, 2> degree, const PreparedDirection& in_u,
                        const PreparedDirection& in_v, double largest);
 
-// Encloses the derivative by the normalised coordinate of a direction (0: u, 1: v). Its control points are
-// the degree times the exact differences of control points, and its degree in that direction is one less. The
-// result is exactly zero if all differences are zero.
-Enclosure enclose_derivative(const Component& component, int direction, const GridArgument& u,
+// The orders of a partial derivative by u and v, from 1 to 2 together.
+using Derivative = std::array<int, 2>;
+
+// Encloses a derivative by the normalised coordinates. Its control points are differences of control points,
+// times the degree, for each order; differences of first order are exact. The result is exactly zero if all
+// differences of first order are zero.
+Enclosure enclose_derivative(const Component& component, const Derivative& derivative, const GridArgument& u,
                              const GridArgument& v);
 
 // Computes the float to which every number from value - error to value + error rounds. Returns false if there

@@ -5,6 +5,9 @@
 //   sum = sum * a + C R_i * b^(n - i),
 // with a running power of b, modulo a power of two that is large enough for the result. Therefore
 // intermediate values need no bounds, and subtractions no signs.
+//
+// The control points of a derivative are sums of up to four control points, times an integer, over powers of
+// the widths of the domain.
 #include "exact.h"
 
 #include <algorithm>
@@ -29,14 +32,78 @@ struct Direction {
   int binomial_bits() const { return bit_width(binomial_row(degree)[degree / 2]); }
 };
 
+// Each control point of the net of a derivative is the sum of the points at these distances, times 1 << shift
+// and the sign.
+struct Differences {
+  struct Term {
+    std::ptrdiff_t distance = 0;
+    bool is_negative = false;
+    int shift = 0;
+  };
+  std::array<Term, 4> terms;
+  int count = 1;
+
+  // Takes differences of points that are `step` apart.
+  void add_direction(int order, std::ptrdiff_t step) {
+    if (order == 2 && count == 1) {
+      terms = {{{0, false, 0}, {step, true, 1}, {2 * step, false, 0}}};
+      count = 3;
+      return;
+    }
+    for (int k = 0; order == 1 && k < count; ++k) {
+      terms[count + k] = {terms[k].distance + step, terms[k].is_negative, 0};
+      terms[k].is_negative = !terms[k].is_negative;
+    }
+    if (order == 1) count *= 2;
+  }
+};
+
+// A power of the width of a domain, for derivatives: +-power * 2^exponent.
+struct WidthPower {
+  WidthPower(const Domain& domain, int order) {
+    if (order == 0) return;
+    exponent = order * to_width(domain, width);
+    power = {width.limbs.data(), width.size, order};
+    is_negative = width.negative && order % 2 != 0;
+  }
+  WidthPower(const WidthPower&) = delete;
+  WidthPower& operator=(const WidthPower&) = delete;
+  int bits() const { return power.exponent * (power.exponent == 0 ? 0 : bit_width(power.base, power.size)); }
+
+  RatioPart width;
+  IntegerPower power = {nullptr, 0, 0};
+  int exponent = 0;
+  bool is_negative = false;
+};
+
 struct Net {
   const double* points;
   const Direction &outer, &inner;
+  const Differences& differences;
+  Limb factor;  // of the control points
+  std::array<const WidthPower*, 2> widths;
   int low = 0, bits = 0;  // each R is a multiple of 2^low, |R| < 2^(low + bits)
 
   // Return the numbers of bits of the inner sums and of the whole sum, in two's complement.
   int row_bits() const { return bits + inner.degree * inner.bits + 1; }
   int all_bits() const { return row_bits() + outer.degree * outer.bits; }
+
+  Denominator denominator() const {
+    return {&outer.whole, &inner.whole, &widths[0]->power, &widths[1]->power};
+  }
+
+  // Calls function(decoded) for the terms of a control point that are not zero.
+  template <class Function>
+  void for_each_term(const double* point, const Function& function) const {
+    for (int k = 0; k < differences.count; ++k) {
+      const Differences::Term& term = differences.terms[k];
+      Decoded decoded = decode(point[term.distance]);
+      if (decoded.mantissa == 0) continue;
+      decoded.exponent += term.shift;
+      decoded.negative = decoded.negative != term.is_negative;
+      function(decoded);
+    }
+  }
 };
 
 // Returns ceil(log2(|a| + |b|)), or at most one more if the signs of a and b differ.
@@ -71,20 +138,24 @@ void set_direction(int order, std::ptrdiff_t step, const Domain& domain, const G
   std::swap(direction.a, direction.b);
 }
 
+// Sums of up to four terms need two more bits.
+constexpr int kTermBits = 2;
+
 // Sets the range of the control points. Returns false if all of them are zero.
 bool find_range(Net& net) {
   int low = 1024, high = -1075;
   for (int i = 0; i <= net.outer.degree; ++i) {
     const double* point = net.points + i * net.outer.step;
     for (int j = 0; j <= net.inner.degree; ++j, point += net.inner.step) {
-      const Decoded decoded = decode(*point);
-      if (decoded.mantissa == 0) continue;
-      low = std::min(low, decoded.exponent);
-      high = std::max(high, decoded.exponent + bit_width(decoded.mantissa));
+      net.for_each_term(point, [&](const Decoded& decoded) {
+        low = std::min(low, decoded.exponent);
+        high = std::max(high, decoded.exponent + bit_width(decoded.mantissa));
+      });
     }
   }
   net.low = low;
   net.bits = high - low;
+  if (net.differences.count > 1) net.bits += kTermBits + bit_width(net.factor);
   return high >= low;
 }
 
@@ -113,10 +184,12 @@ Limb2 sum_narrow(const Net& net) {
   return horner_narrow(net.outer, [&net](int i) {
     const double* const row = net.points + i * net.outer.step;
     return horner_narrow(net.inner, [&net, row](int j) -> Limb2 {
-      const Decoded decoded = decode(row[j * net.inner.step]);
-      if (decoded.mantissa == 0) return 0;
-      const Limb2 magnitude = Limb2{decoded.mantissa} << (decoded.exponent - net.low);
-      return decoded.negative ? 0 - magnitude : magnitude;
+      Limb2 sum = 0;
+      net.for_each_term(row + j * net.inner.step, [&](const Decoded& decoded) {
+        const Limb2 magnitude = Limb2{decoded.mantissa} << (decoded.exponent - net.low);
+        sum += decoded.negative ? 0 - magnitude : magnitude;
+      });
+      return sum;
     });
   });
 }
@@ -179,17 +252,17 @@ void sum_of_row(const Net& net, const double* row, Limb* sum, Limb* room) {
   const std::uint64_t* const binomials = binomial_row(net.inner.degree);
   horner(net.inner, net.bits + 1, net.row_bits(), sum, room,
          [&](int j, int size, const RunningPower& power, bool negative) {
-           const Decoded decoded = decode(row[j * net.inner.step]);
-           if (decoded.mantissa == 0) return;
-           const Limb2 factor = Limb2{decoded.mantissa} * binomials[j];
-           const int shift = decoded.exponent - net.low, position = shift / kLimbBits;
-           const int left = shift % kLimbBits, right = kLimbBits - 1 - left;
-           const Limb low = static_cast<Limb>(factor), high = high_limb(factor);
-           const bool minus = negative != decoded.negative;
-           add_term(sum, size, power.limbs, power.size, low << left, position, minus);
-           add_term(sum, size, power.limbs, power.size, low >> 1 >> right | high << left, position + 1,
-                    minus);
-           add_term(sum, size, power.limbs, power.size, high >> 1 >> right, position + 2, minus);
+           net.for_each_term(row + j * net.inner.step, [&](const Decoded& decoded) {
+             const Limb2 factor = Limb2{decoded.mantissa} * binomials[j];
+             const int shift = decoded.exponent - net.low, position = shift / kLimbBits;
+             const int left = shift % kLimbBits, right = kLimbBits - 1 - left;
+             const Limb low = static_cast<Limb>(factor), high = high_limb(factor);
+             const bool minus = negative != decoded.negative;
+             add_term(sum, size, power.limbs, power.size, low << left, position, minus);
+             add_term(sum, size, power.limbs, power.size, low >> 1 >> right | high << left, position + 1,
+                      minus);
+             add_term(sum, size, power.limbs, power.size, high >> 1 >> right, position + 2, minus);
+           });
          });
 }
 
@@ -199,8 +272,7 @@ struct Layout {
         row(net.outer.degree == 0 ? 0 : limbs_for(net.row_bits()) + 1),
         inner_power(power_room(net.inner)),
         outer_power(power_room(net.outer)),
-        all(sum +
-            std::max(row + inner_power + outer_power, rounding_room(net.outer.whole, net.inner.whole))) {}
+        all(sum + std::max(row + inner_power + outer_power, rounding_room(net.denominator()))) {}
 
   // Sizes in limbs. Rounding reuses the memory of everything except the sum.
   int sum, row, inner_power, outer_power, all;
@@ -232,12 +304,17 @@ void sum_net(const Net& net, const Layout& layout, Limb* room) {
 // Rounds the sum, which is in two's complement at the beginning of `room`.
 template <class Real>
 Real round_sum(const Net& net, Limb* room, int size) {
-  const bool negative = is_negative(room, size);
+  if (net.factor != 1) multiply(room, size, net.factor);
+  bool negative = is_negative(room, size);
   if (negative) negate(room, size);
   const int trimmed = trimmed_size(room, size);
   if (trimmed == 0) return 0;
-  return round_quotient<Real>({room, trimmed, negative, net.low, {&net.outer.whole, &net.inner.whole}},
-                              room + size);
+  int exponent = net.low;
+  for (const WidthPower* const width : net.widths) {
+    exponent -= width->exponent;
+    negative = negative != width->is_negative;
+  }
+  return round_quotient<Real>({room, trimmed, negative, exponent, net.denominator()}, room + size);
 }
 
 // One function for each size, so that only large problems use much stack.
@@ -253,7 +330,8 @@ constexpr int kMediumRoom = 1536;
 
 // The size of the largest problem: order 64 in both directions, with the widest control points, domain and
 // grid.
-constexpr int kPointBits = 1074 + 1024, kMaxDegree = kMaxOrder - 1, kBinomialLimb = 1;
+constexpr int kMaxDegree = kMaxOrder - 1, kBinomialLimb = 1;
+constexpr int kPointBits = 1074 + 1024 + 1 + kTermBits + bit_width(Limb{kMaxDegree} * kMaxDegree);
 constexpr int kRatioLimbs = limbs_for(kRatioBits);
 constexpr int kLargestSum = limbs_for(kPointBits + 2 * kMaxDegree * kRatioBits + 1);
 constexpr int kLargestRow = limbs_for(kPointBits + kMaxDegree * kRatioBits + 1) + kBinomialLimb;
@@ -266,18 +344,29 @@ static_assert(kLargestRoom * sizeof(Limb) < 90000, "the documented use of the st
 }  // namespace
 
 template <class Real>
-Real round_exactly(const Component& component, const GridArgument& u, const GridArgument& v) {
-  const std::array<int, 2>& order = component.order;
+Real round_exactly(const Component& component, const GridArgument& u, const GridArgument& v,
+                   const std::array<int, 2>& derivative) {
+  std::array<int, 2> order = component.order;
+  const std::array<std::ptrdiff_t, 2> step = {order[1] * component.stride, component.stride};
+  Differences differences;
+  Limb factor = 1;
+  for (const std::size_t d : {0, 1}) {
+    differences.add_direction(derivative[d], step[d]);
+    for (int k = 0; k < derivative[d]; ++k) factor *= static_cast<Limb>(--order[d]);
+  }
+  if (factor == 0) return 0;
   const double* points = component.points;
   Ratio ratio_u, ratio_v;
   Direction in_u, in_v;
-  set_direction(order[0], order[1] * component.stride, component.domain[0], u, points, ratio_u, in_u);
-  set_direction(order[1], component.stride, component.domain[1], v, points, ratio_v, in_v);
+  set_direction(order[0], step[0], component.domain[0], u, points, ratio_u, in_u);
+  set_direction(order[1], step[1], component.domain[1], v, points, ratio_v, in_v);
   const bool curve_in_u = in_v.degree == 0;
-  Net net = {points, curve_in_u ? in_v : in_u, curve_in_u ? in_u : in_v};
+  const WidthPower width_u(component.domain[0], derivative[0]), width_v(component.domain[1], derivative[1]);
+  Net net = {points, curve_in_u ? in_v : in_u, curve_in_u ? in_u : in_v, differences,
+             factor, {&width_u, &width_v}};
   if (!find_range(net)) return 0;
 
-  if (net.all_bits() <= 2 * kLimbBits) {
+  if (net.all_bits() + width_u.bits() + width_v.bits() <= 2 * kLimbBits) {
     const Limb2 sum = sum_narrow(net);
     constexpr int kSize = 2;
     std::array<Limb, kSize + limbs_for(2 * kLimbBits + 54) + kSize> room;
@@ -291,7 +380,9 @@ Real round_exactly(const Component& component, const GridArgument& u, const Grid
   return round_in<Real, kLargestRoom>(net, layout);
 }
 
-template float round_exactly(const Component&, const GridArgument&, const GridArgument&);
-template double round_exactly(const Component&, const GridArgument&, const GridArgument&);
+template float round_exactly(const Component&, const GridArgument&, const GridArgument&,
+                             const std::array<int, 2>&);
+template double round_exactly(const Component&, const GridArgument&, const GridArgument&,
+                              const std::array<int, 2>&);
 
 }  // namespace glev

@@ -22,11 +22,15 @@ struct Component {
 // underflow, and to infinity if |V| >= 2^128 - 2^103. V = 0 gives +0; another V that rounds to zero keeps its
 // sign.
 //
+// With a derivative {a, b}, V is the derivative of order a by u and b by v instead, for a + b <= 2. In a
+// direction of order 1, the domain must then be valid as well.
+//
 // Arguments must be finite, with indices of at most 33 bits, and may lie outside the domain. A real argument
 // u is {{u, u, 1}, 0}. Uses only stack memory: about 2 KB in ordinary cases, at most 90 KB. Computes in
 // integers, so the rounding mode of the caller has no effect. Real is float or double, with the limits of
 // that type.
 template <class Real = float>
-Real round_exactly(const Component& component, const GridArgument& u, const GridArgument& v);
+Real round_exactly(const Component& component, const GridArgument& u, const GridArgument& v,
+                   const std::array<int, 2>& derivative = {});
 
 }  // namespace glev

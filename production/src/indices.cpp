@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <utility>
 
 #include "structures.h"
@@ -27,30 +28,70 @@ bool multiply(std::size_t a, std::size_t b, std::size_t* product) {
   return !__builtin_mul_overflow(a, b, product);
 }
 
+// Returns the largest number of an index type, which TRIANGLE_STRIP uses to restart primitives.
+std::size_t largest_index(glev_enum type) { return (std::uint64_t{1} << (8 * index_bytes(type))) - 1; }
+
+// Returns the number of vertices on the boundary of a patch of GLEV_GRID_EDGES; 0 for other grids.
+std::size_t boundary_of(const glev_indices& indices) {
+  std::size_t sum = 0;
+  for (const glev_int segments : indices.edge_segments) sum += static_cast<std::size_t>(segments);
+  return sum;
+}
+
+// Counts the vertices of a patch. Returns false if columns, rows or edge_segments are invalid.
+bool count_vertices(const glev_indices& indices, std::size_t* own) {
+  const auto& edges = indices.edge_segments;
+  if (std::all_of(std::begin(edges), std::end(edges), [](glev_int segments) { return segments == 0; }))
+    return multiply(indices.columns, indices.rows, own);
+  if (indices.mode != GLEV_FILL || indices.columns < 3 || indices.rows < 3) return false;
+  if (std::any_of(std::begin(edges), std::end(edges), [](glev_int segments) { return segments < 1; }))
+    return false;
+  return multiply(indices.columns - 2, indices.rows - 2, own) &&
+         !__builtin_add_overflow(*own, boundary_of(indices), own);
+}
+
+// The strips of a patch. GLEV_CCW has strips along v, because strips along u with the same triangles are
+// clockwise.
+struct Strips {
+  explicit Strips(const glev_indices& indices)
+      : are_along_v(indices.winding == GLEV_CCW),
+        steps(are_along_v ? indices.rows : indices.columns),
+        count(steps < 2 ? 0 : (are_along_v ? indices.columns : indices.rows) - 1) {}
+
+  bool are_along_v;
+  std::size_t steps, count;
+};
+
 // Copies the structure and counts vertices and indices. Returns false if it is invalid, apart from the sizes
 // and pointers of memory.
 bool read_indices(const glev_indices* given, glev_indices* indices, std::size_t* vertices,
                   std::size_t* count) {
   if (!glev::read_struct(given, indices) || index_bytes(indices->type) == 0) return false;
   const glev_enum mode = indices->mode, winding = indices->winding;
-  if (mode != GLEV_POINT && mode != GLEV_LINE && mode != GLEV_FILL) return false;
+  const bool has_strips = mode == GLEV_TRIANGLE_STRIP;
+  if (mode != GLEV_POINT && mode != GLEV_LINE && mode != GLEV_FILL && !has_strips) return false;
   if (winding != 0 && winding != GLEV_CW && winding != GLEV_CCW) return false;
   if (indices->patches == 0) indices->patches = 1;
   const std::size_t columns = indices->columns, rows = indices->rows, first = indices->first;
   std::size_t own;
-  if (!multiply(columns, rows, &own) || !multiply(own, indices->patches, vertices)) return false;
+  if (!count_vertices(*indices, &own) || !multiply(own, indices->patches, vertices)) return false;
   const bool shares = indices->vertices != nullptr;
   if (shares && (indices->vertex_bytes == 0 || indices->vertex_bytes > indices->vertex_stride)) return false;
   *count = 0;
   if (*vertices == 0) return true;
-  const std::size_t largest = (std::uint64_t{1} << (8 * index_bytes(indices->type))) - 1;
+  const std::size_t largest = largest_index(indices->type) - (has_strips ? 1 : 0);
   if (*vertices - 1 > largest || first > largest - (*vertices - 1)) return false;
   if (shares && *vertices >= std::uint64_t{1} << 32) return false;
   // With fewer than 2^32 vertices, nothing overflows below.
   if (mode == GLEV_POINT) *count = own;
   if (mode == GLEV_LINE) *count = 2 * (own - rows) + (rows > 1 ? 2 * (own - columns) : 0);
   if (mode == GLEV_FILL) *count = 6 * (own - rows - columns + 1);
+  const std::size_t boundary = boundary_of(*indices);
+  if (boundary != 0) *count = 6 * (own - boundary - 1) + 3 * boundary;
+  const Strips strips(*indices);
+  if (has_strips) *count = strips.count * (2 * strips.steps + 1);
   *count *= indices->patches;
+  if (has_strips && *count != 0) --*count;  // no restart at the end
   return true;
 }
 
@@ -111,11 +152,40 @@ class IndexWriter {
         bytes_(index_bytes(indices.type)),
         to_(static_cast<std::byte*>(indices.data)) {}
 
-  void begin_patch(std::size_t patch) { patch_ = patch * indices_.rows * indices_.columns; }
+  void add_patch(std::size_t patch, std::size_t vertices) {
+    first_ = patch * vertices;
+    const std::size_t columns = indices_.columns, rows = indices_.rows, boundary = boundary_of(indices_);
+    switch (indices_.mode) {
+      case GLEV_POINT:
+        for (std::size_t own = 0; own < vertices; ++own) add(own);
+        break;
+      case GLEV_LINE:
+        for (std::size_t j = 0; j < rows; ++j) {
+          for (std::size_t i = 0; i + 1 < columns; ++i) {
+            add(j * columns + i);
+            add(j * columns + i + 1);
+          }
+        }
+        for (std::size_t i = 0; i < columns; ++i) {
+          for (std::size_t j = 0; j + 1 < rows; ++j) {
+            add(j * columns + i);
+            add((j + 1) * columns + i);
+          }
+        }
+        break;
+      case GLEV_FILL:
+        if (boundary == 0) return add_quadrilaterals(columns, rows);
+        add_quadrilaterals(columns - 2, rows - 2);
+        add_boundary(vertices - boundary, boundary);
+        break;
+      case GLEV_TRIANGLE_STRIP:
+        add_strips();
+        break;
+    }
+  }
 
-  void add(std::size_t i, std::size_t j) {
-    const std::size_t own = patch_ + j * indices_.columns + i;
-    const auto number = static_cast<std::uint32_t>(indices_.first + (equal_ == nullptr ? own : equal_[own]));
+ private:
+  void write(std::uint32_t number) {
     const auto byte = static_cast<std::uint8_t>(number);
     const auto two = static_cast<std::uint16_t>(number);
     std::memcpy(to_,
@@ -125,52 +195,72 @@ class IndexWriter {
                 bytes_);
     to_ += bytes_;
   }
+  // Adds a vertex by its number in the patch.
+  void add(std::size_t own) {
+    own += first_;
+    write(static_cast<std::uint32_t>(indices_.first + (equal_ == nullptr ? own : equal_[own])));
+  }
+  void add_triangle(std::size_t first, std::size_t second, std::size_t third) {
+    if (indices_.winding == GLEV_CCW) std::swap(second, third);
+    for (const std::size_t own : {first, second, third}) add(own);
+  }
 
-  void add_patch() {
-    const std::size_t columns = indices_.columns, rows = indices_.rows;
-    switch (indices_.mode) {
-      case GLEV_POINT:
-        for (std::size_t j = 0; j < rows; ++j) {
-          for (std::size_t i = 0; i < columns; ++i) add(i, j);
-        }
-        break;
-      case GLEV_LINE:
-        for (std::size_t j = 0; j < rows; ++j) {
-          for (std::size_t i = 0; i + 1 < columns; ++i) {
-            add(i, j);
-            add(i + 1, j);
-          }
-        }
-        for (std::size_t i = 0; i < columns; ++i) {
-          for (std::size_t j = 0; j + 1 < rows; ++j) {
-            add(i, j);
-            add(i, j + 1);
-          }
-        }
-        break;
-      case GLEV_FILL:
-        for (std::size_t j = 0; j + 1 < rows; ++j) {
-          for (std::size_t i = 0; i + 1 < columns; ++i) {
-            add_triangle({i, j}, {i, j + 1}, {i + 1, j});
-            add_triangle({i + 1, j}, {i, j + 1}, {i + 1, j + 1});
-          }
-        }
-        break;
+  void add_quadrilaterals(std::size_t columns, std::size_t rows) {
+    for (std::size_t j = 0; j + 1 < rows; ++j) {
+      for (std::size_t i = 0; i + 1 < columns; ++i) {
+        const std::size_t corner = j * columns + i, above = corner + columns;
+        add_triangle(corner, above, corner + 1);
+        add_triangle(corner + 1, above, above + 1);
+      }
     }
   }
 
- private:
-  struct Corner {
-    std::size_t i, j;
-  };
-  void add_triangle(Corner first, Corner second, Corner third) {
-    if (indices_.winding == GLEV_CCW) std::swap(second, third);
-    for (const Corner& corner : {first, second, third}) add(corner.i, corner.j);
+  // Adds the triangles between the boundary, whose vertices begin with number `first`, and the grid inside.
+  // Along each edge, the side whose next segment has its middle first gets the next triangle.
+  void add_boundary(std::size_t first, std::size_t boundary) {
+    const std::size_t columns = indices_.columns - 2, rows = indices_.rows - 2;
+    const std::size_t right = columns - 1, top = (rows - 1) * columns;
+    const struct {
+      std::size_t corner, step, segments;  // vertices of the grid inside, along the edge
+    } inner[4] = {{0, 1, columns - 1},
+                  {right, columns, rows - 1},
+                  {top + right, 0 - std::size_t{1}, columns - 1},
+                  {top, 0 - columns, rows - 1}};
+    std::size_t begin = 0;
+    for (int edge = 0; edge < 4; ++edge) {
+      const auto [corner, step, segments] = inner[edge];
+      const auto outer = static_cast<std::size_t>(indices_.edge_segments[edge]);
+      const auto vertex = [&, start = begin](std::size_t a) { return first + (start + a) % boundary; };
+      for (std::size_t a = 0, b = 0; a < outer || b < segments;) {
+        const std::size_t own = corner + b * step;
+        const bool is_outer = b == segments || (a < outer && std::uint64_t{2 * a + 1} * (segments + 2) <=
+                                                                 std::uint64_t{2 * b + 3} * outer);
+        if (is_outer) {
+          add_triangle(vertex(a), own, vertex(a + 1));
+          ++a;
+        } else {
+          add_triangle(vertex(a), own, own + step);
+          ++b;
+        }
+      }
+      begin += outer;
+    }
+  }
+
+  void add_strips() {
+    const Strips strips(indices_);
+    for (std::size_t strip = 0; strip < strips.count; ++strip) {
+      if (to_ != indices_.data) write(static_cast<std::uint32_t>(largest_index(indices_.type)));
+      for (std::size_t k = 0; k < strips.steps; ++k) {
+        for (const std::size_t side : {strip, strip + 1})
+          add(strips.are_along_v ? k * indices_.columns + side : side * indices_.columns + k);
+      }
+    }
   }
 
   const glev_indices& indices_;
   const std::uint32_t* equal_;
-  std::size_t bytes_, patch_ = 0;
+  std::size_t bytes_, first_ = 0;
   std::byte* to_;
 };
 
@@ -205,9 +295,7 @@ glev_result glevGetIndices(const glev_indices* given) {
       return GLEV_ERROR_BUFFER_TOO_SMALL;
   }
   IndexWriter writer(indices, shares ? find_equal_vertices(indices, vertices) : nullptr);
-  for (std::size_t patch = 0; patch < indices.patches; ++patch) {
-    writer.begin_patch(patch);
-    writer.add_patch();
-  }
+  for (std::size_t patch = 0; patch < indices.patches; ++patch)
+    writer.add_patch(patch, vertices / indices.patches);
   return GLEV_SUCCESS;
 }

@@ -89,8 +89,8 @@ bool from_enclosures(const PreparedMap& map, const GridArgument& u, const GridAr
   for (int k = 0; k < components; ++k) {
     const PreparedComponent& component = map.component[k];
     if (component.kind == PreparedComponent::Kind::kUnclaimed) return false;
-    p_u[k] = enclose_derivative(component.lowest, 0, u, v);
-    p_v[k] = enclose_derivative(component.lowest, 1, u, v);
+    p_u[k] = enclose_derivative(component.lowest, {1, 0}, u, v);
+    p_v[k] = enclose_derivative(component.lowest, {0, 1}, u, v);
     if (components == 4) p[k] = enclose(component.lowest, component.lowest_largest, u, v);
   }
   if (!scale_to_unit(p) || !scale_to_unit(p_u) || !scale_to_unit(p_v)) return false;

@@ -89,8 +89,8 @@ inline Stream claim(void* memory, std::size_t bytes) {
 
 // ---- Outputs
 
-constexpr int kFirstTangent = kAttributes, kOutputs = kAttributes + 2;
-static_assert(kFirstTangent == GLEV_ATTRIBUTE_TANGENT_U && kOutputs == GLEV_ATTRIBUTE_TANGENT_V + 1);
+constexpr int kFirstDerivative = kAttributes, kOutputs = kAttributes + 5;
+static_assert(kFirstDerivative == GLEV_ATTRIBUTE_TANGENT_U && kOutputs == GLEV_ATTRIBUTE_SECOND_VV + 1);
 
 struct Output {
   bool is_wanted = false, is_double = false;
@@ -113,6 +113,13 @@ struct Output {
     Output part = *this;
     if (is_wanted) part.data += number * stream.row_stride;
     part.stream.rows = 1;
+    return part;
+  }
+  // Returns `columns` * `rows` consecutive elements of a single row as a mesh.
+  Output mesh(std::size_t first, std::size_t columns, std::size_t rows) const {
+    Output part = this->columns(first, columns);
+    part.stream.rows = rows;
+    part.stream.row_stride = columns * stream.stride;
     return part;
   }
   // Returns `count` elements of a single row.

@@ -114,9 +114,15 @@ bool read_grid(const glev_patch_grid* given, const glev_patches& patches, glev_p
   *kernels = glev::find_kernels(grid->target);
   if (*kernels == nullptr) return false;
   const unsigned kind = glev::number_of(grid->kind);
-  if (kind == GLEV_GRID_UNIFORM) {
-    return grid->u_segments >= 0 && grid->v_segments >= 0 && grid->u_count == 0 && grid->v_count == 0 &&
-           grid->type == 0 && is_absent(grid->u) && is_absent(grid->v) && is_absent(grid->patch);
+  const bool has_edges = kind == GLEV_GRID_EDGES;
+  for (const glev_int segments : grid->edge_segments) {
+    if (has_edges ? segments < 1 : segments != 0) return false;
+  }
+  if (kind == GLEV_GRID_UNIFORM || has_edges) {
+    const glev_int least = has_edges ? 2 : 0;
+    return grid->u_segments >= least && grid->v_segments >= least && grid->u_count == 0 &&
+           grid->v_count == 0 && grid->type == 0 && is_absent(grid->u) && is_absent(grid->v) &&
+           is_absent(grid->patch);
   }
   if (grid->u_segments != 0 || grid->v_segments != 0) return false;
   if (grid->type != GLEV_FLOAT && grid->type != GLEV_DOUBLE) return false;
@@ -126,15 +132,41 @@ bool read_grid(const glev_patch_grid* given, const glev_patches& patches, glev_p
 }
 
 bool is_scattered(const glev_patch_grid& grid) { return grid.kind == GLEV_GRID_SCATTERED; }
+bool has_edges(const glev_patch_grid& grid) { return grid.kind == GLEV_GRID_EDGES; }
+// Returns true if the points are those of grids, without arguments of the caller.
+bool has_segments(const glev_patch_grid& grid) { return grid.kind == GLEV_GRID_UNIFORM || has_edges(grid); }
+
+glev::Grid grid_of(const glev::Domain& domain, glev_int segments) {
+  return {domain.u1, domain.u2, std::max(segments, 1)};
+}
+
+// Returns the meshes of a patch of GLEV_GRID_EDGES: the inner points, and each edge without its last point.
+std::array<glev::MeshRange, 5> ranges_of_edges(const glev_patches& patches, const glev_patch_grid& grid) {
+  const auto [u, v] = domain_of(patches);
+  const glev::Domain back_u = {u.u2, u.u1}, back_v = {v.u2, v.u1};
+  const auto& edges = grid.edge_segments;
+  const auto count = [](glev_int segments) { return static_cast<std::size_t>(segments); };
+  return {{{grid_of(u, grid.u_segments), grid_of(v, grid.v_segments), 1, 1, count(grid.u_segments) - 1,
+            count(grid.v_segments) - 1},
+           {grid_of(u, edges[0]), grid_of(v, 1), 0, 0, count(edges[0]), 1},
+           {grid_of(u, 1), grid_of(v, edges[1]), 1, 0, 1, count(edges[1])},
+           {grid_of(back_u, edges[2]), grid_of(v, 1), 0, 1, count(edges[2]), 1},
+           {grid_of(u, 1), grid_of(back_v, edges[3]), 0, 0, 1, count(edges[3])}}};
+}
 
 // Returns true if the arguments v are read. Curves do not need v.
 bool has_v(const glev_patches& patches, const glev_patch_grid& grid) {
-  if (grid.kind == GLEV_GRID_UNIFORM) return false;
+  if (has_segments(grid)) return false;
   return patches.vorder > 1 || (is_scattered(grid) ? !is_absent(grid.v) : grid.v_count != 0);
 }
 
 glev::Shape shape_of(const glev_patches& patches, const glev_patch_grid& grid) {
   if (is_scattered(grid)) return {grid.u_count};
+  if (has_edges(grid)) {
+    std::size_t points = 0;
+    for (const glev::MeshRange& range : ranges_of_edges(patches, grid)) points += range.columns * range.rows;
+    return {points, 1, patches.count, true, true};
+  }
   if (grid.kind == GLEV_GRID_LISTS)
     return {grid.u_count, has_v(patches, grid) ? grid.v_count : 1, patches.count, true, true};
   return {static_cast<std::size_t>(grid.u_segments) + 1, static_cast<std::size_t>(grid.v_segments) + 1,
@@ -161,7 +193,7 @@ struct Inputs {
 glev_result locate_inputs(const glev_patches& patches, const glev_patch_grid& grid, Inputs* inputs) {
   glev_result result = locate_points(patches, &inputs->points);
   const std::size_t element = grid.type == GLEV_DOUBLE ? sizeof(double) : sizeof(float);
-  if (result == GLEV_SUCCESS && grid.kind != GLEV_GRID_UNIFORM)
+  if (result == GLEV_SUCCESS && !has_segments(grid))
     result = locate_input(grid.u, grid.u_count, element, &inputs->u);
   if (result == GLEV_SUCCESS && has_v(patches, grid))
     result = locate_input(grid.v, is_scattered(grid) ? grid.u_count : grid.v_count, element, &inputs->v);
@@ -177,8 +209,8 @@ glev_result locate_inputs(const glev_patches& patches, const glev_patch_grid& gr
 
 std::array<std::size_t, glev::kOutputs> components_of(const glev_patches& patches) {
   std::array<std::size_t, glev::kOutputs> components{};
-  components[kVertex] = components[GLEV_ATTRIBUTE_TANGENT_U] = components[GLEV_ATTRIBUTE_TANGENT_V] =
-      patches.components;
+  components[kVertex] = patches.components;
+  for (int o = glev::kFirstDerivative; o < glev::kOutputs; ++o) components[o] = patches.components;
   components[kNormal] = patches.components >= 3 ? 3 : 0;
   return components;
 }
@@ -186,8 +218,8 @@ std::array<std::size_t, glev::kOutputs> components_of(const glev_patches& patche
 // Makes plans of patches, one at a time, in memory of the caller.
 class PatchPlans {
  public:
-  PatchPlans(const glev_patches& patches, bool normals, bool tangents, const glev::Kernels* kernels)
-      : patches_(patches), normals_(normals), tangents_(tangents), kernels_(kernels) {
+  PatchPlans(const glev_patches& patches, bool normals, bool derivatives, const glev::Kernels* kernels)
+      : patches_(patches), normals_(normals), derivatives_(derivatives), kernels_(kernels) {
     slot_ = patches.components == 4 ? glev::slots_of(Attribute::kVertex).last
                                     : glev::slots_of(Attribute::kVertex).first;
     enabled_[static_cast<std::size_t>(slot_)] = true;
@@ -215,10 +247,10 @@ class PatchPlans {
     maps_[static_cast<std::size_t>(slot_)].refer_to(net, static_cast<int>(patches_.components),
                                                     order_of(patches_), domain_of(patches_));
   }
-  glev_plan::Source source() const { return {2, maps_, enabled_, {}, normals_, tangents_, kernels_}; }
+  glev_plan::Source source() const { return {2, maps_, enabled_, {}, normals_, derivatives_, kernels_}; }
 
   const glev_patches& patches_;
-  bool normals_, tangents_;
+  bool normals_, derivatives_;
   const glev::Kernels* kernels_;
   int slot_;
   std::byte* memory_ = nullptr;
@@ -239,7 +271,7 @@ std::size_t places_of(const glev_patches& patches, const glev_patch_grid& grid) 
 class SideBySide {
  public:
   static std::size_t bytes_for(const glev_patches& patches, const glev_patch_grid& grid) {
-    if (is_scattered(grid) || !has_low_degree(patches)) return 0;
+    if (is_scattered(grid) || has_edges(grid) || !has_low_degree(patches)) return 0;
     return sizeof(double) * (values_of(patches) * glev::kPatchLanes + places_of(patches, grid));
   }
 
@@ -248,7 +280,7 @@ class SideBySide {
              const glev::MeshRange& range, const glev::Kernels* kernels, const Outputs& outputs,
              std::byte* memory)
       : patches_(patches), inputs_(inputs), kernels_(kernels), vertex_(outputs[kVertex]) {
-    if (!has_low_degree(patches) || !vertex_.is_wanted || vertex_.is_double) return;
+    if (has_edges(grid) || !has_low_degree(patches) || !vertex_.is_wanted || vertex_.is_double) return;
     for (int o = 0; o < glev::kOutputs; ++o) {
       if (o != kVertex && outputs[o].is_wanted) return;
     }
@@ -346,9 +378,11 @@ std::size_t scratch_for(const glev_patches& patches, const glev_patch_grid& grid
   const bool has_normals = patches.components >= 3;
   const PatchPlans plans(patches, has_normals, true, kernels);
   const std::size_t bytes = plans.bytes() + glev::round_up(SideBySide::bytes_for(patches, grid));
-  if (grid.kind != GLEV_GRID_UNIFORM) return bytes;
+  if (!has_segments(grid)) return bytes;
   const int degree = patches.uorder - 1;
-  const std::size_t columns = shape_of(patches, grid).columns;
+  std::size_t columns = has_edges(grid) ? 1 : shape_of(patches, grid).columns;
+  for (std::size_t k = 0; has_edges(grid) && k < 5; ++k)
+    columns = std::max(columns, ranges_of_edges(patches, grid)[k].columns);
   return bytes + glev::kCacheLine +
          (has_normals ? glev::normal_mesh_scratch(degree, columns) : glev::mesh_scratch(degree, columns));
 }
@@ -381,15 +415,33 @@ void write_limit_normals(const glev_patches& patches, const glev_patch_grid& gri
   }
 }
 
+// Evaluates the points of one mesh of a patch.
+void evaluate_mesh(const glev_patches& patches, const glev_patch_grid& grid, const glev_plan& plan,
+                   const PatchPlans& plans, const glev::MeshRange& range, const Outputs& outputs) {
+  glev::evaluate_range(plan, range, grid.precision == GLEV_FAST, outputs, plans.scratch());
+  write_limit_normals(
+      patches, grid, plans, outputs[kNormal], range.columns, range.rows,
+      [&](std::size_t i) { return range.u_of(i); },
+      [&](std::size_t, std::size_t j) { return range.v_of(j); });
+}
+
+void evaluate_edges(const glev_patches& patches, const glev_patch_grid& grid, const glev_plan& plan,
+                    const PatchPlans& plans, const Outputs& outputs) {
+  std::size_t first = 0;
+  for (const glev::MeshRange& range : ranges_of_edges(patches, grid)) {
+    evaluate_mesh(patches, grid, plan, plans, range, parts_of(outputs, [&](const Output& output) {
+                    return output.mesh(first, range.columns, range.rows);
+                  }));
+    first += range.columns * range.rows;
+  }
+}
+
 void evaluate_grids(const glev_patches& patches, const glev_patch_grid& grid, const Inputs& inputs,
                     const glev::Kernels* kernels, PatchPlans& plans, const Outputs& outputs,
                     std::byte* memory) {
   const glev::Shape shape = shape_of(patches, grid);
   const bool is_uniform = grid.kind == GLEV_GRID_UNIFORM, is_double = grid.type == GLEV_DOUBLE;
   const auto [domain_u, domain_v] = domain_of(patches);
-  const auto grid_of = [](const glev::Domain& domain, glev_int segments) {
-    return glev::Grid{domain.u1, domain.u2, segments > 0 ? segments : 1};
-  };
   const glev::MeshRange range = {grid_of(domain_u, grid.u_segments),
                                  grid_of(domain_v, grid.v_segments),
                                  0,
@@ -406,12 +458,9 @@ void evaluate_grids(const glev_patches& patches, const glev_patch_grid& grid, co
       if ((left >> p & 1) == 0) continue;
       const glev_plan& plan = plans.make(inputs.points, first + p);
       const Outputs own = parts_of(outputs, [&](const Output& output) { return output.patch(first + p); });
-      if (is_uniform) {
-        glev::evaluate_range(plan, range, grid.precision == GLEV_FAST, own, plans.scratch());
-        write_limit_normals(
-            patches, grid, plans, own[kNormal], shape.columns, shape.rows,
-            [&](std::size_t i) { return range.u_of(i); },
-            [&](std::size_t, std::size_t j) { return range.v_of(j); });
+      if (has_segments(grid)) {
+        is_uniform ? evaluate_mesh(patches, grid, plan, plans, range, own)
+                   : evaluate_edges(patches, grid, plan, plans, own);
         continue;
       }
       for (std::size_t j = 0; j < shape.rows; ++j) {
@@ -481,9 +530,9 @@ glev_result glevEvaluatePatches(const glev_patches* given_patches, const glev_pa
   if (result != GLEV_SUCCESS) return result;
 
   const glev::DefaultEnvironment environment;
-  const bool has_tangents =
-      outputs[GLEV_ATTRIBUTE_TANGENT_U].is_wanted || outputs[GLEV_ATTRIBUTE_TANGENT_V].is_wanted;
-  PatchPlans plans(patches, outputs[kNormal].is_wanted, has_tangents, kernels);
+  const bool has_derivatives = std::any_of(outputs.begin() + glev::kFirstDerivative, outputs.end(),
+                                           [](const Output& output) { return output.is_wanted; });
+  PatchPlans plans(patches, outputs[kNormal].is_wanted, has_derivatives, kernels);
   // The aligned memory of SideBySide is first, followed by the plan with its scratch memory.
   std::byte* const memory = glev::align(static_cast<std::byte*>(scratch));
   plans.use(memory + glev::round_up(SideBySide::bytes_for(patches, grid)));

@@ -1,4 +1,4 @@
-// Makes plans: selects the maps that have precedence, prepares them, and computes the nets of tangents.
+// Makes plans: selects the maps that have precedence, prepares them, and computes the nets of derivatives.
 #include "plan.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace {
 
 using glev::Allocator, glev::Attribute, glev::kAttributes, glev::kCacheLine, glev::kSlots, glev::round_up,
-    glev::Map;
+    glev::Map, glev::Derivative, glev::kDerivatives;
 
 // Returns the enabled slot of the attribute with the highest precedence; -1 if none is enabled.
 int winning_slot(Attribute attribute, std::span<const bool, kSlots> enabled) {
@@ -31,35 +31,62 @@ std::size_t centred_values_of(const Map& map) {
 // Returns the size of an array of values, with padding that vectors may read.
 std::size_t bytes_of(std::size_t values) { return round_up(sizeof(double) * (values + 3)); }
 
-// Returns the orders of the derivative in one direction; the order in that direction is 0 if the derivative
-// is zero.
-std::array<int, 2> tangent_order(const Map& map, int direction) {
-  std::array<int, 2> order = {map.order(0), map.order(1)};
-  --order[direction];
-  return order;
+// Returns the orders of the net of a derivative; 0 or less if the derivative is zero everywhere.
+std::array<int, 2> derivative_order(const Map& map, const Derivative& derivative) {
+  return {map.order(0) - derivative[0], map.order(1) - derivative[1]};
 }
 
-// Computes the control points of the derivative without the factor order - 1: differences of adjacent points.
-void differences_of(const double* points, std::array<int, 2> order, int components, int direction,
-                    double* result) {
-  const auto row = static_cast<std::ptrdiff_t>(order[1]) * components;
-  const std::ptrdiff_t next = direction == 0 ? row : components;
-  const int rows = direction == 0 ? order[0] - 1 : order[0];
-  const std::ptrdiff_t used = direction == 0 ? row : row - components;
-  for (int i = 0; i < rows; ++i) {
-    for (std::ptrdiff_t k = 0; k < used; ++k) *result++ = points[i * row + k + next] - points[i * row + k];
-  }
+std::size_t values_of_derivative(const Map& map, int slot, const Derivative& derivative) {
+  const auto [columns, rows] = derivative_order(map, derivative);
+  return columns < 1 || rows < 1 ? 0 : values_of({columns, rows}, map.components(slot));
 }
 
-// Returns the largest magnitude of each component; NaN counts as infinite.
-std::array<double, 4> largest_of(const double* points, std::ptrdiff_t count, int components) {
+// Computes the control points of a derivative without its factor, and the largest sum of the magnitudes of
+// the differences of first order, for each component; NaN counts as infinite.
+std::array<double, 4> differences_of(const double* points, std::array<int, 2> order, int components,
+                                     const Derivative& derivative, double* result) {
+  const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(order[1]) * components;
+  const std::ptrdiff_t first = derivative[0] > 0 ? row : components,
+                       second = derivative[1] > 0 ? components : row;
+  const bool is_second = derivative[0] + derivative[1] == 2;
   std::array<double, 4> largest{};
-  for (std::ptrdiff_t i = 0; i < count * components; ++i) {
-    double& own = largest[i % components];
-    const double magnitude = std::fabs(points[i]);
-    own = std::isnan(magnitude) ? HUGE_VAL : std::max(own, magnitude);
+  for (int i = 0; i < order[0] - derivative[0]; ++i) {
+    for (int j = 0; j < order[1] - derivative[1]; ++j) {
+      for (int k = 0; k < components; ++k) {
+        const double* const own = points + i * row + j * components + k;
+        const double near = own[first] - own[0], far = is_second ? own[first + second] - own[second] : 0;
+        const double magnitude = std::fabs(near) + std::fabs(far);
+        largest[k] = std::isnan(magnitude) ? HUGE_VAL : std::max(largest[k], magnitude);
+        *result++ = is_second ? far - near : near;
+      }
+    }
   }
   return largest;
+}
+
+// Computes the factor and the error bound of a derivative. Roundings, in units of 2^-53 times the largest sum
+// of differences: 13 (n + m) + 8 of the evaluation, 3 of the differences, 4 of the binomials, 6 of the factor
+// and its product; see bernstein.h.
+void bound_derivative(const std::array<int, 2>& degree, const Derivative& derivative,
+                      const std::array<double, 4>& largest, glev::DerivativeMap* map) {
+  map->factor = 1;
+  bool is_ordinary = true;
+  for (const std::size_t d : {0, 1}) {
+    const glev::Domain& domain = map->net.domain[d];
+    double width = 1;
+    int count = 1;
+    for (int k = 0; k < derivative[d]; ++k) count *= degree[d] - k, width *= domain.u2 - domain.u1;
+    map->factor *= count / width;
+    is_ordinary = is_ordinary && (degree[d] == 0 || glev::is_ordinary(domain));
+  }
+  const double size = std::fabs(map->factor);
+  is_ordinary = is_ordinary && size >= 0x1p-300 && size <= 0x1p300;
+  const auto [n, m] = map->net.degree;
+  for (std::size_t k = 0; k < largest.size(); ++k) {
+    const bool has_bound = is_ordinary && largest[k] >= 0x1p-300 && largest[k] <= 0x1p300;
+    const double units = (13 * (n + m) + 24) * (1 + 0x1p-20);
+    map->error[k] = largest[k] == 0 ? 0 : has_bound ? units * 0x1p-53 * largest[k] * size : HUGE_VAL;
+  }
 }
 
 // The slots that a plan evaluates, -1 for attributes without a map.
@@ -70,12 +97,14 @@ struct Winners {
     vertex_slot = winners[static_cast<std::size_t>(Attribute::kVertex)];
     automatic_normals = source.automatic_normals && vertex_slot >= 0;
     if (automatic_normals) winners[static_cast<std::size_t>(Attribute::kNormal)] = -1;
-    has_tangents = vertex_slot >= 0 && (source.tangents || automatic_normals);
+    if (vertex_slot >= 0 && automatic_normals) derivatives = glev::kTangents;
+    if (vertex_slot >= 0 && source.derivatives) derivatives = static_cast<int>(glev::kDerivatives.size());
   }
 
   std::array<int, kAttributes> winners;
   int vertex_slot;
-  bool automatic_normals, has_tangents;
+  bool automatic_normals;
+  int derivatives = 0;  // number of derivatives
 };
 
 }  // namespace
@@ -89,12 +118,9 @@ std::size_t glev_plan::bytes_for(const Source& source) {
     bytes += 2 * bytes_of(values_of({map.order(0), map.order(1)}, map.components(slot)));
     bytes += bytes_of(centred_values_of(map));
   }
-  if (all.has_tangents) {
-    for (const int direction : {0, 1}) {
-      const std::array<int, 2> order = tangent_order(source.maps[all.vertex_slot], direction);
-      bytes += bytes_of(values_of(order, source.maps[all.vertex_slot].components(all.vertex_slot)));
-    }
-  }
+  for (int number = 0; number < all.derivatives; ++number)
+    bytes +=
+        bytes_of(values_of_derivative(source.maps[all.vertex_slot], all.vertex_slot, kDerivatives[number]));
   return bytes;
 }
 
@@ -106,7 +132,7 @@ glev_plan* glev_plan::create(const Allocator& allocator, const Source& source) {
 
 glev_plan* glev_plan::create_at(void* memory, std::size_t bytes, const Allocator& allocator,
                                 const Source& source) {
-  const auto [winners, vertex_slot, automatic_normals, has_tangents] = Winners(source);
+  const auto [winners, vertex_slot, automatic_normals, derivatives] = Winners(source);
   auto* plan = new (memory) glev_plan(allocator, bytes, source);
 
   auto* block = static_cast<std::byte*>(memory) + round_up(sizeof(glev_plan));
@@ -143,31 +169,26 @@ glev_plan* glev_plan::create_at(void* memory, std::size_t bytes, const Allocator
     }
   }
   glev::NormalMajorants largest{};
-  for (const int direction : {0, 1}) {
-    if (!has_tangents) break;
+  for (int number = 0; number < derivatives; ++number) {
     const Map& map = source.maps[vertex_slot];
-    const std::array<int, 2> order = tangent_order(map, direction);
-    if (order[direction] == 0) continue;
+    const Derivative& derivative = kDerivatives[number];
+    const std::array<int, 2> order = derivative_order(map, derivative);
+    if (order[0] < 1 || order[1] < 1) continue;
     const int components = map.components(vertex_slot);
-    double* net = take(values_of(order, components));
-    differences_of(map.points(vertex_slot), {map.order(0), map.order(1)}, components, direction, net);
-    const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
-    if (automatic_normals) largest[glev::kTangentU + direction] = largest_of(net, count, components);
+    double* const net = take(values_of(order, components));
+    const std::array<double, 4> own =
+        differences_of(map.points(vertex_slot), {map.order(0), map.order(1)}, components, derivative, net);
+    if (number < glev::kTangents) largest[glev::kTangentU + number] = own;
     glev::scale_by_binomials(net, order, components, net);
-    plan->tangents_[direction] = {
-        {order[0] - 1, order[1] - 1}, components, {map.domain(0), map.domain(1)}, net};
+    glev::DerivativeMap& result = plan->derivatives_[number];
+    result.net = {{order[0] - 1, order[1] - 1}, components, {map.domain(0), map.domain(1)}, net};
+    bound_derivative({map.order(0) - 1, map.order(1) - 1}, derivative, own, &result);
   }
   if (automatic_normals) {
     for (std::size_t k = 0; k < 4; ++k) largest[glev::kPoint][k] = vertices.component[k].largest;
     plan->normal_bounds_ = glev::bound_normals(vertices.surface, largest);
   }
   return plan;
-}
-
-double glev_plan::tangent_factor(int direction) const {
-  const glev::Surface& vertex = surface(Attribute::kVertex);
-  const glev::Domain& domain = vertex.domain[direction];
-  return vertex.degree[direction] / (domain.u2 - domain.u1);
 }
 
 void glev_plan::release() const {

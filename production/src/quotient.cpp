@@ -111,9 +111,9 @@ int compare_with_middle(const Quotient& quotient, typename Format<Real>::Bits bi
 
 }  // namespace
 
-int rounding_room(const IntegerPower& first, const IntegerPower& second) {
+int rounding_room(const Denominator& denominator) {
   int bits = Format<double>::kFractionBits + 2, largest = 0;
-  for (const IntegerPower* const power : {&first, &second}) {
+  for (const IntegerPower* const power : denominator) {
     if (power->exponent == 0) continue;
     bits += power->exponent * bit_width(power->base, power->size);
     largest = std::max(largest, power->size);
@@ -126,17 +126,19 @@ Real round_quotient(const Quotient& quotient, Limb* room) {
   const int cut = bit_width(quotient.numerator, quotient.size) - 128;
   const Limb2 leading = leading_bits(quotient.numerator, quotient.size, cut);
   const int exponent = quotient.exponent + cut;
-  const IntegerPower &first = *quotient.denominator[0], &second = *quotient.denominator[1];
+  const Denominator& factors = quotient.denominator;
 
   typename Format<Real>::Bits bits;
-  if (is_power_of_two(first) && is_power_of_two(second)) {
+  if (std::all_of(factors.begin(), factors.end(),
+                  [](const auto* power) { return is_power_of_two(*power); })) {
     int shift = 0;
-    for (const IntegerPower* const power : quotient.denominator) {
+    for (const IntegerPower* const power : factors) {
       if (power->exponent != 0) shift += power->exponent * (bit_width(power->base, power->size) - 1);
     }
     bits = nearest_bits<Real>(leading, exponent - shift, cut > trailing_zeros(quotient.numerator));
   } else {
-    const Approximation denominator = approximate(first) * approximate(second);
+    Approximation denominator;
+    for (const IntegerPower* const power : factors) denominator = denominator * approximate(*power);
     // leading <= numerator < leading + 1, in units of 2^cut, and the largest quotient of the latter by an
     // integer is at most one more than the quotient rounded down.
     const Limb2 below = leading / denominator.upper(), above = leading / denominator.mantissa + 1;

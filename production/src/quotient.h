@@ -13,17 +13,20 @@ struct IntegerPower {
   int exponent;      // 0..63
 };
 
-// +-numerator * 2^exponent / (*denominator[0] * *denominator[1])
+// The factors of a denominator.
+using Denominator = std::array<const IntegerPower*, 4>;
+
+// +-numerator * 2^exponent / denominator
 struct Quotient {
   const Limb* numerator;  // positive, without leading zero limbs
   int size;
   bool negative;
   int exponent;
-  std::array<const IntegerPower*, 2> denominator;
+  Denominator denominator;
 };
 
 // Returns the number of limbs of scratch memory that round_quotient() needs.
-int rounding_room(const IntegerPower& first, const IntegerPower& second);
+int rounding_room(const Denominator& denominator);
 
 // Rounds once to nearest, ties to even. Overflow gives infinity, underflow is gradual, and zero keeps the
 // sign. The leading 128 bits of the numerator and 63 of the denominator are sufficient, unless the quotient

@@ -168,4 +168,19 @@ Parameter::End to_ratio(const Domain& domain, const GridArgument& argument, Rati
   return high - low + 3 <= 127 ? to_ratio_narrow(products, low, ratio) : to_ratio_wide(products, low, ratio);
 }
 
+int to_width(const Domain& domain, RatioPart& width) {
+  const Product last = multiply_exactly(1, domain.u2), first = multiply_exactly(1, domain.u1);
+  const int low = first.magnitude == 0  ? last.exponent
+                  : last.magnitude == 0 ? first.exponent
+                                        : std::min(first.exponent, last.exponent);
+  constexpr int kSize = static_cast<int>(std::tuple_size_v<decltype(RatioPart::limbs)>);
+  width.limbs.fill(0);
+  accumulate(width, last, low, false);
+  accumulate(width, first, low, true);
+  width.negative = is_negative(width.limbs.data(), kSize);
+  if (width.negative) negate(width.limbs.data(), kSize);
+  width.size = trimmed_size(width.limbs.data(), kSize);
+  return low;
+}
+
 }  // namespace glev

@@ -29,4 +29,8 @@ struct Ratio {
 // numbers fit into a limb.
 Parameter::End to_ratio(const Domain& domain, const GridArgument& argument, Ratio& ratio);
 
+// Computes u2 - u1 = width * 2^exponent exactly. The ends of the domain must be finite and different. Returns
+// the exponent.
+int to_width(const Domain& domain, RatioPart& width);
+
 }  // namespace glev

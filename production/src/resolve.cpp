@@ -95,17 +95,35 @@ double resolve_in_double(const PreparedMap& map, int k, const GridArgument& u, c
   return enclosure.value.high;
 }
 
-bool resolve_derivative_in_double(const PreparedMap& map, int direction, int k, const GridArgument& u,
-                                  const GridArgument& v, double* result) {
+template <class Real>
+Real resolve_derivative(const PreparedMap& map, const Derivative& derivative, int k, const GridArgument& u,
+                        const GridArgument& v, double value, double error) {
+  constexpr bool kIsFloat = sizeof(Real) == sizeof(float);
   const PreparedComponent& component = map.component[k];
-  if (component.kind == PreparedComponent::Kind::kUnclaimed || !is_finite(u) || !is_finite(v)) return false;
-  const auto [u1, u2] = map.surface.domain[direction];
-  const Enclosure enclosure = enclose_derivative(component.lowest, direction, u, v);
-  const DoubleDouble width = two_sum(u2, -u1);
-  const bool ordinary = std::fabs(width.high) >= 0x1p-300 && std::fabs(width.high) <= 0x1p300;
-  if (!ordinary || !(enclosure.error < HUGE_VAL)) return false;
-  *result = (enclosure.value / width).high + 0.0;
-  return true;
+  if (component.kind == PreparedComponent::Kind::kUnclaimed || !is_finite(u) || !is_finite(v))
+    return static_cast<Real>(value);
+  float nearest;
+  if (kIsFloat && settle({value, 0}, error, &nearest)) return static_cast<Real>(nearest);
+  Enclosure enclosure = enclose_derivative(component.lowest, derivative, u, v);
+  for (const std::size_t d : {0, 1}) {
+    const auto [u1, u2] = map.surface.domain[d];
+    const DoubleDouble width = two_sum(u2, -u1);
+    const double size = std::fabs(width.high);
+    for (int i = 0; i < derivative[d]; ++i) {
+      enclosure.value = enclosure.value / width;
+      enclosure.error = enclosure.error / size * (1 + 0x1p-40) + 0x1p-100 * std::fabs(enclosure.value.high);
+      if (!(size >= 0x1p-150 && size <= 0x1p150)) enclosure.error = HUGE_VAL;
+    }
+  }
+  if (kIsFloat && settle(enclosure.value, enclosure.error, &nearest)) return static_cast<Real>(nearest);
+  if (!kIsFloat && enclosure.error <= 0x1p-54 * std::fabs(enclosure.value.high))
+    return static_cast<Real>(enclosure.value.high);
+  return round_exactly<Real>(component.lowest, u, v, derivative);
 }
+
+template float resolve_derivative(const PreparedMap&, const Derivative&, int, const GridArgument&,
+                                  const GridArgument&, double, double);
+template double resolve_derivative(const PreparedMap&, const Derivative&, int, const GridArgument&,
+                                   const GridArgument&, double, double);
 
 }  // namespace glev

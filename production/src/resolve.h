@@ -19,9 +19,10 @@ float resolve(const PreparedMap& map, int k, const GridArgument& u, const GridAr
 // that has no sufficient bound, exactly.
 double resolve_in_double(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v);
 
-// Computes the derivative by u (direction 0) or v (1) in double-double, rounded to double. Returns false if
-// double-double has no bound.
-bool resolve_derivative_in_double(const PreparedMap& map, int direction, int k, const GridArgument& u,
-                                  const GridArgument& v, double* result);
+// Returns a derivative of component k by u and v, rounded as above: correctly to float, or to a double within
+// one ULP. `value` and `error` are as above.
+template <class Real>
+Real resolve_derivative(const PreparedMap& map, const Derivative& derivative, int k, const GridArgument& u,
+                        const GridArgument& v, double value, double error);
 
 }  // namespace glev

@@ -113,7 +113,7 @@ TEST_F(Misuse, OfListsOfOutputs) {
   expect_both(kInvalid, "the same attribute twice", [](Call& call) {
     set_outputs(call, {{GLEV_ATTRIBUTE_TEXCOORD, &call.texcoord}, {GLEV_ATTRIBUTE_TEXCOORD, &call.vertex}});
   });
-  for (int attribute : {6, 7, -1, INT_MAX, INT_MIN}) {
+  for (int attribute : {9, 10, -1, INT_MAX, INT_MIN}) {
     expect_both(kInvalid, "no attribute",
                 [&](Call& call) { std::memcpy(&call.outputs[1].attribute, &attribute, sizeof attribute); });
   }
@@ -164,7 +164,8 @@ TEST_F(Misuse, OfComponents) {
 
 TEST_F(Misuse, OfAttributesWithoutAMap) {
   for (glev_attribute attribute :
-       {GLEV_ATTRIBUTE_COLOR, GLEV_ATTRIBUTE_TANGENT_U, GLEV_ATTRIBUTE_TANGENT_V}) {
+       {GLEV_ATTRIBUTE_COLOR, GLEV_ATTRIBUTE_TANGENT_U, GLEV_ATTRIBUTE_TANGENT_V, GLEV_ATTRIBUTE_SECOND_UU,
+        GLEV_ATTRIBUTE_SECOND_UV, GLEV_ATTRIBUTE_SECOND_VV}) {
     const bool is_color = attribute == GLEV_ATTRIBUTE_COLOR;
     const auto ask = [&](Call& call) {
       call.texcoord.components = 4;

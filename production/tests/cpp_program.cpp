@@ -68,6 +68,23 @@ void check_patches() {
   CHECK(glv::get_indices<std::uint16_t>(indices, std::span(shared).first(1), scratch) ==
         GLEV_ERROR_BUFFER_TOO_SMALL);
 
+  // Edges with other numbers of segments, and all derivatives.
+  const glev_patch_grid edges = glv::make_edge_grid(4, 3, {1, 2, 3, 5});
+  const std::size_t of_patch = 3 * 2 + 11;
+  std::vector<float> values(9 * 2 * of_patch * 3);
+  glv::Outputs of_edges;
+  for (int attribute = GLEV_ATTRIBUTE_VERTEX; attribute <= GLEV_ATTRIBUTE_SECOND_VV; ++attribute) {
+    if (attribute == GLEV_ATTRIBUTE_COLOR || attribute == GLEV_ATTRIBUTE_TEXCOORD) continue;
+    const auto own = static_cast<std::size_t>(attribute) * 2 * of_patch * 3;
+    of_edges.add(static_cast<glev_attribute>(attribute), std::span(values).subspan(own, 2 * of_patch * 3), 3);
+  }
+  CHECK(glv::evaluate(patches, edges, of_edges, scratch) == GLEV_SUCCESS);
+  CHECK(std::memcmp(&values[6 * 3], vertices[0].position, 12) == 0);  // the first point of the boundary
+  glev_indices of_grid = glv::make_indices(edges, 2);
+  std::vector<std::uint16_t> around(glevGetIndexCount(&of_grid));
+  CHECK(around.size() == 2u * 3 * (2 * (3 * 2 - 1) + 11));
+  CHECK(glv::get_indices<std::uint16_t>(of_grid, around, scratch) == GLEV_SUCCESS);
+
   // Evaluates the same points with lists of arguments and scattered.
   const std::vector<double> u = {0, 0.5, 1}, v = {0, 1};
   std::vector<float> by_lists(2 * 6 * 3), scattered(6 * 3);
@@ -126,7 +143,7 @@ void check_plans() {
   glevMap1f(context.get(), GLEV_MAP1_VERTEX_3, 0, 1, 3, 4, points);
   glevEnable(context.get(), GLEV_MAP1_VERTEX_3);
   glv::Plan of_context(context, 1), moved(std::move(of_context));
-  CHECK(moved && !of_context && of_context.result() != GLEV_SUCCESS);
+  CHECK(moved && moved.result() == GLEV_SUCCESS && !of_context && of_context.result() != GLEV_SUCCESS);
   glv::Outputs again;
   again.add(GLEV_ATTRIBUTE_VERTEX, std::span(mesh_results), 3);
   mesh_results.assign(9, 0);

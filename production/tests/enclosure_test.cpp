@@ -57,24 +57,33 @@ class Enclosures : public ::testing::Test {
       expect_contains(kernels->encloses(component, largest_of(points), u, v), exact, kernels->name);
   }
 
-  // Checks a derivative, which is the polynomial of the differences times the degree.
-  static void check_derivative(std::array<int, 2> order, const std::vector<double>& points,
-                               const std::array<Domain, 2>& domain, int direction, const GridArgument& u,
-                               const GridArgument& v) {
+  // Checks a derivative, which is the polynomial of the differences times the degree, for each order.
+  static void check_derivative(const std::array<int, 2>& order, const std::vector<double>& points,
+                               const std::array<Domain, 2>& domain, const glev::Derivative& derivative,
+                               const GridArgument& u, const GridArgument& v) {
     std::array<int, 2> lower = order;
-    --lower[direction];
-    std::vector<double> differences;
-    for (int i = 0; i < lower[0]; ++i) {
-      for (int j = 0; j < lower[1]; ++j) {
-        const int here = i * order[1] + j, next = direction == 0 ? here + order[1] : here + 1;
-        differences.push_back(points[next] - points[here]);
+    std::vector<double> differences = points;
+    Integer factor = 1;
+    for (const int direction : {0, 1}) {
+      for (int k = 0; k < derivative[direction]; ++k) {
+        const int row = lower[1];
+        const std::vector<double> from = differences;
+        factor *= --lower[direction];
+        if (factor == 0) return;
+        differences.clear();
+        for (int i = 0; i < lower[0]; ++i) {
+          for (int j = 0; j < lower[1]; ++j) {
+            const int here = i * row + j;
+            differences.push_back(from[direction == 0 ? here + row : here + 1] - from[here]);
+          }
+        }
       }
     }
     const Rational t_u = t_of(lower[0], domain[0], u), t_v = t_of(lower[1], domain[1], v);
     Fraction exact = exact_value(differences, lower, t_u, t_v);
-    exact.numerator *= order[direction] - 1;
+    exact.numerator *= factor;
     const glev::Component component = {points.data(), 1, order, domain};
-    expect_contains(glev::enclose_derivative(component, direction, u, v), exact, "EncloseDerivative");
+    expect_contains(glev::enclose_derivative(component, derivative, u, v), exact, "EncloseDerivative");
   }
 
   std::mt19937_64 random_{kSeed};
@@ -131,9 +140,8 @@ TEST_F(Enclosures, ContainDerivatives) {
       const std::array<Domain, 2> domain = {Domain{between(-1, 0), between(0.1, 1)}, {between(2, 3), 0.3}};
       const GridArgument u = glev::argument_at(between(domain[0].u1, domain[0].u2)),
                          v = glev::argument_at(between(domain[1].u2, domain[1].u1));
-      for (const int direction : {0, 1}) {
-        if (order[direction] > 1) check_derivative(order, random_points(order), domain, direction, u, v);
-      }
+      for (const glev::Derivative& derivative : {glev::Derivative{1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}})
+        check_derivative(order, random_points(order), domain, derivative, u, v);
     }
   }
 }

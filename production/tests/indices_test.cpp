@@ -200,7 +200,7 @@ TEST(IndexBuffers, HoldTheNumbersOfTheirType) {
 }
 
 TEST(IndexBuffers, OfNoVerticesAreEmpty) {
-  for (glev_enum mode : {GLEV_POINT, GLEV_LINE, GLEV_FILL}) {
+  for (glev_enum mode : {GLEV_POINT, GLEV_LINE, GLEV_FILL, GLEV_TRIANGLE_STRIP}) {
     for (auto [columns, rows] : {std::pair<std::size_t, std::size_t>{0, 0}, {0, 5}, {5, 0}, {SIZE_MAX, 0}}) {
       const glev_indices indices = make_indices(mode, columns, rows);
       EXPECT_EQ(glevGetIndexCount(&indices), 0u);
@@ -270,6 +270,63 @@ TEST(IndexBuffers, WindingSwapsTheLastTwoOfEachTriangle) {
     for (std::size_t k = 0; mode == GLEV_FILL && k < other.size(); k += 3)
       std::swap(other[k + 1], other[k + 2]);
     EXPECT_EQ(other, clockwise);
+  }
+}
+
+// Returns the triangles of strips, each in its order and from its smallest vertex on.
+std::multiset<std::array<std::uint32_t, 3>> triangles_of_strips(const std::vector<std::uint32_t>& numbers,
+                                                                std::uint32_t restart) {
+  std::multiset<std::array<std::uint32_t, 3>> triangles;
+  for (std::size_t k = 0, first = 0; k < numbers.size(); ++k) {
+    if (numbers[k] == restart) first = k + 1;
+    if (k < first + 2) continue;
+    std::array<std::uint32_t, 3> own = {numbers[k - 2], numbers[k - 1], numbers[k]};
+    if ((k - first) % 2 == 1) std::swap(own[0], own[1]);
+    std::rotate(own.begin(), std::min_element(own.begin(), own.end()), own.end());
+    triangles.insert(own);
+  }
+  return triangles;
+}
+
+TEST(IndexBuffers, StripsHaveTheTrianglesOfFill) {
+  for (std::size_t columns = 1; columns <= 5; ++columns) {
+    for (std::size_t rows = 1; rows <= 5; ++rows) {
+      for (glev_enum winding : {0, GLEV_CW, GLEV_CCW}) {
+        for (glev_enum type : kIndexTypes) {
+          glev_indices indices = make_indices(GLEV_TRIANGLE_STRIP, columns, rows, type, 60);
+          indices.winding = winding;
+          indices.patches = columns % 2 == 0 ? 3 : 1;
+          const auto restart =
+              static_cast<std::uint32_t>((std::uint64_t{1} << (8 * bytes_of_index(type))) - 1);
+          const std::vector<std::uint32_t> strips = get_indices(indices);
+          indices.mode = GLEV_FILL;
+          const std::vector<std::uint32_t> fill = get_indices(indices);
+          std::multiset<std::array<std::uint32_t, 3>> expected;
+          for (std::size_t k = 0; k < fill.size(); k += 3) {
+            std::array<std::uint32_t, 3> own = {fill[k], fill[k + 1], fill[k + 2]};
+            std::rotate(own.begin(), std::min_element(own.begin(), own.end()), own.end());
+            expected.insert(own);
+          }
+          EXPECT_EQ(triangles_of_strips(strips, restart), expected)
+              << columns << " x " << rows << ", winding " << winding;
+          // One restart between two strips, and none at the ends.
+          const std::size_t count = winding == GLEV_CCW ? columns - 1 : rows - 1;
+          EXPECT_EQ(static_cast<std::size_t>(std::count(strips.begin(), strips.end(), restart)),
+                    fill.empty() ? 0 : indices.patches * count - 1);
+          EXPECT_TRUE(strips.empty() || strips.back() != restart);
+        }
+      }
+    }
+  }
+}
+
+TEST(IndexBuffers, StripsKeepTheLargestNumberForRestarts) {
+  for (glev_enum type : kIndexTypes) {
+    const std::size_t largest = (std::size_t{1} << (8 * bytes_of_index(type))) - 1;
+    for (std::size_t first : {largest - 3, largest - 4}) {
+      const glev_indices indices = make_indices(GLEV_TRIANGLE_STRIP, 2, 2, type, first);
+      EXPECT_EQ(glevGetIndexCount(&indices), first == largest - 4 ? 4u : 0u);
+    }
   }
 }
 

@@ -11,7 +11,7 @@
 namespace glev_tests {
 namespace {
 
-constexpr glev_enum kModes[] = {GLEV_POINT, GLEV_LINE, GLEV_FILL};
+constexpr glev_enum kMeshModes[] = {GLEV_POINT, GLEV_LINE, GLEV_FILL};
 
 bool same_bits(const glev_vertex& a, const glev_vertex& b) {
   return std::memcmp(&a, &b, offsetof(glev_vertex, edge_flag) + 1) == 0;
@@ -186,7 +186,7 @@ TEST_F(Meshes, Mesh1DrawsItsPointsInOnePrimitive) {
 TEST_F(Meshes, Mesh2FollowsTheLoopsWithTheVerticesOfEvalPoint) {
   for (bool automatic : {false, true}) {
     (automatic ? glevEnable : glevDisable)(gl, GLEV_AUTO_NORMAL);
-    for (glev_enum mode : kModes) {
+    for (glev_enum mode : kMeshModes) {
       for (auto [i1, i2, j1, j2] : {std::array{0, 5, 0, 3},
                                     {1, 3, 1, 2},
                                     {-2, 7, -1, 5},
@@ -321,7 +321,7 @@ TEST_F(Meshes, IndicesAtTheEndsOfInt) {
   EXPECT_EQ(recording.vertices.size(), 3u);
   mesh1(GLEV_POINT, INT_MIN, INT_MIN + 1);
   EXPECT_EQ(recording.vertices.size(), 2u);
-  for (glev_enum mode : kModes) {
+  for (glev_enum mode : kMeshModes) {
     mesh2(mode, INT_MAX - 1, INT_MAX, INT_MAX - 1, INT_MAX);
     EXPECT_EQ(recording.vertices.size(), mode == GLEV_LINE ? 8u : 4u);
     mesh2(mode, INT_MIN, INT_MIN + 1, INT_MIN, INT_MIN + 1);
@@ -350,7 +350,7 @@ TEST_F(Meshes, OtherModesAreRefusedFirst) {
 }
 
 TEST_F(Meshes, NotBetweenBeginAndEnd) {
-  for (glev_enum mode : kModes) {
+  for (glev_enum mode : kMeshModes) {
     expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevEvalMesh2(gl, mode, 0, 1, 0, 1); });
     if (mode != GLEV_FILL)
       expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevEvalMesh1(gl, mode, 0, 1); });
@@ -362,7 +362,7 @@ TEST_F(Meshes, NotBetweenBeginAndEnd) {
 TEST_F(Meshes, WithoutAVertexMapOfTheDimensionNothingHappens) {
   glevDisable(gl, GLEV_MAP2_VERTEX_3);
   glevEnable(gl, GLEV_AUTO_NORMAL);
-  for (glev_enum mode : kModes) {
+  for (glev_enum mode : kMeshModes) {
     mesh2(mode, INT_MIN, INT_MAX, INT_MIN, INT_MAX);
     EXPECT_TRUE(recording.begun.empty() && recording.vertices.empty() && recording.ended == 0);
   }
@@ -394,7 +394,7 @@ TEST_F(Meshes, StateIsLeftAlone) {
   glevNormal3f(gl, 5, 6, 7);
   glevTexCoord4f(gl, 5, 6, 7, 8);
   const std::vector<double> before = query_state();
-  for (glev_enum mode : kModes) mesh2(mode, -1, 6, -1, 4);
+  for (glev_enum mode : kMeshModes) mesh2(mode, -1, 6, -1, 4);
   mesh1(GLEV_LINE, -1, 8);
   EXPECT_EQ(query_state(), before);
 }
@@ -447,7 +447,7 @@ TEST_F(Meshes, ACallbackMayChangeCurrentValues) {
                    {}};
   const glev_sink sink = caller.make_sink();
   glevSetSink(gl, &sink);
-  for (glev_enum mode : kModes) {
+  for (glev_enum mode : kMeshModes) {
     glevColor4f(gl, 0, 0, 0, 1);
     caller.vertices.clear();
     expect_accepted([&] { glevEvalMesh2(gl, mode, 0, 2, 0, 2); });
@@ -513,7 +513,7 @@ TEST_F(Meshes, ACallbackMayEvaluate) {
 
 TEST_F(Meshes, WithoutASinkNothingBreaks) {
   glevSetSink(gl, nullptr);
-  for (glev_enum mode : kModes) expect_accepted([&] { glevEvalMesh2(gl, mode, 0, 2, 0, 2); });
+  for (glev_enum mode : kMeshModes) expect_accepted([&] { glevEvalMesh2(gl, mode, 0, 2, 0, 2); });
   expect_accepted([&] { glevEvalMesh1(gl, GLEV_LINE, 0, 2); });
 }
 
@@ -524,7 +524,7 @@ TEST_F(Meshes, NotANumberDoesNoHarm) {
     mesh1(GLEV_LINE, -1, 4);
     EXPECT_EQ(recording.vertices.size(), 6u);
     glevMapGrid2d(gl, 3, bad, -1.7e308, 3, bad, bad);
-    for (glev_enum mode : kModes) mesh2(mode, 0, 3, 0, 3);
+    for (glev_enum mode : kMeshModes) mesh2(mode, 0, 3, 0, 3);
   }
 }
 

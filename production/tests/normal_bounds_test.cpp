@@ -1,4 +1,4 @@
-// Tests the error bounds of automatic normals and tangents, with 600 binary digits as the oracle; every route
+// Tests the error bounds of automatic normals, with 600 binary digits as the oracle; every route
 // and instruction set gives the same bits.
 #include <algorithm>
 #include <bit>
@@ -488,41 +488,6 @@ TEST_F(NormalBounds, DoNotDependOnSize) {
         if (i % components != 3) scaled.points[i] = std::ldexp(scaled.points[i], exponent);
       }
       EXPECT_EQ(evaluate_everywhere(scaled, range), expected) << exponent;
-    }
-  }
-}
-
-TEST_F(NormalBounds, OfTangents) {
-  for (const int components : {3, 4}) {
-    for (const std::array<int, 2> order : {std::array{2, 3}, {4, 4}, {12, 5}}) {
-      Patch patch = random_patch(order, components, order[0] == 4);
-      patch.domain = {0.25, 3, 1, 0.5};
-      patch.grid = {{0.5, 3, 1, 0.5}, {9, 6}};
-      const Range range = {0, 9, 0, 6};
-      for (const std::string& target : targets()) {
-        glev_context* const gl = make_context(patch, target);
-        for (const int direction : {0, 1}) {
-          const auto output = direction == 0 ? GLEV_ATTRIBUTE_TANGENT_U : GLEV_ATTRIBUTE_TANGENT_V;
-          const std::vector<float> floats = evaluate_mesh<float>(gl, range, output, components, 4);
-          const std::vector<double> doubles = evaluate_mesh<double>(gl, range, output, components, 4);
-          const double width = std::fabs(patch.domain[2 * direction + 1] - patch.domain[2 * direction]);
-          for (std::size_t at = 0; at < range.count(); ++at) {
-            const Oracle oracle = exact_normal(patch, static_cast<int>(at % 10), static_cast<int>(at / 10));
-            for (int k = 0; k < components; ++k) {
-              Wide exact = (direction == 0 ? oracle.p_u : oracle.p_v)[k];
-              if (k == 3) exact /= patch.domain[2 * direction + 1] - patch.domain[2 * direction];
-              const double most = (order[direction] - 1) * largest_of(patch, k, direction) / width,
-                           size = std::fabs(static_cast<double>(exact));
-              const double units = 13 * (order[0] + order[1] - 2) + 4;
-              EXPECT_LE(static_cast<double>(abs(floats[4 * at + k] - exact)),
-                        0x1p-24 * size + units * 0x1p-53 * most);
-              EXPECT_LE(static_cast<double>(abs(doubles[4 * at + k] - exact)),
-                        0x1.0001p-53 * size + 0x1p-80 * most);
-            }
-          }
-        }
-        glevDestroyContext(gl);
-      }
     }
   }
 }

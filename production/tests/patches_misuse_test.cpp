@@ -13,6 +13,9 @@ constexpr glev_result kRejected = GLEV_ERROR_INVALID_ARGUMENT, kShort = GLEV_ERR
 
 constexpr std::size_t kPatches = 3;
 
+constexpr glev_grid_kind kAllKinds[] = {GLEV_GRID_UNIFORM, GLEV_GRID_LISTS, GLEV_GRID_SCATTERED,
+                                        GLEV_GRID_EDGES};
+
 // Valid calls with each kind of grid, which tests make invalid.
 class PatchMisuse : public ::testing::Test {
  protected:
@@ -51,6 +54,10 @@ class PatchMisuse : public ::testing::Test {
     if (kind == GLEV_GRID_UNIFORM) {
       grid.u_segments = kPoints - 1;
       grid.v_segments = 1;
+    } else if (kind == GLEV_GRID_EDGES) {
+      grid.u_segments = kPoints - 1;
+      grid.v_segments = 2;
+      std::fill_n(grid.edge_segments, 4, 2);
     } else {
       grid.type = GLEV_FLOAT;
       grid.u_count = kPoints;
@@ -81,8 +88,7 @@ class PatchMisuse : public ::testing::Test {
     EXPECT_TRUE(expected == GLEV_SUCCESS || scratch.is_untouched()) << what << ", kind " << kind;
   }
   void expect_all(glev_result expected, const char* what, const Change& change) {
-    for (glev_grid_kind kind : {GLEV_GRID_UNIFORM, GLEV_GRID_LISTS, GLEV_GRID_SCATTERED})
-      expect(expected, kind, what, change);
+    for (glev_grid_kind kind : kAllKinds) expect(expected, kind, what, change);
   }
   // Expects a rejection because of the patches or the grid, for which the scratch size is 0, too.
   void expect_none(glev_grid_kind kind, const char* what, const Change& change) {
@@ -94,8 +100,7 @@ class PatchMisuse : public ::testing::Test {
     EXPECT_EQ(glevGetPatchScratchSize(call.patches_at, call.grid_at), 0u) << what << ", kind " << kind;
   }
   void expect_none(const char* what, const Change& change) {
-    for (glev_grid_kind kind : {GLEV_GRID_UNIFORM, GLEV_GRID_LISTS, GLEV_GRID_SCATTERED})
-      expect_none(kind, what, change);
+    for (glev_grid_kind kind : kAllKinds) expect_none(kind, what, change);
   }
 
   float control_[kPatches * kOrder * kOrder * 3];
@@ -167,23 +172,46 @@ TEST_F(PatchMisuse, OfControlPoints) {
 TEST_F(PatchMisuse, OfGrids) {
   expect_none("null", [](Call& call) { call.grid_at = nullptr; });
   expect_none("size 0", [](Call& call) { call.grid.size = 0; });
-  expect_none("size - 1", [](Call& call) { --call.grid.size; });
-  for (int number : {3, -1, INT_MAX}) {
+  expect_none("size of an earlier version - 1",
+              [](Call& call) { call.grid.size = offsetof(glev_patch_grid, edge_segments) - 1; });
+  for (int number : {4, -1, INT_MAX}) {
     expect_none("kind", [&](Call& call) { std::memcpy(&call.grid.kind, &number, sizeof number); });
     expect_none("precision", [&](Call& call) { std::memcpy(&call.grid.precision, &number, sizeof number); });
   }
   for (const char* name : {"", "AVX", "no such machine"})
     expect_none("target", [&](Call& call) { call.grid.target = name; });
-  expect_none(GLEV_GRID_UNIFORM, "negative", [](Call& call) { call.grid.u_segments = -1; });
-  expect_none(GLEV_GRID_UNIFORM, "negative", [](Call& call) { call.grid.v_segments = INT_MIN; });
-  expect_none(GLEV_GRID_UNIFORM, "u_count", [](Call& call) { call.grid.u_count = 1; });
-  expect_none(GLEV_GRID_UNIFORM, "v_count", [](Call& call) { call.grid.v_count = 1; });
-  expect_none(GLEV_GRID_UNIFORM, "type", [](Call& call) { call.grid.type = GLEV_FLOAT; });
-  for (auto member : {&glev_patch_grid::u, &glev_patch_grid::v, &glev_patch_grid::patch}) {
-    expect_none(GLEV_GRID_UNIFORM, "data", [&](Call& call) { (call.grid.*member).data = arguments_; });
-    expect_none(GLEV_GRID_UNIFORM, "bytes", [&](Call& call) { (call.grid.*member).data_size = 1; });
-    expect_none(GLEV_GRID_UNIFORM, "stride", [&](Call& call) { (call.grid.*member).stride = 1; });
+  for (glev_grid_kind kind : {GLEV_GRID_UNIFORM, GLEV_GRID_EDGES}) {
+    expect_none(kind, "negative", [](Call& call) { call.grid.u_segments = -1; });
+    expect_none(kind, "negative", [](Call& call) { call.grid.v_segments = INT_MIN; });
+    expect_none(kind, "u_count", [](Call& call) { call.grid.u_count = 1; });
+    expect_none(kind, "v_count", [](Call& call) { call.grid.v_count = 1; });
+    expect_none(kind, "type", [](Call& call) { call.grid.type = GLEV_FLOAT; });
+    for (auto member : {&glev_patch_grid::u, &glev_patch_grid::v, &glev_patch_grid::patch}) {
+      expect_none(kind, "data", [&](Call& call) { (call.grid.*member).data = arguments_; });
+      expect_none(kind, "bytes", [&](Call& call) { (call.grid.*member).data_size = 1; });
+      expect_none(kind, "stride", [&](Call& call) { (call.grid.*member).stride = 1; });
+    }
   }
+  for (int segments : {0, 1}) {
+    expect_none(GLEV_GRID_EDGES, "no inner points", [&](Call& call) { call.grid.u_segments = segments; });
+    expect_none(GLEV_GRID_EDGES, "no inner points", [&](Call& call) { call.grid.v_segments = segments; });
+  }
+  for (int edge = 0; edge < 4; ++edge) {
+    for (int segments : {0, -1, INT_MIN}) {
+      expect_none(GLEV_GRID_EDGES, "an edge without segments",
+                  [&](Call& call) { call.grid.edge_segments[edge] = segments; });
+    }
+    for (glev_grid_kind kind : {GLEV_GRID_UNIFORM, GLEV_GRID_LISTS, GLEV_GRID_SCATTERED})
+      expect_none(kind, "an edge", [&](Call& call) { call.grid.edge_segments[edge] = 1; });
+  }
+  expect_none(GLEV_GRID_EDGES, "the size of an earlier version",
+              [](Call& call) { call.grid.size = offsetof(glev_patch_grid, edge_segments); });
+  expect(GLEV_SUCCESS, GLEV_GRID_UNIFORM, "the size of an earlier version", [](Call& call) {
+    call.grid.size = offsetof(glev_patch_grid, edge_segments);
+    call.grid.edge_segments[0] = 1;
+  });
+  expect(kShort, GLEV_GRID_EDGES, "too many points",
+         [](Call& call) { call.grid.edge_segments[2] = INT_MAX; });
   for (glev_grid_kind kind : {GLEV_GRID_LISTS, GLEV_GRID_SCATTERED}) {
     expect_none(kind, "u_segments", [](Call& call) { call.grid.u_segments = 1; });
     expect_none(kind, "v_segments", [](Call& call) { call.grid.v_segments = 1; });
@@ -231,7 +259,7 @@ TEST_F(PatchMisuse, OfOutputs) {
   expect_all(kRejected, "null", [](Call& call) { call.outputs_at = nullptr; });
   expect_all(kRejected, "a null output", [](Call& call) { call.outputs[0].output = nullptr; });
   expect_all(kRejected, "twice", [](Call& call) { call.outputs[1].attribute = GLEV_ATTRIBUTE_VERTEX; });
-  for (int attribute : {6, -1, INT_MAX}) {
+  for (int attribute : {9, -1, INT_MAX}) {
     expect_all(kRejected, "attribute",
                [&](Call& call) { std::memcpy(&call.outputs[1].attribute, &attribute, sizeof attribute); });
   }
@@ -336,7 +364,7 @@ TEST_F(PatchMisuse, WithoutPatchesOrPointsNothingIsTouched) {
     call.scratch_size = 0;
   };
   Memory memory(2048), scratch(64);
-  for (glev_grid_kind kind : {GLEV_GRID_UNIFORM, GLEV_GRID_LISTS, GLEV_GRID_SCATTERED}) {
+  for (glev_grid_kind kind : kAllKinds) {
     Call call;
     fill(call, kind, memory, scratch);
     strip(call);
@@ -358,7 +386,7 @@ TEST_F(PatchMisuse, WithoutPatchesOrPointsNothingIsTouched) {
 
 TEST_F(PatchMisuse, ScratchSizeNeedsNoPointers) {
   Memory memory(2048), scratch(64);
-  for (glev_grid_kind kind : {GLEV_GRID_UNIFORM, GLEV_GRID_LISTS, GLEV_GRID_SCATTERED}) {
+  for (glev_grid_kind kind : kAllKinds) {
     Call call;
     fill(call, kind, memory, scratch);
     const std::size_t size = glevGetPatchScratchSize(&call.patches, &call.grid);
@@ -442,7 +470,8 @@ TEST_F(PlanFromMap, GivesWhatThePlanOfAContextGives) {
       ASSERT_EQ(glevCreatePlanFromMap(&info_, &plan), GLEV_SUCCESS) << std::hex << target;
       for (glev_attribute attribute :
            {GLEV_ATTRIBUTE_VERTEX, GLEV_ATTRIBUTE_COLOR, GLEV_ATTRIBUTE_NORMAL, GLEV_ATTRIBUTE_TEXCOORD,
-            GLEV_ATTRIBUTE_TANGENT_U, GLEV_ATTRIBUTE_TANGENT_V}) {
+            GLEV_ATTRIBUTE_TANGENT_U, GLEV_ATTRIBUTE_TANGENT_V, GLEV_ATTRIBUTE_SECOND_UU,
+            GLEV_ATTRIBUTE_SECOND_UV, GLEV_ATTRIBUTE_SECOND_VV}) {
         ASSERT_EQ(glevGetPlanComponents(plan, attribute), glevGetPlanComponents(expected, attribute));
         if (glevGetPlanComponents(plan, attribute) == 0) continue;
         const Range range = {0, 5, 0, dimension == 2 ? 6 : 0};

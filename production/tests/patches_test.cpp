@@ -3,119 +3,14 @@
 #include <cfenv>
 #include <cmath>
 
-#include "batches.h"
 #include "guarded.h"
 #include "nearest.h"
+#include "nets.h"
 
 namespace glev_tests {
 namespace {
 
 using Side = Guarded::Side;
-
-// An array of patches with a random layout, in memory of exactly the required size.
-struct Net {
-  std::array<int, 2> order = {4, 4};
-  int components = 3;
-  bool is_double = false;
-  std::size_t count = 3;
-  std::array<double, 4> domain = {0, 1, 0, 1};
-  std::vector<double> values;           // without padding, v fastest
-  std::array<std::size_t, 3> stride{};  // strides of v, u and patches, in bytes; 0 as in glev_patches
-
-  std::size_t values_of_patch() const {
-    return static_cast<std::size_t>(order[0]) * static_cast<std::size_t>(order[1] * components);
-  }
-  std::size_t element() const {
-    return static_cast<std::size_t>(components) * (is_double ? sizeof(double) : sizeof(float));
-  }
-  std::array<std::size_t, 3> strides() const {
-    const std::size_t v = stride[0] != 0 ? stride[0] : element(),
-                      u = stride[1] != 0 ? stride[1] : v * static_cast<std::size_t>(order[1]);
-    return {v, u, stride[2] != 0 ? stride[2] : u * static_cast<std::size_t>(order[0])};
-  }
-  std::size_t bytes() const {
-    const auto [v, u, patch] = strides();
-    return count == 0 ? 0
-                      : (count - 1) * patch + static_cast<std::size_t>(order[0] - 1) * u +
-                            static_cast<std::size_t>(order[1] - 1) * v + element();
-  }
-  void write(unsigned char* to) const {
-    const auto [v, u, patch] = strides();
-    const double* from = values.data();
-    for (std::size_t p = 0; p < count; ++p) {
-      for (int i = 0; i < order[0]; ++i) {
-        for (int j = 0; j < order[1]; ++j) {
-          unsigned char* at =
-              to + p * patch + static_cast<std::size_t>(i) * u + static_cast<std::size_t>(j) * v;
-          for (int k = 0; k < components; ++k, ++from) {
-            const auto single = static_cast<float>(*from);
-            if (is_double) std::memcpy(at, from, sizeof *from), at += sizeof *from;
-            if (!is_double) std::memcpy(at, &single, sizeof single), at += sizeof single;
-          }
-        }
-      }
-    }
-  }
-  glev_patches describe(const void* points) const {
-    glev_patches patches{};
-    patches.size = sizeof patches;
-    patches.count = count;
-    patches.components = static_cast<std::size_t>(components);
-    patches.uorder = order[0];
-    patches.vorder = order[1];
-    patches.type = is_double ? GLEV_DOUBLE : GLEV_FLOAT;
-    patches.points = points;
-    patches.points_size = bytes();
-    patches.v_stride = stride[0];
-    patches.u_stride = stride[1];
-    patches.patch_stride = stride[2];
-    patches.u1 = domain[0], patches.u2 = domain[1], patches.v1 = domain[2], patches.v2 = domain[3];
-    return patches;
-  }
-};
-
-enum class Data { kRandom, kSymmetric, kDecimal, kDegenerate, kExtreme };
-
-Net choose_net(Chance& chance, int most_order, Data data) {
-  Net net;
-  net.order = {chance.whole(1, most_order), chance.whole(1, most_order)};
-  net.components = chance.whole(1, 4);
-  net.is_double = chance.whole(0, 2) == 0;
-  net.count = static_cast<std::size_t>(chance.whole(1, 20));
-  if (chance.whole(0, 3) == 0) net.domain = {chance.between(-2, 2), chance.between(3, 4), 1, 0};
-  if (chance.whole(0, 5) == 0) net.domain = {0, 0, 0, 0};
-  const std::size_t values = net.values_of_patch();
-  for (std::size_t p = 0; p < net.count; ++p) {
-    for (std::size_t k = 0; k < values; ++k) {
-      double value = net.is_double ? 4 * chance.next_double() - 2 : chance.between(-2, 2);
-      if (data == Data::kSymmetric) value = chance.whole(-3, 3) * 0.25;
-      if (data == Data::kDecimal) value = static_cast<float>(chance.whole(-300, 300) * 0.01);
-      if (data == Data::kDegenerate) value = k % 5 == 0 ? 0 : static_cast<double>(p);
-      if (data == Data::kExtreme)
-        value = chance.one_of({0.0, -0.0, kInfinity, kNaN, 0x1p-149, 0x1p127, -1.5, 3e38, 0x1p-130});
-      net.values.push_back(value);
-    }
-  }
-  const auto gap = [&] { return static_cast<std::size_t>(chance.one_of({0, 0, 1, 4, 12})); };
-  switch (chance.whole(0, 3)) {
-    case 0:  // with padding
-      net.stride[0] = net.element() + gap();
-      net.stride[1] = net.stride[0] * static_cast<std::size_t>(net.order[1]) + gap();
-      net.stride[2] = net.stride[1] * static_cast<std::size_t>(net.order[0]) + gap();
-      break;
-    case 1:  // u fastest
-      net.stride[1] = net.element() + gap();
-      net.stride[0] = net.stride[1] * static_cast<std::size_t>(net.order[0]) + gap();
-      net.stride[2] = net.stride[0] * static_cast<std::size_t>(net.order[1]) + gap();
-      break;
-    case 2:  // patches fastest
-      net.stride[2] = net.element() + gap();
-      net.stride[0] = net.stride[2] * net.count + gap();
-      net.stride[1] = net.stride[0] * static_cast<std::size_t>(net.order[1]) + gap();
-      break;
-  }
-  return net;
-}
 
 // The map of one patch in a context. With as_curve, it is a MAP1 map.
 class OneMap {
@@ -358,7 +253,8 @@ class Patches : public ::testing::Test {
   std::vector<Wanted> choose_outputs(const Net& net) {
     std::vector<Wanted> wanted;
     for (glev_attribute attribute :
-         {GLEV_ATTRIBUTE_VERTEX, GLEV_ATTRIBUTE_NORMAL, GLEV_ATTRIBUTE_TANGENT_U, GLEV_ATTRIBUTE_TANGENT_V}) {
+         {GLEV_ATTRIBUTE_VERTEX, GLEV_ATTRIBUTE_NORMAL, GLEV_ATTRIBUTE_TANGENT_U, GLEV_ATTRIBUTE_TANGENT_V,
+          GLEV_ATTRIBUTE_SECOND_UU, GLEV_ATTRIBUTE_SECOND_UV, GLEV_ATTRIBUTE_SECOND_VV}) {
       const bool is_normal = attribute == GLEV_ATTRIBUTE_NORMAL;
       if ((is_normal && net.components < 3) || (!wanted.empty() && chance_.whole(0, 1) == 0)) continue;
       Wanted own;
@@ -397,8 +293,8 @@ class Patches : public ::testing::Test {
   Chance chance_;
 };
 
-constexpr Data kAllData[] = {Data::kRandom, Data::kRandom, Data::kSymmetric, Data::kDecimal,
-                             Data::kDegenerate};
+constexpr NetData kAllData[] = {NetData::kRandom, NetData::kRandom, NetData::kSymmetric, NetData::kDecimal,
+                                NetData::kDegenerate};
 
 TEST_F(Patches, UniformGridsHaveTheBitsOfMeshes) {
   for (int k = 0; k < 400; ++k) {
@@ -540,7 +436,7 @@ TEST_F(Patches, VerticesAreCorrectlyRounded) {
 // NaN, infinities, subnormal and huge numbers in a component do not affect other components.
 TEST_F(Patches, ExtremeComponentsHaveNoInfluenceOnOthers) {
   for (int k = 0; k < 100; ++k) {
-    Net net = choose_net(chance_, 4, Data::kRandom);
+    Net net = choose_net(chance_, 4, NetData::kRandom);
     net.components = 3;
     net.stride = {};
     net.values.clear();
@@ -572,135 +468,8 @@ TEST_F(Patches, ExtremeComponentsHaveNoInfluenceOnOthers) {
   }
 }
 
-// Makes each edge a single point in turn, and compares its normals with those of arguments next to the edge.
-TEST_F(Patches, LimitNormalsAreThoseNextToTheEdge) {
-  for (int k = 0; k < 200; ++k) {
-    Net net;
-    net.order = {chance_.whole(2, 5), chance_.whole(2, 5)};
-    net.components = chance_.whole(3, 4);
-    net.count = 1;
-    net.is_double = true;
-    if (k % 3 == 0) net.domain = {2, -1, 0, 4};
-    const auto components = static_cast<std::size_t>(net.components);
-    const int direction = chance_.whole(0, 1);
-    const bool is_last = chance_.whole(0, 1) == 1;
-    for (int i = 0; i < net.order[0]; ++i) {
-      for (int j = 0; j < net.order[1]; ++j) {
-        const int across = direction == 0 ? i : j, last = net.order[static_cast<std::size_t>(direction)] - 1;
-        const bool is_pole = across == (is_last ? last : 0);
-        const double apart = 0.25 * chance_.next_double();
-        net.values.insert(net.values.end(), {is_pole ? 1 : i + apart, is_pole ? 2 : j - apart,
-                                             is_pole ? 0 : 0.5 * (i + 2) * (j - 3) + apart});
-        if (components == 4) net.values.push_back(is_pole ? 1.5 : 1 + 0.25 * chance_.next_double());
-      }
-    }
-    std::vector<unsigned char> points(net.bytes());
-    net.write(points.data());
-    const glev_patches patches = net.describe(points.data());
-    const auto [u1, u2, v1, v2] = net.domain;
-    // Five points on the edge, or next to it.
-    const auto normals_at = [&](double off, bool limits, bool are_doubles) {
-      std::vector<double> u, v, results(15);
-      for (int i = 0; i <= 4; ++i) {
-        const double along = i / 4.0, across = is_last ? 1 - off : off;
-        const auto at = [](double first, double last, double t) {
-          return t == 1 ? last : first + t * (last - first);
-        };
-        u.push_back(at(u1, u2, direction == 0 ? across : along));
-        v.push_back(at(v1, v2, direction == 0 ? along : across));
-      }
-      const std::vector<glev_uint> numbers(5, 0);
-      glev_patch_grid grid{};
-      grid.size = sizeof grid;
-      grid.kind = GLEV_GRID_SCATTERED;
-      grid.type = GLEV_DOUBLE;
-      grid.u_count = 5;
-      grid.u = input_of(u);
-      grid.v = input_of(v);
-      grid.patch = {numbers.data(), numbers.size() * sizeof(glev_uint), sizeof(glev_uint)};
-      grid.limit_normals = limits ? GLEV_TRUE : GLEV_FALSE;
-      std::vector<float> floats(15);
-      const glev_output normal = {sizeof normal,
-                                  are_doubles ? static_cast<void*>(results.data()) : floats.data(),
-                                  are_doubles ? std::size_t{120} : std::size_t{60},
-                                  are_doubles ? std::size_t{24} : std::size_t{12},
-                                  3,
-                                  static_cast<glev_enum>(are_doubles ? GLEV_DOUBLE : GLEV_FLOAT),
-                                  0,
-                                  0};
-      const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_NORMAL, &normal}};
-      std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
-      EXPECT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size()),
-                GLEV_SUCCESS);
-      if (!are_doubles) std::copy(floats.begin(), floats.end(), results.begin());
-      return results;
-    };
-    EXPECT_EQ(normals_at(0, false, true), std::vector<double>(15));
-    const std::vector<double> limits = normals_at(0, true, k % 2 == 0),
-                              inside = normals_at(0x1p-24, true, true);
-    EXPECT_EQ(inside, normals_at(0x1p-24, false, true));
-    for (std::size_t e = 0; e < 15; ++e)
-      ASSERT_NEAR(limits[e], inside[e], 2e-5)
-          << "case " << k << ", value " << e << ", direction " << direction;
-    // Uniform grids and lists have the same normals.
-    for (glev_grid_kind kind : {GLEV_GRID_UNIFORM, GLEV_GRID_LISTS}) {
-      glev_patch_grid grid{};
-      grid.size = sizeof grid;
-      grid.kind = kind;
-      grid.limit_normals = GLEV_TRUE;
-      const std::vector<double> u = {u1, u1 + 0.25 * (u2 - u1), u1 + 0.5 * (u2 - u1), u1 + 0.75 * (u2 - u1),
-                                     u2},
-                                v = {v1, v1 + 0.25 * (v2 - v1), v1 + 0.5 * (v2 - v1), v1 + 0.75 * (v2 - v1),
-                                     v2};
-      if (kind == GLEV_GRID_UNIFORM) grid.u_segments = grid.v_segments = 4;
-      if (kind == GLEV_GRID_LISTS) {
-        grid.type = GLEV_DOUBLE;
-        grid.u_count = grid.v_count = 5;
-        grid.u = input_of(u);
-        grid.v = input_of(v);
-      }
-      std::vector<float> results(75);
-      const glev_output normal = {sizeof normal, results.data(), 300, 12, 3, 0, 0, 0};
-      const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_NORMAL, &normal}};
-      std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
-      ASSERT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size()),
-                GLEV_SUCCESS);
-      for (std::size_t e = 0; e < 5; ++e) {
-        const std::size_t edge = is_last ? 4 : 0, at = direction == 0 ? 5 * e + edge : 5 * edge + e;
-        for (std::size_t c = 0; c < 3; ++c)
-          ASSERT_EQ(results[3 * at + c], static_cast<float>(limits[3 * e + c]))
-              << "case " << k << ", point " << e;
-      }
-    }
-  }
-}
-
-// All control points are equal, or the limit needs derivatives of higher order.
-TEST_F(Patches, LimitNormalsThatAreNotDeterminedAreZero) {
-  for (double z : {0.0, 1.0}) {
-    Net net;
-    net.count = 1;
-    for (int i = 0; i < 4; ++i) {
-      for (int j = 0; j < 4; ++j) net.values.insert(net.values.end(), {0, 0, j * z});
-    }
-    std::vector<unsigned char> points(net.bytes());
-    net.write(points.data());
-    const glev_patches patches = net.describe(points.data());
-    glev_patch_grid grid{};
-    grid.size = sizeof grid;
-    grid.u_segments = grid.v_segments = 2;
-    grid.limit_normals = GLEV_TRUE;
-    std::vector<float> results(27, 5);
-    const glev_output normal = {sizeof normal, results.data(), 108, 12, 3, 0, 0, 0};
-    const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_NORMAL, &normal}};
-    std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
-    ASSERT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size()), GLEV_SUCCESS);
-    EXPECT_EQ(results, std::vector<float>(27));
-  }
-}
-
 TEST_F(Patches, DoNotDependOnTheCallersRoundingMode) {
-  Net net = choose_net(chance_, 4, Data::kRandom);
+  Net net = choose_net(chance_, 4, NetData::kRandom);
   net.order = {4, 4}, net.components = 3, net.is_double = false, net.count = 11, net.stride = {};
   net.values.clear();
   for (std::size_t e = 0; e < net.count * net.values_of_patch(); ++e)

@@ -27,13 +27,15 @@ struct StreamSource {
   bool for_threads = false;
   // Throws CannotStart, NotObservable.
   std::function<std::unique_ptr<Stream>(const SweptMap& map)> make;
+  // Makes streams with the same results by other calls; empty if there are none.
+  std::function<std::unique_ptr<Stream>(const SweptMap& map)> make_other;
 };
 
 // Throws CannotStart if there is no such implementation or it cannot evaluate every argument.
 StreamSource stream_source(const ImplementationOptions& options);
 
-// Returns streams of libglevaluator on an instruction set; an empty name selects the best one. Throws
-// CannotStart.
+// Returns streams of libglevaluator on an instruction set, by batches and by patches; an empty name selects
+// the best one. Throws CannotStart.
 StreamSource production_source(const std::string& instruction_set);
 
 }  // namespace evalcts::accuracy

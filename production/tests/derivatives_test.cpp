@@ -1,0 +1,216 @@
+// Tests that derivatives of first and second order are correctly rounded as floats and within one ULP as
+// doubles, against exact rationals.
+#include <cmath>
+
+#include "batches.h"
+#include "nearest.h"
+
+namespace glev_tests {
+namespace {
+
+using glev::Domain, glev::Grid, glev::GridArgument;
+
+struct DerivativeRow {
+  glev_attribute attribute;
+  std::array<int, 2> order;  // by u and v
+};
+constexpr DerivativeRow kDerivativeRows[] = {{GLEV_ATTRIBUTE_TANGENT_U, {1, 0}},
+                                             {GLEV_ATTRIBUTE_TANGENT_V, {0, 1}},
+                                             {GLEV_ATTRIBUTE_SECOND_UU, {2, 0}},
+                                             {GLEV_ATTRIBUTE_SECOND_UV, {1, 1}},
+                                             {GLEV_ATTRIBUTE_SECOND_VV, {0, 2}}};
+constexpr std::size_t kComponents = 3;
+
+struct Patch {
+  std::array<int, 2> order;
+  std::array<Domain, 2> domain;
+  std::vector<double> points;  // v fastest
+};
+
+// Returns the derivatives of the Bernstein polynomials of degree order - 1, by
+// d B(i, n) / dt = n (B(i - 1, n - 1) - B(i, n - 1)).
+std::vector<Rational> derive_basis(const Rational& t, int order, int derivative) {
+  if (order < 1) return {};
+  std::vector<Rational> basis(static_cast<std::size_t>(order));
+  if (derivative == 0) {
+    Rational whole = 1;
+    for (int i = 1; i < order; ++i) whole *= denominator(t);
+    const std::vector<Integer> integers = integer_basis(t, order);
+    for (std::size_t i = 0; i < basis.size(); ++i) basis[i] = integers[i] / whole;
+    return basis;
+  }
+  const std::vector<Rational> lower = derive_basis(t, order - 1, derivative - 1);
+  for (std::size_t i = 0; i < lower.size(); ++i) {
+    basis[i] -= (order - 1) * lower[i];
+    basis[i + 1] += (order - 1) * lower[i];
+  }
+  return basis;
+}
+
+class Derivatives : public ContextTest {
+ protected:
+  void define(const Patch& patch) {
+    const auto [n, m] = patch.order;
+    const auto& [u, v] = patch.domain;
+    glevMap2d(gl, GLEV_MAP2_VERTEX_3, u.u1, u.u2, 3 * m, n, v.u1, v.u2, 3, m, patch.points.data());
+    glevEnable(gl, GLEV_MAP2_VERTEX_3);
+    ASSERT_EQ(glevGetError(gl), glev_enum{GLEV_NO_ERROR});
+  }
+
+  static Rational exact(const Patch& patch, const DerivativeRow& row, std::size_t k, const GridArgument& u,
+                        const GridArgument& v) {
+    std::array<std::vector<Rational>, 2> basis;
+    Rational width = 1;
+    for (const std::size_t d : {0, 1}) {
+      const Domain& domain = patch.domain[d];
+      basis[d] = derive_basis(exact_t(domain, d == 0 ? u : v), patch.order[d], row.order[d]);
+      for (int i = 0; i < row.order[d]; ++i) width *= to_rational(domain.u2) - to_rational(domain.u1);
+    }
+    return tensor(basis[0], basis[1], patch.points, kComponents, k).value / width;
+  }
+
+  // Expects right results at each argument. `rows`: the floats and doubles of an attribute, packed.
+  void expect_right(const Patch& patch, const DerivativeRow& row, const std::vector<GridArgument>& u,
+                    const std::vector<GridArgument>& v, const std::vector<float>& floats,
+                    const std::vector<double>& doubles) {
+    ASSERT_EQ(floats.size(), u.size() * kComponents);
+    for (std::size_t at = 0; at < floats.size(); ++at) {
+      const std::size_t e = at / kComponents;
+      const Rational value = exact(patch, row, at % kComponents, u[e], v[e]);
+      const float right = nearest_float({numerator(value), denominator(value)});
+      const auto where = [&] {
+        std::ostringstream out;
+        out << std::hexfloat << "attribute " << row.attribute << ", order " << patch.order[0] << " x "
+            << patch.order[1] << ", element " << e << ", component " << at % kComponents << ", u "
+            << u[e].grid.u1 << " " << u[e].index << ", v " << v[e].grid.u1 << " " << v[e].index;
+        return out.str();
+      };
+      ASSERT_EQ(std::bit_cast<std::uint32_t>(floats[at]), std::bit_cast<std::uint32_t>(right))
+          << where() << std::hexfloat << ": " << floats[at] << ", not " << right;
+      const auto nearest = std::fabs(value.convert_to<double>());
+      const double ulp = std::nextafter(nearest, HUGE_VAL) - nearest;
+      if (nearest < 0x1p1000) {
+        ASSERT_LE(abs(to_rational(doubles[at]) - value), to_rational(value == 0 ? 0 : ulp))
+            << where() << std::hexfloat << ": " << doubles[at] << ", not " << nearest;
+      }
+    }
+  }
+
+  void expect_right_everywhere(const Patch& patch) {
+    define(patch);
+    std::vector<double> u, v;
+    std::vector<GridArgument> at_u, at_v;
+    const auto [domain_u, domain_v] = patch.domain;
+    for (int i = 0; i < 8; ++i) {
+      const auto argument = [&](const Domain& domain) {
+        const double t = chance_.one_of({0.0, 1.0, 0.5, 0.25, 1.75, 0x1p-40, chance_.next_double(),
+                                         chance_.next_double(), chance_.next_double()});
+        return t == 1 ? domain.u2 : domain.u1 + t * (domain.u2 - domain.u1);
+      };
+      u.push_back(argument(domain_u)), v.push_back(argument(domain_v));
+      at_u.push_back(glev::argument_at(u.back())), at_v.push_back(glev::argument_at(v.back()));
+    }
+    const auto part = [](const Domain& domain, double t) { return domain.u1 + t * (domain.u2 - domain.u1); };
+    const bool spans = chance_.whole(0, 1) == 0;
+    const Grid grid_u = {spans ? domain_u.u1 : part(domain_u, 0.1), spans ? domain_u.u2 : part(domain_u, 0.9),
+                         3},
+               grid_v = {domain_v.u2, domain_v.u1, chance_.one_of({2, 5})};
+    const Range range = {0, 3, -1, 2};
+    std::vector<GridArgument> grid_at_u, grid_at_v;
+    for (int j = range.j1; j <= range.j2; ++j) {
+      for (int i = range.i1; i <= range.i2; ++i)
+        grid_at_u.push_back({grid_u, i}), grid_at_v.push_back({grid_v, j});
+    }
+    glevMapGrid2d(gl, grid_u.segments, grid_u.u1, grid_u.u2, grid_v.segments, grid_v.u1, grid_v.u2);
+    const Plan plan(gl, 2);
+    for (const DerivativeRow& row : kDerivativeRows) {
+      ASSERT_EQ(glevGetPlanComponents(plan, row.attribute), kComponents);
+      expect_right(patch, row, at_u, at_v, evaluate_scattered(plan, row.attribute, u, v),
+                   evaluate_scattered<double>(plan, row.attribute, u, v));
+      expect_right(patch, row, grid_at_u, grid_at_v, evaluate_grid(plan, row.attribute, range),
+                   evaluate_grid<double>(plan, row.attribute, range));
+      if (HasFailure()) return;
+    }
+  }
+
+  Patch choose_patch(int most_order) {
+    Patch patch;
+    patch.order = {chance_.whole(1, most_order), chance_.whole(1, most_order)};
+    for (Domain& domain : patch.domain)
+      domain =
+          chance_.one_of({Domain{0, 1}, Domain{0, 1}, Domain{1, 0}, Domain{-0.3, 0.9}, Domain{100, 103}});
+    return patch;
+  }
+  template <class Point>
+  void fill(Patch& patch, const Point& point) {
+    for (std::size_t i = 0; i < kComponents * static_cast<std::size_t>(patch.order[0] * patch.order[1]); ++i)
+      patch.points.push_back(point());
+  }
+
+  Chance chance_;
+};
+
+TEST_F(Derivatives, OfFloatMapsAreRight) {
+  for (int k = 0; k < 60 && !HasFailure(); ++k) {
+    Patch patch = choose_patch(k < 55 ? 5 : 12);
+    fill(patch, [&] { return chance_.between(-2, 2); });
+    expect_right_everywhere(patch);
+  }
+}
+
+// Ties and zeros are frequent.
+TEST_F(Derivatives, OfIntegersAreRight) {
+  for (int k = 0; k < 40 && !HasFailure(); ++k) {
+    Patch patch = choose_patch(4);
+    const double step = chance_.one_of({1.0, 0.25, 0x1p-25});
+    fill(patch, [&] { return 1 + step * chance_.whole(-4, 4); });
+    expect_right_everywhere(patch);
+  }
+}
+
+// Differences are not doubles.
+TEST_F(Derivatives, OfDoublesOfAllMagnitudesAreRight) {
+  for (int k = 0; k < 60 && !HasFailure(); ++k) {
+    Patch patch = choose_patch(4);
+    const int range = chance_.one_of({0, 30, 100, 250});
+    fill(patch, [&] { return std::ldexp(chance_.next_double() - 0.5, chance_.whole(-range, range)); });
+    expect_right_everywhere(patch);
+  }
+}
+
+// The derivative is much smaller than the differences.
+TEST_F(Derivatives, ThatCancelAreRight) {
+  for (int k = 0; k < 30 && !HasFailure(); ++k) {
+    Patch patch = choose_patch(5);
+    const int digits = chance_.one_of({10, 30, 45});
+    const auto [n, m] = patch.order;
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < m; ++j) {
+        for (std::size_t c = 0; c < kComponents; ++c)
+          patch.points.push_back(0.1 * i + 0.7 * j + 0.3 + std::ldexp(chance_.next_double(), -digits));
+      }
+    }
+    expect_right_everywhere(patch);
+  }
+}
+
+TEST_F(Derivatives, InExtremeDomainsAreRight) {
+  for (const double size : {0x1p-200, 0x1p-60, 0x1p60, 0x1p149, 0x1p160, 1e300}) {
+    Patch patch = choose_patch(4);
+    patch.order = {4, 3};
+    patch.domain = {Domain{0, size}, Domain{size, 3 * size}};
+    if (size == 1e300) patch.domain[1] = {1, 0};
+    fill(patch, [&] { return chance_.between(-2, 2); });
+    expect_right_everywhere(patch);
+  }
+}
+
+TEST_F(Derivatives, OfHighOrderAreRight) {
+  Patch patch = choose_patch(1);
+  patch.order = {64, 3};
+  fill(patch, [&] { return chance_.between(-2, 2); });
+  expect_right_everywhere(patch);
+}
+
+}  // namespace
+}  // namespace glev_tests

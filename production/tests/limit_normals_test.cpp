@@ -1,0 +1,284 @@
+// Tests the limits of normals on edges that are a single point: next to the edge, and the documented error
+// bound with 600 binary digits as the oracle.
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+
+#include "nets.h"
+
+namespace glev_tests {
+namespace {
+
+class LimitNormals : public ::testing::Test {
+ protected:
+  // Returns a patch whose edge at one end of a direction is a single point.
+  Net choose_pole(int direction, bool is_last, int most_order) {
+    Net net;
+    net.order = {chance_.whole(2, most_order), chance_.whole(2, most_order)};
+    net.components = chance_.whole(3, 4);
+    net.count = 1;
+    net.is_double = true;
+    if (chance_.whole(0, 2) == 0) net.domain = {2, -1, 0, 4};
+    for (int i = 0; i < net.order[0]; ++i) {
+      for (int j = 0; j < net.order[1]; ++j) {
+        const int across = direction == 0 ? i : j, last = net.order[static_cast<std::size_t>(direction)] - 1;
+        const bool is_pole = across == (is_last ? last : 0);
+        const double apart = 0.25 * chance_.next_double();
+        net.values.insert(net.values.end(), {is_pole ? 1 : i + apart, is_pole ? 2 : j - apart,
+                                             is_pole ? 0 : 0.5 * (i + 2) * (j - 3) + apart});
+        if (net.components == 4) net.values.push_back(is_pole ? 1.5 : 1 + 0.25 * chance_.next_double());
+      }
+    }
+    return net;
+  }
+
+  Chance chance_;
+};
+
+// Makes each edge a single point in turn, and compares its normals with those of arguments next to the edge.
+TEST_F(LimitNormals, AreThoseNextToTheEdge) {
+  for (int k = 0; k < 200; ++k) {
+    const int direction = chance_.whole(0, 1);
+    const bool is_last = chance_.whole(0, 1) == 1;
+    const Net net = choose_pole(direction, is_last, 5);
+    std::vector<unsigned char> points(net.bytes());
+    net.write(points.data());
+    const glev_patches patches = net.describe(points.data());
+    const auto [u1, u2, v1, v2] = net.domain;
+    // Five points on the edge, or next to it.
+    const auto normals_at = [&](double off, bool limits, bool are_doubles) {
+      std::vector<double> u, v, results(15);
+      for (int i = 0; i <= 4; ++i) {
+        const double along = i / 4.0, across = is_last ? 1 - off : off;
+        const auto at = [](double first, double last, double t) {
+          return t == 1 ? last : first + t * (last - first);
+        };
+        u.push_back(at(u1, u2, direction == 0 ? across : along));
+        v.push_back(at(v1, v2, direction == 0 ? along : across));
+      }
+      const std::vector<glev_uint> numbers(5, 0);
+      glev_patch_grid grid{};
+      grid.size = sizeof grid;
+      grid.kind = GLEV_GRID_SCATTERED;
+      grid.type = GLEV_DOUBLE;
+      grid.u_count = 5;
+      grid.u = input_of(u);
+      grid.v = input_of(v);
+      grid.patch = {numbers.data(), numbers.size() * sizeof(glev_uint), sizeof(glev_uint)};
+      grid.limit_normals = limits ? GLEV_TRUE : GLEV_FALSE;
+      std::vector<float> floats(15);
+      const glev_output normal = {sizeof normal,
+                                  are_doubles ? static_cast<void*>(results.data()) : floats.data(),
+                                  are_doubles ? std::size_t{120} : std::size_t{60},
+                                  are_doubles ? std::size_t{24} : std::size_t{12},
+                                  3,
+                                  static_cast<glev_enum>(are_doubles ? GLEV_DOUBLE : GLEV_FLOAT),
+                                  0,
+                                  0};
+      const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_NORMAL, &normal}};
+      std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
+      EXPECT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size()),
+                GLEV_SUCCESS);
+      if (!are_doubles) std::copy(floats.begin(), floats.end(), results.begin());
+      return results;
+    };
+    EXPECT_EQ(normals_at(0, false, true), std::vector<double>(15));
+    const std::vector<double> limits = normals_at(0, true, k % 2 == 0),
+                              inside = normals_at(0x1p-24, true, true);
+    EXPECT_EQ(inside, normals_at(0x1p-24, false, true));
+    for (std::size_t e = 0; e < 15; ++e)
+      ASSERT_NEAR(limits[e], inside[e], 2e-5)
+          << "case " << k << ", value " << e << ", direction " << direction;
+    // Uniform grids and lists have the same normals.
+    for (glev_grid_kind kind : {GLEV_GRID_UNIFORM, GLEV_GRID_LISTS}) {
+      glev_patch_grid grid{};
+      grid.size = sizeof grid;
+      grid.kind = kind;
+      grid.limit_normals = GLEV_TRUE;
+      const std::vector<double> u = {u1, u1 + 0.25 * (u2 - u1), u1 + 0.5 * (u2 - u1), u1 + 0.75 * (u2 - u1),
+                                     u2},
+                                v = {v1, v1 + 0.25 * (v2 - v1), v1 + 0.5 * (v2 - v1), v1 + 0.75 * (v2 - v1),
+                                     v2};
+      if (kind == GLEV_GRID_UNIFORM) grid.u_segments = grid.v_segments = 4;
+      if (kind == GLEV_GRID_LISTS) {
+        grid.type = GLEV_DOUBLE;
+        grid.u_count = grid.v_count = 5;
+        grid.u = input_of(u);
+        grid.v = input_of(v);
+      }
+      std::vector<float> results(75);
+      const glev_output normal = {sizeof normal, results.data(), 300, 12, 3, 0, 0, 0};
+      const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_NORMAL, &normal}};
+      std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
+      ASSERT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size()),
+                GLEV_SUCCESS);
+      for (std::size_t e = 0; e < 5; ++e) {
+        const std::size_t edge = is_last ? 4 : 0, at = direction == 0 ? 5 * e + edge : 5 * edge + e;
+        for (std::size_t c = 0; c < 3; ++c)
+          ASSERT_EQ(results[3 * at + c], static_cast<float>(limits[3 * e + c]))
+              << "case " << k << ", point " << e;
+      }
+    }
+  }
+}
+
+// All control points are equal, or the limit needs derivatives of higher order.
+TEST_F(LimitNormals, ThatAreNotDeterminedAreZero) {
+  for (double z : {0.0, 1.0}) {
+    Net net;
+    net.count = 1;
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) net.values.insert(net.values.end(), {0, 0, j * z});
+    }
+    std::vector<unsigned char> points(net.bytes());
+    net.write(points.data());
+    const glev_patches patches = net.describe(points.data());
+    glev_patch_grid grid{};
+    grid.size = sizeof grid;
+    grid.u_segments = grid.v_segments = 2;
+    grid.limit_normals = GLEV_TRUE;
+    std::vector<float> results(27, 5);
+    const glev_output normal = {sizeof normal, results.data(), 108, 12, 3, 0, 0, 0};
+    const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_NORMAL, &normal}};
+    std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
+    ASSERT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size()), GLEV_SUCCESS);
+    EXPECT_EQ(results, std::vector<float>(27));
+  }
+}
+
+// ---- The error bound
+
+using Wide = boost::multiprecision::number<
+    boost::multiprecision::cpp_bin_float<600, boost::multiprecision::digit_base_2>,
+    boost::multiprecision::et_off>;
+
+// Returns the Bernstein polynomials of a degree at t, or their derivatives by t.
+std::vector<Wide> bernstein(int degree, const Wide& t, bool derivative) {
+  std::vector<Wide> basis(static_cast<std::size_t>(degree) + 1, 0);
+  if (derivative) {
+    if (degree == 0) return basis;
+    const std::vector<Wide> lower = bernstein(degree - 1, t, false);
+    for (std::size_t i = 0; i < lower.size(); ++i)
+      basis[i] -= degree * lower[i], basis[i + 1] += degree * lower[i];
+    return basis;
+  }
+  basis[0] = 1;
+  for (int d = 1; d <= degree; ++d) {
+    for (auto i = static_cast<std::size_t>(d); i > 0; --i) basis[i] = (1 - t) * basis[i] + t * basis[i - 1];
+    basis[0] *= 1 - t;
+  }
+  return basis;
+}
+
+using WideVector = std::array<Wide, 3>;
+
+WideVector cross_product(const WideVector& a, const WideVector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Wide length_of(const WideVector& v) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+struct Limit {
+  WideVector normal;
+  Wide ratio;  // |m| / |majorant|, as documented at limit_normals
+};
+
+// Returns the exact limit of the normal on the edge, at t of the other direction: by the mixed derivative of
+// the surface, and the derivative across the edge.
+Limit exact_limit(const Net& net, int direction, bool is_last, const Wide& t) {
+  const auto components = static_cast<std::size_t>(net.components);
+  const int other = 1 - direction;
+  const auto [n, m] = net.order;
+  std::array<Wide, 4> p = {0, 0, 0, 1}, across{}, mixed{};
+  std::array<double, 4> largest_p = {0, 0, 0, 1}, largest{};
+  for (std::size_t k = 0; k < components; ++k) {
+    p[k] = 0;
+    const auto point = [&](int i, int j) {
+      return net.values[static_cast<std::size_t>(i * m + j) * components + k];
+    };
+    for (const int derivatives : {0, 1, 2}) {
+      std::array<std::vector<Wide>, 2> basis;
+      basis[static_cast<std::size_t>(direction)] =
+          bernstein(net.order[static_cast<std::size_t>(direction)] - 1, is_last ? 1 : 0, derivatives > 0);
+      basis[static_cast<std::size_t>(other)] =
+          bernstein(net.order[static_cast<std::size_t>(other)] - 1, t, derivatives > 1);
+      Wide& sum = derivatives == 0 ? p[k] : derivatives == 1 ? across[k] : mixed[k];
+      for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < m; ++j)
+          sum += basis[0][static_cast<std::size_t>(i)] * basis[1][static_cast<std::size_t>(j)] * point(i, j);
+      }
+    }
+    for (int i = 0; i < net.order[static_cast<std::size_t>(other)]; ++i) {
+      const int last = net.order[static_cast<std::size_t>(direction)] - 1, edge = is_last ? last : 0,
+                next = is_last ? last - 1 : 1;
+      const double on = direction == 0 ? point(edge, i) : point(i, edge),
+                   off = direction == 0 ? point(next, i) : point(i, next);
+      largest_p[k] = std::max(largest_p[k], std::fabs(on));
+      largest[k] = std::max(largest[k], std::fabs(off - on));
+    }
+  }
+  WideVector a, b, most;
+  for (std::size_t k = 0; k < 3; ++k) {
+    a[k] = p[3] * mixed[k] - mixed[3] * p[k];
+    b[k] = p[3] * across[k] - across[3] * p[k];
+    most[k] = Wide(largest_p[3]) * largest[k] + Wide(largest[3]) * largest_p[k];
+  }
+  if (is_last == (direction == 1)) std::swap(a, b);
+  const WideVector product = cross_product(a, b);
+  // Differences along the edge are at most twice those across it.
+  WideVector majorant;
+  const int scale = net.order[static_cast<std::size_t>(direction)] - 1,
+            degree = net.order[static_cast<std::size_t>(other)] - 1;
+  for (std::size_t k = 0; k < 3; ++k)
+    majorant[k] = Wide(4 * scale * scale * degree) * most[(k + 1) % 3] * most[(k + 2) % 3];
+  Limit limit;
+  const Wide length = length_of(product);
+  limit.ratio = length / length_of(majorant);
+  for (std::size_t k = 0; k < 3; ++k) limit.normal[k] = product[k] / length;
+  return limit;
+}
+
+TEST_F(LimitNormals, KeepTheirBound) {
+  double worst = 0, least = 1;
+  for (int k = 0; k < 400; ++k) {
+    const int direction = k % 2;
+    const bool is_last = k % 4 >= 2;
+    const Net net = choose_pole(direction, is_last, k % 10 == 0 ? 16 : 5);
+    const glev_patches patches = net.describe(net.values.data());
+    const auto [u1, u2, v1, v2] = net.domain;
+    // Arguments along the edge, and its position.
+    std::vector<double> along, across = {direction == 0 ? (is_last ? u2 : u1) : (is_last ? v2 : v1)};
+    const double first = direction == 0 ? v1 : u1, last = direction == 0 ? v2 : u2;
+    for (int i = 0; i < 9; ++i) along.push_back(first + chance_.next_double() * (last - first));
+    along[0] = first, along[1] = last;
+    glev_patch_grid grid{};
+    grid.size = sizeof grid;
+    grid.kind = GLEV_GRID_LISTS;
+    grid.type = GLEV_DOUBLE;
+    grid.limit_normals = GLEV_TRUE;
+    grid.u = input_of(direction == 0 ? across : along);
+    grid.v = input_of(direction == 0 ? along : across);
+    grid.u_count = direction == 0 ? 1 : along.size();
+    grid.v_count = direction == 0 ? along.size() : 1;
+    std::vector<float> results(27);
+    const glev_output normal = {sizeof normal, results.data(), 108, 12, 3, 0, 0, 0};
+    const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_NORMAL, &normal}};
+    std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
+    ASSERT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size()), GLEV_SUCCESS);
+    for (std::size_t e = 0; e < along.size(); ++e) {
+      const Wide t = (Wide(along[e]) - first) / (Wide(last) - first);
+      const Limit limit = exact_limit(net, direction, is_last, t);
+      if (limit.ratio < 0x1p-12) continue;
+      least = std::min(least, limit.ratio.convert_to<double>());
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto error = abs(results[3 * e + c] - limit.normal[c]).convert_to<double>();
+        ASSERT_LE(error, 0x1p-25 + 0x1p-30)
+            << "case " << k << ", direction " << direction << ", element " << e;
+        worst = std::max(worst, error);
+      }
+    }
+  }
+  EXPECT_GT(worst, 0x1p-27);  // rounded to float
+  EXPECT_LT(least, 0x1p-8);   // not only well-conditioned cases
+}
+
+}  // namespace
+}  // namespace glev_tests
