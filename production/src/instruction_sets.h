@@ -1,4 +1,4 @@
-// Selects the instruction sets for which Highway compiles the kernels. Included before the headers of Highway.
+// Selects the instruction sets for which the kernels are compiled. Included before the headers of Highway.
 #pragma once
 
 // Only the headers of Highway are used; its assertions would need the library.
