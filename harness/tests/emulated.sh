@@ -3,7 +3,7 @@
 # oldest processor of that architecture; `production` has to round correctly; and the suite may report nothing unexpected.
 # usage: emulated.sh FOLDER EMULATOR [ARGUMENT]..., in the root of the checkout; FOLDER has the programs
 set -euo pipefail
-programs=$1 emulator=("${@:2}") folder=$1/../emulated
+programs=$1 emulator=("${@:2}") folder=$(dirname "$1")/emulated
 fail() { echo "$*" >&2; exit 1; }
 
 # `evalcts run` starts evalcts-suite, which this machine cannot execute. Therefore evalcts runs in a folder in which that is
