@@ -58,6 +58,11 @@ exit $status")
   set_tests_properties(stage.${stage} PROPERTIES SKIP_RETURN_CODE 77)
 endforeach()
 
+# The preset aarch64 also runs the tests of the library under the emulator.
+if(CMAKE_CROSSCOMPILING)
+  evalcts_stage(aarch64 21600 harness/tests/emulated.sh $<TARGET_FILE_DIR:evalcts> ${CMAKE_CROSSCOMPILING_EMULATOR})
+endif()
+
 # The preset coverage reports which lines of the project's own code the tests reach. It ignores the tests themselves and the
 # injected faults, which run in the stage faults only. ctest runs these commands before and after the tests.
 if(EVALCTS_COVERAGE)

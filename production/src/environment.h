@@ -8,11 +8,27 @@
 
 #if defined(__x86_64__) || defined(_M_X64)
 #include <xmmintrin.h>
-#else
+#elif !defined(__aarch64__)
 #include <cfenv>
 #endif
 
 namespace glev {
+
+#if defined(__aarch64__)
+// The control and the flag register. The default value of the former is 0.
+inline std::uint64_t read_fpcr() {
+  std::uint64_t value;
+  asm volatile("mrs %0, fpcr" : "=r"(value) : : "memory");
+  return value;
+}
+inline std::uint64_t read_fpsr() {
+  std::uint64_t value;
+  asm volatile("mrs %0, fpsr" : "=r"(value) : : "memory");
+  return value;
+}
+inline void write_fpcr(std::uint64_t value) { asm volatile("msr fpcr, %0" : : "r"(value) : "memory"); }
+inline void write_fpsr(std::uint64_t value) { asm volatile("msr fpsr, %0" : : "r"(value) : "memory"); }
+#endif
 
 // Sets rounding to nearest, gradual underflow and no traps during its lifetime, then restores the environment
 // of the caller. If that was different, its flags do not change. Reading the environment is cheap enough for
@@ -32,6 +48,20 @@ class DefaultEnvironment {
  private:
   static constexpr unsigned kFlags = 0x3F, kDefault = 0x1F80, kControl = 0xFFFF & ~kFlags;
   unsigned callers_;
+#elif defined(__aarch64__)
+  DefaultEnvironment() : callers_(read_fpcr()) {
+    if (callers_ == 0) return;
+    callers_flags_ = read_fpsr();
+    write_fpcr(0);
+  }
+  ~DefaultEnvironment() {
+    if (callers_ == 0) return;
+    write_fpsr(callers_flags_);
+    write_fpcr(callers_);
+  }
+
+ private:
+  std::uint64_t callers_, callers_flags_ = 0;
 #else
   // If the C library supports flush-to-zero, it is part of the environment and off in the default one.
   DefaultEnvironment() {
@@ -51,6 +81,8 @@ inline bool in_default_environment() {
 #if defined(__x86_64__) || defined(_M_X64)
   constexpr unsigned kFlags = 0x3F, kDefault = 0x1F80;
   return (_mm_getcsr() & 0xFFFF & ~kFlags) == kDefault;
+#elif defined(__aarch64__)
+  return read_fpcr() == 0;
 #elif defined(__GLIBC__)
   return std::fegetround() == FE_TONEAREST && fegetexcept() == 0;
 #else

@@ -10,14 +10,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "instruction_sets.h"
 #include "plan.h"
-
-// Only the headers of Highway are used; its assertions would need the library.
-#define HWY_IS_DEBUG_BUILD 0
-// SSSE3 and AVX3_DL add no operations that these kernels use. Vectors of scalable size cannot be elements of
-// arrays.
-#define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "src/kernels.cpp"

@@ -7,11 +7,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "instruction_sets.h"
 #include "kernels.h"
-
-#define HWY_IS_DEBUG_BUILD 0
-#define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "src/patch_kernels.cpp"

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <vector>
 
-#include "fixture.h"
+#include "batches.h"
 
 namespace glev_tests {
 namespace {

@@ -12,10 +12,29 @@
 namespace glev_tests {
 namespace {
 
+// The control register of the processor, with its flags if they are in the same register.
+#if defined(__SSE2__)
+constexpr unsigned kDefaultControl = 0x1F80;  // all exceptions masked
+unsigned read_control() { return _mm_getcsr(); }
+void write_control(unsigned value) { _mm_setcsr(value); }
+#elif defined(__aarch64__)
+constexpr unsigned kDefaultControl = 0;
+unsigned read_control() {
+  std::uint64_t value;
+  asm volatile("mrs %0, fpcr" : "=r"(value));
+  return static_cast<unsigned>(value);
+}
+void write_control(unsigned value) { asm volatile("msr fpcr, %0" : : "r"(std::uint64_t{value}) : "memory"); }
+#else
+constexpr unsigned kDefaultControl = 0;
+unsigned read_control() { return 0; }
+void write_control(unsigned) {}
+#endif
+
 struct Environment {
   const char* name;
   int rounding = FE_TONEAREST;
-  unsigned sse_control = 0x1F80;  // all exceptions masked
+  unsigned control = kDefaultControl;
   bool has_traps = false;
 };
 
@@ -31,35 +50,31 @@ constexpr Environment kHostileEnvironments[] = {
     {"both and upward", FE_UPWARD, 0x9FC0},
     {"all traps", FE_TONEAREST, 0x0000},
     {"all traps and flags of old", FE_TONEAREST, 0x1F80 | 0x3F},
+#elif defined(__aarch64__)
+    {"flush to zero", FE_TONEAREST, 1 << 24},
+    {"default NaN", FE_TONEAREST, 1 << 25},
+    {"both and upward", FE_UPWARD, 3 << 24},
 #endif
 #if defined(__GLIBC__)
-    {"traps of the C library", FE_DOWNWARD, 0x1F80, true},
+    {"traps of the C library", FE_DOWNWARD, kDefaultControl, true},
 #endif
 };
 
 // The control and flag registers.
 struct Registers {
-  int rounding = 0, flags = 0;
-  unsigned sse = 0;
+  int rounding, flags;
+  unsigned control;
   bool operator==(const Registers&) const = default;
 };
 
-Registers read_registers() {
-  Registers registers = {std::fegetround(), std::fetestexcept(FE_ALL_EXCEPT)};
-#if defined(__SSE2__)
-  registers.sse = _mm_getcsr();
-#endif
-  return registers;
-}
+Registers read_registers() { return {std::fegetround(), std::fetestexcept(FE_ALL_EXCEPT), read_control()}; }
 
 // Sets an environment during its lifetime. Other floating-point computations must not run meanwhile.
 class In {
  public:
   explicit In(const Environment& environment) {
     std::feholdexcept(&before_);
-#if defined(__SSE2__)
-    _mm_setcsr(environment.sse_control);
-#endif
+    write_control(environment.control);
     if (environment.rounding != FE_TONEAREST) std::fesetround(environment.rounding);
 #if defined(__GLIBC__)
     if (environment.has_traps) feenableexcept(FE_ALL_EXCEPT);
@@ -239,7 +254,7 @@ class Work {
 
   const Data& data_;
   glev_context* gl_ = nullptr;
-  Registers callers_;
+  Registers callers_{};
 };
 
 template <class Lists>
@@ -259,7 +274,7 @@ TEST(HostileEnvironment, ChangesNoBitAndIsNotChanged) {
   EXPECT_EQ(usual.vertices.size() > 500, true);
   for (const Environment& hostile : kHostileEnvironments) {
     Work work(data);
-    Registers before, after;
+    Registers before{}, after{};
     {
       const In environment(hostile);
       before = read_registers();

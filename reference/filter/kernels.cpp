@@ -272,6 +272,17 @@ void to_double_kernel(const EnclosureArrays& enclosures, double scale, std::size
   HWY_DYNAMIC_DISPATCH(round_to_double)(enclosures, scale, count, results, decided);
 }
 
+#ifdef HWY_COMPILE_ONLY_STATIC
+
+std::vector<std::string> filter_targets() { return {hwy::TargetName(HWY_STATIC_TARGET)}; }
+
+void use_filter_target(const std::string& name) {
+  if (!name.empty() && name != filter_targets().front())
+    throw std::invalid_argument("no such instruction set here: " + name);
+}
+
+#else
+
 std::vector<std::string> filter_targets() {
   hwy::SetSupportedTargetsForTest(0);
   std::vector<std::string> names;
@@ -289,6 +300,8 @@ void use_filter_target(const std::string& name) {
   }
   throw std::invalid_argument("no such instruction set here: " + name);
 }
+
+#endif
 
 }  // namespace evalcts::reference
 #endif  // HWY_ONCE

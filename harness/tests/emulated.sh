@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Runs the evalcts of another architecture under an emulator. The digest has to be that of docs/accuracy.md, also on the
+# oldest processor of that architecture; `production` has to round correctly; and the suite may report nothing unexpected.
+# usage: emulated.sh FOLDER EMULATOR [ARGUMENT]..., in the root of the checkout; FOLDER has the programs
+set -euo pipefail
+programs=$1 emulator=("${@:2}") folder=$(dirname "$1")/emulated
+fail() { echo "$*" >&2; exit 1; }
+
+# `evalcts run` starts evalcts-suite, which this machine cannot execute. Therefore evalcts runs in a folder in which that is
+# the name of a script.
+mkdir -p "$folder"
+ln -f "$programs/evalcts" "$folder/evalcts"
+printf '#!/bin/sh\nexec %s "%s" "$@"\n' "${emulator[*]}" "$programs/evalcts-suite" >"$folder/evalcts-suite"
+chmod +x "$folder/evalcts-suite"
+evalcts() { "${emulator[@]}" "$folder/evalcts" "$@"; }
+
+expected=$(sed -n 's/^\(digest [0-9a-f]* of 10000000 results, seed 1: \).*/\1/p' docs/accuracy.md)
+[[ $expected ]] || fail "docs/accuracy.md has no digest"
+for processor in max cortex-a53; do
+  found=$(QEMU_CPU=$processor evalcts ulp --digest --implementation production)
+  echo "$processor: $found"
+  [[ $found == "$expected"* ]] || fail "docs/accuracy.md has another digest: $expected"
+done
+evalcts rounding --samples 2000 --exact 20
+evalcts run --implementation production --depth quick --strict --output "$folder/results"
