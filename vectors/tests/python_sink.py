@@ -1,25 +1,25 @@
 """The correct or a wrong state machine as a sink (evalcts_sink.h) that the suite can judge.
 
 The environment variable EVALCTS_WRONG names a wrong evaluator ("evaluator: NAME") or a wrong state machine
-("state machine: NAME"); without it the machine is correct. `ADDRESS` is the address of the sink for python_sink.c.
+("state machine: NAME"); if it is not set, the machine is correct. `ADDRESS` is the address of the sink.
 """
 
 import ctypes
 import os
 import sys
-from ctypes import (CFUNCTYPE, POINTER, Structure, addressof, byref, c_char_p, c_double, c_float, c_int, c_uint, c_void_p,
-                    cast)
+from ctypes import (CFUNCTYPE, POINTER, Structure, addressof, c_char_p, c_double, c_float, c_int, c_uint,
+                    c_void_p, cast)
 from fractions import Fraction
 from functools import lru_cache
 from math import copysign
 
-from played import Evaluator, Machine, unit
+from played import Evaluator, Machine
 from checker import gl, gl_arguments
 from checker.gl import Value
 from checker.gl_commands import command_named
-from checker.gl_names import (ALL_MAPS, COMPILE_MODES, FLAGS, GROUPS, LIST_TYPES, MAP_QUERIES, MAPS, MESH_MODES, MODES,
-                              NAME_TYPES, OTHER_FLAGS, TEXTURE0, UNITS)
-from checker.maps import FORMATS, SIZES, TARGETS, Map
+from checker.gl_names import (ALL_MAPS, COMPILE_MODES, FLAGS, LIST_TYPES, MAP_QUERIES, MAPS, MESH_MODES, MODES,
+                              NAME_TYPES, OPERATION, OTHER_FLAGS, TEXTURE0, UNITS)
+from checker.maps import TARGETS, Map
 from checker.number import Malformed, float_text
 from checker.sequences import OUTPUTS, accepted_answers
 from wrong_evaluators import WRONG_EVALUATORS, evaluator_of
@@ -27,7 +27,6 @@ from wrong_state_machines import WRONG_STATE_MACHINES, machine_of
 
 MAX_ORDER, UNIT_COUNT = gl.MAX_EVAL_ORDER, len(UNITS)
 ROWS = 8  # the texture units of which the suite looks at vertices
-OPERATION, VALUE = gl.OPERATION, gl.VALUE
 ERRORS = {"GL_INVALID_ENUM": 0x500, "GL_INVALID_VALUE": 0x501, "GL_INVALID_OPERATION": 0x502,
           "GL_STACK_OVERFLOW": 0x503, "GL_STACK_UNDERFLOW": 0x504}
 BITS = {"GL_CURRENT_BIT": 0x1, "GL_ENABLE_BIT": 0x2000, "GL_EVAL_BIT": 0x10000, "GL_LIST_BIT": 0x20000,
@@ -55,7 +54,7 @@ class Known:
 
 
 class EvaluatedMap(Map):
-    """A map that is evaluated in double precision or, if that overflows, exactly."""
+    """A map that is evaluated in double precision, or exactly if that overflows or if arguments of grids are wrong."""
 
     def directions(self, arguments):
         return arguments
@@ -68,7 +67,7 @@ class EvaluatedMap(Map):
         return self.nets_of(Evaluator.number)
 
     def evaluated(self, method, arguments):
-        Evaluator.number = float
+        Evaluator.number = Fraction if IS_EXACT else float
         try:
             return method(self, arguments)
         except (OverflowError, ValueError):
@@ -83,15 +82,14 @@ class EvaluatedMap(Map):
 
 
 def _subject():
-    """Returns the evaluator and the class of state machines that EVALCTS_WRONG selects."""
+    """Returns the evaluator and the class of state machines that EVALCTS_WRONG selects, and the replaced methods."""
     kind, _, name = os.environ.get("EVALCTS_WRONG", "").partition(": ")
+    if not kind:
+        return Evaluator(), Machine, {}
+    methods = {"evaluator": WRONG_EVALUATORS, "state machine": WRONG_STATE_MACHINES}[kind][name][1]
     if kind == "evaluator":
-        return evaluator_of(WRONG_EVALUATORS[name][1]), Machine
-    if kind == "state machine":
-        return Evaluator(), machine_of(WRONG_STATE_MACHINES[name][1])
-    if kind:
-        raise LookupError(kind)
-    return Evaluator(), Machine
+        return evaluator_of(methods), Machine, methods
+    return Evaluator(), machine_of(methods), methods
 
 
 gl.Map = EvaluatedMap
@@ -101,15 +99,18 @@ Evaluator.result = lambda self, x: x
 Evaluator.basis = lru_cache(1000)(Evaluator.basis)
 gl.initial_map = lru_cache(None)(gl.initial_map)
 gl.read_float = gl_arguments.read_float = lru_cache(10**5)(gl.read_float)
+text_of = lru_cache(10**5)(lambda x: float_text(Fraction(x)))
 accepted_answers = lru_cache(10**5)(accepted_answers)
 gl.signature, gl.command_named = lru_cache(1000)(gl.signature), lru_cache(None)(gl.command_named)
-EVALUATOR, MACHINE = _subject()
+EVALUATOR, MACHINE, REPLACED = _subject()
+# The wrong end of a grid may be so near to the correct one that double precision does not tell them apart.
+IS_EXACT = not REPLACED.keys().isdisjoint(("grid_argument", "evaluate_point"))
 
 
 # Arguments of commands, as the vectors write them
 
 def text(x):
-    return "-0x0p+0" if x == 0 and copysign(1, x) < 0 else float_text(Fraction(x))
+    return text_of(x) if x != 0 else "-0x0p+0" if copysign(1, x) < 0 else "0x0p+0"
 
 
 def name_in(names, x):
@@ -218,7 +219,9 @@ def commands():
 # The context
 
 class Receiver(Structure):
-    _fields_ = [("user", c_void_p), ("begin", CFUNCTYPE(None, c_void_p, c_uint)), ("end", CFUNCTYPE(None, c_void_p)),
+    _fields_ = [("user", c_void_p),
+                ("begin", CFUNCTYPE(None, c_void_p, c_uint)),
+                ("end", CFUNCTYPE(None, c_void_p)),
                 ("vertex", CFUNCTYPE(None, c_void_p, c_void_p, c_void_p, c_void_p, c_void_p, c_uint))]
 
 
@@ -235,8 +238,8 @@ def issue(name, arguments):
     machine, answer = Play.machine, None
     try:
         answer = machine.issue(name, arguments)
-    except (Malformed, OverflowError, ValueError):
-        pass  # not modelled, such as arguments that are not finite
+    except (Malformed, ArithmeticError, ValueError):
+        pass  # not modelled, such as arguments that are not finite, or a division by zero of a wrong one
     if machine.errors and not Play.error:
         Play.error = ERRORS[min(machine.errors)]
     machine.errors = set()
@@ -265,14 +268,13 @@ def hand_over(primitive):
     receiver.begin(receiver.user, MODES[primitive.mode])
     for vertex in primitive.vertices:
         if "automatic_normal" in vertex:
-            m = vertex["automatic_normal"].m
-            normal = [Known(x) for x in (unit(m) if any(m) else m)]
+            normal = [Known(x) for x in vertex["automatic_normal"].m]
         else:
             normal = vertex["normal"]
         coordinates = [x for unit_of in vertex["texture_coordinates"] for x in unit_of]
         coordinates += ["0x0p+0", "0x0p+0", "0x0p+0", "0x1p+0"] * (ROWS - UNIT_COUNT)
-        receiver.vertex(receiver.user, row(vertex["position"]), row(vertex["color"]), row(normal), row(coordinates),
-                        ROWS)
+        receiver.vertex(receiver.user, row(vertex["position"]), row(vertex["color"]), row(normal),
+                        row(coordinates), ROWS)
     receiver.end(receiver.user)
 
 
@@ -330,11 +332,11 @@ def getter(name):
     return function
 
 
-def map_getter(c, n=""):
+def map_getter(c):
     def function(target, query, *rest):
         arguments = [name_in(ALL_MAPS, target), name_in(MAP_QUERIES, query),
-                     *(size // 1 for size in rest[:-1]), {"out": OUTPUTS[c], "count": 1}]
-        written(issue(f"Get{n}Map{c}v", arguments), OUTPUTS[c], rest[-1])
+                     *rest[:-1], {"out": OUTPUTS[c], "count": 1}]
+        written(issue(f"GetMap{c}v", arguments), OUTPUTS[c], rest[-1])
     return function
 
 

@@ -212,15 +212,14 @@ def _instead(method, condition, other):
     return {method: command}
 
 
-def _keeps(name, number=None):
+def _keeps(name):
     """Makes an evaluated attribute current."""
     def vertex(self, attributes):
         Machine.vertex(self, attributes)
         key = {"Color": "color", "Normal": "normal", "TexCoord": "texture_coordinates"}[name]
-        values = attributes.get(key)
-        if values is None:
+        if key not in attributes:
             return
-        values = values[0] if name == "TexCoord" else values
+        values = attributes[key][0] if name == "TexCoord" else attributes[key]
         found = [x if isinstance(x, str) else float_text(f32(x.value)) for x in values]
         if name == "TexCoord":
             self.current[name][0] = found
@@ -397,13 +396,15 @@ WRONG_STATE_MACHINES = {
     "orders above 7 are errors": ("state.max-eval-order", _order_limit(7)),
     "orders above 30 are errors": ("get_map.high-order", _order_limit(30)),
     "orders above 63 are errors": ("get_map.high-order", _order_limit(63)),
-    "lists lose errors of maps": ("errors.map1-compiled", _in_list(lambda name, codes: name.startswith("Map1"))),
+    "lists lose errors of maps": ("errors.map1-compiled", _in_list(
+        lambda name, codes: name.startswith("Map1"))),
     "lists lose errors of surfaces": ("errors.map2-compiled", _in_list(
         lambda name, codes: name.startswith("Map2"))),
     "lists lose INVALID_ENUM of maps": ("errors.map1-compiled", _in_list(
         lambda name, codes: codes == {"GL_INVALID_ENUM"})),
     "lists lose errors of grids": ("errors.compiled", _in_list(lambda name, codes: name.startswith("MapGrid"))),
-    "lists lose errors of meshes": ("errors.compiled", _in_list(lambda name, codes: name.startswith("EvalMesh"))),
+    "lists lose errors of meshes": ("errors.compiled", _in_list(
+        lambda name, codes: name.startswith("EvalMesh"))),
     "lists stop at the first error": ("errors.map1-compiled", _list_stops_at_errors()),
     "errors come when a list is compiled": ("errors.compiled", _errors_when_compiled()),
     "lists take curves as packed": ("get_map.list-stride", _packed_in_lists(
@@ -412,28 +413,36 @@ WRONG_STATE_MACHINES = {
         lambda name, a: _with(a, _7=_size(a[0])) if name.startswith("Map2") else a)),
     "lists swap the strides": ("get_map.list-stride", _packed_in_lists(
         lambda name, a: _with(a, _3=min(a[3], a[7]), _7=min(a[3], a[7])) if name.startswith("Map2") else a)),
-    "points of order 33 and more are those of 32": ("state.high-order", {"winner": lambda self, dimension, kinds: (
+    "points of order 33 and more are those of 32": ("state.high-order", {"winner": lambda self, dimension, kinds:
+        (
         _cut(Machine.winner(self, dimension, kinds), 32))}),
-    # Which map wins
-    "VERTEX_3 wins over VERTEX_4": ("state.precedence-vertex", _winner(lambda kinds: kinds[::-1] if "VERTEX_4" in kinds else kinds)),
-    "TEXTURE_COORD_1 wins": ("state.precedence-texture", _winner(lambda kinds: kinds[::-1] if "TEXTURE_COORD_1" in kinds else kinds)),
+    # Precedence of maps
+    "VERTEX_3 wins over VERTEX_4": ("state.precedence-vertex", _winner(
+        lambda kinds: kinds[::-1] if "VERTEX_4" in kinds else kinds)),
+    "TEXTURE_COORD_1 wins": ("state.precedence-texture", _winner(
+        lambda kinds: kinds[::-1] if "TEXTURE_COORD_1" in kinds else kinds)),
     "TEXTURE_COORD_3 wins over TEXTURE_COORD_4": ("state.precedence-texture", _winner(
         lambda kinds: [kinds[1], kinds[0], *kinds[2:]] if "TEXTURE_COORD_4" in kinds else kinds)),
     "TEXTURE_COORD_1 wins over TEXTURE_COORD_2": ("state.precedence-texture", _winner(
         lambda kinds: [*kinds[:2], kinds[3], kinds[2]] if "TEXTURE_COORD_4" in kinds else kinds)),
-    "curves and surfaces share the enable of colours": ("state.dimension", {"winner": lambda self, dimension, kinds: (
-        self.maps[f"GL_MAP{dimension}_COLOR_4"].map if kinds == ("COLOR_4",) and self.enabled[
-            f"GL_MAP{3 - dimension}_COLOR_4"] else Machine.winner(self, dimension, kinds))}),
+    "curves and surfaces share the enable of colours": ("state.dimension", {
+        "winner": lambda self, dimension, kinds: (
+            self.maps[f"GL_MAP{dimension}_COLOR_4"].map
+            if kinds == ("COLOR_4",) and self.enabled[f"GL_MAP{3 - dimension}_COLOR_4"]
+            else Machine.winner(self, dimension, kinds))}),
     "the map of normals wins over AUTO_NORMAL": ("state.auto-normal", _instead(
         "evaluate", lambda m, dimension, arguments: m.enabled["GL_MAP2_NORMAL"] and dimension == 2,
         lambda m, *rest: _with_flag(m, "GL_AUTO_NORMAL", False, rest))),
     # Enables
     "Enable of VERTEX_4 disables VERTEX_3": ("state.precedence-vertex", _after("enable", lambda m, form, flag: (
         form[0] == "Enable" and flag.endswith("VERTEX_4") and m.enabled.update({flag[:-1] + "3": False})))),
-    "Disable of VERTEX_4 disables VERTEX_3": ("state.precedence-vertex", _after("enable", lambda m, form, flag: (
+    "Disable of VERTEX_4 disables VERTEX_3": ("state.precedence-vertex", _after(
+        "enable", lambda m, form, flag: (
         form[0] == "Disable" and flag.endswith("VERTEX_4") and m.enabled.update({flag[:-1] + "3": False})))),
-    "a map enables itself": ("get_map.separate", _after("map", lambda m, form, target, *rest: m.enabled.update({target: True}))),
-    "a map disables itself": ("state.lists", _after("map", lambda m, form, target, *rest: m.enabled.update({target: False}))),
+    "a map enables itself": ("get_map.separate", _after(
+        "map", lambda m, form, target, *rest: m.enabled.update({target: True}))),
+    "a map disables itself": ("state.lists", _after(
+        "map", lambda m, form, target, *rest: m.enabled.update({target: False}))),
     "Enable sets the initial map": ("state.attribute", _after("enable", lambda m, form, flag: (
         flag in m.maps and form[0] == "Enable" and m.maps.update({flag: Machine().maps[flag]})))),
     # Current values
@@ -442,12 +451,16 @@ WRONG_STATE_MACHINES = {
     "evaluated texture coordinates become current": ("state.attribute", _keeps("TexCoord")),
     "colours of maps are clamped": ("state.colors-beyond-one", {"vertex": _clamped_colors}),
     # Attribute stack
-    "EVAL_BIT does not save grids": ("state.attribute-stack", _saved("GL_EVAL_BIT", "enabled", "current", "list_base", "active_unit")),
-    "EVAL_BIT does not save enables": ("state.attribute-stack", _saved("GL_EVAL_BIT", "grids", "current", "list_base", "active_unit")),
-    "ENABLE_BIT does not save enables of maps": ("state.attribute-stack", _saved("GL_ENABLE_BIT", "grids", "current")),
+    "EVAL_BIT does not save grids": ("state.attribute-stack", _saved(
+        "GL_EVAL_BIT", "enabled", "current", "list_base", "active_unit")),
+    "EVAL_BIT does not save enables": ("state.attribute-stack", _saved(
+        "GL_EVAL_BIT", "grids", "current", "list_base", "active_unit")),
+    "ENABLE_BIT does not save enables of maps": ("state.attribute-stack", _saved(
+        "GL_ENABLE_BIT", "grids", "current")),
     "EVAL_BIT saves maps": ("state.attribute-stack", _after("push_attrib", _saves_maps)),
     "CURRENT_BIT saves nothing": ("state.attribute-stack", _saved("GL_CURRENT_BIT", "enabled", "grids")),
-    "PopAttrib pops two levels": ("state.attribute-stack", _after("pop_attrib", lambda m, form: m.stack and m.stack.pop())),
+    "PopAttrib pops two levels": ("state.attribute-stack", _after(
+        "pop_attrib", lambda m, form: m.stack and m.stack.pop())),
     # Maps and grids
     "curves and surfaces share enables": ("state.enables", _after("enable", lambda m, form, flag: (
         flag.startswith("GL_MAP") and m.enabled.update({flag.replace("MAP1", "MAP2"): form[0] == "Enable"})))),
@@ -455,16 +468,20 @@ WRONG_STATE_MACHINES = {
         form[0] == "2" and m.grids.update({1: [m.grids[2][0]]})))),
     "MapGrid1 sets the grid of surfaces": ("errors.grid-legal", _after("map_grid", lambda m, form, *a: (
         form[0] == "1" and m.grids[2].__setitem__(0, m.grids[1][0])))),
-    "erroneous grids of v set that of u": ("errors.grid2-vsegments", _before("map_grid_errors", _sets_first_direction)),
+    "erroneous grids of v set that of u": ("errors.grid2-vsegments", _before(
+        "map_grid_errors", _sets_first_direction)),
     "erroneous maps set order 1": ("errors.map1-order-low", {"map_errors": _sets_order_1}),
-    "u1 = u2 is no error": ("errors.map1-domain", _no_map_error_if(lambda m, form, target, first, last, *rest: first == last)),
+    "u1 = u2 is no error": ("errors.map1-domain", _no_map_error_if(
+        lambda m, form, target, first, last, *rest: first == last)),
     "equal ends of v are no error": ("errors.map2-vdomain", _no_map_error_if(
         lambda m, form, target, *rest: form[0] == "2" and rest[4] == rest[5])),
-    "order 0 is no error": ("errors.map1-order-low", _no_map_error_if(lambda m, form, target, a, b, stride, order, *rest: order == 0)),
+    "order 0 is no error": ("errors.map1-order-low", _no_map_error_if(
+        lambda m, form, target, a, b, stride, order, *rest: order == 0)),
     "vorder 0 is no error": ("errors.map2-vorder-low", _no_map_error_if(
         lambda m, form, target, *rest: form[0] == "2" and rest[7] == 0)),
     "stride k - 1 is no error": ("errors.map1-stride", _no_map_error_if(
-        lambda m, form, target, a, b, stride, *rest: target in m.maps and stride == m.maps[target].map.size - 1)),
+        lambda m, form, target, a, b, stride, *rest: (
+            target in m.maps and stride == m.maps[target].map.size - 1))),
     "maps of unit 1 are no error": ("errors.map1-active-texture", _errors("map_errors", lambda m, codes, *a: (
         codes - {"GL_INVALID_OPERATION"}))),
     # Meshes
@@ -486,30 +503,37 @@ WRONG_STATE_MACHINES = {
     "maps may be defined between Begin and End": ("errors.map1-begin-end", _allowed_inside("map")),
     "grids may be set between Begin and End": ("errors.grid-begin-end", _allowed_inside("map_grid")),
     "maps may be enabled between Begin and End": ("errors.enable-begin-end", _allowed_inside("enable")),
-    "attributes may be pushed between Begin and End": ("errors.attribute-stack", _allowed_inside("push_attrib", "pop_attrib")),
+    "attributes may be pushed between Begin and End": ("errors.attribute-stack", _allowed_inside(
+        "push_attrib", "pop_attrib")),
     "maps may be queried between Begin and End": ("errors.getmap-begin-end", _allowed_inside("get_map")),
     # Errors
     "INVALID_VALUE is not raised": ("errors.map1-domain", _without_error("GL_INVALID_VALUE")),
     "INVALID_ENUM is not raised": ("errors.map1-target", _without_error("GL_INVALID_ENUM")),
     "INVALID_ENUM is INVALID_VALUE": ("errors.map1-target", _with_code("GL_INVALID_VALUE", "GL_INVALID_ENUM")),
-    "INVALID_VALUE is INVALID_OPERATION": ("errors.map1-order-low", _with_code("GL_INVALID_OPERATION", "GL_INVALID_VALUE")),
+    "INVALID_VALUE is INVALID_OPERATION": ("errors.map1-order-low", _with_code(
+        "GL_INVALID_OPERATION", "GL_INVALID_VALUE")),
     # Queries
     "ORDER answers degrees": ("get_map.defined", _answers("GL_ORDER", lambda m, t, found: [
         Value(kind, x - 1) for kind, x in found])),
     "ORDER answers vorder first": ("get_map.defined", _answers("GL_ORDER", lambda m, t, found: found[::-1])),
-    "DOMAIN answers v first": ("get_map.defined", _answers("GL_DOMAIN", lambda m, t, found: [*found[2:], *found[:2]])),
-    "DOMAIN answers the ends in ascending order": ("get_map.defined", _answers("GL_DOMAIN", lambda m, t, found: (
+    "DOMAIN answers v first": ("get_map.defined", _answers(
+        "GL_DOMAIN", lambda m, t, found: [*found[2:], *found[:2]])),
+    "DOMAIN answers the ends in ascending order": ("get_map.defined", _answers(
+        "GL_DOMAIN", lambda m, t, found: (
         [x for i in range(0, len(found), 2) for x in sorted(
             found[i:i + 2], key=lambda end: read_float(end.value, BINARY64))]))),
     "COEFF answers columns": ("get_map.layout", _answers("GL_COEFF", _transposed_answers)),
-    "COEFF answers the last point first": ("get_map.layout", _answers("GL_COEFF", lambda m, t, found: found[::-1])),
+    "COEFF answers the last point first": ("get_map.layout", _answers(
+        "GL_COEFF", lambda m, t, found: found[::-1])),
     # Display lists
-    "lists are executed twice": ("state.lists", {"call": lambda self, name: [Machine.call(self, name) for _ in "12"] and None}),
+    "lists are executed twice": ("state.lists", {"call": lambda self, name: (
+        [Machine.call(self, name) for _ in "12"] and None)}),
     "COMPILE executes": ("state.lists", {"issue": _executes_while_compiling}),
     "COMPILE_AND_EXECUTE does not execute": ("state.lists", {"issue": _never_executes_while_compiling}),
     "lists in lists are not called": ("state.lists", {"call": lambda self, name: (
         None if self.nesting else Machine.call(self, name))}),
-    "EndList does not keep the list": ("state.lists", {"end_list": lambda self, form: setattr(self, "open_list", None)}),
+    "EndList does not keep the list": ("state.lists", {"end_list": lambda self, form: (
+        setattr(self, "open_list", None))}),
 }
 
 
