@@ -201,7 +201,7 @@ def commands():
     yield "EdgeFlagv", "p", vector("u8", 1)
     yield "EvalPoint1", ["i"], numbers
     yield "EvalPoint2", ["i", "i"], numbers
-    yield "EvalMesh1", ["ui", "i", "i"], named(dict(list(MESH_MODES.items())[:2]))
+    yield "EvalMesh1", ["ui", "i", "i"], named(MESH_MODES)
     yield "EvalMesh2", ["ui", "i", "i", "i", "i"], named(MESH_MODES)
     yield "PushAttrib", ["ui"], mask_arguments
     yield "PopAttrib", [], numbers

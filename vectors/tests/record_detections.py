@@ -140,7 +140,7 @@ def main():
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("names", nargs="*", metavar="NAME")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     with tempfile.TemporaryDirectory() as folder:
         suite = Suite(options.build / "harness/cli/evalcts-suite", build_sink(folder))
         names = options.names or ALL
