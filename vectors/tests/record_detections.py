@@ -3,11 +3,12 @@
 
     record_detections.py BUILD_FOLDER [--check] [--jobs N] [NAME...]
 
-`vectors` is the first case of the theme that has to detect it. `suite` is a test of the suite, at quick depth, that
-detects it; null if none does within 90 seconds. Each of them runs as a sink (python_sink.c) through the tests that
-the correct machine passes, until one fails. Tests about requirements of the detecting case come first, then cheap
-ones. With names ("evaluator: NAME", "state machine: NAME") the others keep their entries. With --check nothing is written: the
-recorded tests must pass with the correct machine and fail with the wrong one.
+`vectors` is the first case of the theme that has to detect it. `suite` is a test of the suite, at quick depth,
+that detects it; null if none does within 90 seconds. Each of them runs as a sink (python_sink.c) through the
+tests that the correct machine passes, until one fails. Tests about requirements of the detecting case come
+first, then cheap ones. With names ("evaluator: NAME", "state machine: NAME") the others keep their entries.
+With --check nothing is written: the recorded tests must pass with the correct machine and fail with the wrong
+one.
 """
 
 import argparse
