@@ -91,6 +91,8 @@ void draw_at(gl::Case& c, const Along& along, PrimitiveKind kind, float value) {
 // grid and its role.
 struct Probed {
   static constexpr int kTags = 4;
+  // At u1 the accuracy rule accepts 2^-126 * (1 + 2/|u2 - u1|) and a few units of underflow.
+  static constexpr double kUnderflow = 0x1p-100;
   std::optional<float> at_end, at_next, at_previous;
   std::vector<float> near_end;  // values of the drawing under test
 
@@ -103,8 +105,14 @@ struct Probed {
     const double end = *at_end;
     return at_neighbour == *at_end ? beyond : (end + static_cast<double>(at_neighbour)) / 2;
   }
-  // The open interval of values that are nearer to the value at the end than to those at the adjacent floats.
-  std::pair<double, double> accepted() const { return {limit(*at_previous, -1), limit(*at_next, 1)}; }
+  // The open interval of accepted values. At the end the value is 0 by the control point. If EvalCoord gives
+  // it, only an error of the size of an underflow is accepted, so that ends that are inexact in double
+  // precision are detected; otherwise, values that are nearer to the value at the end than to those at the
+  // adjacent floats.
+  std::pair<double, double> accepted() const {
+    if (*at_end == 0) return {-kUnderflow, kUnderflow};
+    return {limit(*at_previous, -1), limit(*at_next, 1)};
+  }
 };
 
 }  // namespace
@@ -162,8 +170,10 @@ void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind
             fmt::format("{} point of the grid of {} segments from {} to {}", last ? "last" : "first",
                         grid.segments, hexadecimal(grid.first), hexadecimal(grid.last));
         mismatch.expected =
-            fmt::format("x = {}, or nearer to it than to the values at the neighbouring numbers",
-                        hexadecimal(*probed[i].at_end));
+            *probed[i].at_end == 0
+                ? std::string("x = 0, the control point there")
+                : fmt::format("x = {}, or nearer to it than to the values at the neighbouring numbers",
+                              hexadecimal(*probed[i].at_end));
         mismatch.captured = captured;
         mismatch.message = fmt::format(
             "the {} is not where EvalCoord at {} = {} is: {}, expected {}", mismatch.what,

@@ -34,7 +34,7 @@ gl::Case commands_of(GLenum target, const Map& map, std::span<const float> u, st
     if (map.segments > 0) c.MapGrid1f(map.segments, end(0), end(1));
   }
   const auto index = [&](float x, std::size_t i) {
-    return static_cast<GLint>(std::lround(part_of(x, map.domain[i], map.domain[i + 1]) * map.segments));
+    return grid_index(x, map.domain[i], map.domain[i + 1], map.segments);
   };
   c.Enable(target);
   // Nothing is drawn without an enabled vertex map. The initial map, of order 1, is sufficient.

@@ -84,6 +84,9 @@ float argument_at(double part, double first, double last) {
   return static_cast<float>(std::fma(part, last - first, first));
 }
 double part_of(float argument, double first, double last) { return (argument - first) / (last - first); }
+int grid_index(float argument, double first, double last, int segments) {
+  return static_cast<int>(std::lround(part_of(argument, first, last) * segments));
+}
 
 void draw_points(Map& map, const Class& what, Random& random) {
   map.points.resize(static_cast<std::size_t>(map.uorder) * map.vorder * map.components);

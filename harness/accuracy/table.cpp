@@ -44,8 +44,13 @@ std::vector<Class> table_classes() {
 Map map_of(const RowRequest& request) {
   const Class& what = request.what;
   const int components = gl::components_of(target_of(request.target, what.vorder > 0));
-  return {what.uorder, std::max(what.vorder, 1), components, true, request.domain.value_or(what.domain()),
-          {},          what.segments()};
+  return {what.uorder,
+          std::max(what.vorder, 1),
+          components,
+          true,
+          request.domain.value_or(what.domain()),
+          {},
+          request.segments.value_or(what.segments())};
 }
 
 std::size_t arguments_of_a_map(const Class& what) {

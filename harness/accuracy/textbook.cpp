@@ -76,17 +76,20 @@ class Textbook final : public Subject {
             row[j] = static_cast<Real>(map.points[(i * map.vorder + j) * stride + k]);
           column[i] = v.empty() ? row[0]
                                 : polynomial_({row.data(), static_cast<std::size_t>(map.vorder)},
-                                              fraction(v[a], map.domain[2], map.domain[3]));
+                                              fraction(map, v[a], 2));
         }
-        results[a * stride + k] =
-            static_cast<float>(polynomial_({column.data(), static_cast<std::size_t>(map.uorder)},
-                                           fraction(u[a], map.domain[0], map.domain[1])));
+        results[a * stride + k] = static_cast<float>(
+            polynomial_({column.data(), static_cast<std::size_t>(map.uorder)}, fraction(map, u[a], 0)));
       }
     }
   }
 
  private:
-  static Real fraction(float u, double first, double last) {
+  // Returns the fraction of the domain whose ends begin at map.domain[end].
+  static Real fraction(const Map& map, float u, std::size_t end) {
+    const double first = map.domain[end], last = map.domain[end + 1];
+    if (map.segments > 0)
+      return static_cast<Real>(grid_index(u, first, last, map.segments)) / static_cast<Real>(map.segments);
     return (static_cast<Real>(u) - static_cast<Real>(first)) /
            (static_cast<Real>(last) - static_cast<Real>(first));
   }

@@ -45,6 +45,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kDefaultTarget = "vertex_3";
 constexpr double kSecondsForAPicture = 60;
+constexpr int kMostSegmentsOfRows = 1 << 24;
 
 std::vector<std::string> targets_of(const UlpOptions& options) {
   return options.targets.empty() ? std::vector<std::string>{kDefaultTarget} : options.targets;
@@ -77,8 +78,8 @@ std::vector<accuracy::RowRequest> chosen_rows(const UlpOptions& options) {
   for (const std::string& target : targets_of(options))
     for (const accuracy::Class& what : accuracy::table_classes())
       if (is_chosen(what.name(), options.filter))
-        rows.push_back(
-            {what, target, options.values.value_or(kValuesOfRow), options.seed, domain_of(options)});
+        rows.push_back({what, target, options.values.value_or(kValuesOfRow), options.seed, domain_of(options),
+                        options.segments > 0 ? std::optional(options.segments) : std::nullopt});
   return rows;
 }
 
@@ -340,6 +341,7 @@ void start(Measurement& measurement, const UlpOptions& options) {
   add("--context", options.context);
   add("--filter", options.filter);
   if (!options.domain.empty()) add("--domain", in_hex(options.domain));
+  if (options.segments > 0) add("--segments", std::to_string(options.segments));
   for (const std::string& target : options.targets) add("--target", target);
   measurement.child = std::make_unique<ChildProcess>(command, measurement.log.string());
 }
@@ -480,6 +482,11 @@ int ulp(const UlpOptions& options) {
   if (const std::string wrong = wrong_domain(options); !wrong.empty()) return wrong_use(wrong);
   if (!options.orders.empty() || !options.points.empty() || !options.at.empty()) return replay(options);
 
+  if (options.segments > kMostSegmentsOfRows || (options.segments & (options.segments - 1)) != 0)
+    return wrong_use(
+        fmt::format("--segments {}: random maps are measured on grids of 2^k segments, with k up to 24",
+                    options.segments));
+
   std::vector<std::string> known = own_subject_names();
   for (const ImplementationKind& kind : implementation_kinds()) known.push_back(kind.name);
   for (const std::string& name : options.implementations)
@@ -595,7 +602,8 @@ std::function<int()> define_ulp(CLI::App& app, const Call& call) {
       ->expected(2, 4);
   app.add_option(
          "--segments", options->segments,
-         "number of grid segments over the domain; the argument of the single input is a point of this grid")
+         "number of grid segments over the domain; the maps (2^k segments) or the single input are evaluated "
+         "at points of this grid")
       ->check(positive_number);
   app.add_flag("--sweep", options->sweep,
                "measure one map, given by --orders and --points, at every float of an interval");

@@ -128,6 +128,11 @@ TEST_F(UlpCommand, TakesADomain) {
   for (const char* wrong : {"4,4", "4", "1,2,3", "0,1e99", "nan,1"})
     EXPECT_EQ(with({"--domain", wrong}).code, 2) << wrong;
   EXPECT_EQ(with({"--segments", "0"}).code, 2);
+  // Points of grids need not be floats.
+  EXPECT_TRUE(contains(ulp({"--implementation", "production", "--orders", "2", "--points=0,3", "--at",
+                            "0x1.555556p-2", "--segments", "3"})
+                           .text,
+                       "exact value 1 (0x1p+0): error 0 ULP"));
   // --domain replaces the domains of all classes.
   ASSERT_EQ(ulp({"--implementation", "sum-float", "--values", "300", "--filter", "curve/4/ordinary",
                  "--domain", "-3,5"})
@@ -135,6 +140,35 @@ TEST_F(UlpCommand, TakesADomain) {
             0);
   EXPECT_EQ(document()["implementations"][0]["rows"][0]["worst_ulp"]["domain"],
             json({"-0x1.8p+1", "0x1.4p+2"}));
+}
+
+// --segments replaces the arguments of all classes by the points of a grid, which a correctly rounded
+// evaluator finds over every domain, although not all of them are floats.
+TEST_F(UlpCommand, TakesSegments) {
+  ASSERT_EQ(ulp({"--implementation", "production", "--implementation", "horner-float", "--values", "300",
+                 "--filter", "curve/4/*", "--segments", "4096"})
+                .code,
+            0);
+  const json file = document();
+  EXPECT_EQ(complaints(file), "");
+  ASSERT_EQ(file["implementations"][0]["rows"].size(), 11u);
+  for (const json& row : file["implementations"][0]["rows"]) {
+    EXPECT_EQ(row["not_correctly_rounded"], 0) << row["name"];
+    EXPECT_EQ(row["worst_ulp"]["segments"], 4096) << row["name"];
+  }
+  for (const json& row : file["implementations"][1]["rows"]) {
+    const json& worst = row["worst_ulp"];
+    EXPECT_TRUE(contains(worst["replay"].dump(), R"("--segments","4096")")) << worst;
+    if (as_text(row["data"]) != "narrow") continue;
+    const Outcome again = start(worst["replay"].get<std::vector<std::string>>());
+    EXPECT_TRUE(contains(again.text, worst["got"]["bits"].get<std::string>())) << again.text << worst;
+    EXPECT_TRUE(contains(again.text, "exact value " + worst["exact"].get<std::string>())) << again.text;
+  }
+  for (const char* wrong : {"3", "33554432"}) {
+    const Outcome outcome = ulp({"--implementation", "sum-float", "--values", "300", "--segments", wrong});
+    EXPECT_EQ(outcome.code, 2) << wrong;
+    EXPECT_TRUE(contains(outcome.text, "2^k segments")) << outcome.text;
+  }
 }
 
 // Without gnuplot, the page contains its tables, and the output states that gnuplot is missing.

@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""The named theme detects each wrong evaluator and each wrong state machine; no theme rejects the correct ones."""
+"""The named theme detects each wrong evaluator and each wrong state machine; no theme rejects the correct ones.
+
+detections.json, which record_detections.py writes, says by which case, and by which test of the suite.
+"""
 
 import json
 import sys
@@ -14,6 +17,7 @@ from wrong_evaluators import WRONG_EVALUATORS, evaluator_of
 from wrong_state_machines import WRONG_STATE_MACHINES, machine_of
 
 VECTORS = Path(__file__).resolve().parent.parent
+RECORD = Path(__file__).resolve().with_name("detections.json")
 
 
 @lru_cache(None)
@@ -31,18 +35,32 @@ def themes_of(table):
     return sorted({name for name, _ in table.values()})
 
 
+def first_detected(kind, entry):
+    """Returns the first case of the named theme that detects a wrong one, or None."""
+    where, methods = entry
+    if kind == "evaluator":
+        evaluator = evaluator_of(methods)
+        return next((case for case in theme(where) if wrong_evaluator(evaluator, case)), None)
+    machine = machine_of(methods)
+    return next((case for case in theme(where) if wrong_state_machine(machine, case)), None)
+
+
 class WrongOnes(unittest.TestCase):
-    def test_evaluators(self):
-        for name, (where, methods) in WRONG_EVALUATORS.items():
+    def check(self, kind, table):
+        detections = json.loads(RECORD.read_text())
+        recorded = {name.partition(": ")[2] for name in detections if name.startswith(kind)}
+        self.assertEqual(recorded, set(table), "the record is not complete: run record_detections.py")
+        for name, entry in table.items():
             with self.subTest(name):
-                evaluator = evaluator_of(methods)
-                self.assertTrue(any(wrong_evaluator(evaluator, case) for case in theme(where)), where)
+                case = first_detected(kind, entry)
+                self.assertIsNotNone(case, entry[0])
+                self.assertEqual(detections[f"{kind}: {name}"]["vectors"], case["id"])
+
+    def test_evaluators(self):
+        self.check("evaluator", WRONG_EVALUATORS)
 
     def test_state_machines(self):
-        for name, (where, methods) in WRONG_STATE_MACHINES.items():
-            with self.subTest(name):
-                kind = machine_of(methods)
-                self.assertTrue(any(wrong_state_machine(kind, case) for case in theme(where)), where)
+        self.check("state machine", WRONG_STATE_MACHINES)
 
 
 class RightOnes(unittest.TestCase):

@@ -150,6 +150,78 @@ TEST(RandomCases, AreMeasured) {
   EXPECT_GT(quick.values, quick.correctly_rounded);
 }
 
+// The line of a case at a point of a grid, here of a grid whose ends are equal and at an index outside of it.
+TEST(Emit, AsksOfGridPoints) {
+  const json argument = {{"segments", 7}, {"first", "0x1p-1"}, {"last", "0x1p-1"}, {"index", -3}};
+  const json other = {{"segments", 2}, {"first", "0x0p+0"}, {"last", "0x1.8p+1"}, {"index", 1}};
+  const json map = {{"type", "d"}, {"domain", {"0x0p+0", "0x1p+0"}}, {"points", {{"0x1p+0"}, {"-0x1p+1"}}}};
+  const json surface = {{"type", "f"},
+                        {"domain", {"0x0p+0", "0x1p+0", "-0x1p+0", "0x1p+2"}},
+                        {"points", {{{"0x1p+0"}, {"0x1p+1"}, {"0x1p+2"}}}}};
+  EXPECT_EQ(
+      emit({{"kind", "grid"},
+            {"cases",
+             {{{"id", "a"}, {"map", map}, {"u", argument}},
+              {{"id", "b"}, {"map", surface}, {"u", argument}, {"v", other}}}}}),
+      "grid1 a d 1 2 0x0p+0 0x1p+0 7 0x1p-1 0x1p-1 -3 0x1p+0 -0x1p+1\n"
+      "grid2 b f 1 1 3 0x0p+0 0x1p+0 -0x1p+0 0x1p+2 7 0x1p-1 0x1p-1 -3 2 0x0p+0 0x1.8p+1 1 0x1p+0 0x1p+1 "
+      "0x1p+2\n");
+}
+
+// A finite value accepts neither infinity nor NaN, in no component, and an infinity has an infinite or a
+// large error.
+TEST(Judge, RejectsWhatIsNotFinite) {
+  const json file = exact_file("map2_eval", 2, 20);
+  for (const double x :
+       {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), std::nan("")}) {
+    std::string lines;
+    for (const json& entry : file["cases"]) {
+      lines += as_text(entry["id"]);
+      for (std::size_t c = 0; c < entry["components"].size(); ++c)
+        lines += c + 1 < entry["components"].size()
+                     ? fmt::format(" {}", as_text(entry["components"][c]["float"]))
+                     : fmt::format(" {}", x);
+      lines += '\n';
+    }
+    std::istringstream stream(lines), again(lines);
+    Answers answers = read_answers(stream), none;
+    for (const Score& score : {judge(file, answers), judge_random("map2_eval", 2, 20, again, none)}) {
+      EXPECT_EQ(score.wrong.size(), 20u) << x;
+      EXPECT_GT(score.largest_ulp, 1e6) << x;
+    }
+  }
+}
+
+// The correct value at a point of a grid with equal ends is that at this end, whatever the index; other
+// values are rejected. The first random cases of grids contain such a grid.
+TEST(Judge, KnowsGridsOfEqualEnds) {
+  constexpr std::uint64_t kSeed = 1;
+  RandomCases cases("grid", kSeed);
+  std::uint64_t count = 0;
+  const auto has_equal_ends = [&] {
+    const Argument& u = cases.problem().u;
+    return u.first() == u.last() && u.index() != 0 && u.index() != u.segments() &&
+           cases.problem().map.u.order > 1;
+  };
+  do {
+    ASSERT_LT(++count, 5000u);
+    cases.draw();
+  } while (!has_equal_ends());
+  Problem problem = cases.problem();
+  problem.u = Argument::coordinate(problem.u.first());
+  const json at_end = value_case(problem);
+  std::string right = cases.id(), wrong = cases.id();
+  for (const json& component : at_end["components"]) {
+    right += fmt::format(" {}", as_text(component["float"]));
+    wrong += fmt::format(" {:a}", number(component["float"]) + 1000);
+  }
+  for (const auto& [line, expected] : {std::pair{right, 0u}, {wrong, 1u}}) {
+    std::istringstream stream(line + '\n');
+    Answers none;
+    EXPECT_EQ(judge_random("grid", kSeed, count, stream, none).wrong.size(), expected);
+  }
+}
+
 // Returns the score of answers change(value, entry, component), where `value` is the correctly rounded one.
 template <class Change>
 Score score_of(const json& file, const Change& change) {

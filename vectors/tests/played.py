@@ -46,8 +46,12 @@ def unit(vector):
 
 
 class Evaluator:
-    """Steps of an evaluator of maps. Numbers are Fractions; `form` is the format of the numbers of the map."""
+    """Steps of an evaluator of maps. Numbers are Fractions; `form` is the format of the numbers of the map.
+
+    If `number` is float and the control values are floats, polynomials are computed in double precision.
+    """
     form = BINARY32
+    number = Fraction
 
     def grid_argument(self, grid):
         return grid.exact
@@ -86,12 +90,12 @@ class Evaluator:
         found = []
         for argument, first, last in zip(arguments, the_map.domain[::2], the_map.domain[1::2]):
             u = self.grid_argument(argument) if isinstance(argument, Grid) else argument
-            found.append(self.fraction_of(u, first, last))
-        return (*found, Fraction(0))[:2]
+            found.append(self.number(self.fraction_of(u, first, last)))
+        return (*found, self.number(0))[:2]
 
     def values(self, the_map, arguments):
         t, s = self.parameters(the_map, arguments)
-        return [self.result(self.component(rows, t, s)) for rows in the_map.nets()]
+        return [self.result(Fraction(self.component(rows, t, s))) for rows in the_map.nets()]
 
     def normal(self, the_map, arguments):
         t, s = self.parameters(the_map, arguments)
@@ -99,7 +103,7 @@ class Evaluator:
         if the_map.size == 4:
             p = [self.component(rows, t, s) for rows in the_map.nets()]
             p_u, p_v = ([p[3] * d[c] - d[3] * p[c] for c in range(3)] for d in (p_u, p_v))
-        m = cross(p_u, p_v)
+        m = [Fraction(x) for x in cross(p_u, p_v)]
         return self.oriented(unit(m), the_map.domain) if any(m) else [Fraction(0)] * 3
 
 

@@ -183,6 +183,175 @@ def _size(target):
     return TARGETS[int(target[6])][target]
 
 
+def _winner(change):
+    """Replaces the kinds of maps, of which the first enabled one wins, by change(kinds)."""
+    return {"winner": lambda self, dimension, kinds: Machine.winner(self, dimension, change(list(kinds)))}
+
+
+def _after(method, change):
+    """Calls change(machine, *arguments) after a command."""
+    def command(self, *arguments):
+        result = getattr(Machine, method)(self, *arguments)
+        change(self, *arguments)
+        return result
+    return {method: command}
+
+
+def _before(method, change):
+    """Calls change(machine, *arguments) before a command."""
+    def command(self, *arguments):
+        change(self, *arguments)
+        return getattr(Machine, method)(self, *arguments)
+    return {method: command}
+
+
+def _instead(method, condition, other):
+    """Calls other(machine, *arguments) in place of a command if condition(machine, *arguments) is true."""
+    def command(self, *arguments):
+        return (other if condition(self, *arguments) else getattr(Machine, method))(self, *arguments)
+    return {method: command}
+
+
+def _keeps(name):
+    """Makes an evaluated attribute current."""
+    def vertex(self, attributes):
+        Machine.vertex(self, attributes)
+        key = {"Color": "color", "Normal": "normal", "TexCoord": "texture_coordinates"}[name]
+        if key not in attributes:
+            return
+        values = attributes[key][0] if name == "TexCoord" else attributes[key]
+        found = [x if isinstance(x, str) else float_text(f32(x.value)) for x in values]
+        if name == "TexCoord":
+            self.current[name][0] = found
+        else:
+            self.current[name] = found
+    return {"vertex": vertex}
+
+
+def _answers(query, change):
+    """Replaces the answers to a query of a map by change(machine, target, answers)."""
+    def get_map(self, form, target, asked, *rest):
+        found = Machine.get_map(self, form, target, asked, *rest)
+        return change(self, target, found) if asked == query else found
+    return {"get_map": get_map}
+
+
+def _transposed_answers(machine, target, found):
+    the_map = machine.maps[target].map
+    if the_map.dimension == 1:
+        return found
+    n, m, k = *the_map.orders, the_map.size
+    return [found[(i * m + j) * k + c] for j in range(m) for i in range(n) for c in range(k)]
+
+
+def _allowed_inside(*names):
+    """Lets commands be executed between Begin and End."""
+    def execute(self, command, form, arguments):
+        return Machine.execute(self, command._replace(inside=True) if command.method in names else command, form,
+                               arguments)
+    return {"execute": execute}
+
+
+def _mesh(change):
+    """Replaces the indices of meshes by change(indices)."""
+    return {"eval_mesh": lambda self, form, mode, *indices: (
+        Machine.eval_mesh(self, form, mode, *change(list(indices))))}
+
+
+def _saved(mask, *names):
+    """Makes bits of PushAttrib save only these attributes of the context."""
+    def push_attrib(self, form, given):
+        Machine.push_attrib(self, form, given)
+        if mask in given.split("|"):
+            self.stack[-1] = {name: value for name, value in self.stack[-1].items() if name in names}
+    return {"push_attrib": push_attrib}
+
+
+def _saves_maps(self, form, mask):
+    if "GL_EVAL_BIT" in mask:
+        self.stack[-1]["maps"] = dict(self.maps)
+
+
+def _line_mesh(self, form, mode, *indices):
+    """Draws the lines of constant u first."""
+    first, last, low, high = indices
+    self.meshed = {}
+    if self.winner(2, ("VERTEX_4", "VERTEX_3")):
+        for i in range(first, last + 1):
+            self.primitive_of("GL_LINE_STRIP", [(i, j) for j in range(low, high + 1)])
+
+
+def _turned_strips(self, mode, points):
+    if mode == "GL_QUAD_STRIP":
+        points = [p for pair in zip(points[1::2], points[::2]) for p in pair]
+    return Machine.primitive_of(self, mode, points)
+
+
+def _executes_while_compiling(self, name, arguments):
+    command, form = command_named(name)
+    if self.open_list and command.compiled and self.open_list.mode == "GL_COMPILE":
+        self.execute(command, form, arguments)
+    return Machine.issue(self, name, arguments)
+
+
+def _never_executes_while_compiling(self, name, arguments):
+    command, _ = command_named(name)
+    if self.open_list and command.compiled:
+        self.open_list.commands.append((name, arguments))
+        return None
+    return Machine.issue(self, name, arguments)
+
+
+def _clamped_colors(self, attributes):
+    if not all(isinstance(x, str) for x in attributes["color"]):
+        attributes["color"] = [Given(min(max(x.value, 0), 1)) for x in attributes["color"]]
+    Machine.vertex(self, attributes)
+
+
+def _without_error(code):
+    """Raises no error of this code, and ignores the command."""
+    def execute(self, command, form, arguments):
+        before = set(self.errors)
+        result = Machine.execute(self, command, form, arguments)
+        if self.errors - before == {code}:
+            self.errors = before
+        return result
+    return {"execute": execute}
+
+
+def _with_code(wrong, right):
+    """Raises one code in place of another."""
+    def execute(self, command, form, arguments):
+        before = set(self.errors)
+        result = Machine.execute(self, command, form, arguments)
+        if self.errors - before == {right}:
+            self.errors = before | {wrong}
+        return result
+    return {"execute": execute}
+
+
+def _sets_first_direction(self, form, *arguments):
+    """Sets the grid of u although that of v is an error."""
+    if form[0] == "2" and arguments[0] > 0:
+        self.grids[2][0] = tuple(arguments[:3])
+
+
+def _sets_order_1(self, form, target, *rest):
+    codes = Machine.map_errors(self, form, target, *rest)
+    if codes and target in self.maps:
+        old = self.maps[target]
+        self.maps[target] = type(old)(old.map.dimension, target, old.domain,
+                                      [[old.coefficients[:old.map.size]]], "d")
+    return codes
+
+
+def _with_flag(machine, flag, value, arguments):
+    """Evaluates as if the flag had this value."""
+    before, machine.enabled[flag] = machine.enabled[flag], value
+    Machine.evaluate(machine, *arguments)
+    machine.enabled[flag] = before
+
+
 # Name: (kind.theme, {method or attribute of Machine: its replacement}).
 WRONG_STATE_MACHINES = {
     # Ends of grids
@@ -227,13 +396,15 @@ WRONG_STATE_MACHINES = {
     "orders above 7 are errors": ("state.max-eval-order", _order_limit(7)),
     "orders above 30 are errors": ("get_map.high-order", _order_limit(30)),
     "orders above 63 are errors": ("get_map.high-order", _order_limit(63)),
-    "lists lose errors of maps": ("errors.map1-compiled", _in_list(lambda name, codes: name.startswith("Map1"))),
+    "lists lose errors of maps": ("errors.map1-compiled", _in_list(
+        lambda name, codes: name.startswith("Map1"))),
     "lists lose errors of surfaces": ("errors.map2-compiled", _in_list(
         lambda name, codes: name.startswith("Map2"))),
     "lists lose INVALID_ENUM of maps": ("errors.map1-compiled", _in_list(
         lambda name, codes: codes == {"GL_INVALID_ENUM"})),
     "lists lose errors of grids": ("errors.compiled", _in_list(lambda name, codes: name.startswith("MapGrid"))),
-    "lists lose errors of meshes": ("errors.compiled", _in_list(lambda name, codes: name.startswith("EvalMesh"))),
+    "lists lose errors of meshes": ("errors.compiled", _in_list(
+        lambda name, codes: name.startswith("EvalMesh"))),
     "lists stop at the first error": ("errors.map1-compiled", _list_stops_at_errors()),
     "errors come when a list is compiled": ("errors.compiled", _errors_when_compiled()),
     "lists take curves as packed": ("get_map.list-stride", _packed_in_lists(
@@ -242,8 +413,127 @@ WRONG_STATE_MACHINES = {
         lambda name, a: _with(a, _7=_size(a[0])) if name.startswith("Map2") else a)),
     "lists swap the strides": ("get_map.list-stride", _packed_in_lists(
         lambda name, a: _with(a, _3=min(a[3], a[7]), _7=min(a[3], a[7])) if name.startswith("Map2") else a)),
-    "points of order 33 and more are those of 32": ("state.high-order", {"winner": lambda self, dimension, kinds: (
+    "points of order 33 and more are those of 32": ("state.high-order", {"winner": lambda self, dimension, kinds:
+        (
         _cut(Machine.winner(self, dimension, kinds), 32))}),
+    # Precedence of maps
+    "VERTEX_3 wins over VERTEX_4": ("state.precedence-vertex", _winner(
+        lambda kinds: kinds[::-1] if "VERTEX_4" in kinds else kinds)),
+    "TEXTURE_COORD_1 wins": ("state.precedence-texture", _winner(
+        lambda kinds: kinds[::-1] if "TEXTURE_COORD_1" in kinds else kinds)),
+    "TEXTURE_COORD_3 wins over TEXTURE_COORD_4": ("state.precedence-texture", _winner(
+        lambda kinds: [kinds[1], kinds[0], *kinds[2:]] if "TEXTURE_COORD_4" in kinds else kinds)),
+    "TEXTURE_COORD_1 wins over TEXTURE_COORD_2": ("state.precedence-texture", _winner(
+        lambda kinds: [*kinds[:2], kinds[3], kinds[2]] if "TEXTURE_COORD_4" in kinds else kinds)),
+    "curves and surfaces share the enable of colours": ("state.dimension", {
+        "winner": lambda self, dimension, kinds: (
+            self.maps[f"GL_MAP{dimension}_COLOR_4"].map
+            if kinds == ("COLOR_4",) and self.enabled[f"GL_MAP{3 - dimension}_COLOR_4"]
+            else Machine.winner(self, dimension, kinds))}),
+    "the map of normals wins over AUTO_NORMAL": ("state.auto-normal", _instead(
+        "evaluate", lambda m, dimension, arguments: m.enabled["GL_MAP2_NORMAL"] and dimension == 2,
+        lambda m, *rest: _with_flag(m, "GL_AUTO_NORMAL", False, rest))),
+    # Enables
+    "Enable of VERTEX_4 disables VERTEX_3": ("state.precedence-vertex", _after("enable", lambda m, form, flag: (
+        form[0] == "Enable" and flag.endswith("VERTEX_4") and m.enabled.update({flag[:-1] + "3": False})))),
+    "Disable of VERTEX_4 disables VERTEX_3": ("state.precedence-vertex", _after(
+        "enable", lambda m, form, flag: (
+        form[0] == "Disable" and flag.endswith("VERTEX_4") and m.enabled.update({flag[:-1] + "3": False})))),
+    "a map enables itself": ("get_map.separate", _after(
+        "map", lambda m, form, target, *rest: m.enabled.update({target: True}))),
+    "a map disables itself": ("state.lists", _after(
+        "map", lambda m, form, target, *rest: m.enabled.update({target: False}))),
+    "Enable sets the initial map": ("state.attribute", _after("enable", lambda m, form, flag: (
+        flag in m.maps and form[0] == "Enable" and m.maps.update({flag: Machine().maps[flag]})))),
+    # Current values
+    "evaluated colours become current": ("state.attribute", _keeps("Color")),
+    "evaluated normals become current": ("state.attribute", _keeps("Normal")),
+    "evaluated texture coordinates become current": ("state.attribute", _keeps("TexCoord")),
+    "colours of maps are clamped": ("state.colors-beyond-one", {"vertex": _clamped_colors}),
+    # Attribute stack
+    "EVAL_BIT does not save grids": ("state.attribute-stack", _saved(
+        "GL_EVAL_BIT", "enabled", "current", "list_base", "active_unit")),
+    "EVAL_BIT does not save enables": ("state.attribute-stack", _saved(
+        "GL_EVAL_BIT", "grids", "current", "list_base", "active_unit")),
+    "ENABLE_BIT does not save enables of maps": ("state.attribute-stack", _saved(
+        "GL_ENABLE_BIT", "grids", "current")),
+    "EVAL_BIT saves maps": ("state.attribute-stack", _after("push_attrib", _saves_maps)),
+    "CURRENT_BIT saves nothing": ("state.attribute-stack", _saved("GL_CURRENT_BIT", "enabled", "grids")),
+    "PopAttrib pops two levels": ("state.attribute-stack", _after(
+        "pop_attrib", lambda m, form: m.stack and m.stack.pop())),
+    # Maps and grids
+    "curves and surfaces share enables": ("state.enables", _after("enable", lambda m, form, flag: (
+        flag.startswith("GL_MAP") and m.enabled.update({flag.replace("MAP1", "MAP2"): form[0] == "Enable"})))),
+    "MapGrid2 sets the grid of curves": ("state.grid-state", _after("map_grid", lambda m, form, *a: (
+        form[0] == "2" and m.grids.update({1: [m.grids[2][0]]})))),
+    "MapGrid1 sets the grid of surfaces": ("errors.grid-legal", _after("map_grid", lambda m, form, *a: (
+        form[0] == "1" and m.grids[2].__setitem__(0, m.grids[1][0])))),
+    "erroneous grids of v set that of u": ("errors.grid2-vsegments", _before(
+        "map_grid_errors", _sets_first_direction)),
+    "erroneous maps set order 1": ("errors.map1-order-low", {"map_errors": _sets_order_1}),
+    "u1 = u2 is no error": ("errors.map1-domain", _no_map_error_if(
+        lambda m, form, target, first, last, *rest: first == last)),
+    "equal ends of v are no error": ("errors.map2-vdomain", _no_map_error_if(
+        lambda m, form, target, *rest: form[0] == "2" and rest[4] == rest[5])),
+    "order 0 is no error": ("errors.map1-order-low", _no_map_error_if(
+        lambda m, form, target, a, b, stride, order, *rest: order == 0)),
+    "vorder 0 is no error": ("errors.map2-vorder-low", _no_map_error_if(
+        lambda m, form, target, *rest: form[0] == "2" and rest[7] == 0)),
+    "stride k - 1 is no error": ("errors.map1-stride", _no_map_error_if(
+        lambda m, form, target, a, b, stride, *rest: (
+            target in m.maps and stride == m.maps[target].map.size - 1))),
+    "maps of unit 1 are no error": ("errors.map1-active-texture", _errors("map_errors", lambda m, codes, *a: (
+        codes - {"GL_INVALID_OPERATION"}))),
+    # Meshes
+    "meshes from i2 to i1": ("state.mesh1", _mesh(lambda i: [*sorted(i[:2]), *(sorted(i[2:]))])),
+    "meshes leave out the last point": ("state.mesh1", _mesh(lambda i: [i[0], i[1] - 1, *i[2:]])),
+    "meshes leave out the last row": ("state.mesh2", _mesh(lambda i: [*i[:3], i[3] - 1] if len(i) == 4 else i)),
+    "meshes begin at 0": ("state.mesh1", _mesh(lambda i: [max(i[0], 0), *i[1:]])),
+    "meshes end at the last segment of v": ("state.mesh2", {"eval_mesh": lambda self, form, mode, *i: (
+        Machine.eval_mesh(self, form, mode, *i[:3], min(i[3], self.grids[2][1][0])) if len(i) == 4
+        else Machine.eval_mesh(self, form, mode, *i))}),
+    "line meshes have lines of constant u only": ("state.mesh2", _instead(
+        "eval_mesh", lambda m, form, mode, *i: mode == "GL_LINE" and len(i) == 4, _line_mesh)),
+    "quads are turned": ("state.mesh2", {"primitive_of": _turned_strips}),
+    "FILL is accepted for curves": ("errors.mesh1-mode", {"eval_mesh_errors": lambda self, form, mode, *i: (
+        set() if mode == "GL_FILL" else Machine.eval_mesh_errors(self, form, mode, *i)),
+        "eval_mesh": lambda self, form, mode, *i: (
+            None if mode == "GL_FILL" and form[0] == "1" else Machine.eval_mesh(self, form, mode, *i))}),
+    # Between Begin and End
+    "maps may be defined between Begin and End": ("errors.map1-begin-end", _allowed_inside("map")),
+    "grids may be set between Begin and End": ("errors.grid-begin-end", _allowed_inside("map_grid")),
+    "maps may be enabled between Begin and End": ("errors.enable-begin-end", _allowed_inside("enable")),
+    "attributes may be pushed between Begin and End": ("errors.attribute-stack", _allowed_inside(
+        "push_attrib", "pop_attrib")),
+    "maps may be queried between Begin and End": ("errors.getmap-begin-end", _allowed_inside("get_map")),
+    # Errors
+    "INVALID_VALUE is not raised": ("errors.map1-domain", _without_error("GL_INVALID_VALUE")),
+    "INVALID_ENUM is not raised": ("errors.map1-target", _without_error("GL_INVALID_ENUM")),
+    "INVALID_ENUM is INVALID_VALUE": ("errors.map1-target", _with_code("GL_INVALID_VALUE", "GL_INVALID_ENUM")),
+    "INVALID_VALUE is INVALID_OPERATION": ("errors.map1-order-low", _with_code(
+        "GL_INVALID_OPERATION", "GL_INVALID_VALUE")),
+    # Queries
+    "ORDER answers degrees": ("get_map.defined", _answers("GL_ORDER", lambda m, t, found: [
+        Value(kind, x - 1) for kind, x in found])),
+    "ORDER answers vorder first": ("get_map.defined", _answers("GL_ORDER", lambda m, t, found: found[::-1])),
+    "DOMAIN answers v first": ("get_map.defined", _answers(
+        "GL_DOMAIN", lambda m, t, found: [*found[2:], *found[:2]])),
+    "DOMAIN answers the ends in ascending order": ("get_map.defined", _answers(
+        "GL_DOMAIN", lambda m, t, found: (
+        [x for i in range(0, len(found), 2) for x in sorted(
+            found[i:i + 2], key=lambda end: read_float(end.value, BINARY64))]))),
+    "COEFF answers columns": ("get_map.layout", _answers("GL_COEFF", _transposed_answers)),
+    "COEFF answers the last point first": ("get_map.layout", _answers(
+        "GL_COEFF", lambda m, t, found: found[::-1])),
+    # Display lists
+    "lists are executed twice": ("state.lists", {"call": lambda self, name: (
+        [Machine.call(self, name) for _ in "12"] and None)}),
+    "COMPILE executes": ("state.lists", {"issue": _executes_while_compiling}),
+    "COMPILE_AND_EXECUTE does not execute": ("state.lists", {"issue": _never_executes_while_compiling}),
+    "lists in lists are not called": ("state.lists", {"call": lambda self, name: (
+        None if self.nesting else Machine.call(self, name))}),
+    "EndList does not keep the list": ("state.lists", {"end_list": lambda self, form: (
+        setattr(self, "open_list", None))}),
 }
 
 

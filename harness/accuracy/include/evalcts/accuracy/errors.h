@@ -17,13 +17,20 @@ struct Input {
   int uorder = 1, vorder = 1;  // vorder 1: a curve, or a surface that is constant in v
   bool two_dimensional = false;
   std::vector<double> points;  // v fastest
-  float u = 0, v = 0;
+  float u = 0, v = 0;          // if there is a grid, the points are those closest to u and v
   Domain domain = kUnitDomain;
   int segments = 0;  // if not 0, the argument is a point of the grid of so many segments over the domain
 
   reference::Surface surface() const;  // curves too; valid as long as this Input
-  reference::Argument argument_u() const { return reference::Argument::coordinate(u); }
-  reference::Argument argument_v() const { return reference::Argument::coordinate(v); }
+  reference::Argument argument_u() const { return argument(u, domain[0], domain[1]); }
+  reference::Argument argument_v() const { return argument(v, domain[2], domain[3]); }
+
+ private:
+  reference::Argument argument(float x, double first, double last) const {
+    return segments > 0
+               ? reference::Argument::grid(grid_index(x, first, last, segments), segments, first, last)
+               : reference::Argument::coordinate(x);
+  }
 };
 
 struct Worst {

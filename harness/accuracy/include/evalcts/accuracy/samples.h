@@ -66,6 +66,9 @@ void draw_points(Map& map, const Class& what, Random& random);
 float argument_at(double part, double first, double last);
 double part_of(float argument, double first, double last);
 
+// Returns the index of the point of the grid over the domain that is closest to the argument.
+int grid_index(float argument, double first, double last, int segments);
+
 // Changes a few control points of one component (v varies fastest) within the class.
 void vary_points(std::vector<double>& points, const Class& what, Random& random);
 

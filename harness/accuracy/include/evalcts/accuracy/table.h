@@ -21,6 +21,8 @@ struct RowRequest {
   std::uint64_t values = 0;  // the least number of values
   std::uint32_t seed = 1;
   std::optional<Domain> domain = std::nullopt;  // replaces the domain of the class
+  // Replaces the segments of the class; a power of two up to 2^24.
+  std::optional<int> segments = std::nullopt;
 };
 
 // Returns a map for the request, without control points.
