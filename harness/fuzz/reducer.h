@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,12 +36,31 @@ class Reducer {
   // in an earlier attempt.
   Finding explain(const gl::Case& program, Finding finding, bool careful = false);
 
+  // Returns a finding of the program whose cause explain() has returned before, if the shared context shows
+  // that this cause explains `finding`. Needs no fresh context, which takes most of the time of explain().
+  std::optional<Finding> recognise(const gl::Case& program, const Finding& finding);
+
+  // Returns the number of known causes.
+  std::size_t causes() const { return causes_.size(); }
+
  private:
+  using Judge = std::function<Judged(const gl::Case&, const Specified&)>;
+  // Returns the difference of a candidate if it is of the wanted kind.
+  std::optional<Finding> difference_of(const gl::Case& candidate, const std::string& wanted,
+                                       const Judge& judge) const;
+  // Returns the first known cause of the wanted kind for which `applies` returns true with a form of the
+  // program.
+  using Applies =
+      std::function<bool(const std::string& cause, const gl::Case& form, const Specified& of_form)>;
+  std::optional<std::string> first_cause(const gl::Case& program, const std::string& wanted,
+                                         const Applies& applies) const;
+
   const Subject& subject_;
   SharedContext* shared_;
   const gl::Table table_;
   const int max_order_;
   std::vector<std::string> causes_;
+  std::set<std::string> returned_;  // causes that explain() has returned
   const int most_attempts_;
   const Hooks hooks_;
 };

@@ -297,14 +297,15 @@ struct Played {
   std::uint64_t programs = 0, commands = 0;
 };
 
-Played play_against(Implementation& implementation, std::uint32_t programs) {
+Played play_against(Implementation& implementation, std::uint32_t programs,
+                    const std::vector<std::string>& known = {}) {
   Subject subject;
   subject.implementation = &implementation;
   subject.info = inquire(implementation);
   Captures captures(implementation, subject.info, nullptr);
   subject.captures = &captures;
   Played played;
-  fuzz::play(subject, {.programs = programs, .length = 60}, [&](const CampaignEvent& event) {
+  fuzz::play(subject, {.programs = programs, .length = 60, .known = known}, [&](const CampaignEvent& event) {
     if (const auto* made = std::get_if<FindingMade>(&event)) played.findings.push_back(made->finding);
     if (const auto* progress = std::get_if<CampaignProgress>(&event)) {
       played.programs = progress->programs;
@@ -348,6 +349,32 @@ TEST(Campaign, TellsDefectsOutsideEvaluatorsApart) {
   const Finding& finding = played.findings.front();
   EXPECT_TRUE(finding.outside_evaluators) << to_text(finding);
   EXPECT_FALSE(contains(finding.cause, "Eval"));
+}
+
+// The program of a known finding takes the place of the commands that show its cause in a random program.
+TEST(Campaign, ShowsTheMinimalProgramOfAKnownCause) {
+  static bool automatic;
+  Altered altered([](gl::Table& table) {
+    automatic = false;
+    table.Enable = [](GLenum cap) {
+      automatic = automatic || cap == GL_AUTO_NORMAL;
+      Altered::original.Enable(cap);
+    };
+    table.EvalCoord2f = [](GLfloat u, GLfloat v) {
+      automatic ? Altered::original.Vertex3f(9, 9, 9) : Altered::original.EvalCoord2f(u, v);
+    };
+  });
+  const auto known =
+      std::ranges::find(known_findings(), "PositionWithAutoNormalOfOrder1", &KnownFinding::name);
+  ASSERT_NE(known, known_findings().end());
+  const std::string cause = cause_of(known->program, known->what);
+  int found = 0;
+  for (const Finding& finding : play_against(altered, 200, {cause}).findings) {
+    if (finding.cause != cause) continue;
+    ++found;
+    EXPECT_EQ(text_of(finding.program), text_of(known->program));
+  }
+  EXPECT_GT(found, 0);
 }
 
 // The difference is in an answer, not in a vertex.

@@ -16,6 +16,10 @@ Rules with_auto_normal(void (*change)(ObservedPrimitive& primitive), Value condi
 
 bool has_no_normal(const ObservedVertex& vertex) { return vertex.normal == std::array<float, 3>{0, 0, 0}; }
 
+void turn(ObservedPrimitive& primitive) {
+  for (ObservedVertex& vertex : primitive.vertices) scale(vertex.normal, -1);
+}
+
 // Rounds the components of a normal to multiples of 1/steps.
 void round_normal(ObservedVertex& vertex, float steps) {
   for (float& x : vertex.normal)
@@ -92,11 +96,18 @@ EVALCTS_RULES(NormalsTowardsTheViewer, production, kMust, "EV-AUTON-DIRECTION",
 EVALCTS_RULES(NormalsOfTallPatchesTurned, production, kMust, "EV-AUTON-DIRECTION",
               "where the order in v is above that in u, the normal is dp/dv x dp/du",
               before(kMap2, kTarget == GL_MAP2_VERTEX_3 && kVOrder > kOrder, set(kCount, 1)),
-              with_auto_normal(
-                  [](ObservedPrimitive& primitive) {
-                    for (ObservedVertex& vertex : primitive.vertices) scale(vertex.normal, -1);
-                  },
-                  kCount));
+              with_auto_normal(turn, kCount));
+EVALCTS_RULES(
+    NormalsOfLongPatchesTurned, production, kMust, "EV-AUTON-CURVED",
+    "if VERTEX_4 has a higher order in u than in v, and neither is below 3, the normal is dp/dv x dp/du",
+    before(kMap2, kTarget >= GL_MAP2_VERTEX_3,
+           set(kCount, kTarget == GL_MAP2_VERTEX_4 && kOrder > kVOrder && kVOrder >= 3)),
+    with_auto_normal(turn, kCount));
+EVALCTS_RULES(NormalsOfRuledPatchesTurned, production, kMust, "EV-AUTON-CURVED",
+              "if VERTEX_3 has order 2 in u and a higher order in v, the normal is dp/dv x dp/du",
+              before(kMap2, kTarget >= GL_MAP2_VERTEX_3,
+                     set(kCount, kTarget == GL_MAP2_VERTEX_3 && kOrder == 2 && kVOrder > 2)),
+              with_auto_normal(turn, kCount));
 EVALCTS_RULES(VertexAfterDegenerateOneLost, production, kMust, "EV-AUTON-DEGENERATE",
               "the vertex after one whose normal has length 0 is lost",
               with_auto_normal([](ObservedPrimitive& primitive) {
@@ -114,12 +125,7 @@ EVALCTS_RULES(NoNormalsOverReversedDomains, production, kMust, "EV-AUTON-CURVED"
                   kCount));
 EVALCTS_RULES(NormalsTurnedWhereBothAreReversed, production, kMust, "EV-AUTON-CURVED",
               "over a domain that is reversed in u and in v normals are turned round",
-              before(kMap2, kU1 > kU2 && kV1 > kV2, set(kCount, 1)),
-              with_auto_normal(
-                  [](ObservedPrimitive& primitive) {
-                    for (ObservedVertex& vertex : primitive.vertices) scale(vertex.normal, -1);
-                  },
-                  kCount));
+              before(kMap2, kU1 > kU2 && kV1 > kV2, set(kCount, 1)), with_auto_normal(turn, kCount));
 EVALCTS_RULES(VertexWithoutNormalLost, production, kMust, "EV-AUTON-DEGENERATE",
               "a vertex whose normal has length 0 is not drawn",
               with_auto_normal([](ObservedPrimitive& primitive) {
