@@ -20,6 +20,16 @@ void turn(ObservedPrimitive& primitive) {
   for (ObservedVertex& vertex : primitive.vertices) scale(vertex.normal, -1);
 }
 
+// Turns the normals of the primitives that begin while the latest vertex map of surfaces meets the condition.
+Rules turned_if(Value condition) {
+  return {before(kMap2, kTarget >= GL_MAP2_VERTEX_3, set(kCount, std::move(condition))),
+          before(Begin, [](Call& call) { remembered_list().push_back(kCount(call)); }),
+          change_output(noted_on(GL_AUTO_NORMAL), [](Primitives& all) {
+            for (std::size_t i = 0; i < std::min(all.size(), remembered_list().size()); ++i)
+              if (remembered_list()[i] != 0) turn(all[i]);
+          })};
+}
+
 // Rounds the components of a normal to multiples of 1/steps.
 void round_normal(ObservedVertex& vertex, float steps) {
   for (float& x : vertex.normal)
@@ -99,15 +109,11 @@ EVALCTS_RULES(NormalsOfTallPatchesTurned, production, kMust, "EV-AUTON-DIRECTION
               with_auto_normal(turn, kCount));
 EVALCTS_RULES(
     NormalsOfLongPatchesTurned, production, kMust, "EV-AUTON-CURVED",
-    "if VERTEX_4 has a higher order in u than in v, and neither is below 3, the normal is dp/dv x dp/du",
-    before(kMap2, kTarget >= GL_MAP2_VERTEX_3,
-           set(kCount, kTarget == GL_MAP2_VERTEX_4 && kOrder > kVOrder && kVOrder >= 3)),
-    with_auto_normal(turn, kCount));
+    "if the order of VERTEX_4 in u is above that in v, and neither is below 3, the normal is turned",
+    turned_if(kTarget == GL_MAP2_VERTEX_4 && kOrder > kVOrder && kVOrder >= 3));
 EVALCTS_RULES(NormalsOfRuledPatchesTurned, production, kMust, "EV-AUTON-CURVED",
-              "if VERTEX_3 has order 2 in u and a higher order in v, the normal is dp/dv x dp/du",
-              before(kMap2, kTarget >= GL_MAP2_VERTEX_3,
-                     set(kCount, kTarget == GL_MAP2_VERTEX_3 && kOrder == 2 && kVOrder > 2)),
-              with_auto_normal(turn, kCount));
+              "if VERTEX_3 has order 2 in u and a higher order in v, the normal is turned",
+              turned_if(kTarget == GL_MAP2_VERTEX_3 && kOrder == 2 && kVOrder > 2));
 EVALCTS_RULES(VertexAfterDegenerateOneLost, production, kMust, "EV-AUTON-DEGENERATE",
               "the vertex after one whose normal has length 0 is lost",
               with_auto_normal([](ObservedPrimitive& primitive) {
