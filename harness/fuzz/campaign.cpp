@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <set>
 #include <stdexcept>
 
 #include <evalcts/fuzz/events.h>
@@ -128,21 +129,33 @@ class Player {
   // Returns the difference with its cause. Returns none if a fresh context does not show the difference.
   std::optional<Finding> explained(const gl::Case& program, const Specified& specified,
                                    const Finding& difference, bool shares) {
-    if (shares && campaign_.deadly.empty())
-      if (std::optional<Finding> known = reducer_.recognise(program, difference)) return known;
+    const bool tries = shares && campaign_.deadly.empty();
+    if (tries)
+      if (std::optional<Finding> known = reducer_.recognise(program, difference)) {
+        if (confirmed_.contains(known->cause)) return known;
+        if (std::optional<Finding> minimal = minimal_of(known->cause)) return minimal;
+      }
     const std::optional<Finding> found = shares ? repeated(program, specified) : difference;
     if (!found) return {};
-    Finding finding = reducer_.explain(found->program, *found, !campaign_.deadly.empty());
-    // The program of a known finding is minimal.
-    if (const KnownFinding* const known = known_finding(finding.cause);
-        known && exists(known->program) && takes_off(known->program)) {
-      const Specified of_known = specify(known->program, max_order_);
-      if (const std::optional<Finding> minimal = judge_program(subject_, known->program, of_known).finding;
-          minimal && minimal->cause == finding.cause)
-        finding = *minimal;
-      landed();
-    }
+    const bool tried = tries && found->program.commands().size() == program.commands().size();
+    Finding finding = reducer_.explain(found->program, *found, !campaign_.deadly.empty(), tried);
+    if (!confirmed_.contains(finding.cause))
+      if (std::optional<Finding> minimal = minimal_of(finding.cause)) return minimal;
+    confirmed_.insert(finding.cause);
     return finding;
+  }
+
+  // Returns the difference of the known finding with this cause, whose program is minimal, in a fresh
+  // context. Returns none if there is no such finding or difference.
+  std::optional<Finding> minimal_of(const std::string& cause) {
+    const KnownFinding* const known = known_finding(cause);
+    if (!known || !exists(known->program) || !takes_off(known->program)) return {};
+    std::optional<Finding> minimal =
+        judge_program(subject_, known->program, specify(known->program, max_order_)).finding;
+    landed();
+    if (!minimal || minimal->cause != cause) return {};
+    confirmed_.insert(cause);
+    return minimal;
   }
 
   bool exists(const gl::Case& program) const {
@@ -189,6 +202,7 @@ class Player {
   Clock::time_point reported_ = begin_;
   std::uint64_t programs_ = 0, judged_ = 0, in_full_ = 0, commands_ = 0, not_repeated_ = 0;
   double seconds_of_known_ = 0;
+  std::set<std::string> confirmed_;        // causes that a fresh context has shown
   std::unique_ptr<SharedContext> shared_;  // may be null
   Reducer reducer_;
 };

@@ -71,7 +71,7 @@ std::optional<Finding> Reducer::recognise(const gl::Case& program, const Finding
   };
   const std::optional<std::string> cause = first_cause(
       program, kind, [&](const std::string& known, const gl::Case& form, const Specified& of_form) {
-        return returned_.contains(known) && reduced_to(known, form, of_form, still);
+        return reduced_to(known, form, of_form, still).has_value();
       });
   if (hooks_.landed) hooks_.landed();
   if (!cause) return {};
@@ -79,7 +79,7 @@ std::optional<Finding> Reducer::recognise(const gl::Case& program, const Finding
   return recognised;
 }
 
-Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful) {
+Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful, bool tried) {
   const std::string kind = kind_of(finding.failure.what);
   const Look look = look_of(kind);
   std::string wanted = kind;
@@ -103,7 +103,6 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful)
   };
   const auto landed = [&] {
     if (hooks_.landed) hooks_.landed();
-    returned_.insert(finding.cause);
     return finding;
   };
   // Most differences have a known cause, so the commands of known causes are tried first. The shared context
@@ -124,7 +123,7 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful)
   // Each run of a program that draws very much takes long, so it gets fewer attempts.
   const std::int64_t size = std::max<std::int64_t>(vertices_of(program) / kMostVertices, 1);
   const bool is_cheap_in_shared = shared_ && size == 1;
-  bool known = (is_cheap_in_shared && is_known(true)) || is_known(false);
+  bool known = (is_cheap_in_shared && !tried && is_known(true)) || is_known(false);
   if (!known && look == Look::kVertices && kind != kPrimitives) {
     // If some vertices are lost and others are drawn twice, the difference may show as a wrong attribute,
     // although the cause is a known one of the kind `primitives`.

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -33,11 +32,11 @@ class Reducer {
 
   // Returns the finding with its cause. If the cause is new, the program is minimal, and the cause becomes
   // known. If `careful`, the shared context is not used to shrink the program, because the library has died
-  // in an earlier attempt.
-  Finding explain(const gl::Case& program, Finding finding, bool careful = false);
+  // in an earlier attempt. `tried`: recognise() has returned nothing for the program.
+  Finding explain(const gl::Case& program, Finding finding, bool careful = false, bool tried = false);
 
-  // Returns a finding of the program whose cause explain() has returned before, if the shared context shows
-  // that this cause explains `finding`. Needs no fresh context, which takes most of the time of explain().
+  // Returns the finding with a known cause, if the shared context shows that the cause explains the finding.
+  // Needs no fresh context, which takes most of the time of explain().
   std::optional<Finding> recognise(const gl::Case& program, const Finding& finding);
 
   // Returns the number of known causes.
@@ -60,7 +59,6 @@ class Reducer {
   const gl::Table table_;
   const int max_order_;
   std::vector<std::string> causes_;
-  std::set<std::string> returned_;  // causes that explain() has returned
   const int most_attempts_;
   const Hooks hooks_;
 };
