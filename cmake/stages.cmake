@@ -20,6 +20,21 @@ evalcts_stage(tidy 21600 run-clang-tidy-14 -quiet -p ${CMAKE_BINARY_DIR} "^(?!.*
 # Repeated runs, shuffled runs and each test alone give the same verdicts and signatures.
 evalcts_stage(stability 21600 python3 harness/tests/stability.py $<TARGET_FILE:evalcts>)
 
+# Thorough depth has no unexpected results. OSMesa runs in eight parts, because it takes more than an hour.
+set(thorough run --depth thorough --strict --no-bugs --timeout 600)
+foreach(implementation production reference)
+  evalcts_stage(thorough-${implementation} 21600 $<TARGET_FILE:evalcts> ${thorough} --implementation ${implementation}
+    --output ${CMAKE_BINARY_DIR}/thorough/${implementation})
+  set_tests_properties(stage.thorough-${implementation} PROPERTIES LABELS thorough)
+endforeach()
+if(EVALCTS_OSMESA)
+  foreach(part RANGE 1 8)
+    evalcts_stage(thorough-osmesa-${part} 21600 $<TARGET_FILE:evalcts> ${thorough} --implementation osmesa --shard ${part}/8
+      --output ${CMAKE_BINARY_DIR}/thorough/osmesa-${part})
+    set_tests_properties(stage.thorough-osmesa-${part} PROPERTIES LABELS thorough)
+  endforeach()
+endif()
+
 # Every injected fault is detected by a test of each requirement that it violates, and every requirement that tests decide
 # is violated by a fault.
 evalcts_stage(faults 21600 $<TARGET_FILE:evalcts> faults --complete --output ${CMAKE_BINARY_DIR}/faults)

@@ -267,6 +267,21 @@ EVALCTS_TEST(AutomaticNormals, Curved, kMust, "EV-AUTON-CURVED", "EV-AUTON-METHO
                  {patch.map(), over(patch.map(), {2, 5}, {-3, -1})});
 };
 
+EVALCTS_TEST(AutomaticNormals, OrderPairs, kMust, "EV-AUTON-CURVED", by(gl::surface_deliveries()))
+(Test& t) {
+  gl::Case c = with_current_values("all pairs of orders from 2 to 5, of both vertex maps");
+  c.Enable(GL_AUTO_NORMAL);
+  for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}) {
+    c.Enable(target);
+    for (int uorder = 2; uorder <= 5; ++uorder)
+      for (int vorder = 2; vorder <= 5; ++vorder) {
+        define(c, surface(target, uorder, vorder, wave));
+        evaluate_all(c, kAcross);
+      }
+  }
+  t.expect_emission(c, kNormal);
+};
+
 // GL 1.0 requires the analytic normal, to the accuracy of the operations.
 EVALCTS_TEST(AutomaticNormals, Analytic, kQuality, "EV-AUTON-METHOD",
              combine(kPolynomial).by(gl::list_deliveries()))
@@ -405,6 +420,8 @@ EVALCTS_TEST(AutomaticNormals, OrderOne, kMust, "EV-AUTON-DEGENERATE", "EV-AUTON
 (Test& t) {
   expect_survival(t, {{"order 1 in u", surface(GL_MAP2_VERTEX_3, 1, 3, wave)},
                       {"order 1 in v", surface(GL_MAP2_VERTEX_4, 3, 1, wave)},
+                      {"order 1 in u, 2 in v", surface(GL_MAP2_VERTEX_3, 1, 2, wave)},
+                      {"order 2 in u, 1 in v", surface(GL_MAP2_VERTEX_4, 2, 1, wave)},
                       {"order 1 in both", surface(GL_MAP2_VERTEX_3, 1, 1, wave)}});
 };
 

@@ -285,6 +285,28 @@ EVALCTS_TEST(Map2Values, OrderPairs, kMust, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2
   t.expect_emission(c, attribute_of(target));
 };
 
+// One map of each attribute is enabled from the beginning. Each further map takes precedence over an earlier
+// one.
+EVALCTS_TEST(Map2Values, OrderPairsOfAllMaps, kMust, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2-D", "EV-MAP2-ASYM",
+             by(both_forms()))
+(Test& t) {
+  gl::Case c("all pairs of orders up to 4x4 of each map");
+  const std::array<GLenum, 4> first = {GL_MAP2_VERTEX_3, GL_MAP2_COLOR_4, GL_MAP2_NORMAL,
+                                       GL_MAP2_TEXTURE_COORD_1};
+  for (const GLenum target : first) define_and_enable(c, random_map(t, target, {3, 2}));
+  for (const GLenum target :
+       {GL_MAP2_COLOR_4, GL_MAP2_NORMAL, GL_MAP2_TEXTURE_COORD_1, GL_MAP2_TEXTURE_COORD_2,
+        GL_MAP2_TEXTURE_COORD_3, GL_MAP2_TEXTURE_COORD_4, GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}) {
+    if (std::ranges::count(first, target) == 0) define_and_enable(c, random_map(t, target, {3, 2}));
+    for (int uorder = 1; uorder <= 4; ++uorder)
+      for (int vorder = 1; vorder <= 4; ++vorder) {
+        define(c, random_map(t, target, {uorder, vorder}));
+        evaluate_all(c, std::vector<At>{{0.25, 0.875}});
+      }
+  }
+  t.expect_emission(c, kUnit0);
+};
+
 EVALCTS_TEST(Map2Values, LargeOrders, kMust, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2-D", "EV-MAP2-ASYM",
              by(both_forms()))
 (Test& t) {

@@ -83,9 +83,10 @@ int fuzz(const FuzzOptions& options) {
   }
   text += fmt::format(
       "{}: seed {}: {} programs ({} judged, {} of them in full), {} commands in {:.1f} s; {} causes, {} of "
-      "them new\n",
+      "them new; {:.0f} % of the time for known causes\n",
       request.name, request.seed, found.programs, found.judged, found.in_full, found.commands, found.seconds,
-      found.causes.size(), unexpected);
+      found.causes.size(), unexpected,
+      found.seconds > 0 ? 100 * found.seconds_of_known / (found.seconds * request.jobs) : 0.0);
   if (found.not_repeated)
     text +=
         fmt::format("{} programs differed in a shared context only, not behind the programs before them\n",

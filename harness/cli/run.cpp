@@ -234,7 +234,8 @@ void find_bugs(RunResult& result, const RunRequest& request, const RunOptions& o
   // --write-baseline.
   RunResult judged = result;
   if (options.baseline != "none" && result.has_started())
-    Baseline::best_fit(request.baselines, result.implementation, result.pass, request.baseline).apply(judged);
+    Baseline::best_fit(request.baselines, result.implementation, result.pass, request.baseline, request.depth)
+        .apply(judged);
   fuzz::find_bugs(judged, bugs, [&](std::size_t done, std::size_t total) {
     line.show(request.name, fmt::format("reducing failing tests, {} of {}", done, total));
   });
@@ -267,8 +268,8 @@ std::vector<RunResult> passes_over(RunRequest request, const RunOptions& options
 std::string apply_baseline(RunResult& result, const RunOptions& options, const RunRequest& request,
                            const std::vector<ListedTest>& all_tests) {
   std::string problem;
-  Baseline baseline =
-      Baseline::best_fit(request.baselines, result.implementation, result.pass, request.baseline);
+  Baseline baseline = Baseline::best_fit(request.baselines, result.implementation, result.pass,
+                                         request.baseline, request.depth);
   // If the chosen baseline is for one pass, the other pass must not write it.
   if (options.write_baseline && (request.baseline.empty() || baseline.has_part(request.baseline))) try {
       const BaselineFiles renewed =

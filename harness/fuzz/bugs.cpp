@@ -61,10 +61,12 @@ std::string family_of(const std::string& test) { return without_digits(test.subs
 // Returns the known bug that the baseline names as the reason of an expected failure, "bug: ID. ..."; null if
 // it names none.
 const KnownBug* bug_of_baseline(const TestRecord& test) {
-  constexpr std::string_view kPrefix = "bug: ";
-  if (!test.expected_by_baseline || !test.baseline_reason.starts_with(kPrefix)) return nullptr;
-  const std::string named = test.baseline_reason.substr(kPrefix.size());
-  return find_known_bug(named.substr(0, named.find('.')));
+  constexpr std::string_view kFlaky = "flaky: ", kPrefix = "bug: ";
+  std::string_view reason = test.baseline_reason;
+  if (reason.starts_with(kFlaky)) reason.remove_prefix(kFlaky.size());
+  if (!test.expected_by_baseline || !reason.starts_with(kPrefix)) return nullptr;
+  reason.remove_prefix(kPrefix.size());
+  return find_known_bug(std::string(reason.substr(0, reason.find('.'))));
 }
 
 bool draws_very_much(const FailingCase& failing) {

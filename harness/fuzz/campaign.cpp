@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <set>
 #include <stdexcept>
 
 #include <evalcts/fuzz/events.h>
@@ -95,7 +96,7 @@ class Player {
   }
 
   void report_progress() {
-    report_(CampaignProgress{programs_, judged_, in_full_, commands_, not_repeated_});
+    report_(CampaignProgress{programs_, judged_, in_full_, commands_, not_repeated_, seconds_of_known_});
     reported_ = Clock::now();
   }
 
@@ -116,12 +117,49 @@ class Player {
     judged_ += outcome.judged;
     in_full_ += outcome.in_full;
     commands_ += program.commands().size();
-    std::optional<Finding> found = outcome.finding;
-    if (found && shares) found = repeated(program, specified);
-    if (!found) return;
-    const gl::Case shown = found->program;
-    const Finding finding = reducer_.explain(shown, *std::move(found), !campaign_.deadly.empty());
-    report_(FindingMade{number, finding});
+    if (!outcome.finding) return;
+    const Clock::time_point begin = Clock::now();
+    const std::size_t causes = reducer_.causes();
+    if (const std::optional<Finding> finding = explained(program, specified, *outcome.finding, shares))
+      report_(FindingMade{number, *finding});
+    if (reducer_.causes() == causes)
+      seconds_of_known_ += std::chrono::duration<double>(Clock::now() - begin).count();
+  }
+
+  // Returns the difference with its cause. Returns none if a fresh context does not show the difference.
+  std::optional<Finding> explained(const gl::Case& program, const Specified& specified,
+                                   const Finding& difference, bool shares) {
+    const bool tries = shares && campaign_.deadly.empty();
+    if (tries)
+      if (std::optional<Finding> known = reducer_.recognise(program, difference)) {
+        if (confirmed_.contains(known->cause)) return known;
+        if (std::optional<Finding> minimal = minimal_of(known->cause)) return minimal;
+      }
+    const std::optional<Finding> found = shares ? repeated(program, specified) : difference;
+    if (!found) return {};
+    const bool tried = tries && found->program.commands().size() == program.commands().size();
+    Finding finding = reducer_.explain(found->program, *found, !campaign_.deadly.empty(), tried);
+    if (!confirmed_.contains(finding.cause))
+      if (std::optional<Finding> minimal = minimal_of(finding.cause)) return minimal;
+    confirmed_.insert(finding.cause);
+    return finding;
+  }
+
+  // Returns the difference of the known finding with this cause, whose program is minimal, in a fresh
+  // context. Returns none if there is no such finding or difference.
+  std::optional<Finding> minimal_of(const std::string& cause) {
+    const KnownFinding* const known = known_finding(cause);
+    if (!known || !exists(known->program) || !takes_off(known->program)) return {};
+    std::optional<Finding> minimal =
+        judge_program(subject_, known->program, specify(known->program, max_order_)).finding;
+    landed();
+    if (!minimal || minimal->cause != cause) return {};
+    confirmed_.insert(cause);
+    return minimal;
+  }
+
+  bool exists(const gl::Case& program) const {
+    return with_what_exists(subject_.info, table_, program).commands().size() == program.commands().size();
   }
 
   // Reproduces a difference of the shared context in a fresh context, with the program alone or after some of
@@ -163,6 +201,8 @@ class Player {
   const Clock::time_point begin_ = Clock::now();
   Clock::time_point reported_ = begin_;
   std::uint64_t programs_ = 0, judged_ = 0, in_full_ = 0, commands_ = 0, not_repeated_ = 0;
+  double seconds_of_known_ = 0;
+  std::set<std::string> confirmed_;        // causes that a fresh context has shown
   std::unique_ptr<SharedContext> shared_;  // may be null
   Reducer reducer_;
 };

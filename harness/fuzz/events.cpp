@@ -49,9 +49,13 @@ struct EventWriter {
     return {{"event", "finding"}, {"number", found.number}, {"finding", to_json(found.finding)}};
   }
   json operator()(const CampaignProgress& progress) const {
-    return {{"event", "progress"},           {"programs", progress.programs},
-            {"judged", progress.judged},     {"in_full", progress.in_full},
-            {"commands", progress.commands}, {"not_repeated", progress.not_repeated}};
+    return {{"event", "progress"},
+            {"programs", progress.programs},
+            {"judged", progress.judged},
+            {"in_full", progress.in_full},
+            {"commands", progress.commands},
+            {"not_repeated", progress.not_repeated},
+            {"seconds_of_known", progress.seconds_of_known}};
   }
 };
 
@@ -70,8 +74,8 @@ std::optional<CampaignEvent> parse_campaign_event(const std::string& line) {
     if (kind == "smaller") return FindingShrank{finding_from(event.at("finding"))};
     if (kind == "finding") return FindingMade{event.at("number"), finding_from(event.at("finding"))};
     if (kind == "progress")
-      return CampaignProgress{event.at("programs"), event.at("judged"), event.at("in_full"),
-                              event.at("commands"), event.at("not_repeated")};
+      return CampaignProgress{event.at("programs"), event.at("judged"),       event.at("in_full"),
+                              event.at("commands"), event.at("not_repeated"), event.at("seconds_of_known")};
   } catch (const json::exception&) {
   } catch (const std::invalid_argument&) {
   }
@@ -145,6 +149,12 @@ const std::vector<KnownFinding>& known_findings() {
     return findings;
   }();
   return all;
+}
+
+const KnownFinding* known_finding(const std::string& cause) {
+  for (const KnownFinding& finding : known_findings())
+    if (cause_of(finding.program, finding.what) == cause) return &finding;
+  return nullptr;
 }
 
 }  // namespace evalcts::fuzz

@@ -17,6 +17,9 @@ namespace {
 
 constexpr int kInShared = 5;  // attempts in the shared context for each attempt in a fresh context
 
+// Either an answer or a vertex differs. Repetitions compare only these.
+Look look_of(const std::string& kind) { return kind.starts_with("gl") ? Look::kAnswers : Look::kVertices; }
+
 }  // namespace
 
 Reducer::Reducer(const Subject& subject, SharedContext* shared, std::vector<std::string> causes,
@@ -32,34 +35,70 @@ Reducer::Reducer(const Subject& subject, SharedContext* shared, std::vector<std:
   std::ranges::stable_sort(causes_, {}, &std::string::size);
 }
 
-Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful) {
+std::optional<Finding> Reducer::difference_of(const gl::Case& candidate, const std::string& wanted,
+                                              const Judge& judge) const {
+  if (hooks_.alive) hooks_.alive();
+  if ((hooks_.is_over && hooks_.is_over()) ||
+      with_what_exists(subject_.info, table_, candidate).commands().size() < candidate.commands().size())
+    return {};
+  const std::optional<Specified> of_candidate = specify_if_defined(candidate, max_order_);
+  if (!of_candidate || (hooks_.takes_off && !hooks_.takes_off(candidate))) return {};
+  std::optional<Finding> found = judge(candidate, *of_candidate).finding;
+  return found && kind_of(found->failure.what) == wanted ? std::move(found) : std::nullopt;
+}
+
+std::optional<std::string> Reducer::first_cause(const gl::Case& program, const std::string& wanted,
+                                                const Applies& applies) const {
+  for (const gl::Case& form : forms_of(program)) {
+    const std::optional<Specified> of_form = specify_if_defined(form, max_order_);
+    for (const std::string& cause : causes_)
+      if (of_form && cause.ends_with(": " + wanted) && applies(cause, form, *of_form)) return cause;
+  }
+  return {};
+}
+
+std::optional<Finding> Reducer::recognise(const gl::Case& program, const Finding& finding) {
+  if (!shared_ || vertices_of(program) > kMostVertices) return {};
   const std::string kind = kind_of(finding.failure.what);
-  // Either an answer or a vertex differs. Repetitions compare only these.
-  const Look look = kind.starts_with("gl") ? Look::kAnswers : Look::kVertices;
-  std::string wanted = kind;
-  const auto look_at = [&](const gl::Case& candidate, const auto& judge) -> std::optional<Finding> {
-    if (hooks_.alive) hooks_.alive();
-    if ((hooks_.is_over && hooks_.is_over()) ||
-        with_what_exists(subject_.info, table_, candidate).commands().size() < candidate.commands().size())
-      return {};
-    const std::optional<Specified> of_candidate = specify_if_defined(candidate, max_order_);
-    if (!of_candidate || (hooks_.takes_off && !hooks_.takes_off(candidate))) return {};
-    std::optional<Finding> found = judge(candidate, *of_candidate).finding;
-    return found && kind_of(found->failure.what) == wanted ? std::move(found) : std::nullopt;
+  std::optional<Finding> recognised;
+  const auto still = [&](const gl::Case& candidate) {
+    std::optional<Finding> found =
+        difference_of(candidate, kind, [&](const gl::Case& c, const Specified& specified) {
+          return shared_->judge_aside(c, specified, look_of(kind));
+        });
+    if (found) recognised = *found;
+    return found.has_value();
   };
+  const std::optional<std::string> cause = first_cause(
+      program, kind, [&](const std::string& known, const gl::Case& form, const Specified& of_form) {
+        return reduced_to(known, form, of_form, still).has_value();
+      });
+  if (hooks_.landed) hooks_.landed();
+  if (!cause) return {};
+  recognised->cause = *cause;
+  return recognised;
+}
+
+Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful, bool tried) {
+  const std::string kind = kind_of(finding.failure.what);
+  const Look look = look_of(kind);
+  std::string wanted = kind;
   bool outside = false;
   const auto still = [&](const gl::Case& candidate) {
-    std::optional<Finding> found = look_at(candidate, [&](const gl::Case& c, const Specified& specified) {
-      return judge_program(subject_, c, specified, look);
-    });
+    std::optional<Finding> found =
+        difference_of(candidate, wanted, [&](const gl::Case& c, const Specified& specified) {
+          return judge_program(subject_, c, specified, look);
+        });
     if (!found) return false;
     finding = *std::move(found);
     finding.outside_evaluators = outside;
     return true;
   };
   const auto still_in_shared = [&](const gl::Case& candidate) {
-    return look_at(candidate, [&](const gl::Case& c,
-                                  const Specified& specified) { return shared_->judge(c, specified, look); })
+    return difference_of(candidate, wanted,
+                         [&](const gl::Case& c, const Specified& specified) {
+                           return shared_->judge(c, specified, look);
+                         })
         .has_value();
   };
   const auto landed = [&] {
@@ -68,27 +107,23 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful)
   };
   // Most differences have a known cause, so the commands of known causes are tried first. The shared context
   // quickly shows which cause it may be.
-  const std::vector<gl::Case> forms = forms_of(program);
   const auto is_known = [&](bool in_shared) {
-    for (const gl::Case& form : forms) {
-      const std::optional<Specified> of_form = specify_if_defined(form, max_order_);
-      for (const std::string& cause : causes_) {
-        if (!of_form || !cause.ends_with(": " + wanted)) continue;
-        // The shared context has shown that each word is necessary, so one repetition in a
-        // fresh context suffices.
-        const std::optional<gl::Case> reduced = in_shared ? reduced_to(cause, form, *of_form, still_in_shared)
-                                                          : reduced_to(cause, form, *of_form, still);
-        if (!reduced || (in_shared && !still(*reduced))) continue;
-        finding.cause = cause;
-        return true;
-      }
-    }
-    return false;
+    const std::optional<std::string> known = first_cause(
+        program, wanted, [&](const std::string& cause, const gl::Case& form, const Specified& of_form) {
+          // The shared context has shown that each word is necessary, so one repetition in a
+          // fresh context suffices.
+          const std::optional<gl::Case> reduced = in_shared
+                                                      ? reduced_to(cause, form, of_form, still_in_shared)
+                                                      : reduced_to(cause, form, of_form, still);
+          return reduced && (!in_shared || still(*reduced));
+        });
+    if (known) finding.cause = *known;
+    return known.has_value();
   };
   // Each run of a program that draws very much takes long, so it gets fewer attempts.
   const std::int64_t size = std::max<std::int64_t>(vertices_of(program) / kMostVertices, 1);
   const bool is_cheap_in_shared = shared_ && size == 1;
-  bool known = (is_cheap_in_shared && is_known(true)) || is_known(false);
+  bool known = (is_cheap_in_shared && !tried && is_known(true)) || is_known(false);
   if (!known && look == Look::kVertices && kind != kPrimitives) {
     // If some vertices are lost and others are drawn twice, the difference may show as a wrong attribute,
     // although the cause is a known one of the kind `primitives`.

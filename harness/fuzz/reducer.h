@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,10 +32,28 @@ class Reducer {
 
   // Returns the finding with its cause. If the cause is new, the program is minimal, and the cause becomes
   // known. If `careful`, the shared context is not used to shrink the program, because the library has died
-  // in an earlier attempt.
-  Finding explain(const gl::Case& program, Finding finding, bool careful = false);
+  // in an earlier attempt. `tried`: recognise() has returned nothing for the program.
+  Finding explain(const gl::Case& program, Finding finding, bool careful = false, bool tried = false);
+
+  // Returns the finding with a known cause, if the shared context shows that the cause explains the finding.
+  // Needs no fresh context, which takes most of the time of explain().
+  std::optional<Finding> recognise(const gl::Case& program, const Finding& finding);
+
+  // Returns the number of known causes.
+  std::size_t causes() const { return causes_.size(); }
 
  private:
+  using Judge = std::function<Judged(const gl::Case&, const Specified&)>;
+  // Returns the difference of a candidate if it is of the wanted kind.
+  std::optional<Finding> difference_of(const gl::Case& candidate, const std::string& wanted,
+                                       const Judge& judge) const;
+  // Returns the first known cause of the wanted kind for which `applies` returns true with a form of the
+  // program.
+  using Applies =
+      std::function<bool(const std::string& cause, const gl::Case& form, const Specified& of_form)>;
+  std::optional<std::string> first_cause(const gl::Case& program, const std::string& wanted,
+                                         const Applies& applies) const;
+
   const Subject& subject_;
   SharedContext* shared_;
   const gl::Table table_;

@@ -167,6 +167,7 @@ class Searcher {
       found_.judged += now->judged - lane.played.judged;
       found_.in_full += now->in_full - lane.played.in_full;
       found_.not_repeated += now->not_repeated - lane.played.not_repeated;
+      found_.seconds_of_known += now->seconds_of_known - lane.played.seconds_of_known;
       lane.played = *now;
     }
   }
@@ -245,8 +246,13 @@ class Searcher {
         if (!reduced) continue;
         program = *std::move(reduced);
         cause = seen;
+        // The program of a known finding is minimal. Only the first program of a cause is shown.
+        const bool is_first = std::ranges::count(found_.causes, cause, &Cause::cause) == 0;
+        if (const KnownFinding* const known = known_finding(cause); known && is_first && dies(known->program))
+          program = known->program;
       }
     }
+    if (!cause.empty()) found_.seconds_of_known += seconds_since(begin);
     bool outside = false;
     if (cause.empty() && !dies(program)) {
       cause = fmt::format("what was run before: {}", how);

@@ -26,6 +26,10 @@ class SharedContext {
   Judged judge(const gl::Case& program, const Specified& specified, Look look = Look::kAll) {
     history_.push_back(program);
     if (history_.size() > kMostHistory + 1) history_.pop_front();
+    return judge_aside(program, specified, look);
+  }
+  // The same, but the context does not remember the program.
+  Judged judge_aside(const gl::Case& program, const Specified& specified, Look look) const {
     return judge_program(subject_, program, specified, look);
   }
 

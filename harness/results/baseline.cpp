@@ -105,6 +105,11 @@ void read_header_line(const Line& line, BaselineFiles::Header& header) {
       throw line.bad(fmt::format("unknown pass '{}'; known is '{}'", value, name_of(Pass::kReuseContext)));
     header.pass = *pass;
   }
+  if (key == "depth") {
+    header.depth = depth_named(value);
+    if (!header.depth)
+      throw line.bad(fmt::format("unknown depth '{}'; known are {}", value, fmt::join(kDepthNames, ", ")));
+  }
   if (key == "version") try {
       header.version = VersionRange(value);
     } catch (const std::invalid_argument& error) {
@@ -161,7 +166,8 @@ std::vector<std::pair<std::string, std::string>> BaselineFiles::Header::fields()
       {"renderer", renderer},
       {"version", version.text()},
       {"implementation", fmt::format("{}", fmt::join(implementations, ", "))},
-      {"pass", name_of(pass)}};
+      {"pass", name_of(pass)},
+      {"depth", depth ? name_of(*depth) : ""}};
   std::erase_if(given, [](const auto& field) { return field.second.empty(); });
   return given;
 }
@@ -175,8 +181,10 @@ BaselineFiles::Header::Specificity BaselineFiles::Header::specificity() const {
   return sum;
 }
 
-bool BaselineFiles::Header::fits(const ImplementationRecord& implementation, Pass for_pass) const {
-  return for_pass == pass && implementation.vendor.find(vendor) != std::string::npos &&
+bool BaselineFiles::Header::fits(const ImplementationRecord& implementation, Pass for_pass,
+                                 Depth at_depth) const {
+  return for_pass == pass && depth.value_or(at_depth) == at_depth &&
+         implementation.vendor.find(vendor) != std::string::npos &&
          implementation.renderer.find(renderer) != std::string::npos &&
          version.contains(implementation.version) &&
          (implementations.empty() || std::ranges::count(implementations, implementation.kind) > 0);
@@ -264,7 +272,7 @@ void BaselineFiles::write(const fs::path& folder) const {
 // --- one implementation
 
 Baseline Baseline::best_fit(const std::vector<BaselineFiles>& all, const ImplementationRecord& implementation,
-                            Pass pass, const std::string& chosen) {
+                            Pass pass, const std::string& chosen, Depth depth) {
   const BaselineFiles* const wanted = chosen.empty() ? nullptr : find(all, chosen);
   if (!chosen.empty() && !wanted) throw BadBaseline(fmt::format("unknown baseline '{}'", chosen));
   const bool is_chosen = wanted && wanted->header.pass == pass;
@@ -277,7 +285,7 @@ Baseline Baseline::best_fit(const std::vector<BaselineFiles>& all, const Impleme
     base = wanted->header.extends.empty() ? wanted : find(all, wanted->header.extends);
   } else {
     for (const BaselineFiles& files : all)
-      if (files.header.extends.empty() && files.header.fits(implementation, pass) &&
+      if (files.header.extends.empty() && files.header.fits(implementation, pass, depth) &&
           (!base || more_specific(base, &files)))
         base = &files;
   }
@@ -286,7 +294,7 @@ Baseline Baseline::best_fit(const std::vector<BaselineFiles>& all, const Impleme
   std::vector<const BaselineFiles*> overlays;
   for (const BaselineFiles& files : all)
     if (files.header.extends == base->name &&
-        (files.header.fits(implementation, pass) || (is_chosen && &files == wanted)))
+        (files.header.fits(implementation, pass, depth) || (is_chosen && &files == wanted)))
       overlays.push_back(&files);
   std::stable_sort(overlays.begin(), overlays.end(), more_specific);
   std::vector<BaselineFiles> parts = {*base};

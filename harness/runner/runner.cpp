@@ -198,7 +198,8 @@ class Run {
     implementation = description->implementation;
     implementation.kind = std::exchange(implementation.name, named.name);
     implementation.machine = named.machine;
-    baseline_ = Baseline::best_fit(request_.baselines, implementation, result_.pass, request_.baseline);
+    baseline_ = Baseline::best_fit(request_.baselines, implementation, result_.pass, request_.baseline,
+                                   request_.depth);
     std::vector<std::unique_ptr<Question>> proofs;
     for (const std::string& name : description->captures) proofs.push_back(ask({"--prove", name}));
     for (std::size_t i = 0; i < proofs.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <string_view>
 #include <tuple>
 
 #include <evalcts/gl/lift.h>
@@ -84,7 +85,9 @@ std::string joined(std::initializer_list<std::string> parts) {
 // Returns the test through the delivery.
 TestInfo delivered(const Registered& test, const gl::Delivery& delivery) {
   TestInfo info = test.info;
-  info.name = joined({info.name, test.parameters[delivery.lifted ? 1 : 0], delivery.name});
+  info.parameters = test.parameters[delivery.lifted ? 1 : 0];
+  info.delivery = delivery.name;
+  info.name = joined({info.name, info.parameters, info.delivery});
   if (delivery.lifted) {
     const auto suite = lifted_suites().find(info.suite);
     if (suite != lifted_suites().end()) info.suite = suite->second;
@@ -100,7 +103,8 @@ TestInfo delivered(const Registered& test, const gl::Delivery& delivery) {
 
 void add(const Registered& test, std::vector<TestInfo>& tests) {
   TestInfo undelivered = test.info;
-  undelivered.name = joined({undelivered.name, test.parameters[0]});
+  undelivered.parameters = test.parameters[0];
+  undelivered.name = joined({undelivered.name, undelivered.parameters});
   if (test.deliveries->empty()) {
     tests.push_back(std::move(undelivered));
     return;
@@ -110,6 +114,30 @@ void add(const Registered& test, std::vector<TestInfo>& tests) {
   for (std::size_t i = 0; i < depths.size(); ++i) {
     tests.push_back(delivered(test, (*test.deliveries)[i]));
     tests.back().from = depths[i];
+  }
+}
+
+// Returns the parts of a name, which '/' separates.
+std::vector<std::string_view> parts_of(std::string_view name) {
+  std::vector<std::string_view> parts;
+  while (!name.empty()) {
+    const std::size_t end = std::min(name.find('/'), name.size());
+    parts.push_back(name.substr(0, end));
+    name.remove_prefix(std::min(end + 1, name.size()));
+  }
+  return parts;
+}
+
+// Completes quick depth in each suite of the sorted tests.
+void add_missing_pairs(std::vector<TestInfo>& tests) {
+  for (auto begin = tests.begin(); begin != tests.end();) {
+    const auto end =
+        std::find_if(begin, tests.end(), [&](const TestInfo& info) { return info.suite != begin->suite; });
+    std::vector<Scheduled> suite;
+    for (auto test = begin; test != end; ++test)
+      suite.push_back({test->name, test->from, parts_of(test->parameters), parts_of(test->delivery)});
+    add_missing_pairs(suite);
+    for (const Scheduled& test : suite) (begin++)->from = test.from;
   }
 }
 
@@ -123,7 +151,7 @@ std::string parameter_name(GLenum token, int dimension) {
 Registration register_tests(const TestInfo& info, const std::vector<gl::Delivery>& deliveries,
                             std::vector<Variant> variants) {
   const auto shared = std::make_shared<const std::vector<gl::Delivery>>(deliveries);
-  const std::vector<Depth> depths = Schedule(info.full_name()).of_parameters(variants.size(), deliveries);
+  const std::vector<Depth> depths = Schedule(info.full_name()).of_parameters(variants.size());
   for (std::size_t i = 0; i < variants.size(); ++i) {
     TestInfo test = info;
     test.body = std::move(variants[i].body);
@@ -143,6 +171,7 @@ const std::vector<TestInfo>& all_tests() {
     std::vector<TestInfo> tests;
     for (const Registered& test : registry()) add(test, tests);
     std::ranges::sort(tests, {}, [](const TestInfo& info) { return std::tie(info.suite, info.name); });
+    add_missing_pairs(tests);
     return tests;
   }();
   return sorted;

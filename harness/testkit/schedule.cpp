@@ -2,6 +2,9 @@
 #include "schedule.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace evalcts {
 namespace {
@@ -9,24 +12,14 @@ namespace {
 // At quick and full depth, one of this number of tests goes through display lists.
 constexpr std::size_t kListsAtQuick = 9, kListsAtFull = 3;
 
-// Maximum number of parameters of a test at quick depth: without deliveries, with deliveries, and with
-// sparing ones.
-constexpr std::size_t kParametersAtQuick = 3, kDeliveredAtQuick = 2, kSparingAtQuick = 1;
-
 bool uses_lists(const gl::Delivery& delivery) { return delivery.lists != gl::Lists::kNone; }
 bool is_other(const gl::Delivery& delivery) { return !uses_lists(delivery) && !delivery.is_plain(); }
 
 }  // namespace
 
-std::vector<Depth> Schedule::of_parameters(std::size_t count,
-                                           const std::vector<gl::Delivery>& deliveries) const {
-  const std::size_t most = deliveries.empty()           ? kParametersAtQuick
-                           : deliveries.front().sparing ? kSparingAtQuick
-                                                        : kDeliveredAtQuick;
-  const std::size_t step = (count + most - 1) / most;
+std::vector<Depth> Schedule::of_parameters(std::size_t count) const {
   std::vector<Depth> depths(count, Depth::kFull);
-  for (std::size_t i = 0; i < count; ++i)
-    if ((turn_ % step + i) % step == 0) depths[i] = Depth::kQuick;
+  if (count > 0) depths[turn_ % count] = Depth::kQuick;
   return depths;
 }
 
@@ -58,6 +51,40 @@ bool Schedule::is_cross_checked(Depth depth, std::size_t primitives) const {
   constexpr std::uint32_t kOneOf = 32;
   constexpr std::size_t kManyPrimitives = 64;
   return depth == Depth::kThorough || (turn_ % kOneOf == 0 && primitives <= kManyPrimitives);
+}
+
+void add_missing_pairs(std::vector<Scheduled>& tests) {
+  // The tests of full depth with each pair, in the order of the pairs. A value and the empty text are a pair,
+  // too.
+  using Pair = std::pair<std::string_view, std::string_view>;
+  std::map<Pair, std::vector<std::size_t>> with_pair;
+  std::vector<std::vector<Pair>> pairs(tests.size());
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    const std::vector<std::string_view>& values = tests[i].values;
+    if (tests[i].from > Depth::kFull) continue;
+    for (auto second = values.begin(); second != values.end(); ++second) {
+      pairs[i].emplace_back(std::string_view(), *second);
+      for (auto first = values.begin(); first != second; ++first)
+        pairs[i].push_back(std::minmax(*first, *second));
+    }
+    for (const std::string_view part : tests[i].delivery) pairs[i].emplace_back(std::string_view(), part);
+    for (const Pair& pair : pairs[i]) with_pair[pair].push_back(i);
+  }
+  std::set<Pair> present;
+  for (std::size_t i = 0; i < tests.size(); ++i)
+    if (tests[i].from == Depth::kQuick) present.insert(pairs[i].begin(), pairs[i].end());
+  const auto gain = [&](std::size_t i) {
+    return std::ranges::count_if(pairs[i], [&](const Pair& pair) { return !present.contains(pair); });
+  };
+  for (const auto& [pair, candidates] : with_pair) {
+    if (present.contains(pair)) continue;
+    // The hash distributes the pairs among tests that add equally many.
+    const std::size_t best = std::ranges::max(candidates, {}, [&](std::size_t i) {
+      return std::pair(gain(i), fnv1a<std::uint32_t>(tests[i].name));
+    });
+    tests[best].from = Depth::kQuick;
+    present.insert(pairs[best].begin(), pairs[best].end());
+  }
 }
 
 }  // namespace evalcts

@@ -17,10 +17,9 @@ class Schedule {
  public:
   explicit Schedule(std::string_view test) : turn_(fnv1a<std::uint32_t>(test)) {}
 
-  // Returns the least depth of each of `count` tests that differ in a parameter: quick for a few of them,
-  // full for the rest. Fewer are quick if there are deliveries, and even fewer if these are for expensive
-  // tests (gl::sparing).
-  std::vector<Depth> of_parameters(std::size_t count, const std::vector<gl::Delivery>& deliveries) const;
+  // Returns the least depth of each of `count` tests that differ in their parameters: quick for one of them,
+  // full for the others.
+  std::vector<Depth> of_parameters(std::size_t count) const;
 
   // Returns the least depth of the test through each of the deliveries; `from` is the least depth of
   // the test itself.
@@ -34,5 +33,17 @@ class Schedule {
  private:
   std::uint32_t turn_;
 };
+
+// A test as add_missing_pairs() sees it.
+struct Scheduled {
+  std::string_view name;
+  Depth from;
+  std::vector<std::string_view> values;    // of its parameters
+  std::vector<std::string_view> delivery;  // its evaluation command and its form of display lists, if any
+};
+// Moves tests of full depth to quick depth, so that together the tests of quick depth have every value, every
+// pair of values of two parameters, every evaluation command and every form of display lists that a test of
+// full depth has. `tests`: all tests of a suite, in a fixed order.
+void add_missing_pairs(std::vector<Scheduled>& tests);
 
 }  // namespace evalcts

@@ -28,8 +28,8 @@ class Baselines : public testing::Test {
   }
 
   Baseline find(const ImplementationRecord& implementation, Pass pass = Pass::kFreshContexts,
-                const std::string& chosen = {}) const {
-    return Baseline::best_fit(BaselineFiles::read_all(folder_), implementation, pass, chosen);
+                const std::string& chosen = {}, Depth depth = Depth::kFull) const {
+    return Baseline::best_fit(BaselineFiles::read_all(folder_), implementation, pass, chosen, depth);
   }
   // Returns the baseline in the files called `name`, regardless of its header.
   Baseline read(const std::string& name) const {
@@ -331,6 +331,16 @@ TEST_F(Overlays, AreAddedToTheBaseThatTheyExtend) {
 
   EXPECT_EQ(find(mesa("llvmpipe", "4.5 Mesa 25.0.7", "dropin")).name(), "");
   EXPECT_EQ(find(mesa("llvmpipe", "4.5 Mesa 20.2.6")).name(), "");
+}
+
+TEST_F(Overlays, MayBeForOneDepth) {
+  write("mesa.thorough-fails.txt",
+        "# extends: mesa\n# renderer: llvmpipe\n# depth: thorough\n\n# EV-5\nA.T,Fail\n");
+  const ImplementationRecord llvmpipe = mesa("llvmpipe", "4.5 Mesa 25.0.7-2");
+  EXPECT_EQ(find(llvmpipe, Pass::kFreshContexts, {}, Depth::kThorough).name(), "mesa with mesa.thorough");
+  EXPECT_EQ(find(llvmpipe, Pass::kFreshContexts, {}, Depth::kFull).name(), "mesa");
+  write("mesa.thorough-fails.txt", "# extends: mesa\n# renderer: llvmpipe\n# depth: deep\n");
+  EXPECT_THROW(BaselineFiles::read_all(folder_), BadBaseline);
 }
 
 TEST_F(Overlays, AChosenOneIsUsedWhateverItsHeaderSays) {

@@ -297,14 +297,15 @@ struct Played {
   std::uint64_t programs = 0, commands = 0;
 };
 
-Played play_against(Implementation& implementation, std::uint32_t programs) {
+Played play_against(Implementation& implementation, std::uint32_t programs,
+                    const std::vector<std::string>& known = {}) {
   Subject subject;
   subject.implementation = &implementation;
   subject.info = inquire(implementation);
   Captures captures(implementation, subject.info, nullptr);
   subject.captures = &captures;
   Played played;
-  fuzz::play(subject, {.programs = programs, .length = 60}, [&](const CampaignEvent& event) {
+  fuzz::play(subject, {.programs = programs, .length = 60, .known = known}, [&](const CampaignEvent& event) {
     if (const auto* made = std::get_if<FindingMade>(&event)) played.findings.push_back(made->finding);
     if (const auto* progress = std::get_if<CampaignProgress>(&event)) {
       played.programs = progress->programs;
@@ -348,6 +349,35 @@ TEST(Campaign, TellsDefectsOutsideEvaluatorsApart) {
   const Finding& finding = played.findings.front();
   EXPECT_TRUE(finding.outside_evaluators) << to_text(finding);
   EXPECT_FALSE(contains(finding.cause, "Eval"));
+}
+
+// The program of a known finding takes the place of the commands that show its cause in a random program.
+TEST(Campaign, ShowsTheMinimalProgramOfAKnownCause) {
+  static bool has_grid;
+  Altered altered([](gl::Table& table) {
+    has_grid = false;
+    table.MapGrid1f = [](GLint n, GLfloat u1, GLfloat u2) {
+      has_grid = true;
+      Altered::original.MapGrid1f(n, u1, u2);
+    };
+    table.MapGrid1d = [](GLint n, GLdouble u1, GLdouble u2) {
+      has_grid = true;
+      Altered::original.MapGrid1d(n, u1, u2);
+    };
+    table.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
+      if (!has_grid) Altered::original.MapGrid1f(1, 0.5f, 2);
+      Altered::original.EvalMesh1(mode, i1, i2);
+      if (!has_grid) Altered::original.MapGrid1f(1, 0, 1);
+    };
+  });
+  const auto known = std::ranges::find(known_findings(), "MeshOverTheInitialGrid1", &KnownFinding::name);
+  ASSERT_NE(known, known_findings().end());
+  const std::string cause = cause_of(known->program, known->what);
+  // The first finding is the one that a campaign shows.
+  const std::vector<Finding> findings = play_against(altered, 400, {cause}).findings;
+  const auto first = std::ranges::find(findings, cause, &Finding::cause);
+  ASSERT_NE(first, findings.end());
+  EXPECT_EQ(text_of(first->program), text_of(known->program));
 }
 
 // The difference is in an answer, not in a vertex.

@@ -30,28 +30,55 @@ std::vector<gl::Delivery> some_deliveries() {
           delivery(kCoordinates, gl::Lists::kCompiled), delivery(kCoordinates, gl::Lists::kNested)};
 }
 
-TEST(Schedule, AFewParametersAreQuickAndEachInSomeTest) {
-  const std::map<std::size_t, std::vector<gl::Delivery>> of_most = {
-      {3, {}}, {2, some_deliveries()}, {1, gl::sparing(some_deliveries())}};
-  for (const auto& [most, deliveries] : of_most) {
-    std::set<std::size_t> quick;
-    for (int i = 0; i < kTests; ++i) {
-      const std::vector<Depth> depths = Schedule(test(i)).of_parameters(10, deliveries);
-      ASSERT_EQ(depths.size(), 10u);
-      EXPECT_GE(count_of(Depth::kQuick, depths), 1u);
-      EXPECT_LE(count_of(Depth::kQuick, depths), most);
-      EXPECT_EQ(count_of(Depth::kThorough, depths), 0u);
-      for (std::size_t k = 0; k < depths.size(); ++k)
-        if (depths[k] == Depth::kQuick) quick.insert(k);
-    }
-    EXPECT_EQ(quick.size(), 10u) << most;
-    EXPECT_EQ(count_of(Depth::kQuick, Schedule(test(1)).of_parameters(most, deliveries)), most);
+TEST(Schedule, OneOfTheParametersIsQuickAndEachInSomeTest) {
+  std::set<std::size_t> quick;
+  for (int i = 0; i < kTests; ++i) {
+    const std::vector<Depth> depths = Schedule(test(i)).of_parameters(10);
+    ASSERT_EQ(depths.size(), 10u);
+    EXPECT_EQ(count_of(Depth::kQuick, depths), 1u);
+    EXPECT_EQ(count_of(Depth::kFull, depths), 9u);
+    quick.insert(static_cast<std::size_t>(std::ranges::find(depths, Depth::kQuick) - depths.begin()));
   }
+  EXPECT_EQ(quick.size(), 10u);
 }
 
 TEST(Schedule, TheNameAloneChooses) {
-  EXPECT_EQ(Schedule("A.B").of_parameters(100, {}), Schedule("A.B").of_parameters(100, {}));
-  EXPECT_NE(Schedule("A.B").of_parameters(100, {}), Schedule("A.C").of_parameters(100, {}));
+  EXPECT_EQ(Schedule("A.B").of_parameters(100), Schedule("A.B").of_parameters(100));
+  EXPECT_NE(Schedule("A.B").of_parameters(100), Schedule("A.C").of_parameters(100));
+}
+
+std::vector<Scheduled> all_of(const std::vector<std::string_view>& values) {
+  std::vector<Scheduled> tests;
+  for (const std::string_view target : values)
+    for (const std::string_view mode : {"POINT", "LINE"})
+      tests.push_back({target, Depth::kFull, {target, mode}, {}});
+  return tests;
+}
+
+TEST(MissingPairs, EveryPairIsQuickOnce) {
+  std::vector<Scheduled> tests = all_of({"A", "B", "C"});
+  // Another test has pairs of the first, which need not be quick in both.
+  for (const std::string_view target : {"A", "B"})
+    tests.push_back({"other", Depth::kFull, {target, "POINT"}, {}});
+  add_missing_pairs(tests);
+  std::multiset<std::vector<std::string_view>> quick;
+  for (const Scheduled& each : tests)
+    if (each.from == Depth::kQuick) quick.insert(each.values);
+  EXPECT_EQ(
+      quick,
+      (std::multiset<std::vector<std::string_view>>{
+          {"A", "POINT"}, {"A", "LINE"}, {"B", "POINT"}, {"B", "LINE"}, {"C", "POINT"}, {"C", "LINE"}}));
+}
+
+TEST(MissingPairs, QuickTestsCountAndThoroughOnesAreLeftAlone) {
+  std::vector<Scheduled> tests = {{"a", Depth::kQuick, {"A"}, {"EvalCoord1f"}},
+                                  {"b", Depth::kFull, {"A"}, {"EvalCoord1d"}},
+                                  {"c", Depth::kFull, {"A"}, {"EvalCoord1f"}},
+                                  {"d", Depth::kThorough, {"B"}, {"EvalCoord1f", "Nested"}}};
+  add_missing_pairs(tests);
+  std::vector<Depth> depths;
+  for (const Scheduled& each : tests) depths.push_back(each.from);
+  EXPECT_EQ(depths, (std::vector{Depth::kQuick, Depth::kQuick, Depth::kFull, Depth::kThorough}));
 }
 
 TEST(Schedule, TheDeliveryAsWrittenIsNeverLeftOut) {

@@ -16,6 +16,20 @@ Rules with_auto_normal(void (*change)(ObservedPrimitive& primitive), Value condi
 
 bool has_no_normal(const ObservedVertex& vertex) { return vertex.normal == std::array<float, 3>{0, 0, 0}; }
 
+void turn(ObservedPrimitive& primitive) {
+  for (ObservedVertex& vertex : primitive.vertices) scale(vertex.normal, -1);
+}
+
+// Turns the normals of the primitives that begin while the latest vertex map of surfaces meets the condition.
+Rules turned_if(Value condition) {
+  return {before(kMap2, kTarget >= GL_MAP2_VERTEX_3, set(kCount, std::move(condition))),
+          before(Begin, [](Call& call) { remembered_list().push_back(kCount(call)); }),
+          change_output(noted_on(GL_AUTO_NORMAL), [](Primitives& all) {
+            for (std::size_t i = 0; i < std::min(all.size(), remembered_list().size()); ++i)
+              if (remembered_list()[i] != 0) turn(all[i]);
+          })};
+}
+
 // Rounds the components of a normal to multiples of 1/steps.
 void round_normal(ObservedVertex& vertex, float steps) {
   for (float& x : vertex.normal)
@@ -92,11 +106,14 @@ EVALCTS_RULES(NormalsTowardsTheViewer, production, kMust, "EV-AUTON-DIRECTION",
 EVALCTS_RULES(NormalsOfTallPatchesTurned, production, kMust, "EV-AUTON-DIRECTION",
               "where the order in v is above that in u, the normal is dp/dv x dp/du",
               before(kMap2, kTarget == GL_MAP2_VERTEX_3 && kVOrder > kOrder, set(kCount, 1)),
-              with_auto_normal(
-                  [](ObservedPrimitive& primitive) {
-                    for (ObservedVertex& vertex : primitive.vertices) scale(vertex.normal, -1);
-                  },
-                  kCount));
+              with_auto_normal(turn, kCount));
+EVALCTS_RULES(
+    NormalsOfLongPatchesTurned, production, kMust, "EV-AUTON-CURVED",
+    "if the order of VERTEX_4 in u is above that in v, and neither is below 3, the normal is turned",
+    turned_if(kTarget == GL_MAP2_VERTEX_4 && kOrder > kVOrder && kVOrder >= 3));
+EVALCTS_RULES(NormalsOfRuledPatchesTurned, production, kMust, "EV-AUTON-CURVED",
+              "if VERTEX_3 has order 2 in u and a higher order in v, the normal is turned",
+              turned_if(kTarget == GL_MAP2_VERTEX_3 && kOrder == 2 && kVOrder > 2));
 EVALCTS_RULES(VertexAfterDegenerateOneLost, production, kMust, "EV-AUTON-DEGENERATE",
               "the vertex after one whose normal has length 0 is lost",
               with_auto_normal([](ObservedPrimitive& primitive) {
@@ -114,12 +131,7 @@ EVALCTS_RULES(NoNormalsOverReversedDomains, production, kMust, "EV-AUTON-CURVED"
                   kCount));
 EVALCTS_RULES(NormalsTurnedWhereBothAreReversed, production, kMust, "EV-AUTON-CURVED",
               "over a domain that is reversed in u and in v normals are turned round",
-              before(kMap2, kU1 > kU2 && kV1 > kV2, set(kCount, 1)),
-              with_auto_normal(
-                  [](ObservedPrimitive& primitive) {
-                    for (ObservedVertex& vertex : primitive.vertices) scale(vertex.normal, -1);
-                  },
-                  kCount));
+              before(kMap2, kU1 > kU2 && kV1 > kV2, set(kCount, 1)), with_auto_normal(turn, kCount));
 EVALCTS_RULES(VertexWithoutNormalLost, production, kMust, "EV-AUTON-DEGENERATE",
               "a vertex whose normal has length 0 is not drawn",
               with_auto_normal([](ObservedPrimitive& primitive) {

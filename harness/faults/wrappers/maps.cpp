@@ -357,6 +357,13 @@ EVALCTS_RULES(OrderOneInVTakesNoPadding, production, kMust, "EV-MAP2-ORDER-ONE",
               before(kMap2, kVOrder == 1 && kOrder >= 3, change_points([](Net& net) {
                        std::copy_n(net.point(0), net.components, net.point(1));
                      })));
+EVALCTS_RULES(ColorsOfOrderOneInUDrift, production, kMust, "EV-MAP2-ORDER-ONE",
+              "the last color of a map of uorder 1 and vorder 3 or more is that before it",
+              before(kMap2, kTarget == GL_MAP2_COLOR_4 && kOrder == 1 && kVOrder >= 3,
+                     change_points([](Net& net) {
+                       std::copy_n(net.point(0, net.columns - 2), net.components,
+                                   net.point(0, net.columns - 1));
+                     })));
 EVALCTS_RULES(LargestNetRefused, production, kMust, "EV-MAP2-ORDER-ALL",
               "a net of 4096 points raises INVALID_VALUE",
               before(kMap2, kOrder* kVOrder > 4095 && kIsLegal, set(kOrder, 0)));

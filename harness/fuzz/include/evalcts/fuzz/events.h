@@ -31,6 +31,7 @@ struct CampaignProgress {
   std::uint64_t in_full = 0;  // programs of which all effects could be observed
   std::uint64_t commands = 0;
   std::uint64_t not_repeated = 0;  // programs that differed only in the shared context
+  double seconds_of_known = 0;     // time for differences that showed no new cause
 };
 using CampaignEvent =
     std::variant<CampaignStarted, TestStarted, FindingShrank, FindingMade, CampaignProgress>;
@@ -61,5 +62,7 @@ struct KnownFinding {
   gl::Case program;
 };
 const std::vector<KnownFinding>& known_findings();
+// Returns the known finding with this cause, or null.
+const KnownFinding* known_finding(const std::string& cause);
 
 }  // namespace evalcts::fuzz

@@ -11,6 +11,7 @@
 //   # version: RANGE          range of GL_VERSION, see version_range.h
 //   # implementation: A, B    names of implementations, see `evalcts list implementations`
 //   # pass: reuse-context     the second pass, over one shared context, instead of the first
+//   # depth: thorough         runs of this depth only
 //   # extends: BASE           makes the files an overlay
 // NAME-signatures.txt has lines "test name,depth,signature": the failing cases of the test, so that a known
 // failure cannot hide a new one. A signature belongs to its depth and to seed 1. NAME-skips.txt has regular
@@ -52,7 +53,8 @@ struct BaselineFiles {
     VersionRange version;
     std::vector<std::string> implementations;  // empty: all
     Pass pass = Pass::kFreshContexts;
-    std::string extends;  // empty: not an overlay
+    std::optional<Depth> depth;  // none: all
+    std::string extends;         // empty: not an overlay
 
     // The larger of two values belongs to the more specific header: it has more fields, or longer ones.
     struct Specificity {
@@ -62,7 +64,7 @@ struct BaselineFiles {
     Specificity specificity() const;
     // Returns the fields of the header, in the order of the file: {"version", "Mesa 20.3 or newer"}.
     std::vector<std::pair<std::string, std::string>> fields() const;
-    bool fits(const ImplementationRecord& implementation, Pass for_pass) const;
+    bool fits(const ImplementationRecord& implementation, Pass for_pass, Depth at_depth) const;
   };
 
   struct Entry {
@@ -104,11 +106,12 @@ class Baseline {
   };
   using Pattern = BaselineFiles::Pattern;
 
-  // Returns the baseline of the implementation in the given pass. If `chosen` is not empty, that base or
-  // overlay is used regardless of its header, provided that it is for the pass. Throws BadBaseline if no
-  // files have the name `chosen`.
+  // Returns the baseline of the implementation in the given pass and at the given depth. If `chosen` is not
+  // empty, that base or overlay is used regardless of its header, provided that it is for the pass. Throws
+  // BadBaseline if no files have the name `chosen`.
   static Baseline best_fit(const std::vector<BaselineFiles>& all, const ImplementationRecord& implementation,
-                           Pass pass = Pass::kFreshContexts, const std::string& chosen = {});
+                           Pass pass = Pass::kFreshContexts, const std::string& chosen = {},
+                           Depth depth = Depth::kFull);
 
   // Returns this baseline with the given files in place of those with the same name, or, if it is empty, a
   // baseline of these files.

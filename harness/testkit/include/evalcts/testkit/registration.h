@@ -30,6 +30,8 @@ struct TestInfo {
   Level level;
   std::function<void(Test&)> body;
   Depth from = Depth::kQuick;  // the least depth that runs the test, unless a filter has its exact name
+  // The parts of `name` for the parameters and the delivery. Both may be empty.
+  std::string parameters = {}, delivery = {};
 
   std::string full_name() const { return suite + "." + name; }
 };
@@ -80,11 +82,13 @@ class Parameters {
     std::erase_if(kept.combinations_, [&](const Combination& each) { return !std::apply(holds, each); });
     return kept;
   }
-  // Makes one test for each delivery. For the parameters that a depth runs, quick depth runs the plain
-  // deliveries and one other delivery without display lists; full depth runs all deliveries without display
-  // lists (but sparing ones as quick depth does); thorough depth runs all deliveries. Besides, one delivery
-  // through display lists runs for every ninth test at quick depth and every third at full depth. A hash of
-  // the test's name makes these choices.
+  // Makes one test for each delivery. Of each test, quick depth runs one combination, through the plain
+  // deliveries and one other delivery without display lists. Full depth runs all combinations through all
+  // deliveries without display lists (but sparing ones as quick depth does); thorough depth runs all
+  // deliveries. Besides, one delivery through display lists runs for every ninth test at quick depth and
+  // every third at full depth. A hash of the test's name makes these choices. Quick depth then gets further
+  // tests, until it has, in each suite, every value, every pair of values of two parameters, every evaluation
+  // command and every form of display lists that full depth has.
   Parameters by(std::vector<gl::Delivery> deliveries) const {
     Parameters delivered = *this;
     delivered.deliveries_ = std::move(deliveries);
