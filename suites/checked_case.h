@@ -30,7 +30,8 @@ class CheckedCase : public gl::Case {
   // Records IsEnabled and expects its answer.
   void expect_enabled(GLenum cap, bool on) { expect_result(IsEnabled(cap), on); }
   // Records queries of the whole map, or of its orders (one, or two for a two-dimensional target), and
-  // expects these answers.
+  // expects these answers. Floats are asked for in place of doubles if GetMapdv is missing, which other tests
+  // report.
   void expect_map(const Map& map, bool doubles = false);
   void expect_orders(GLenum target, const std::vector<GLint>& orders);
   // Records the queries of evalcts::query_everything(); expect_unchanged() expects the same answers as

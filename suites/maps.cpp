@@ -284,14 +284,18 @@ std::vector<gl::Ref> query_everything(Test& t, gl::Case& c) {
   const auto query_maps = [&](std::span<const GLenum> targets) {
     for (const GLenum target : targets) {
       queries.IsEnabled(target);
-      query_map(queries, target, t.max_order(), true);
+      query_map(queries, target, t.max_order(), t.gl().has_get_mapdv);
     }
   };
   query_maps(gl::kMap1Targets);
   queries.IsEnabled(GL_AUTO_NORMAL);
-  queries.GetDoublev(GL_MAP1_GRID_DOMAIN, gl::out<GLdouble>(2));
+  const auto query_grid = [&](GLenum name, std::size_t count) {
+    t.gl().has_get_doublev ? queries.GetDoublev(name, gl::out<GLdouble>(count))
+                           : queries.GetFloatv(name, gl::out<GLfloat>(count));
+  };
+  query_grid(GL_MAP1_GRID_DOMAIN, 2);
   queries.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
-  queries.GetDoublev(GL_MAP2_GRID_DOMAIN, gl::out<GLdouble>(4));
+  query_grid(GL_MAP2_GRID_DOMAIN, 4);
   queries.GetIntegerv(GL_MAP2_GRID_SEGMENTS, gl::out<GLint>(2));
   queries.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4));
   queries.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));

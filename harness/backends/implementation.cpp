@@ -230,6 +230,9 @@ ImplementationInfo inquire(Implementation& implementation) {
   if (table.GetError)
     for (int i = 0; i < 16 && table.GetError() != GL_NO_ERROR; ++i) continue;
 
+  info.has_mapd = table.Map1d && table.Map2d;
+  info.has_get_mapdv = table.GetMapdv != nullptr;
+  info.has_get_doublev = table.GetDoublev != nullptr;
   require_an_effect(table, info.library.empty() ? "the library" : info.library, info.version);
   context.reset();
   info.shares_state = state_survives_context(implementation);

@@ -61,9 +61,10 @@ class VariationTrial {
 
  private:
   DetectionBehind detect(const ListedFault& variation, const ListedFault& fault, const Verdicts& varied) {
-    // Tests that detect the fault without the variation, and pass with the variation alone. Tests that pass
-    // only in part may detect the fault behind the variation; tests that pass in full must.
-    std::vector<std::string> tests;
+    // Tests that detect the fault without the variation, and pass with the variation alone. Tests that are
+    // decided only in part, or not until the fault occurs, may detect the fault behind the variation; tests
+    // that pass in full must.
+    std::vector<std::string> tests, undecided;
     std::set<std::string> in_full;
     DetectionBehind detection{fault.name, DetectionBehind::Outcome::kNotVisible, "",
                               fmt::format("no test detects it on {} itself", variation.implementation)};
@@ -72,12 +73,16 @@ class VariationTrial {
       if (!record.is_bad() || unmodified(variation).at(name).is_bad() || found == varied.end()) continue;
       const TestRecord& alone = found->second;
       const bool passes = alone.verdict == Verdict::kPass;
-      if (passes) tests.push_back(name);
+      if (passes)
+        tests.push_back(name);
+      else if (alone.verdict == Verdict::kNotObservable)
+        undecided.push_back(name);
       if (passes && alone.unobserved.empty())
         in_full.insert(name);
       else if (in_full.empty())
         detection.reason = fmt::format("{} is not observed in full: {}", name, unobserved_part(alone));
     }
+    if (in_full.empty()) tests.insert(tests.end(), undecided.begin(), undecided.end());
     if (tests.empty()) return detection;
     const Verdicts both = play_all(variation, variation.name + "-" + fault.name,
                                    {"--fault", fault.name, "--variation", variation.name}, tests);

@@ -122,9 +122,11 @@ struct ImplementationInfo {
   GLint max_eval_order = 0;  // 0: not answered
   GLint texture_units = 1;
   std::set<std::string> extensions;
-  std::set<GLenum> refused_queries;        // see refused_queries.h
-  bool shares_state = false;               // state that one context sets is visible in the next one
-  std::optional<Declaration> declaration;  // set for an implementation that is not a GL
+  std::set<GLenum> refused_queries;  // see refused_queries.h
+  bool shares_state = false;         // state that one context sets is visible in the next one
+  // False: Map1d or Map2d, GetMapdv, or GetDoublev is missing.
+  bool has_mapd = true, has_get_mapdv = true, has_get_doublev = true;
+  std::optional<Declaration> declaration;             // set for an implementation that is not a GL
   bool no_error = false;  // a no-error context (KHR_no_error): errors are undefined behaviour
 
   // Returns the largest order that must be accepted: MAX_EVAL_ORDER up to 64, or 8 if the implementation
