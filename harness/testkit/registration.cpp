@@ -139,13 +139,13 @@ Registration lift_suite(const char* of_one, const char* of_two) {
 }
 
 const std::vector<TestInfo>& all_tests() {
-  static const std::vector<TestInfo> sorted = [] {
+  static const std::vector<TestInfo> kSorted = [] {
     std::vector<TestInfo> tests;
     for (const Registered& test : registry()) add(test, tests);
     std::ranges::sort(tests, {}, [](const TestInfo& info) { return std::tie(info.suite, info.name); });
     return tests;
   }();
-  return sorted;
+  return kSorted;
 }
 
 }  // namespace evalcts
