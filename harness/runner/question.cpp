@@ -63,8 +63,8 @@ std::optional<std::string> Question::wait(std::string& reason) {
   }
   ending_ = *ending;
   std::string text = read_file(answer_file_);
-  if (const std::optional<std::string> refusal = parse_cannot_start(text)) {
-    reason = *refusal + quote_output();
+  if (const std::optional<std::string> why_not = parse_cannot_start(text)) {
+    reason = *why_not + quote_output();
     return std::nullopt;
   }
   if (!ending->signalled && ending->value == 0) return text;
