@@ -166,8 +166,8 @@ void* get_address(const char* command) {
 }  // namespace
 
 const evalcts_provider* evalcts_provider_open() {
-  static const evalcts_provider provider = {
+  static const evalcts_provider kProvider = {
       EVALCTS_PROVIDER_VERSION, create,       destroy,           get_address,
       osmesa_provider::error,   make_current, create_color_index};
-  return &provider;
+  return &kProvider;
 }

@@ -106,12 +106,12 @@ void* get_address(const char* command) {
 }  // namespace
 
 const evalcts_provider* evalcts_provider_open() {
-  static const evalcts_provider provider = {EVALCTS_PROVIDER_VERSION,
-                                            osmesa_provider::create,
-                                            osmesa_provider::destroy,
-                                            get_address,
-                                            osmesa_provider::error,
-                                            nullptr,
-                                            nullptr};
-  return &provider;
+  static const evalcts_provider kProvider = {EVALCTS_PROVIDER_VERSION,
+                                             osmesa_provider::create,
+                                             osmesa_provider::destroy,
+                                             get_address,
+                                             osmesa_provider::error,
+                                             nullptr,
+                                             nullptr};
+  return &kProvider;
 }

@@ -25,8 +25,8 @@ namespace {
 
 template <class Function>
 Function real(Function, const char* name) {
-  static void* const library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-  return reinterpret_cast<Function>(dlsym(library, name));
+  static void* const kLibrary = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+  return reinterpret_cast<Function>(dlsym(kLibrary, name));
 }
 #define REAL(name) real(&::name, #name)
 

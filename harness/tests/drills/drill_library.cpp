@@ -35,7 +35,6 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <cstring>
 #include <map>
 
 #include <evalcts/gl/table.h>
@@ -77,7 +76,7 @@ using misbehaviours::crash;
 }  // namespace
 
 #ifdef DRILL_LAYER
-[[maybe_unused]] const bool made_over_es = [] {
+[[maybe_unused]] const bool kMadeOverEs = [] {
   void* const egl = dlopen("libEGL.so.1", RTLD_NOW | RTLD_NOLOAD);
   if (!egl) return false;
   const auto api = reinterpret_cast<decltype(&eglQueryAPI)>(dlsym(egl, "eglQueryAPI"));
@@ -89,7 +88,7 @@ using misbehaviours::crash;
   return is_over_es && glevCreateContext(nullptr, &current) == GLEV_SUCCESS;
 }();
 #elif defined(DRILL_OWN_CONTEXT)
-[[maybe_unused]] const glev_result made_when_loaded = glevCreateContext(nullptr, &current);
+[[maybe_unused]] const glev_result kMadeWhenLoaded = glevCreateContext(nullptr, &current);
 #else
 EXPORT void* OSMesaCreateContextExt(GLenum, GLint, GLint, GLint, void*) {
   if (is_drill("start")) crash();
