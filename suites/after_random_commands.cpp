@@ -119,21 +119,21 @@ EVALCTS_TEST(AfterRandomCommands, State, kMust, "EV-CUR-GRIDMAPS")
     const std::vector<gl::Ref> queries = query_everything(t, c);
     const gl::Ref error = c.GetError();
     const gl::Trace expected = specify(c, t.max_order()).answers;
-    Played played = t.play(c);
-    played.expect_no_error(error);
+    CheckedTrace checked = t.play(c);
+    checked.expect_no_error(error);
     for (const gl::Ref query : queries) {
       if (query.index < 0) continue;
       if (asks_for_current_value(c.commands()[static_cast<std::size_t>(query.index)])) continue;
       const auto expect_near = [&](auto values) {
         values.resize(expected.written(query));
-        played.expect_values_near(query, values, kTolerance);
+        checked.expect_values_near(query, values, kTolerance);
       };
       if (!expected.has_output(query)) {
-        played.expect_result(query, expected.result(query));
+        checked.expect_result(query, expected.result(query));
       } else if (expected.type(query) == gl::Scalar::kI32) {
         std::vector<GLint> values = expected.values<GLint>(query);
         values.resize(expected.written(query));
-        played.expect_values(query, values);
+        checked.expect_values(query, values);
       } else if (expected.type(query) == gl::Scalar::kF32) {
         expect_near(expected.values<GLfloat>(query));
       } else {

@@ -78,8 +78,8 @@ EVALCTS_TEST_PAIR(Api.EntryPoint, Api.EntryPoint2, kMust, decide("EV-API-ENTRY/1
   legal.call(c);
   const gl::Ref error = c.GetError();
   try {
-    Played played = t.play(c);
-    played.expect_no_error(error);
+    CheckedTrace checked = t.play(c);
+    checked.expect_no_error(error);
   } catch (const gl::MissingEntryPoint& missing) {
     if (t.gl().declaration || std::string("gl") + legal.name != gl::name_of(missing.entry)) throw;
     const std::string name = std::string("gl") + legal.name;

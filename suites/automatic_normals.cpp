@@ -2,7 +2,6 @@
 // accuracy rule for normals, which allows the errors of any usual method of computing them.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 

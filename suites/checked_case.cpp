@@ -5,19 +5,19 @@ namespace evalcts {
 
 void CheckedCase::expect_error(GLenum error) {
   const gl::Ref asked = GetError();
-  expect([=](Played& played) { played.expect_error(asked, {error}); });
+  expect([=](CheckedTrace& checked) { checked.expect_error(asked, {error}); });
 }
 
 void CheckedCase::expect_error(GLenum one, GLenum other) {
   if (one == other) return expect_error(one);
   const gl::Ref asked = GetError();
-  expect([=](Played& played) { played.expect_error(asked, {one, other}); });
+  expect([=](CheckedTrace& checked) { checked.expect_error(asked, {one, other}); });
 }
 
 void CheckedCase::expect_map(const Map& map, bool doubles) {
   doubles = doubles && t_.gl().has_get_mapdv;
   const MapQuery query = query_map(*this, map.target, t_.max_order(), doubles);
-  expect([=](Played& played) { evalcts::expect_map(played, query, map, doubles); });
+  expect([=](CheckedTrace& checked) { evalcts::expect_map(checked, query, map, doubles); });
 }
 
 void CheckedCase::expect_orders(GLenum target, const std::vector<GLint>& orders) {
@@ -25,25 +25,25 @@ void CheckedCase::expect_orders(GLenum target, const std::vector<GLint>& orders)
 }
 
 void CheckedCase::expect_result(gl::Ref command, std::int64_t expected) {
-  expect([=](Played& played) { played.expect_result(command, expected); });
+  expect([=](CheckedTrace& checked) { checked.expect_result(command, expected); });
 }
 
 void CheckedCase::expect_values_near(gl::Ref query, const std::vector<double>& expected, double relative) {
-  expect([=](Played& played) { played.expect_values_near(query, expected, relative); });
+  expect([=](CheckedTrace& checked) { checked.expect_values_near(query, expected, relative); });
 }
 
 void CheckedCase::expect_same(gl::Ref before, gl::Ref after) {
-  expect([=](Played& played) { played.expect_same(before, after); });
+  expect([=](CheckedTrace& checked) { checked.expect_same(before, after); });
 }
 
 void CheckedCase::expect_same(const std::vector<gl::Ref>& before, const std::vector<gl::Ref>& after) {
-  expect([=](Played& played) { evalcts::expect_unchanged(played, before, after); });
+  expect([=](CheckedTrace& checked) { evalcts::expect_unchanged(checked, before, after); });
 }
 
-Played CheckedCase::check() const {
-  Played played = t_.play(*this);
-  for (const auto& check : checks_) check(played);
-  return played;
+CheckedTrace CheckedCase::check() const {
+  CheckedTrace checked = t_.play(*this);
+  for (const auto& check : checks_) check(checked);
+  return checked;
 }
 
 }  // namespace evalcts

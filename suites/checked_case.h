@@ -20,7 +20,7 @@ class CheckedCase : public gl::Case {
 
   // Failures of the checks that are recorded after this call violate these requirements, see Test::decide.
   void decide(std::vector<RequirementId> requirements) {
-    expect([&t = t_, requirements = std::move(requirements)](Played&) { t.decide(requirements); });
+    expect([&t = t_, requirements = std::move(requirements)](CheckedTrace&) { t.decide(requirements); });
   }
 
   // Records GetError and expects the error, or one of the two.
@@ -39,11 +39,11 @@ class CheckedCase : public gl::Case {
   std::vector<gl::Ref> query_everything() { return evalcts::query_everything(t_, *this); }
   void expect_unchanged(const std::vector<gl::Ref>& before) { expect_same(before, query_everything()); }
 
-  // Record the checks of the same names of Played.
+  // Record the checks of the same names of CheckedTrace.
   void expect_result(gl::Ref command, std::int64_t expected);
   template <class T>
   void expect_values(gl::Ref query, const std::vector<T>& expected) {
-    expect([=](Played& played) { played.expect_values(query, expected); });
+    expect([=](CheckedTrace& checked) { checked.expect_values(query, expected); });
   }
   void expect_values(gl::Ref query, const std::vector<double>& expected) {
     expect_values<double>(query, expected);
@@ -53,13 +53,13 @@ class CheckedCase : public gl::Case {
   void expect_same(gl::Ref before, gl::Ref after);
   void expect_same(const std::vector<gl::Ref>& before, const std::vector<gl::Ref>& after);
   // Records any other check.
-  void expect(std::function<void(Played&)> check) { checks_.push_back(std::move(check)); }
+  void expect(std::function<void(CheckedTrace&)> check) { checks_.push_back(std::move(check)); }
 
-  Played check() const;
+  CheckedTrace check() const;
 
  private:
   Test& t_;
-  std::vector<std::function<void(Played&)>> checks_;
+  std::vector<std::function<void(CheckedTrace&)>> checks_;
 };
 
 }  // namespace evalcts

@@ -77,7 +77,7 @@ void expect_lit_like_explicit(Test& t, const std::string& name, const gl::Case& 
     return picture.parts.at(0);
   });
   Picture picture = feedback(t, "evaluated", state, drawing);
-  expect_like_explicit(picture.played, picture.parts.at(0), control);
+  expect_like_explicit(picture.checked, picture.parts.at(0), control);
 }
 
 constexpr GLenum kProperties[] = {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION};
@@ -127,18 +127,18 @@ EVALCTS_TEST(ColorMaterial, MaterialUntouched, kMust, "EV-CMAT-NOSTATE/1-D", "EV
   bool observed = false;
   for (const bool flush : {false, true}) {
     const Queried control = write(false, flush), evaluated = write(true, flush);
-    const Played of_vertices = t.play(control.script);
+    const CheckedTrace of_vertices = t.play(control.script);
     bool kept = true;
     for (std::size_t i = 0; i < control.before.size(); ++i)
       kept = kept && of_vertices.trace().same(control.before[i], of_vertices.trace(), control.after[i]);
     if (!kept) continue;
     observed = true;
-    Played played = t.play(evaluated.script);
+    CheckedTrace checked = t.play(evaluated.script);
     // t.requirement() chooses the dimension of the delivery.
     const auto decide = [&](const char* id) { t.decide({t.requirement(id)}); };
     for (std::size_t i = 0; i < evaluated.before.size(); ++i) {
       decide(i + 1 < evaluated.before.size() ? "EV-CMAT-NOSTATE" : "EV-CMAT-NOCURRENT");
-      played.expect_same(evaluated.before[i], evaluated.after[i]);
+      checked.expect_same(evaluated.before[i], evaluated.after[i]);
     }
   }
   if (!observed) throw NotObservable("pipeline: explicit vertices change materials or the current colour");
@@ -255,7 +255,7 @@ EVALCTS_TEST(ColorMaterial, NextVertexWithoutVertexMap, kMust, "EV-CMAT-NOVERTEX
   drawing.append(one_vertex());
   Picture picture =
       feedback(t, "a vertex after evaluations without a vertex map", lit(tracked).second, drawing);
-  expect_like_explicit(picture.played, picture.parts.at(0), control);
+  expect_like_explicit(picture.checked, picture.parts.at(0), control);
 };
 
 }  // namespace

@@ -1,5 +1,4 @@
 // Section 21 of the requirements: each context has its own evaluator state.
-#include <fmt/format.h>
 
 #include <evalcts/testkit/registration.h>
 
@@ -92,14 +91,14 @@ EVALCTS_TEST(Contexts, SharedListDefinesWhereItIsCalled, kMust, "EV-CTX-PRIVATE"
   c.OtherContextEVALCTS(1);
   const gl::Ref other_order = c.GetMapiv(GL_MAP1_VERTEX_3, GL_ORDER, gl::out<GLint>(1));
   const gl::Ref other_segments = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
-  Played played = t.play(c);
-  if (played.trace().result(shared) != GL_TRUE)
+  CheckedTrace checked = t.play(c);
+  if (checked.trace().result(shared) != GL_TRUE)
     throw NotObservable("the two contexts do not share display lists");
-  expect_map(played, before, own);
-  expect_map(played, after, listed);
-  played.expect_values(segments, std::vector<GLint>{6});
-  played.expect_values(other_order, std::vector<GLint>{1});
-  played.expect_values(other_segments, std::vector<GLint>{1});
+  expect_map(checked, before, own);
+  expect_map(checked, after, listed);
+  checked.expect_values(segments, std::vector<GLint>{6});
+  checked.expect_values(other_order, std::vector<GLint>{1});
+  checked.expect_values(other_segments, std::vector<GLint>{1});
 };
 
 EVALCTS_TEST(Contexts, Switched, kMust, "EV-CTX-SWITCH", combine(kOthers))
@@ -145,11 +144,11 @@ EVALCTS_TEST(Contexts, EvaluatesAfterSwitch, kMust, "EV-CTX-SWITCH", "EV-CTX-PRI
   draw();
   c.OtherContextEVALCTS(0);
   const auto [after, count_after] = draw();
-  Played played = t.play(c);
-  if (played.trace().result(count_before) <= 0)
+  CheckedTrace checked = t.play(c);
+  if (checked.trace().result(count_before) <= 0)
     throw NotObservable("pipeline: nothing comes back in feedback mode");
-  played.expect_same(count_before, count_after);
-  played.expect_same(before, after);
+  checked.expect_same(count_before, count_after);
+  checked.expect_same(before, after);
 };
 
 // --- glXCopyContext ----------------------------------------------------------------------------------------

@@ -79,16 +79,16 @@ struct Written {
 // cause.
 bool expect_kept(Test& t, const std::function<Written(bool evaluated)>& write) {
   const auto keeps = [&t](const Written& written) {
-    const Played played = t.play(written.script);
+    const CheckedTrace checked = t.play(written.script);
     return std::all_of(written.alike.begin(), written.alike.end(), [&](const auto& pair) {
-      return played.trace().same(pair.first, played.trace(), pair.second);
+      return checked.trace().same(pair.first, checked.trace(), pair.second);
     });
   };
   const Written evaluated = write(true);
   if (keeps(evaluated)) return true;
   if (!keeps(write(false))) return false;
-  Played played = t.play(evaluated.script);  // again, because a failure reports the case that ran last
-  for (const auto& [before, after] : evaluated.alike) played.expect_same(before, after);
+  CheckedTrace checked = t.play(evaluated.script);  // again, because a failure reports the case that ran last
+  for (const auto& [before, after] : evaluated.alike) checked.expect_same(before, after);
   return true;
 }
 
@@ -433,8 +433,8 @@ EVALCTS_TEST_PAIR(CurrentValues.MapsGridsAndEnables, CurrentValues.MapsGridsAndE
     for (const auto& [first, last] : {std::pair{0, 3}, {-2, 5}, {2, 1}})
       if (two || mode != GL_FILL) eval_mesh(c, two, mode, first, last, first, last);
   const std::vector<gl::Ref> after = query();
-  Played played = t.play(two ? gl::lift(c, true) : c);
-  expect_unchanged(played, before, after);
+  CheckedTrace checked = t.play(two ? gl::lift(c, true) : c);
+  expect_unchanged(checked, before, after);
 };
 
 // With texture maps of 1, 4, 2 and 3 components in turn, no component of one vertex appears in another one.
@@ -488,15 +488,15 @@ void expect_same_as_explicit(Test& t, const std::string& identity,
   gl::Case with_vertex(gl::control(identity)), with_evaluation(identity);
   write(with_vertex, false);
   refs = write(with_evaluation, true);
-  const Played control = t.play(with_vertex);
+  const CheckedTrace control = t.play(with_vertex);
   for (const gl::Ref ref : refs)
     if (control.trace().written(ref) == 0)
       throw NotObservable("pipeline: a query answers nothing after explicit vertices");
-  Played played = t.play(with_evaluation);
+  CheckedTrace checked = t.play(with_evaluation);
   for (const gl::Ref ref : refs)
-    played.expect(played.trace().same(ref, control.trace(), ref), ref,
-                  "after an evaluation the query answers otherwise than after explicit vertices",
-                  "the answer after explicit vertices", "another answer");
+    checked.expect(checked.trace().same(ref, control.trace(), ref), ref,
+                   "after an evaluation the query answers otherwise than after explicit vertices",
+                   "the answer after explicit vertices", "another answer");
 }
 
 // Secondary colour, fog coordinate and generic attributes have no maps, and evaluation does not change them.

@@ -7,7 +7,7 @@
 #include <evalcts/gl/contexts.h>
 #include <evalcts/testkit/registration.h>
 #include "maps.h"
-#include "refusal.h"
+#include "rejection.h"
 
 namespace evalcts::suite_debug_output {
 namespace {
@@ -42,7 +42,7 @@ struct Answer {
   }
 };
 struct Answers {
-  Played played;
+  CheckedTrace checked;
   std::vector<Answer> all;
 };
 
@@ -68,7 +68,7 @@ Answers answers(Test& t, const gl::Identity& identity, const std::vector<NamedCa
       fetched.push_back({error, log, log});
     }
   Answers answers = {t.play(c), {}};
-  const gl::Trace& trace = answers.played.trace();
+  const gl::Trace& trace = answers.checked.trace();
   const auto messages = [&](const Fetched& of) {
     std::vector<GLuint> values = trace.values<GLuint>(of.array);
     values.resize(std::min<std::size_t>(static_cast<std::size_t>(trace.result(of.count)), kMessages));
@@ -93,7 +93,7 @@ EVALCTS_TEST(Pipeline, DebugMessages, kQuality, "EV-PIPE-DEBUG")
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const Answer& answer = evaluators.all[i];
     if (answer.error == GL_NO_ERROR) continue;  // other tests judge missing errors
-    evaluators.played.expect(
+    evaluators.checked.expect(
         answer.is_reported(), answer.asked,
         fmt::format("{}: no message of type DEBUG_TYPE_ERROR from DEBUG_SOURCE_API", commands[i].name),
         "a message", fmt::format("{} other messages", answer.types.size()));

@@ -72,8 +72,8 @@ inline auto declare_pair(TestInfo one, TestInfo two) {
   return declare_pair(std::move(one), std::move(two), Parameters<>());
 }
 
-#define EVALCTS_JOIN_(a, b) a##b
-#define EVALCTS_JOIN(a, b) EVALCTS_JOIN_(a, b)
+#define EVALCTS_JOIN_EXPANDED(a, b) a##b
+#define EVALCTS_JOIN(a, b) EVALCTS_JOIN_EXPANDED(a, b)
 // Usage: EVALCTS_TEST_PAIR(Suite.One, Suite.Two, level, decide("ID", "ID")..., parameters)
 //        (Test& t, bool two, const P& parameter...) { body };
 #define EVALCTS_TEST_PAIR(one, two, level, ...)                                                 \

@@ -1,6 +1,5 @@
 // Section 20 of the requirements: a list is executed with the state at the time of its call, and queries are
 // not compiled.
-#include <fmt/format.h>
 
 #include <evalcts/testkit/registration.h>
 

@@ -116,16 +116,16 @@ EVALCTS_TEST(DisplayLists, CompilingDrawsNothing, kMust, "EV-DL-COMPILED", combi
 // same but some queries were omitted.
 void expect_changed(CheckedCase& c, const std::vector<gl::Ref>& before, const std::vector<gl::Ref>& after,
                     const char* message) {
-  c.expect([=](Played& played) {
+  c.expect([=](CheckedTrace& checked) {
     bool changed = false, left_out = false;
     for (std::size_t i = 0; i < before.size(); ++i) {
       if (before[i].index < 0 || after[i].index < 0)
         left_out = true;
       else
-        changed = changed || !played.trace().same(before[i], played.trace(), after[i]);
+        changed = changed || !checked.trace().same(before[i], checked.trace(), after[i]);
     }
     if (!changed && left_out) throw NotObservable("the queries that may show it crash or are rejected");
-    played.expect(changed, after.front(), message, "other answers", "the same answers");
+    checked.expect(changed, after.front(), message, "other answers", "the same answers");
   });
 }
 
@@ -209,12 +209,13 @@ void expect_listed(Test& t, const std::string& identity, const Map& map, bool do
   c.check();
 }
 
-EVALCTS_TEST(DisplayLists, PointsReadWhileCompiling, kMust, "EV-DL-POINTS-COPIED", combine(kFates))
-(Test& t, const Fate& fate) {
+EVALCTS_TEST(DisplayLists, PointsReadWhileCompiling, kMust, "EV-DL-POINTS-COPIED", combine(kTreatments))
+(Test& t, const Treatment& treatment) {
   for (const TargetForm& form : target_forms(kCurves))
-    expect_listed(t, form.name, random_map(t, form.target, 5, 6), form.doubles, fate.after);
+    expect_listed(t, form.name, random_map(t, form.target, 5, 6), form.doubles, treatment.after);
   for (const TargetForm& form : target_forms(kSurfaces))
-    expect_listed(t, form.name, random_map(t, form.target, {3, 4}, kLayouts[3]), form.doubles, fate.after);
+    expect_listed(t, form.name, random_map(t, form.target, {3, 4}, kLayouts[3]), form.doubles,
+                  treatment.after);
 };
 
 // Two lists are compiled from the same memory, with different contents.

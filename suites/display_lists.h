@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "grid_cases.h"
-#include "refusal.h"
+#include "rejection.h"
 
 namespace evalcts::suite_display_lists {
 

@@ -235,38 +235,38 @@ gl::Case without_edge_flags(const gl::Case& commands) {
   return c;
 }
 
-void expect_mesh_like_explicit(Played& played, const Part& seen, const Part& control) {
+void expect_mesh_like_explicit(CheckedTrace& checked, const Part& seen, const Part& control) {
   const Part plain = with_plain_lines(control);
-  expect_like_explicit(played, in_order_of(plain, with_plain_lines(seen)), plain);
+  expect_like_explicit(checked, in_order_of(plain, with_plain_lines(seen)), plain);
 }
 
 void expect_meshes_like_explicit(Picture& picture, const Picture& control) {
   for (std::size_t i = 0; i < picture.parts.size(); ++i)
-    expect_mesh_like_explicit(picture.played, picture.parts[i], control.parts.at(i));
+    expect_mesh_like_explicit(picture.checked, picture.parts[i], control.parts.at(i));
 }
 
-void expect_drawn_like_explicit(Played& played, const Drawing& drawing, const Part& seen,
+void expect_drawn_like_explicit(CheckedTrace& checked, const Drawing& drawing, const Part& seen,
                                 const Part& control) {
   if (drawing.primitive != GL_QUAD_STRIP) {
     if (drawing.predicted.has_meshes()) {
-      expect_mesh_like_explicit(played, seen, control);
+      expect_mesh_like_explicit(checked, seen, control);
     } else {
-      expect_like_explicit(played, with_plain_lines(seen), with_plain_lines(control));
+      expect_like_explicit(checked, with_plain_lines(seen), with_plain_lines(control));
     }
     return;
   }
   const Vertices vertices = matched(seen, control);
-  played.expect(vertices.elsewhere == 0, seen.shown,
-                fmt::format("{} vertices are where no explicit one is ({})", vertices.elsewhere, seen.name),
-                "no other vertices", fmt::format("{} other vertices", vertices.elsewhere));
-  expect_like_explicit(played, {seen.name, seen.shown, flat(vertices.seen)},
+  checked.expect(vertices.elsewhere == 0, seen.shown,
+                 fmt::format("{} vertices are where no explicit one is ({})", vertices.elsewhere, seen.name),
+                 "no other vertices", fmt::format("{} other vertices", vertices.elsewhere));
+  expect_like_explicit(checked, {seen.name, seen.shown, flat(vertices.seen)},
                        {control.name, control.shown, flat(vertices.of_control)});
 }
 
 void expect_drawn_like_explicit(Picture& picture, const std::vector<Drawing>& drawings,
                                 const Picture& control) {
   for (std::size_t i = 0; i < picture.parts.size(); ++i)
-    expect_drawn_like_explicit(picture.played, drawings[i % drawings.size()], picture.parts[i],
+    expect_drawn_like_explicit(picture.checked, drawings[i % drawings.size()], picture.parts[i],
                                control.parts.at(i));
 }
 
@@ -274,8 +274,8 @@ bool lit(const Part& part) {
   return std::ranges::any_of(part.values, [](double value) { return value > 0.05; });
 }
 
-std::size_t count_lit(const Played& played, gl::Ref read) {
-  const std::vector<GLfloat> values = played.trace().values<GLfloat>(read);
+std::size_t count_lit(const CheckedTrace& checked, gl::Ref read) {
+  const std::vector<GLfloat> values = checked.trace().values<GLfloat>(read);
   return static_cast<std::size_t>(std::ranges::count_if(values, [](float value) { return value > 0.05f; }));
 }
 

@@ -76,14 +76,14 @@ gl::Case without_edge_flags(const gl::Case& commands);
 // --- Comparisons -----------------------------------------------------------------------------------------
 
 // Expects the feedback of a mesh of points or lines to have the points or lines of the control, in any order.
-void expect_mesh_like_explicit(Played& played, const Part& seen, const Part& control);
+void expect_mesh_like_explicit(CheckedTrace& checked, const Part& seen, const Part& control);
 // The same for all parts of the picture.
 void expect_meshes_like_explicit(Picture& picture, const Picture& control);
 
 // Expects the feedback of a drawing to be like that of the control: its points and lines one by one, for
 // meshes in any order; for quads only the vertices of its polygons, because implementations may split quads
 // freely.
-void expect_drawn_like_explicit(Played& played, const Drawing& drawing, const Part& seen,
+void expect_drawn_like_explicit(CheckedTrace& checked, const Drawing& drawing, const Part& seen,
                                 const Part& control);
 void expect_drawn_like_explicit(Picture& picture, const std::vector<Drawing>& drawings,
                                 const Picture& control);
@@ -91,7 +91,7 @@ void expect_drawn_like_explicit(Picture& picture, const std::vector<Drawing>& dr
 // Returns true if any value of the part is above 0.05.
 bool lit(const Part& part);
 // Returns the number of values above 0.05 that a ReadPixels command returned.
-std::size_t count_lit(const Played& played, gl::Ref read);
+std::size_t count_lit(const CheckedTrace& checked, gl::Ref read);
 
 // The whole window.
 inline constexpr Area kWindow = {0, 0, kSide, kSide};

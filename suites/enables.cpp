@@ -5,7 +5,7 @@
 #include <evalcts/testkit/registration.h>
 #include "checked_case.h"
 #include "dimensions.h"
-#include "refusal.h"
+#include "rejection.h"
 
 namespace evalcts::suite_enables {
 namespace {
@@ -105,9 +105,9 @@ EVALCTS_TEST(Enables, BetweenBeginAndEnd, kMust, "EV-EN-BEGINEND",
     const gl::Ref inside = attempt.call(c, cap);
     c.End();
     const gl::Ref error = c.GetError();
-    c.expect([&](Played& played) {
-      if (!attempt.is_query) return played.expect_error(error, {GL_INVALID_OPERATION});
-      expect_error_of_query(t, played, error, [](gl::Case& other) { other.IsEnabled(GL_LIGHTING); });
+    c.expect([&](CheckedTrace& checked) {
+      if (!attempt.is_query) return checked.expect_error(error, {GL_INVALID_OPERATION});
+      expect_error_of_query(t, checked, error, [](gl::Case& other) { other.IsEnabled(GL_LIGHTING); });
     });
     c.expect_result(inside, 0);
     c.expect_enabled(cap, attempt.on_before);

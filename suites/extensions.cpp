@@ -6,7 +6,7 @@
 #include <evalcts/testkit/registration.h>
 #include "pictures.h"
 #include "programs.h"
-#include "refusal.h"
+#include "rejection.h"
 
 namespace evalcts::suite_extensions {
 namespace {
@@ -30,13 +30,13 @@ EVALCTS_TEST(Extensions, UnknownTarget, kMust, "EV-EXT-UNKNOWN-TARGET", combine(
   if (has(t, foreign.extension)) throw NotSupported(fmt::format("{} gives it a meaning", foreign.extension));
   const GLenum target = foreign.target;
   const std::vector<float> points(64, 0.5f);
-  expect_refused(t, "a token of an unsupported extension",
-                 {[&](gl::Case& c) { c.Map1f(target, 0.0f, 1.0f, 4, 2, points); },
-                  [&](gl::Case& c) { c.Map2f(target, 0.0f, 1.0f, 4, 2, 0.0f, 1.0f, 8, 2, points); },
-                  [&](gl::Case& c) { c.GetMapfv(target, GL_ORDER, gl::out<GLfloat>(4)); },
-                  [&](gl::Case& c) { c.Enable(target); }, [&](gl::Case& c) { c.Disable(target); },
-                  [&](gl::Case& c) { c.IsEnabled(target); }},
-                 {GL_INVALID_ENUM});
+  expect_rejected(t, "a token of an unsupported extension",
+                  {[&](gl::Case& c) { c.Map1f(target, 0.0f, 1.0f, 4, 2, points); },
+                   [&](gl::Case& c) { c.Map2f(target, 0.0f, 1.0f, 4, 2, 0.0f, 1.0f, 8, 2, points); },
+                   [&](gl::Case& c) { c.GetMapfv(target, GL_ORDER, gl::out<GLfloat>(4)); },
+                   [&](gl::Case& c) { c.Enable(target); }, [&](gl::Case& c) { c.Disable(target); },
+                   [&](gl::Case& c) { c.IsEnabled(target); }},
+                  {GL_INVALID_ENUM});
 };
 
 // --- ARB_vertex_program ------------------------------------------------------------------------------------
@@ -93,7 +93,7 @@ void expect_colors(Test& t, const gl::Case& state, const std::vector<Color>& col
     throw NotObservable("pipeline: with explicit vertices " + why);
   Picture picture = feedback(t, "evaluated", state, draw(true));
   const std::string why = wrong(picture.parts.at(0));
-  picture.played.expect(why.empty(), picture.parts.at(0).shown, why, "the output of the program", why);
+  picture.checked.expect(why.empty(), picture.parts.at(0).shown, why, "the output of the program", why);
 }
 
 EVALCTS_TEST(VertexPrograms, Run, kMust, "EV-EXT-ARBVP-RUN")

@@ -104,7 +104,7 @@ EVALCTS_TEST(Feedback, LineStarts, kQuality, "EV-FB-LINE")
   Picture picture = feedback(t, "evaluated", scenes_of(drawings, true));
   for (std::size_t i = 0; i < drawings.size(); ++i) {
     const Part& part = picture.parts[i];
-    picture.played.expect(
+    picture.checked.expect(
         !starts_elsewhere(drawings[i], part), part.shown,
         fmt::format("LINE_RESET_TOKEN at a segment that is not the first of its strip ({})", part.name),
         "LINE_TOKEN", "LINE_RESET_TOKEN");
@@ -157,13 +157,13 @@ EVALCTS_TEST(Feedback, FillMesh, kMust, "EV-FB-FILL")
   Picture picture = feedback(t, "evaluated", scenes_of(drawings, true, "inside", not_moved()));
   const Part& seen = picture.parts[0];
   const std::vector<FeedbackPrimitive> polygons = primitives_of(seen);
-  picture.played.expect(are_all(polygons, {GL_POLYGON_TOKEN}), seen.shown,
-                        "not all that comes back of a FILL mesh are polygons", "POLYGON_TOKEN", "others");
-  picture.played.expect(
+  picture.checked.expect(are_all(polygons, {GL_POLYGON_TOKEN}), seen.shown,
+                         "not all that comes back of a FILL mesh are polygons", "POLYGON_TOKEN", "others");
+  picture.checked.expect(
       polygons.size() >= kQuads && polygons.size() <= 2 * kQuads, seen.shown,
       fmt::format("{} polygons come back of a FILL mesh of {} quads", polygons.size(), kQuads),
       fmt::format("{} to {}", kQuads, 2 * kQuads), std::to_string(polygons.size()));
-  expect_like_explicit(picture.played, areas_of(seen), areas_of(expected));
+  expect_like_explicit(picture.checked, areas_of(seen), areas_of(expected));
   expect_drawn_like_explicit(picture, drawings, control);
 };
 
@@ -318,7 +318,7 @@ EVALCTS_TEST(Feedback, FlatColors, kMust, "EV-FB-COLOR")
     }
     if (expected.values.empty()) continue;
     observed = true;
-    expect_like_explicit(picture.played, seen, expected);
+    expect_like_explicit(picture.checked, seen, expected);
   }
   if (!observed) throw NotObservable("pipeline: explicit primitives are not flat in feedback mode");
 };

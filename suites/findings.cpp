@@ -7,7 +7,7 @@
 namespace evalcts::suite_findings {
 namespace {
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool kRegistered = [] {
   for (const fuzz::KnownFinding& finding : fuzz::known_findings())
     declare({"Findings", finding.name, {finding.requirement}, Level::kMust, nullptr}) << [&finding](Test& t) {
       fuzz::expect_as_specified(t, finding.program, specify(finding.program, t.max_order()));

@@ -3,6 +3,12 @@
 
 namespace evalcts {
 
+std::vector<double> unit_steps(int count) {
+  std::vector<double> us;
+  for (int i = 0; i <= count; ++i) us.push_back(static_cast<double>(i) / count);
+  return us;
+}
+
 std::vector<gl::Delivery> in_lists() { return gl::without(gl::kRepetition, gl::list_deliveries()); }
 
 std::vector<gl::Delivery> without_lists() {
@@ -72,12 +78,12 @@ Failure failure_of(const gl::Case& c, std::string what, std::string message, std
   return failure;
 }
 
-void expect_query_refused(Test& t, gl::Case c, gl::Ref query, std::initializer_list<GLenum> allowed) {
+void expect_query_rejected(Test& t, gl::Case c, gl::Ref query, std::initializer_list<GLenum> allowed) {
   const gl::Ref first = c.GetError(), second = c.GetError();
-  Played played = t.play(c);
-  played.expect_error(first, allowed);
-  played.expect_no_error(second);
-  played.expect_nothing_written(query);
+  CheckedTrace checked = t.play(c);
+  checked.expect_error(first, allowed);
+  checked.expect_no_error(second);
+  checked.expect_nothing_written(query);
 }
 
 }  // namespace evalcts

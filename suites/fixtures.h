@@ -24,6 +24,9 @@ struct Named {
 inline constexpr GLint kHighest = std::numeric_limits<GLint>::max();
 inline constexpr GLint kLowest = std::numeric_limits<GLint>::min();
 
+// Returns the count + 1 multiples of 1/count in [0,1].
+std::vector<double> unit_steps(int count);
+
 // Deliveries of unmodified cases, without and with display lists, except those that draw everything twice.
 // Used by tests with a judge of their own.
 std::vector<gl::Delivery> in_lists();
@@ -67,6 +70,6 @@ Failure failure_of(const gl::Case& c, std::string what, std::string message, std
 
 // Runs `c` with two GetError appended. Expects the first to return one of `allowed` and the second NO_ERROR,
 // and `query`, a command of `c`, to write nothing.
-void expect_query_refused(Test& t, gl::Case c, gl::Ref query, std::initializer_list<GLenum> allowed);
+void expect_query_rejected(Test& t, gl::Case c, gl::Ref query, std::initializer_list<GLenum> allowed);
 
 }  // namespace evalcts

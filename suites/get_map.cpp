@@ -23,10 +23,10 @@ const auto kEachPlainTarget = [](bool two) {
 };
 
 void expect_count(CheckedCase& c, gl::Ref query, std::size_t count) {
-  c.expect([=](Played& played) {
-    const std::size_t written = played.trace().written(query);
-    played.expect(written == count, query, "another number of values is answered",
-                  fmt::format("{} values", count), fmt::format("{} values", written));
+  c.expect([=](CheckedTrace& checked) {
+    const std::size_t written = checked.trace().written(query);
+    checked.expect(written == count, query, "another number of values is answered",
+                   fmt::format("{} values", count), fmt::format("{} values", written));
   });
 }
 
@@ -37,8 +37,8 @@ void expect_unchanged_values(CheckedCase& c, gl::Ref query, const std::vector<do
   // a domain as a small difference of large numbers.
   double tolerance = 0;
   for (const double value : expected) tolerance = std::max(tolerance, 1e-5 * std::abs(value));
-  c.expect([=](Played& played) {
-    const gl::Trace& trace = played.trace();
+  c.expect([=](CheckedTrace& checked) {
+    const gl::Trace& trace = checked.trace();
     std::vector<double> values;
     if (trace.type(query) == gl::Scalar::kF64) {
       values = trace.values<GLdouble>(query);
@@ -49,7 +49,7 @@ void expect_unchanged_values(CheckedCase& c, gl::Ref query, const std::vector<do
     for (std::size_t i = 0; i < expected.size(); ++i)
       if (!(std::abs(values[i] - expected[i]) <= tolerance))
         throw NotObservable("the answer is wrong, which the tests OrderDomainAndPoints judge");
-    played.expect_values(query, expected);
+    checked.expect_values(query, expected);
   });
 }
 
@@ -181,6 +181,21 @@ EVALCTS_TEST_PAIR(GetMap.PackBufferIgnored, GetMap2.PackBufferIgnored, kMust,
 
 // --- One dimension, and errors ---------------------------------------------------------------------------
 
+// Expects the answers to queries of the map. Their arrays have exactly the size of the answers.
+void expect_order_domain_and_points(const Test& t, CheckedCase& c, const Map& map) {
+  const std::size_t dimensions = map.two ? 2 : 1, count = map.coefficients().size();
+  c.expect_values(c.GetMapfv(map.target, GL_ORDER, gl::out<GLfloat>(dimensions)), map.orders());
+  if (t.gl().has_get_mapdv)
+    c.expect_values(c.GetMapdv(map.target, GL_ORDER, gl::out<GLdouble>(dimensions)), map.orders());
+  c.expect_values(c.GetMapiv(map.target, GL_ORDER, gl::out<GLint>(dimensions)), map.orders());
+  c.expect_values_near(c.GetMapfv(map.target, GL_DOMAIN, gl::out<GLfloat>(2 * dimensions)), map.domain());
+  if (t.gl().has_get_mapdv)
+    c.expect_values_near(c.GetMapdv(map.target, GL_DOMAIN, gl::out<GLdouble>(2 * dimensions)), map.domain());
+  c.expect_values_near(c.GetMapfv(map.target, GL_COEFF, gl::out<GLfloat>(count)), map.coefficients());
+  if (t.gl().has_get_mapdv)
+    c.expect_values_near(c.GetMapdv(map.target, GL_COEFF, gl::out<GLdouble>(count)), map.coefficients());
+}
+
 // The array has exactly the size of the answer, so that a further value is written into the guard after it.
 // If GetMapdv is missing, which Api.EntryPoint reports, the other queries are judged.
 EVALCTS_TEST(GetMap, OrderDomainAndPoints, kMust, "EV-GETMAP-ORDER1", "EV-GETMAP-DOMAIN1", "EV-GETMAP-COEFF1",
@@ -192,17 +207,8 @@ EVALCTS_TEST(GetMap, OrderDomainAndPoints, kMust, "EV-GETMAP-ORDER1", "EV-GETMAP
       const Map map = over(random_map(t, target, order, k + 2), {5, -2.25});
       CheckedCase c(t, fmt::format("order {} form {}, domain (5, -2.25), stride k+2", order, form.name));
       define(c, map, form.doubles);
+      expect_order_domain_and_points(t, c, map);
       const auto count = static_cast<std::size_t>(order * k);
-      c.expect_values(c.GetMapfv(target, GL_ORDER, gl::out<GLfloat>(1)), map.orders());
-      if (t.gl().has_get_mapdv)
-        c.expect_values(c.GetMapdv(target, GL_ORDER, gl::out<GLdouble>(1)), map.orders());
-      c.expect_values(c.GetMapiv(target, GL_ORDER, gl::out<GLint>(1)), map.orders());
-      c.expect_values_near(c.GetMapfv(target, GL_DOMAIN, gl::out<GLfloat>(2)), map.domain());
-      if (t.gl().has_get_mapdv)
-        c.expect_values_near(c.GetMapdv(target, GL_DOMAIN, gl::out<GLdouble>(2)), map.domain());
-      c.expect_values_near(c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(count)), map.coefficients());
-      if (t.gl().has_get_mapdv)
-        c.expect_values_near(c.GetMapdv(target, GL_COEFF, gl::out<GLdouble>(count)), map.coefficients());
       expect_count(c, c.GetMapiv(target, GL_DOMAIN, gl::out<GLint>(2)), 2);
       expect_count(c, c.GetMapiv(target, GL_COEFF, gl::out<GLint>(count)), count);
       c.check();
@@ -211,8 +217,8 @@ EVALCTS_TEST(GetMap, OrderDomainAndPoints, kMust, "EV-GETMAP-ORDER1", "EV-GETMAP
 
 constexpr GLenum kOutside = GL_POLYGON + 1;
 
-void expect_refused(Test& t, const Getter& getter, GLenum target, GLenum query, GLenum error,
-                    GLenum primitive = kOutside) {
+void expect_rejected(Test& t, const Getter& getter, GLenum target, GLenum query, GLenum error,
+                     GLenum primitive = kOutside) {
   const bool inside = primitive != kOutside;
   gl::Case c(gl::token_name(target) + " " + gl::token_name(query) +
              (inside ? " in " + gl::primitive_name(primitive) : ""));
@@ -220,7 +226,7 @@ void expect_refused(Test& t, const Getter& getter, GLenum target, GLenum query, 
   if (inside && primitive != GL_POINTS) c.Vertex3f(1, 2, 3);
   const gl::Ref get = getter.get(c, target, query, 256);
   if (inside) c.End();
-  expect_query_refused(t, c, get, {error});
+  expect_query_rejected(t, c, get, {error});
 }
 
 EVALCTS_TEST(GetMap, BadTarget, kMust, "EV-GETMAP-ERR-TARGET", "EV-GETMAP-ERR-NOWRITE", combine(kGetters))
@@ -229,7 +235,7 @@ EVALCTS_TEST(GetMap, BadTarget, kMust, "EV-GETMAP-ERR-TARGET", "EV-GETMAP-ERR-NO
                               static_cast<GLenum>(GL_TEXTURE_2D), static_cast<GLenum>(GL_AUTO_NORMAL),
                               static_cast<GLenum>(GL_MAP1_GRID_DOMAIN)})
     for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
-      expect_refused(t, getter, target, query, GL_INVALID_ENUM);
+      expect_rejected(t, getter, target, query, GL_INVALID_ENUM);
 };
 
 EVALCTS_TEST(GetMap, BadQuery, kMust, "EV-GETMAP-ERR-QUERY", "EV-GETMAP-ERR-NOWRITE", combine(kGetters))
@@ -237,7 +243,7 @@ EVALCTS_TEST(GetMap, BadQuery, kMust, "EV-GETMAP-ERR-QUERY", "EV-GETMAP-ERR-NOWR
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_INDEX, GL_MAP2_COLOR_4})
     for (const GLenum query : {0u, 0x09FFu, 0x0A03u, 0x0B01u, 0x10A00u,
                                static_cast<GLenum>(GL_MAX_EVAL_ORDER), static_cast<GLenum>(GL_MAP1_VERTEX_3)})
-      expect_refused(t, getter, target, query, GL_INVALID_ENUM);
+      expect_rejected(t, getter, target, query, GL_INVALID_ENUM);
 };
 
 EVALCTS_TEST(GetMap, BetweenBeginAndEnd, kMust, "EV-GETMAP-ERR-BEGINEND", "EV-GETMAP-ERR-NOWRITE",
@@ -246,7 +252,7 @@ EVALCTS_TEST(GetMap, BetweenBeginAndEnd, kMust, "EV-GETMAP-ERR-BEGINEND", "EV-GE
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP2_INDEX})
     for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
       for (const GLenum primitive : {GL_POINTS, GL_TRIANGLES, GL_POLYGON})
-        expect_refused(t, getter, target, query, GL_INVALID_OPERATION, primitive);
+        expect_rejected(t, getter, target, query, GL_INVALID_OPERATION, primitive);
 };
 
 EVALCTS_TEST(GetMap, ChangesNothing, kMust, "EV-GETMAP-NOSIDE/1-D", combine(kGetters))
@@ -280,24 +286,14 @@ EVALCTS_TEST(GetMap, KeepsTheErrorThatWaits, kMust, "EV-GETMAP-NOSIDE", combine(
 // Expects the orders, the domain and the points of a map in both forms and in several layouts. The arrays
 // have exactly the size of the answers, so that a further value is written into the guard after them.
 void expect_answered(Test& t, GLenum target, int uorder, int vorder) {
-  const int k = gl::components_of(target), max = t.max_order();
+  const int max = t.max_order();
   const auto shown = [max](int order) { return order == max ? "MAX" : std::to_string(order); };
   CheckedCase c(t, fmt::format("order {}x{}, domain (5, -2.25, 0.5, 7)", shown(uorder), shown(vorder)));
   for (const Layout& layout : {kLayouts[0], kLayouts[1], kLayouts[2], kLayouts[3]})
     for (const Form& form : forms_of(t)) {
       const Map map = over(random_map(t, target, {uorder, vorder}, layout), {5, -2.25}, {0.5, 7});
       define(c, map, form.doubles);
-      const auto count = static_cast<std::size_t>(uorder * vorder * k);
-      c.expect_values(c.GetMapfv(target, GL_ORDER, gl::out<GLfloat>(2)), map.orders());
-      if (t.gl().has_get_mapdv)
-        c.expect_values(c.GetMapdv(target, GL_ORDER, gl::out<GLdouble>(2)), map.orders());
-      c.expect_values(c.GetMapiv(target, GL_ORDER, gl::out<GLint>(2)), map.orders());
-      c.expect_values_near(c.GetMapfv(target, GL_DOMAIN, gl::out<GLfloat>(4)), map.domain());
-      if (t.gl().has_get_mapdv)
-        c.expect_values_near(c.GetMapdv(target, GL_DOMAIN, gl::out<GLdouble>(4)), map.domain());
-      c.expect_values_near(c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(count)), map.coefficients());
-      if (t.gl().has_get_mapdv)
-        c.expect_values_near(c.GetMapdv(target, GL_COEFF, gl::out<GLdouble>(count)), map.coefficients());
+      expect_order_domain_and_points(t, c, map);
     }
   c.check();
 }
@@ -397,7 +393,7 @@ EVALCTS_TEST(Get, BetweenBeginAndEnd, kMust, "EV-GET-ERR-BEGINEND")
                                           : c.GetDoublev(name, gl::out<GLdouble>(8));
       c.End();
       c.expect_error(GL_INVALID_OPERATION);
-      c.expect([=](Played& played) { played.expect_nothing_written(get); });
+      c.expect([=](CheckedTrace& checked) { checked.expect_nothing_written(get); });
       c.check();
     }
 };

@@ -68,13 +68,13 @@ GLsizei bytes_of(const Getter& getter, const Answer& answer) {
 }
 
 // Expects the query to raise one of these errors and to write nothing.
-void expect_refused(Test& t, const Getter& getter, const std::string& identity, GLenum target, GLenum query,
-                    GLsizei bytes, std::initializer_list<GLenum> errors, bool inside = false) {
+void expect_rejected(Test& t, const Getter& getter, const std::string& identity, GLenum target, GLenum query,
+                     GLsizei bytes, std::initializer_list<GLenum> errors, bool inside = false) {
   gl::Case c = with_maps(t, kCurves, identity);
   if (inside) c.Begin(GL_POLYGON);
   const gl::Ref get = getter.getn(c, target, query, bytes, kRoom);
   if (inside) c.End();
-  expect_query_refused(t, c, get, errors);
+  expect_query_rejected(t, c, get, errors);
 }
 
 std::string named(GLenum target, GLenum query) {
@@ -82,15 +82,15 @@ std::string named(GLenum target, GLenum query) {
 }
 
 // The same for all two-dimensional targets and queries, with each of the sizes in bytes.
-void expect_sizes_refused2(Test& t, const Getter& getter, const std::string& identity,
-                           std::vector<GLsizei> (*sizes)(GLsizei exact, GLsizei element), GLenum error,
-                           GLenum other_error) {
+void expect_sizes_rejected2(Test& t, const Getter& getter, const std::string& identity,
+                            std::vector<GLsizei> (*sizes)(GLsizei exact, GLsizei element), GLenum error,
+                            GLenum other_error) {
   CheckedCase c = with_maps(t, kSurfaces, identity);
   for (const Answer& answer : answers(kSurfaces))
     for (const GLsizei bytes : sizes(bytes_of(getter, answer), static_cast<GLsizei>(getter.element))) {
       const gl::Ref get = getter.getn(c, answer.target, answer.query, bytes, kRoom);
       c.expect_error(error, other_error);
-      c.expect([=](Played& played) { played.expect_nothing_written(get); });
+      c.expect([=](CheckedTrace& checked) { checked.expect_nothing_written(get); });
     }
   c.check();
 }
@@ -104,11 +104,11 @@ EVALCTS_TEST_PAIR(GetnMap.SameAsGetMap, GetnMap.SameAsGetMap2, kMust, "EV-GETN-S
          {static_cast<GLsizei>(kRoom * getter.element), std::numeric_limits<GLsizei>::max()}) {
       const gl::Ref get = getter.get(c, answer.target, answer.query, kRoom);
       const gl::Ref getn = getter.getn(c, answer.target, answer.query, bytes, kRoom);
-      c.expect([=](Played& played) {
+      c.expect([=](CheckedTrace& checked) {
         // Otherwise two queries that write nothing would pass.
-        played.expect(played.trace().written(get) > 0, get, "the query of the control writes nothing",
-                      "an answer", "nothing");
-        played.expect_same(get, getn);
+        checked.expect(checked.trace().written(get) > 0, get, "the query of the control writes nothing",
+                       "an answer", "nothing");
+        checked.expect_same(get, getn);
       });
     }
   c.check();
@@ -134,15 +134,15 @@ EVALCTS_TEST(GetnMap, TooSmall, kMust, "EV-GETN-SMALL", combine(kGetters))
   for (const Answer& answer : answers(kCurves)) {
     const GLsizei exact = bytes_of(getter, answer);
     for (const GLsizei bytes : {exact - 1, exact - static_cast<GLsizei>(getter.element), 0})
-      expect_refused(t, getter,
-                     fmt::format("{} {} of {} bytes", named(answer.target, answer.query), bytes, exact),
-                     answer.target, answer.query, bytes, {GL_INVALID_OPERATION});
+      expect_rejected(t, getter,
+                      fmt::format("{} {} of {} bytes", named(answer.target, answer.query), bytes, exact),
+                      answer.target, answer.query, bytes, {GL_INVALID_OPERATION});
   }
 };
 
 EVALCTS_TEST(GetnMap, TooSmall2, kMust, "EV-GETN-SMALL", combine(kGetters))
 (Test& t, const Getter& getter) {
-  expect_sizes_refused2(
+  expect_sizes_rejected2(
       t, getter, "one byte, one value, all of them too few, for every target and query",
       [](GLsizei exact, GLsizei element) {
         return std::vector<GLsizei>{exact - 1, exact - element, 0};
@@ -154,13 +154,13 @@ EVALCTS_TEST(GetnMap, NegativeSize, kMust, "EV-GETN-NEGATIVE", combine(kGetters)
 (Test& t, const Getter& getter) {
   for (const Answer& answer : answers(kCurves))
     for (const GLsizei bytes : {-1, -1000})
-      expect_refused(t, getter, fmt::format("{} {} bytes", named(answer.target, answer.query), bytes),
-                     answer.target, answer.query, bytes, {GL_INVALID_VALUE, GL_INVALID_OPERATION});
+      expect_rejected(t, getter, fmt::format("{} {} bytes", named(answer.target, answer.query), bytes),
+                      answer.target, answer.query, bytes, {GL_INVALID_VALUE, GL_INVALID_OPERATION});
 };
 
 EVALCTS_TEST(GetnMap, NegativeSize2, kMust, "EV-GETN-NEGATIVE", combine(kGetters))
 (Test& t, const Getter& getter) {
-  expect_sizes_refused2(
+  expect_sizes_rejected2(
       t, getter, "-1 and -1000 bytes, for every target and query",
       [](GLsizei, GLsizei) {
         return std::vector<GLsizei>{-1, -1000};
@@ -173,14 +173,14 @@ EVALCTS_TEST(GetnMap, ErrorsOfGetMap, kMust, "EV-GETN-ERRORS", combine(kGetters)
   const auto bytes = static_cast<GLsizei>(kRoom * getter.element);
   for (const GLenum target : {0u, 0x0D8Fu, 0x0D99u, 0x10D97u, 0x10DB0u, static_cast<GLenum>(GL_AUTO_NORMAL)})
     for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
-      expect_refused(t, getter, named(target, query), target, query, bytes, {GL_INVALID_ENUM});
+      expect_rejected(t, getter, named(target, query), target, query, bytes, {GL_INVALID_ENUM});
   for (const GLenum query : {0u, 0x0A03u, 0x0B01u, static_cast<GLenum>(GL_MAX_EVAL_ORDER)})
-    expect_refused(t, getter, named(GL_MAP1_VERTEX_3, query), GL_MAP1_VERTEX_3, query, bytes,
-                   {GL_INVALID_ENUM});
+    expect_rejected(t, getter, named(GL_MAP1_VERTEX_3, query), GL_MAP1_VERTEX_3, query, bytes,
+                    {GL_INVALID_ENUM});
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_3, GL_MAP2_COLOR_4})
     for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
-      expect_refused(t, getter, named(target, query) + " between Begin and End", target, query, bytes,
-                     {GL_INVALID_OPERATION}, true);
+      expect_rejected(t, getter, named(target, query) + " between Begin and End", target, query, bytes,
+                      {GL_INVALID_OPERATION}, true);
 };
 
 }  // namespace

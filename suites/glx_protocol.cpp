@@ -8,7 +8,7 @@
 
 #include "checked_case.h"
 #include "glx_requests.h"
-#include "refusal.h"
+#include "rejection.h"
 
 namespace evalcts::suite_glx_protocol {
 namespace {
@@ -17,15 +17,15 @@ constexpr std::size_t kRoom = 1 << 16;  // bytes; enough for the requests of sma
 
 // Returns the evaluator commands among the recorded requests; if these are malformed, none, and the test
 // fails.
-std::vector<SentCommand> sent_commands(Played& played, gl::Ref recorded, std::size_t room = kRoom) {
-  const auto size = static_cast<std::size_t>(played.trace().result(recorded));
+std::vector<SentCommand> sent_commands(CheckedTrace& checked, gl::Ref recorded, std::size_t room = kRoom) {
+  const auto size = static_cast<std::size_t>(checked.trace().result(recorded));
   if (size > room) throw std::logic_error("the requests do not fit");
-  Bytes requests = played.trace().values<GLubyte>(recorded);
+  Bytes requests = checked.trace().values<GLubyte>(recorded);
   requests.resize(size);
   try {
     return evaluator_commands(requests);
   } catch (const std::runtime_error& malformed) {
-    played.expect(false, recorded, "malformed requests", "whole requests", malformed.what());
+    checked.expect(false, recorded, "malformed requests", "whole requests", malformed.what());
     return {};
   }
 }
@@ -42,10 +42,10 @@ void expect_sent(Test& t, const std::string& identity, const Calls& issue,
   issue(c);
   const gl::Ref error = c.GetError();
   const gl::Ref recorded = recorded_requests(c, room);
-  Played played = t.play(c);
-  played.expect_no_error(error);
-  const std::vector<SentCommand> sent = sent_commands(played, recorded, room);
-  played.expect(sent == expected, recorded, "wrong requests", in_words(expected), in_words(sent));
+  CheckedTrace checked = t.play(c);
+  checked.expect_no_error(error);
+  const std::vector<SentCommand> sent = sent_commands(checked, recorded, room);
+  checked.expect(sent == expected, recorded, "wrong requests", in_words(expected), in_words(sent));
 }
 
 struct Command {
@@ -67,7 +67,7 @@ const std::vector<double> kUd = {kU}, kUVd = {kU, kV};
 
 // The commands that may be sent, with small arguments. No vertex map is enabled, so they draw nothing.
 const std::vector<Command>& commands() {
-  static const std::vector<Command> all = [] {
+  static const std::vector<Command> kAll = [] {
     const Wire u1 = Wire().float64(kU), u1f = Wire().float32(kUf[0]);
     std::vector<Command> c;
     const auto map1 = make_map1(GL_MAP1_TEXTURE_COORD_2, 0.5, 2, 2, {0.25, -0.75});
@@ -120,35 +120,35 @@ const std::vector<Command>& commands() {
         {"EvalPoint2", [](gl::Case& s) { s.EvalPoint2(-5, 8); }, 158, Wire().int32(-5).int32(8).bytes()});
     return c;
   }();
-  return all;
+  return kAll;
 }
 
 const std::vector<Command>& grids() {
-  static const std::vector<Command> all(commands().begin() + 4, commands().begin() + 8);
-  return all;
+  static const std::vector<Command> kAll(commands().begin() + 4, commands().begin() + 8);
+  return kAll;
 }
 
 // Scalar forms, which are sent as the vector forms.
 const std::vector<Command>& scalar_forms() {
-  static const std::vector<Command> all = {
+  static const std::vector<Command> kAll = {
       {"EvalCoord1d", [](gl::Case& s) { s.EvalCoord1d(kU); }, 151, Wire().reals(kUd, true).bytes()},
       {"EvalCoord1f", [](gl::Case& s) { s.EvalCoord1f(kUf[0]); }, 152, Wire().reals(kUd, false).bytes()},
       {"EvalCoord2d", [](gl::Case& s) { s.EvalCoord2d(kU, kV); }, 153, Wire().reals(kUVd, true).bytes()},
       {"EvalCoord2f", [](gl::Case& s) { s.EvalCoord2f(kUVf[0], kUVf[1]); }, 154,
        Wire().reals(kUVd, false).bytes()}};
-  return all;
+  return kAll;
 }
 
 const std::vector<Command>& queries() {
   const auto asks = [](GLenum target, GLenum query) { return Wire().card32(target).card32(query).bytes(); };
-  static const std::vector<Command> all = {
+  static const std::vector<Command> kAll = {
       {"GetMapdv", [](gl::Case& s) { s.GetMapdv(GL_MAP1_COLOR_4, GL_COEFF, gl::out<GLdouble>(4)); }, 120,
        asks(GL_MAP1_COLOR_4, GL_COEFF)},
       {"GetMapfv", [](gl::Case& s) { s.GetMapfv(GL_MAP2_VERTEX_3, GL_DOMAIN, gl::out<GLfloat>(4)); }, 121,
        asks(GL_MAP2_VERTEX_3, GL_DOMAIN)},
       {"GetMapiv", [](gl::Case& s) { s.GetMapiv(GL_MAP1_NORMAL, GL_ORDER, gl::out<GLint>(1)); }, 122,
        asks(GL_MAP1_NORMAL, GL_ORDER)}};
-  return all;
+  return kAll;
 }
 
 SentCommand sent_map(const Map& map, bool doubles) {
@@ -237,7 +237,7 @@ Erroneous bad_map(const char* name, GLenum target, int ustride, int uorder, int 
 }
 
 const std::vector<Erroneous>& erroneous_maps() {
-  static const std::vector<Erroneous> all = {
+  static const std::vector<Erroneous> kAll = {
       bad_map("Map1f/TARGET", GL_MAP2_VERTEX_3, 3, 2, 1, 1, GL_INVALID_ENUM),
       bad_map("Map1d/TARGET", GL_VERTEX_ARRAY, 3, 2, 1, 1, GL_INVALID_ENUM),
       bad_map("Map2f/TARGET", GL_MAP1_VERTEX_3, 3, 2, 6, 2, GL_INVALID_ENUM),
@@ -252,31 +252,31 @@ const std::vector<Erroneous>& erroneous_maps() {
       bad_map("Map2f/NEGATIVE_UORDER", GL_MAP2_VERTEX_3, 3, -1, 6, 2),
       bad_map("Map2d/UORDER", GL_MAP2_VERTEX_3, 3, -3, 6, 2),
       bad_map("Map2d/BOTH_ORDERS", GL_MAP2_VERTEX_3, 3, -2, 6, -2)};
-  return all;
+  return kAll;
 }
 
 const std::vector<Erroneous>& small_strides() {
-  static const std::vector<Erroneous> all = {bad_map("Map1f", GL_MAP1_VERTEX_3, 2, 2),
-                                             bad_map("Map1d", GL_MAP1_VERTEX_3, 2, 2),
-                                             bad_map("Map2f/USTRIDE", GL_MAP2_VERTEX_3, 2, 2, 6, 2),
-                                             bad_map("Map2d/VSTRIDE", GL_MAP2_VERTEX_3, 6, 2, 2, 2),
-                                             bad_map("Map2f/VSTRIDE", GL_MAP2_VERTEX_3, 6, 2, 2, 2),
-                                             bad_map("Map2d/USTRIDE", GL_MAP2_VERTEX_3, 2, 2, 6, 2),
-                                             bad_map("Map1f/STRIDE_0", GL_MAP1_COLOR_4, 0, 2),
-                                             bad_map("Map1d/ORDER_1", GL_MAP1_VERTEX_4, 3, 1),
-                                             bad_map("Map2f/ORDER_1", GL_MAP2_NORMAL, 2, 1, 0, 1),
-                                             bad_map("Map1d/NEGATIVE", GL_MAP1_INDEX, -1, 2)};
-  return all;
+  static const std::vector<Erroneous> kAll = {bad_map("Map1f", GL_MAP1_VERTEX_3, 2, 2),
+                                              bad_map("Map1d", GL_MAP1_VERTEX_3, 2, 2),
+                                              bad_map("Map2f/USTRIDE", GL_MAP2_VERTEX_3, 2, 2, 6, 2),
+                                              bad_map("Map2d/VSTRIDE", GL_MAP2_VERTEX_3, 6, 2, 2, 2),
+                                              bad_map("Map2f/VSTRIDE", GL_MAP2_VERTEX_3, 6, 2, 2, 2),
+                                              bad_map("Map2d/USTRIDE", GL_MAP2_VERTEX_3, 2, 2, 6, 2),
+                                              bad_map("Map1f/STRIDE_0", GL_MAP1_COLOR_4, 0, 2),
+                                              bad_map("Map1d/ORDER_1", GL_MAP1_VERTEX_4, 3, 1),
+                                              bad_map("Map2f/ORDER_1", GL_MAP2_NORMAL, 2, 1, 0, 1),
+                                              bad_map("Map1d/NEGATIVE", GL_MAP1_INDEX, -1, 2)};
+  return kAll;
 }
 
 // Expects the error once, and no change of state.
 void expect_erroneous(Test& t, const Erroneous& bad) {
-  expect_refused(t, bad.name, {[&](gl::Case& c) {
-                   c.RecordRequestsEVALCTS();  // available only if rendering is indirect
-                   bad.issue(c);
-                   recorded_requests(c);
-                 }},
-                 {bad.error});
+  expect_rejected(t, bad.name, {[&](gl::Case& c) {
+                    c.RecordRequestsEVALCTS();  // available only if rendering is indirect
+                    bad.issue(c);
+                    recorded_requests(c);
+                  }},
+                  {bad.error});
 }
 
 // Expects an erroneous command that is sent at all to have no points after its other parameters.
@@ -286,14 +286,14 @@ void expect_no_points(Test& t, const Erroneous& bad) {
   bad.issue(c);
   c.GetError();
   const gl::Ref recorded = recorded_requests(c);
-  Played played = t.play(c);
+  CheckedTrace checked = t.play(c);
   const auto small = [](unsigned opcode) -> std::size_t {
     return opcode == 143 ? 24 : opcode == 144 ? 16 : opcode == 145 ? 44 : 28;
   };
-  for (const SentCommand& command : sent_commands(played, recorded))
-    played.expect(command.parameters.size() == small(command.opcode), recorded,
-                  "an erroneous command with points",
-                  fmt::format("{} bytes, or no command", small(command.opcode)), in_words({command}));
+  for (const SentCommand& command : sent_commands(checked, recorded))
+    checked.expect(command.parameters.size() == small(command.opcode), recorded,
+                   "an erroneous command with points",
+                   fmt::format("{} bytes, or no command", small(command.opcode)), in_words({command}));
 }
 
 EVALCTS_TEST(GlxProtocol, ErroneousMaps, kMust, "EV-GLX-ERRONEOUS", combine(erroneous_maps()))
@@ -341,9 +341,9 @@ EVALCTS_TEST(GlxProtocol, EmptyReplies, kMust, "EV-GLX-GETMAP-REPLY", combine(kG
   c.expect_error(GL_INVALID_ENUM);
   const gl::Ref bad_target = form.get(c, GL_MAP_COLOR, GL_ORDER, 8);
   c.expect_error(GL_INVALID_ENUM);
-  c.expect([=](Played& played) {
-    played.expect_nothing_written(bad_query);
-    played.expect_nothing_written(bad_target);
+  c.expect([=](CheckedTrace& checked) {
+    checked.expect_nothing_written(bad_query);
+    checked.expect_nothing_written(bad_target);
   });
   c.expect_values(form.get(c, GL_MAP1_VERTEX_3, GL_ORDER, 1), {1});
   c.check();

@@ -164,7 +164,7 @@ void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind
       const auto [lowest, highest] = probed[i].accepted();
       const Grid& grid = grids[i];
       // Each wrong vertex is a mismatch: the end may be a vertex of several primitives.
-      const auto add = [&](double got, const std::string& captured) {
+      const auto add = [&, lowest = lowest, highest = highest](double got, const std::string& captured) {
         Mismatch mismatch;
         mismatch.what =
             fmt::format("{} point of the grid of {} segments from {} to {}", last ? "last" : "first",

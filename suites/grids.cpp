@@ -8,7 +8,7 @@
 #include "checked_case.h"
 #include "dimensions.h"
 #include "grid_cases.h"
-#include "refusal.h"
+#include "rejection.h"
 
 namespace evalcts::suite_grids {
 namespace {
@@ -24,21 +24,21 @@ struct Grids {
 
 // Grids whose ends are representable in single precision, so that all queries return them unchanged.
 const std::vector<Grids>& some_grids1() {
-  static const std::vector<Grids> grids = {{1, 0, 1},
-                                           {7, -2.5, 3.25},
-                                           {9, -2.5, 3.25},  // only the count differs
-                                           {9, -2.5, 4},     // only one end differs
-                                           {3, 9, -4},       // reversed
-                                           {1000, 0x1p-20, 0x1.8p30},
-                                           {65536, -1, -0.5},
-                                           {kHighest, 0.25, 0.5},
-                                           {49, 0.1f, 1.7f},  // ends with 24 significant bits
-                                           {10, -0x1.fffffep0, 0x1.555556p-2},
-                                           {2, -0x1p100, 0x1p100}};
-  return grids;
+  static const std::vector<Grids> kGrids = {{1, 0, 1},
+                                            {7, -2.5, 3.25},
+                                            {9, -2.5, 3.25},  // only the count differs
+                                            {9, -2.5, 4},     // only one end differs
+                                            {3, 9, -4},       // reversed
+                                            {1000, 0x1p-20, 0x1.8p30},
+                                            {65536, -1, -0.5},
+                                            {kHighest, 0.25, 0.5},
+                                            {49, 0.1f, 1.7f},  // ends with 24 significant bits
+                                            {10, -0x1.fffffep0, 0x1.555556p-2},
+                                            {2, -0x1p100, 0x1p100}};
+  return kGrids;
 }
 const std::vector<Grids>& some_grids2() {
-  static const std::vector<Grids> grids = {
+  static const std::vector<Grids> kGrids = {
       {2, 3.5, 4.25, 5, 6.75, 7.125}, {2, 3.5, 4.25, 5, -1, 7.125},
       {2, 3.5, 4.25, 6, -1, 7.125},   {2, 3, 4.25, 6, -1, 7.125},
       {3, 3, 4.25, 6, -1, 7.125},     {5, 7, -8, 2, 9.5, 10},  // u reversed
@@ -46,7 +46,7 @@ const std::vector<Grids>& some_grids2() {
       {4, 2, 1, 3, 0.5, -0.5},                                 // both reversed
       {1, 0, 1, kHighest, 0.125, 8},  {kHighest, -16, 0.375, 1, -0x1p100, 0x1p100},
       {70000, 1, 2, 40000, 3, 4},     {7, 0.1f, 0x1.fffffep0, 3, -1.7f, 0x1.555556p-2}};
-  return grids;
+  return kGrids;
 }
 
 void set(gl::Case& c, const Grids& grid, bool doubles) {
@@ -152,9 +152,9 @@ EVALCTS_TEST(Grids, Independent, kMust, "EV-GRID-INDEP", kEachForm)
 
 EVALCTS_TEST(Grids, NotPositive, kMust, "EV-GRID-ERR-N", "EV-GRID-ERR-NOEFFECT", kEachForm)
 (Test& t, const Form& form) {
-  expect_refused(t, "MapGrid1 of 0, -1, -100 and the lowest int segments",
-                 setting({{0, 2, 3}, {-1, 2, 3}, {-100, 3, 2}, {kLowest, 2, 3}}, form.doubles),
-                 {GL_INVALID_VALUE});
+  expect_rejected(t, "MapGrid1 of 0, -1, -100 and the lowest int segments",
+                  setting({{0, 2, 3}, {-1, 2, 3}, {-100, 3, 2}, {kLowest, 2, 3}}, form.doubles),
+                  {GL_INVALID_VALUE});
 };
 
 EVALCTS_TEST_PAIR(Grids.UNotPositive, Grids.VNotPositive, kMust, decide("EV-GRID-ERR-UN", "EV-GRID-ERR-VN"),
@@ -164,16 +164,16 @@ EVALCTS_TEST_PAIR(Grids.UNotPositive, Grids.VNotPositive, kMust, decide("EV-GRID
       {4, 2, 3, 0, 5, 6}, {4, 2, 3, -1, 5, 6}, {1, 3, 2, -100, 5, 6}, {1000, 2, 3, kLowest, 6, 5}};
   if (!along_v)
     for (Grids& grids : bad) std::swap(grids.u.segments, grids.v->segments);
-  expect_refused(t, fmt::format("{} of 0, -1, -100 and the lowest int", along_v ? "vn" : "un"),
-                 setting(bad, form.doubles), {GL_INVALID_VALUE});
+  expect_rejected(t, fmt::format("{} of 0, -1, -100 and the lowest int", along_v ? "vn" : "un"),
+                  setting(bad, form.doubles), {GL_INVALID_VALUE});
 };
 
 EVALCTS_TEST(Grids, NeitherPositive, kMust, "EV-GRID-ERR-UN", "EV-GRID-ERR-VN", "EV-GRID-ERR-NOEFFECT",
              kEachForm)
 (Test& t, const Form& form) {
-  expect_refused(t, "both counts bad",
-                 setting({{0, 2, 3, 0, 5, 6}, {-1, 2, 3, 0, 5, 6}, {-2, 2, 3, -3, 5, 6}}, form.doubles),
-                 {GL_INVALID_VALUE});
+  expect_rejected(t, "both counts bad",
+                  setting({{0, 2, 3, 0, 5, 6}, {-1, 2, 3, 0, 5, 6}, {-2, 2, 3, -3, 5, 6}}, form.doubles),
+                  {GL_INVALID_VALUE});
 };
 
 EVALCTS_TEST(Grids, BetweenBeginAndEnd, kMust, "EV-GRID-ERR-BEGINEND", "EV-GRID-ERR-NOEFFECT", kEachForm)
@@ -185,7 +185,7 @@ EVALCTS_TEST(Grids, BetweenBeginAndEnd, kMust, "EV-GRID-ERR-BEGINEND", "EV-GRID-
         bad.push_back(in_primitive(mode, after_vertex, [&form, two](gl::Case& c) {
           set(c, two ? Grids{3, 4, 5, 6, 7, 8} : Grids{3, 4, 5}, form.doubles);
         }));
-    expect_refused(t, two ? "MapGrid2" : "MapGrid1", bad, {GL_INVALID_OPERATION});
+    expect_rejected(t, two ? "MapGrid2" : "MapGrid1", bad, {GL_INVALID_OPERATION});
   }
 };
 

@@ -109,7 +109,7 @@ EVALCTS_TEST(InitialState, Domain, kQuality, "EV-INIT-DOMAIN")
   for (const GLenum target : all_targets()) {
     CheckedCase c(t, label(target));
     const std::vector<double> expected =
-        is_two_dimensional(target) ? std::vector<double>{0, 1, 0, 1} : std::vector<double>{0, 1};
+        reference::is_map2_target(target) ? std::vector<double>{0, 1, 0, 1} : std::vector<double>{0, 1};
     c.expect_values(c.GetMapfv(target, GL_DOMAIN, gl::out<GLfloat>(4)), expected);
     c.expect_values(c.GetMapdv(target, GL_DOMAIN, gl::out<GLdouble>(4)), expected);
     c.check();
@@ -184,11 +184,11 @@ EVALCTS_TEST(InitialState, MaxEvalOrder, kMust, "EV-INIT-MAXORDER/1-D")
   t.require_initial_state();
   gl::Case limit("MAX_EVAL_ORDER");
   const gl::Ref query = limit.GetIntegerv(GL_MAX_EVAL_ORDER, gl::out<GLint>(1));
-  Played played = t.play(limit);
-  const GLint order = played.trace().values<GLint>(query)[0];
-  played.expect(played.trace().written(query) == 1 && order >= 8, query,
-                "MAX_EVAL_ORDER is below 8 or no single value", "one value, at least 8",
-                std::to_string(order));
+  CheckedTrace checked = t.play(limit);
+  const GLint order = checked.trace().values<GLint>(query)[0];
+  checked.expect(checked.trace().written(query) == 1 && order >= 8, query,
+                 "MAX_EVAL_ORDER is below 8 or no single value", "one value, at least 8",
+                 std::to_string(order));
   if (order < 1 || order > 1 << 16) return;
   for (const GLenum target : gl::kMap1Targets) {
     CheckedCase c(t, label(target));

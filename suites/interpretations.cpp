@@ -74,9 +74,9 @@ EVALCTS_TEST(Interpretations, IntegersOfColors, kInterpretation, "EV-GETMAP-ROUN
   gl::Case c("GetMapiv of a colour");
   c.Map1f(GL_MAP1_COLOR_4, 0.0f, 1.0f, 4, 1, std::vector<float>{0.25f, 0.75f, -0.25f, 1});
   const gl::Ref query = c.GetMapiv(GL_MAP1_COLOR_4, GL_COEFF, gl::out<GLint>(4));
-  const Played played = t.play(c);
-  if (played.trace().written(query) < 4) throw NotObservable("GetMapiv writes no colour");
-  const std::vector<GLint> values = played.trace().values<GLint>(query);
+  const CheckedTrace checked = t.play(c);
+  if (checked.trace().written(query) < 4) throw NotObservable("GetMapiv writes no colour");
+  const std::vector<GLint> values = checked.trace().values<GLint>(query);
   constexpr double kMost = 2147483647.0;
   follow(t, "C-GETMAPIV-NORM", {values.begin(), values.begin() + 4},
          {{"rounded", {0, 1, 0, 1}}, {"scaled", {0.25 * kMost, 0.75 * kMost, -0.25 * kMost, kMost}}}, 1e-6);

@@ -1,6 +1,5 @@
 // Section 17 of the requirements, the accuracy of evaluated values. The reports take the accuracy of an
 // implementation from these tests.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,14 +2,13 @@
 // even the values of the valid direction.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include <evalcts/testkit/registration.h>
 
 #include "checked_case.h"
 #include "dimensions.h"
-#include "refusal.h"
+#include "rejection.h"
 
 namespace evalcts::suite_map_errors {
 namespace {
@@ -19,11 +18,11 @@ namespace {
 const auto kEachForm = combine(kForms).by(gl::list_deliveries());
 const auto kEachTargetForm = [](bool two) { return combine(target_forms(two)).by(gl::list_deliveries()); };
 
-void expect_targets_refused(Test& t, bool two, bool doubles, const std::vector<GLenum>& bad) {
+void expect_targets_rejected(Test& t, bool two, bool doubles, const std::vector<GLenum>& bad) {
   for (const GLenum target : bad) {
     Map map = legal_map(target_in(two, GL_MAP1_VERTEX_4));
     map.target = target;
-    expect_refused(t, gl::token_name(target), map, doubles, {GL_INVALID_ENUM});
+    expect_rejected(t, gl::token_name(target), map, doubles, {GL_INVALID_ENUM});
   }
 }
 
@@ -35,7 +34,7 @@ EVALCTS_TEST_PAIR(Map1Errors.BadTarget, Map2Errors.BadTarget, kMust,
       0,          two ? 0x0DAFu : 0x0D8Fu, two ? 0x0DB9u : 0x0D99u, GL_TEXTURE_2D, GL_AUTO_NORMAL, GL_COEFF,
       0xFFFFFFFFu};
   bad.insert(bad.end(), targets(!two).begin(), targets(!two).end());
-  expect_targets_refused(t, two, form.doubles, bad);
+  expect_targets_rejected(t, two, form.doubles, bad);
 };
 
 // Targets whose values are similar to valid ones, for libraries that examine part of the value only. There
@@ -44,9 +43,9 @@ EVALCTS_TEST_PAIR(Map1Errors.BadTargetOfSimilarNumber, Map2Errors.BadTargetOfSim
                   decide("EV-MAP1-ERR-TARGET", "EV-MAP2-ERR-TARGET"),
                   decide("EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT"), combine(kForms))
 (Test& t, bool two, const Form& form) {
-  expect_targets_refused(t, two, form.doubles,
-                         two ? std::vector<GLenum>{0x0DA0, 0x0DBF, 0x0DC0, 0x10DB0, 0x10DB8, 0x80000DB7}
-                             : std::vector<GLenum>{0x0D9A, 0x0D9F, 0x0DA0, 0x10D90, 0x10D98, 0x80000D97});
+  expect_targets_rejected(t, two, form.doubles,
+                          two ? std::vector<GLenum>{0x0DA0, 0x0DBF, 0x0DC0, 0x10DB0, 0x10DB8, 0x80000DB7}
+                              : std::vector<GLenum>{0x0D9A, 0x0D9F, 0x0DA0, 0x10D90, 0x10D98, 0x80000D97});
 };
 
 // +0 and -0 are equal ends of a domain. The specification does not say so explicitly (U-ZERO-SIGN).
@@ -58,8 +57,8 @@ EVALCTS_TEST_PAIR(Map1Errors.ZeroOfEitherSign, Map2Errors.ZeroOfEitherSign, kQua
     Map map = legal_map(target_in(two, GL_MAP1_VERTEX_3));
     map.*direction.first = 0.0;
     map.*direction.last = -0.0;
-    expect_refused(t, direction.order == kU.order ? "u1 = +0 u2 = -0" : "v1 = +0 v2 = -0", map, form.doubles,
-                   {GL_INVALID_VALUE});
+    expect_rejected(t, direction.order == kU.order ? "u1 = +0 u2 = -0" : "v1 = +0 v2 = -0", map, form.doubles,
+                    {GL_INVALID_VALUE});
   }
 };
 
@@ -150,20 +149,20 @@ EVALCTS_TEST_PAIR(Map1Errors.LegalCallAfterwards, Map2Errors.LegalCallAfterwards
 // --- One-dimensional maps --------------------------------------------------------------------------------
 
 // Expects legal_map() of this order to be rejected with each of the values of the parameter.
-void expect_values_refused(Test& t, const TargetForm& form, const char* identity, int Map::*parameter,
-                           const std::vector<int>& values, int order = 3) {
+void expect_values_rejected(Test& t, const TargetForm& form, const char* identity, int Map::*parameter,
+                            const std::vector<int>& values, int order = 3) {
   for (const int value : values) {
     Map map = legal_map(form.target);
     map.uorder = order;
     map.*parameter = value;
-    expect_refused(t, fmt::format("{} {}", identity, value), map, form.doubles, {GL_INVALID_VALUE});
+    expect_rejected(t, fmt::format("{} {}", identity, value), map, form.doubles, {GL_INVALID_VALUE});
   }
 }
 
 EVALCTS_TEST(Map1Errors, OrderTooLow, kMust, "EV-MAP1-ERR-ORDER-LOW", "EV-MAP1-ERR-NOEFFECT",
              kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
-  expect_values_refused(t, form, "order", &Map::uorder, {0, -1, -64, kLowest});
+  expect_values_rejected(t, form, "order", &Map::uorder, {0, -1, -64, kLowest});
 };
 
 EVALCTS_TEST(Map1Errors, OrderTooHigh, kMust, "EV-MAP1-ERR-ORDER-HIGH", "EV-MAP1-ERR-NOEFFECT",
@@ -174,7 +173,7 @@ EVALCTS_TEST(Map1Errors, OrderTooHigh, kMust, "EV-MAP1-ERR-ORDER-HIGH", "EV-MAP1
     Map map = legal_map(form.target);
     map.uorder = order;
     map.points.assign(static_cast<std::size_t>(order) * static_cast<std::size_t>(map.ustride), 0.5);
-    expect_refused(
+    expect_rejected(
         t, order < 0x101 ? fmt::format("order MAX+{}", order - limit) : fmt::format("order {}", order), map,
         form.doubles, {GL_INVALID_VALUE});
   }
@@ -191,7 +190,7 @@ std::vector<int> strides_below(int k, const Test& t) {
 EVALCTS_TEST(Map1Errors, StrideBelowK, kMust, "EV-MAP1-ERR-STRIDE", "EV-MAP1-ERR-NOEFFECT",
              kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
-  expect_values_refused(t, form, "stride", &Map::ustride, strides_below(gl::components_of(form.target), t));
+  expect_values_rejected(t, form, "stride", &Map::ustride, strides_below(gl::components_of(form.target), t));
 };
 
 EVALCTS_TEST(Map1Errors, StrideBelowKAtEveryOrder, kMust, "EV-MAP1-ERR-STRIDE", "EV-MAP1-ERR-NOEFFECT",
@@ -216,7 +215,7 @@ EVALCTS_TEST(Map1Errors, StrideBelowKAtOrder1, kMust, "EV-MAP1-ERR-STRIDE-ORDER1
 (Test& t, const TargetForm& form) {
   std::vector<int> strides = strides_below(gl::components_of(form.target), t);
   std::erase_if(strides, [](int stride) { return stride < -1; });
-  expect_values_refused(t, form, "order 1 stride", &Map::ustride, strides, 1);
+  expect_values_rejected(t, form, "order 1 stride", &Map::ustride, strides, 1);
 };
 
 EVALCTS_TEST(Map1Errors, EqualDomainEnds, kMust, "EV-MAP1-ERR-DOMAIN", "EV-MAP1-ERR-NOEFFECT",
@@ -228,8 +227,8 @@ EVALCTS_TEST(Map1Errors, EqualDomainEnds, kMust, "EV-MAP1-ERR-DOMAIN", "EV-MAP1-
       Map map = legal_map(form.target);
       map.uorder = order;
       map.u1 = map.u2 = end;
-      expect_refused(t, fmt::format("u1 = u2 = {}, order {}", end, order), map, form.doubles,
-                     {GL_INVALID_VALUE});
+      expect_rejected(t, fmt::format("u1 = u2 = {}, order {}", end, order), map, form.doubles,
+                      {GL_INVALID_VALUE});
     }
 };
 
@@ -239,9 +238,9 @@ EVALCTS_TEST(Map1Errors, BetweenBeginAndEnd, kMust, "EV-MAP1-ERR-BEGINEND", "EV-
   for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode)
     for (const char* after : {"nothing", "Vertex"}) {
       if ((mode % 2 == 0) == (after[0] == 'V') && mode != GL_TRIANGLES) continue;
-      expect_refused(t, fmt::format("{} after {}", gl::primitive_name(mode), after),
-                     {in_primitive(mode, after[0] == 'V', defining(legal_map(form.target), form.doubles))},
-                     {GL_INVALID_OPERATION}, Prepared::kMaps1);
+      expect_rejected(t, fmt::format("{} after {}", gl::primitive_name(mode), after),
+                      {in_primitive(mode, after[0] == 'V', defining(legal_map(form.target), form.doubles))},
+                      {GL_INVALID_OPERATION}, Prepared::kMaps1);
     }
 };
 
@@ -257,19 +256,19 @@ EVALCTS_TEST(Map1Errors, SeveralAtOnce, kMust, "EV-MAP-ERR-ANY/1-D", "EV-MAP1-ER
     map.u2 = u2;
     return map;
   };
-  expect_refused(t, "target and order", spoiled(GL_MAP2_VERTEX_4, 0, 4, 1), form.doubles,
-                 {GL_INVALID_ENUM, GL_INVALID_VALUE});
-  expect_refused(t, "target and stride", spoiled(GL_TEXTURE_2D, 3, 0, 1), form.doubles,
-                 {GL_INVALID_ENUM, GL_INVALID_VALUE});
-  expect_refused(t, "target and domain", spoiled(0, 3, 4, 0), form.doubles,
-                 {GL_INVALID_ENUM, GL_INVALID_VALUE});
-  expect_refused(t, "order, stride and domain", spoiled(GL_MAP1_VERTEX_4, -1, 1, 0), form.doubles,
-                 {GL_INVALID_VALUE});
-  expect_refused(t, "order too high and stride", spoiled(GL_MAP1_VERTEX_4, orders_too_high(t).front(), 1, 1),
-                 form.doubles, {GL_INVALID_VALUE});
-  expect_refused(t, "target, between Begin and End",
-                 {in_primitive(GL_LINES, false, defining(spoiled(GL_MAP2_VERTEX_4, 3, 4, 1), form.doubles))},
-                 {GL_INVALID_ENUM, GL_INVALID_OPERATION}, Prepared::kMaps1);
+  expect_rejected(t, "target and order", spoiled(GL_MAP2_VERTEX_4, 0, 4, 1), form.doubles,
+                  {GL_INVALID_ENUM, GL_INVALID_VALUE});
+  expect_rejected(t, "target and stride", spoiled(GL_TEXTURE_2D, 3, 0, 1), form.doubles,
+                  {GL_INVALID_ENUM, GL_INVALID_VALUE});
+  expect_rejected(t, "target and domain", spoiled(0, 3, 4, 0), form.doubles,
+                  {GL_INVALID_ENUM, GL_INVALID_VALUE});
+  expect_rejected(t, "order, stride and domain", spoiled(GL_MAP1_VERTEX_4, -1, 1, 0), form.doubles,
+                  {GL_INVALID_VALUE});
+  expect_rejected(t, "order too high and stride", spoiled(GL_MAP1_VERTEX_4, orders_too_high(t).front(), 1, 1),
+                  form.doubles, {GL_INVALID_VALUE});
+  expect_rejected(t, "target, between Begin and End",
+                  {in_primitive(GL_LINES, false, defining(spoiled(GL_MAP2_VERTEX_4, 3, 4, 1), form.doubles))},
+                  {GL_INVALID_ENUM, GL_INVALID_OPERATION}, Prepared::kMaps1);
 };
 
 // Calls are rejected in the same way while an earlier error has not been queried.
@@ -279,16 +278,16 @@ EVALCTS_TEST(Map1Errors, RefusedWhileAnErrorWaits, kMust, "EV-MAP1-ERR-NOEFFECT"
   CheckedCase c(t, "refused for order, stride, domain, target and once more order");
   prepare(c, Prepared::kMaps1, true);
   const std::vector<gl::Ref> before = c.query_everything();
-  const auto refused = [&](const std::function<void(Map&)>& spoil) {
+  const auto rejected = [&](const std::function<void(Map&)>& spoil) {
     Map bad = legal_map(form.target);
     spoil(bad);
     define(c, bad, form.doubles);
   };
-  refused([](Map& m) { m.uorder = 0; });
-  refused([](Map& m) { m.ustride = gl::components_of(m.target) - 1; });
-  refused([](Map& m) { m.u2 = m.u1; });
-  refused([](Map& m) { m.target = GL_TEXTURE_2D; });
-  refused([](Map& m) { m.uorder = 0; });
+  rejected([](Map& m) { m.uorder = 0; });
+  rejected([](Map& m) { m.ustride = gl::components_of(m.target) - 1; });
+  rejected([](Map& m) { m.u2 = m.u1; });
+  rejected([](Map& m) { m.target = GL_TEXTURE_2D; });
+  rejected([](Map& m) { m.uorder = 0; });
   c.expect_error(GL_INVALID_VALUE, GL_INVALID_ENUM);
   // Distributed implementations may keep several flags (GL 2.1 §2.5).
   for (int i = 0; i < 4; ++i) c.GetError();
@@ -337,7 +336,7 @@ EVALCTS_TEST_PAIR(Map2Errors.UOrder, Map2Errors.VOrder, kMust,
     map.*direction.order = order;
     too_low.push_back(defining(map, form.doubles));
   }
-  expect_refused(t, "orders 0, -1, -64, the lowest int", too_low, {GL_INVALID_VALUE});
+  expect_rejected(t, "orders 0, -1, -64, the lowest int", too_low, {GL_INVALID_VALUE});
 
   std::vector<Calls> too_high;
   for (const int order : orders_too_high(t)) {
@@ -348,7 +347,7 @@ EVALCTS_TEST_PAIR(Map2Errors.UOrder, Map2Errors.VOrder, kMust,
     map.points.assign(static_cast<std::size_t>(order) * 4 + 64, 0.5);
     too_high.push_back(defining(map, form.doubles));
   }
-  expect_refused(t, "orders MAX+1, MAX+2, MAX+100, 0x101, 0x10001", too_high, {GL_INVALID_VALUE});
+  expect_rejected(t, "orders MAX+1, MAX+2, MAX+100, 0x101, 0x10001", too_high, {GL_INVALID_VALUE});
 };
 
 EVALCTS_TEST_PAIR(Map2Errors.UStride, Map2Errors.VStride, kMust,
@@ -368,9 +367,9 @@ EVALCTS_TEST_PAIR(Map2Errors.UStride, Map2Errors.VStride, kMust,
       map.*direction.stride = stride;
       bad.push_back(defining(map, form.doubles));
     }
-  expect_refused(t,
-                 t.is_delivered_in_lists() ? "strides k-1 and 0" : "strides k-1, 0, -1, -17, the lowest int",
-                 bad, {GL_INVALID_VALUE});
+  expect_rejected(t,
+                  t.is_delivered_in_lists() ? "strides k-1 and 0" : "strides k-1, 0, -1, -17, the lowest int",
+                  bad, {GL_INVALID_VALUE});
 };
 
 EVALCTS_TEST_PAIR(Map2Errors.UDomain, Map2Errors.VDomain, kMust,
@@ -386,7 +385,7 @@ EVALCTS_TEST_PAIR(Map2Errors.UDomain, Map2Errors.VDomain, kMust,
       map.*direction.first = map.*direction.last = end;
       bad.push_back(defining(map, form.doubles));
     }
-  expect_refused(t, "both ends 0, 1, -2.5, 1e6; orders 1x1, 2x2 and 3x3", bad, {GL_INVALID_VALUE});
+  expect_rejected(t, "both ends 0, 1, -2.5, 1e6; orders 1x1, 2x2 and 3x3", bad, {GL_INVALID_VALUE});
 };
 
 // Strides of k - 1 are rejected whatever the orders.
@@ -403,29 +402,29 @@ EVALCTS_TEST(Map2Errors, StridesAtManyOrders, kMust, "EV-MAP2-ERR-USTRIDE", "EV-
       map.*direction.stride = gl::components_of(form.target) - 1;
       bad.push_back(defining(map, form.doubles));
     }
-  expect_refused(t, "orders 2x2, 1x8, 8x1, 4x5, 8x8, MAXx2", bad, {GL_INVALID_VALUE});
+  expect_rejected(t, "orders 2x2, 1x8, 8x1, 4x5, 8x8, MAXx2", bad, {GL_INVALID_VALUE});
 };
 
-void expect_refused_in(Test& t, const TargetForm& form, const std::string& identity,
-                       const std::vector<GLenum>& modes) {
+void expect_rejected_in(Test& t, const TargetForm& form, const std::string& identity,
+                        const std::vector<GLenum>& modes) {
   std::vector<Calls> bad;
   for (const GLenum mode : modes)
     for (const bool after_vertex : {false, true})
       bad.push_back(in_primitive(mode, after_vertex, defining(legal_map(form.target), form.doubles)));
-  expect_refused(t, identity, bad, {GL_INVALID_OPERATION});
+  expect_rejected(t, identity, bad, {GL_INVALID_OPERATION});
 }
 
 EVALCTS_TEST(Map2Errors, BetweenBeginAndEnd, kMust, "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT",
              kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) {
-  expect_refused_in(t, form, "in POINTS, TRIANGLES, QUAD_STRIP, POLYGON; first and after Vertex",
-                    {GL_POINTS, GL_TRIANGLES, GL_QUAD_STRIP, GL_POLYGON});
+  expect_rejected_in(t, form, "in POINTS, TRIANGLES, QUAD_STRIP, POLYGON; first and after Vertex",
+                     {GL_POINTS, GL_TRIANGLES, GL_QUAD_STRIP, GL_POLYGON});
 };
 EVALCTS_TEST(Map2Errors, BetweenBeginAndEndElsewhere, kMust, "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT",
              combine(target_forms(kSurfaces)))
 (Test& t, const TargetForm& form) {
-  expect_refused_in(t, form, "in the other primitives; first and after Vertex",
-                    {GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS});
+  expect_rejected_in(t, form, "in the other primitives; first and after Vertex",
+                     {GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS});
 };
 
 // If several conditions hold, any of their errors is accepted.
@@ -437,30 +436,30 @@ EVALCTS_TEST(Map2Errors, SeveralAtOnce, kMust, "EV-MAP-ERR-ANY/2-D", "EV-MAP2-ER
     spoil(map);
     return defining(map, form.doubles);
   };
-  expect_refused(t, "target and order, stride or domain",
-                 {spoiled([](Map& m) { m.target = GL_MAP1_VERTEX_4, m.uorder = 0; }),
-                  spoiled([](Map& m) { m.target = GL_MAP1_VERTEX_4, m.vorder = -1; }),
-                  spoiled([](Map& m) { m.target = GL_TEXTURE_2D, m.ustride = 0; }),
-                  spoiled([](Map& m) { m.target = 0, m.vstride = 0; }),
-                  spoiled([](Map& m) { m.target = 0x0DB9, m.u2 = m.u1; }),
-                  spoiled([](Map& m) { m.target = GL_AUTO_NORMAL, m.v2 = m.v1; })},
-                 {GL_INVALID_ENUM, GL_INVALID_VALUE});
+  expect_rejected(t, "target and order, stride or domain",
+                  {spoiled([](Map& m) { m.target = GL_MAP1_VERTEX_4, m.uorder = 0; }),
+                   spoiled([](Map& m) { m.target = GL_MAP1_VERTEX_4, m.vorder = -1; }),
+                   spoiled([](Map& m) { m.target = GL_TEXTURE_2D, m.ustride = 0; }),
+                   spoiled([](Map& m) { m.target = 0, m.vstride = 0; }),
+                   spoiled([](Map& m) { m.target = 0x0DB9, m.u2 = m.u1; }),
+                   spoiled([](Map& m) { m.target = GL_AUTO_NORMAL, m.v2 = m.v1; })},
+                  {GL_INVALID_ENUM, GL_INVALID_VALUE});
   const int too_high = orders_too_high(t).front();
-  expect_refused(t, "both directions, several values",
-                 {spoiled([](Map& m) { m.uorder = 0, m.vorder = 0; }),
-                  spoiled([](Map& m) { m.ustride = 0, m.vstride = 3; }),
-                  spoiled([](Map& m) { m.u2 = m.u1, m.v2 = m.v1; }),
-                  spoiled([](Map& m) { m.uorder = -1, m.vstride = 1; }),
-                  spoiled([](Map& m) { m.ustride = 1, m.v2 = m.v1; }),
-                  spoiled([&](Map& m) { m.uorder = 1, m.vorder = too_high, m.u2 = m.u1; }),
-                  spoiled([&](Map& m) { m.uorder = too_high, m.vorder = 1, m.ustride = 1, m.v2 = m.v1; })},
-                 {GL_INVALID_VALUE});
-  expect_refused(t, "target or order, between Begin and End",
-                 {in_primitive(GL_LINES, false, spoiled([](Map& m) { m.target = GL_MAP1_VERTEX_4; }))},
-                 {GL_INVALID_ENUM, GL_INVALID_OPERATION});
-  expect_refused(t, "order, between Begin and End",
-                 {in_primitive(GL_LINES, false, spoiled([](Map& m) { m.vorder = 0; }))},
-                 {GL_INVALID_VALUE, GL_INVALID_OPERATION});
+  expect_rejected(t, "both directions, several values",
+                  {spoiled([](Map& m) { m.uorder = 0, m.vorder = 0; }),
+                   spoiled([](Map& m) { m.ustride = 0, m.vstride = 3; }),
+                   spoiled([](Map& m) { m.u2 = m.u1, m.v2 = m.v1; }),
+                   spoiled([](Map& m) { m.uorder = -1, m.vstride = 1; }),
+                   spoiled([](Map& m) { m.ustride = 1, m.v2 = m.v1; }),
+                   spoiled([&](Map& m) { m.uorder = 1, m.vorder = too_high, m.u2 = m.u1; }),
+                   spoiled([&](Map& m) { m.uorder = too_high, m.vorder = 1, m.ustride = 1, m.v2 = m.v1; })},
+                  {GL_INVALID_VALUE});
+  expect_rejected(t, "target or order, between Begin and End",
+                  {in_primitive(GL_LINES, false, spoiled([](Map& m) { m.target = GL_MAP1_VERTEX_4; }))},
+                  {GL_INVALID_ENUM, GL_INVALID_OPERATION});
+  expect_rejected(t, "order, between Begin and End",
+                  {in_primitive(GL_LINES, false, spoiled([](Map& m) { m.vorder = 0; }))},
+                  {GL_INVALID_VALUE, GL_INVALID_OPERATION});
 };
 
 // Unusual arguments that are legal; EV-MAP-NOERR-OTHER lists them.

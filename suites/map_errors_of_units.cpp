@@ -1,11 +1,10 @@
 // Section 5 of the requirements: Map1 and Map2 are errors while a texture unit other than TEXTURE0 is active.
-#include <fmt/format.h>
 
 #include <evalcts/testkit/registration.h>
 
 #include "checked_case.h"
 #include "dimensions.h"
-#include "refusal.h"
+#include "rejection.h"
 
 namespace evalcts::suite_map_errors_of_units {
 namespace {
@@ -31,11 +30,11 @@ EVALCTS_TEST_PAIR(Map1Errors.ActiveTexture, Map2Errors.ActiveTexture, kMust,
   std::vector<Calls> bad = {in_unit(GL_TEXTURE1, defining(map, form.doubles))};
   if (t.gl().texture_units > 2) bad.push_back(in_unit(last_unit, defining(map, form.doubles)));
   if (two) {
-    expect_refused(t, "TEXTURE1 and the last unit active", bad, {GL_INVALID_OPERATION});
+    expect_rejected(t, "TEXTURE1 and the last unit active", bad, {GL_INVALID_OPERATION});
   } else {
-    expect_refused(t, "TEXTURE1 active", {bad[0]}, {GL_INVALID_OPERATION}, Prepared::kMaps1);
+    expect_rejected(t, "TEXTURE1 active", {bad[0]}, {GL_INVALID_OPERATION}, Prepared::kMaps1);
     if (bad.size() > 1)
-      expect_refused(t, "the last unit active", {bad[1]}, {GL_INVALID_OPERATION}, Prepared::kMaps1);
+      expect_rejected(t, "the last unit active", {bad[1]}, {GL_INVALID_OPERATION}, Prepared::kMaps1);
   }
 
   CheckedCase unit(t, "TEXTURE1 stays active");
@@ -73,9 +72,9 @@ EVALCTS_TEST_PAIR(Map1Errors.ActiveTextureOfPopAttrib, Map2Errors.ActiveTextureO
     c.PushAttrib(GL_TEXTURE_BIT);
     c.ActiveTexture(GL_TEXTURE0);
     c.PopAttrib();
-    Map refused = map;
-    refused.uorder = 5;
-    define(c, refused, form.doubles);
+    Map rejected = map;
+    rejected.uorder = 5;
+    define(c, rejected, form.doubles);
     c.expect_error(GL_INVALID_OPERATION);
     c.expect_orders(map.target, map.orders());
     c.check();

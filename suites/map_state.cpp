@@ -2,15 +2,13 @@
 // and what they leave unchanged.
 #include <fmt/format.h>
 
-#include <functional>
-#include <span>
 #include <utility>
 
 #include <evalcts/testkit/registration.h>
 
 #include "checked_case.h"
 #include "dimensions.h"
-#include "refusal.h"
+#include "rejection.h"
 
 namespace evalcts::suite_map_state {
 namespace {
@@ -102,12 +100,12 @@ EVALCTS_TEST_PAIR(Map1State.ValuesPerPoint, Map2State.ValuesPerPoint, kMust, dec
     define(c, narrow);
     c.expect_error(GL_INVALID_VALUE);
   }
-  c.expect([=](Played& played) {
-    const std::size_t written = played.trace().written(coefficients);
-    played.expect(written == static_cast<std::size_t>(count), coefficients,
-                  fmt::format("COEFF of a map of order {0} does not answer {1}*k values", two ? "3x2" : "3",
-                              two ? 6 : 3),
-                  fmt::format("{} values", count), fmt::format("{} values", written));
+  c.expect([=](CheckedTrace& checked) {
+    const std::size_t written = checked.trace().written(coefficients);
+    checked.expect(written == static_cast<std::size_t>(count), coefficients,
+                   fmt::format("COEFF of a map of order {0} does not answer {1}*k values", two ? "3x2" : "3",
+                               two ? 6 : 3),
+                   fmt::format("{} values", count), fmt::format("{} values", written));
   });
   c.check();
 };
@@ -256,27 +254,28 @@ EVALCTS_TEST(Map1State, SmallestStride, kMust, "EV-MAP1-STRIDE-MIN", kEachTarget
   }
 };
 
-EVALCTS_TEST(Map1State, CopyOnCall, kMust, "EV-MAP1-COPY", combine(kFates).by(list_deliveries()))
-(Test& t, const Fate& fate) {
+EVALCTS_TEST(Map1State, CopyOnCall, kMust, "EV-MAP1-COPY", combine(kTreatments).by(list_deliveries()))
+(Test& t, const Treatment& treatment) {
   for (const TargetForm& form : target_forms(kCurves))
     for (const int order : {1, 4, t.max_order()})
       for (const int stride : {gl::components_of(form.target), 5}) {
         const Map map = random_map(t, form.target, order, stride);
         gl::Case c(fmt::format("{} order {} stride {}", form.name, order, stride));
-        define(c, map, form.doubles, fate.after);
+        define(c, map, form.doubles, treatment.after);
         expect_maps(t, c, {map}, form.doubles);
       }
 };
 
-EVALCTS_TEST(Map1State, CopyOnCallEvaluated, kMust, "EV-MAP1-COPY", combine(kFates).by(list_deliveries()))
-(Test& t, const Fate& fate) {
+EVALCTS_TEST(Map1State, CopyOnCallEvaluated, kMust, "EV-MAP1-COPY",
+             combine(kTreatments).by(list_deliveries()))
+(Test& t, const Treatment& treatment) {
   for (const GLenum target : visible_targets(kCurves)) {
     gl::Case c(label(target) + ", both forms");
     enable_visibly(c, target);
     for (const Form& form : forms_of(t))
       for (const int order : {1, 4, t.max_order()})
         for (const int stride : {gl::components_of(target), 5}) {
-          define(c, random_map(t, target, order, stride), form.doubles, fate.after);
+          define(c, random_map(t, target, order, stride), form.doubles, treatment.after);
           evaluate_some(c);
         }
     t.expect_emission(c, attribute_of(target));
@@ -414,25 +413,25 @@ EVALCTS_TEST(Map2State, StridesCountValues, kMust, "EV-MAP2-STRIDE-UNITS", kEach
   c.check();
 };
 
-EVALCTS_TEST(Map2State, CopyOnCall, kMust, "EV-MAP2-COPY", combine(kFates).by(list_deliveries()))
-(Test& t, const Fate& fate) {
+EVALCTS_TEST(Map2State, CopyOnCall, kMust, "EV-MAP2-COPY", combine(kTreatments).by(list_deliveries()))
+(Test& t, const Treatment& treatment) {
   for (const TargetForm& form : target_forms(kSurfaces)) {
     CheckedCase c(t, form.name);
     const int max = t.max_order();
     for (const Layout& layout : kLayouts)
       for (const auto& [u, v] : {Orders{1, 1}, {3, 4}, {max, 2}, {max, max}})
-        expect_defined(c, random_map(t, form.target, {u, v}, layout), form.doubles, fate.after);
+        expect_defined(c, random_map(t, form.target, {u, v}, layout), form.doubles, treatment.after);
     c.check();
   }
 };
 
 // The queries come after all definitions, when none of the arrays exists unchanged.
-EVALCTS_TEST(Map2State, CopiesOfAll, kMust, "EV-MAP2-COPY", combine(kFates).by(list_deliveries()))
-(Test& t, const Fate& fate) {
+EVALCTS_TEST(Map2State, CopiesOfAll, kMust, "EV-MAP2-COPY", combine(kTreatments).by(list_deliveries()))
+(Test& t, const Treatment& treatment) {
   const std::vector<Map> maps = nine_maps(t, kSurfaces);
   for (const Form& form : forms_of(t)) {
     gl::Case c(fmt::format("all nine, form {}", form.name));
-    for (const Map& map : maps) define(c, map, form.doubles, fate.after);
+    for (const Map& map : maps) define(c, map, form.doubles, treatment.after);
     expect_maps(t, c, maps, form.doubles);
   }
 };

@@ -3,8 +3,6 @@
 // lifted to nets that are constant in one direction.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 
@@ -515,13 +513,13 @@ EVALCTS_TEST(Map2Values, Corners, kMust, "EV-NUM-CORNERS", kEachCommand)
 };
 
 // The points are gone when the map is evaluated.
-EVALCTS_TEST(Map2Values, PointsGone, kMust, "EV-MAP2-COPY", combine(kFates).by(both_forms()))
-(Test& t, const Fate& fate) {
+EVALCTS_TEST(Map2Values, PointsGone, kMust, "EV-MAP2-COPY", combine(kTreatments).by(both_forms()))
+(Test& t, const Treatment& treatment) {
   gl::Case c("four maps in three layouts");
   for (const GLenum target : kKinds2[1].targets) c.Enable(target);
   for (const Layout& layout : {kLayouts[0], kLayouts[3], kLayouts[5]}) {
     for (const GLenum target : kKinds2[1].targets)
-      define(c, random_map(t, target, {4, 3}, layout), false, fate.after);
+      define(c, random_map(t, target, {4, 3}, layout), false, treatment.after);
     evaluate_all(c, arguments(t, {0, 1}, {0, 1}, 6));
   }
   t.expect_emission(c, kUnit0);

@@ -117,14 +117,14 @@ Map random_map(Test& t, GLenum target, const Orders& orders) {
 }
 
 Map random_map(Test& t, GLenum target, const Orders& orders, int ustride, int vstride) {
-  const int vorder = is_two_dimensional(target) ? orders.v : 1;
+  const int vorder = reference::is_map2_target(target) ? orders.v : 1;
   const auto count = static_cast<std::size_t>(orders.u * vorder * gl::components_of(target));
   return make_map2(target, orders.u, vorder, ustride, vstride, random_values(t.random(), count));
 }
 
 Map random_map(Test& t, GLenum target, const Orders& orders, const Layout& layout) {
   const int k = gl::components_of(target);
-  if (!is_two_dimensional(target)) return random_map(t, target, orders.u, k);
+  if (!reference::is_map2_target(target)) return random_map(t, target, orders.u, k);
   return random_map(t, target, orders, layout.ustride(k, orders.u, orders.v),
                     layout.vstride(k, orders.u, orders.v));
 }
@@ -144,39 +144,21 @@ std::string label(GLenum token) { return gl::token_name(token).substr(3); }
 
 std::span<const GLenum> targets(bool two) { return two ? gl::kMap2Targets : gl::kMap1Targets; }
 
-const std::vector<GLenum>& all_targets() {
-  static const std::vector<GLenum> all = [] {
-    std::vector<GLenum> both(gl::kMap1Targets.begin(), gl::kMap1Targets.end());
-    both.insert(both.end(), gl::kMap2Targets.begin(), gl::kMap2Targets.end());
-    return both;
-  }();
-  return all;
-}
-
-const std::vector<GLenum>& all_caps() {
-  static const std::vector<GLenum> all = [] {
-    std::vector<GLenum> caps = all_targets();
-    caps.push_back(GL_AUTO_NORMAL);
-    return caps;
-  }();
-  return all;
-}
-
 const std::vector<TargetForm>& target_forms(bool two) {
-  static const std::vector<TargetForm> all[] = {make_target_forms(targets(false)),
-                                                make_target_forms(targets(true))};
-  return all[two];
+  static const std::vector<TargetForm> kAll[] = {make_target_forms(targets(false)),
+                                                 make_target_forms(targets(true))};
+  return kAll[two];
 }
 
 const std::vector<TargetForm>& visible_target_forms(bool two) {
-  static const std::vector<TargetForm> all[] = {make_target_forms(visible_targets(false)),
-                                                make_target_forms(visible_targets(true))};
-  return all[two];
+  static const std::vector<TargetForm> kAll[] = {make_target_forms(visible_targets(false)),
+                                                 make_target_forms(visible_targets(true))};
+  return kAll[two];
 }
 
 const std::vector<GLenum>& visible_targets(bool two) {
-  static const std::vector<GLenum> all[] = {without_index(targets(false)), without_index(targets(true))};
-  return all[two];
+  static const std::vector<GLenum> kAll[] = {without_index(targets(false)), without_index(targets(true))};
+  return kAll[two];
 }
 
 gl::Ref define(gl::Case& c, const Map& map, bool doubles, gl::AfterCall after) {
@@ -221,7 +203,7 @@ gl::Ref eval_mesh(gl::Case& c, bool two, GLenum mode, int i1, int i2, int j1, in
 void enable_visibly(gl::Case& c, GLenum target) {
   if (attribute_of(target) != kPosition) {
     const std::vector<double> point = {0.25, 0.5, 0.75};
-    const bool two = is_two_dimensional(target);
+    const bool two = reference::is_map2_target(target);
     define_and_enable(c, make_map2(target_in(two, GL_MAP1_VERTEX_3), 1, 1, point));
   }
   c.Enable(target);
@@ -271,10 +253,6 @@ void evaluate_all(gl::Case& c, bool two, const std::vector<At>& arguments, bool 
   c.End();
 }
 
-bool is_two_dimensional(GLenum target) {
-  return std::ranges::find(gl::kMap2Targets, target) != gl::kMap2Targets.end();
-}
-
 GLenum target_in(bool two, GLenum map1_target) {
   return two ? map1_target - gl::kMap1Targets[0] + gl::kMap2Targets[0] : map1_target;
 }
@@ -304,12 +282,13 @@ std::vector<gl::Ref> query_everything(Test& t, gl::Case& c) {
   return t.append_optional(c, queries);
 }
 
-void expect_unchanged(Played& played, const std::vector<gl::Ref>& before, const std::vector<gl::Ref>& after) {
-  for (std::size_t i = 0; i < before.size(); ++i) played.expect_same(before[i], after[i]);
+void expect_unchanged(CheckedTrace& checked, const std::vector<gl::Ref>& before,
+                      const std::vector<gl::Ref>& after) {
+  for (std::size_t i = 0; i < before.size(); ++i) checked.expect_same(before[i], after[i]);
 }
 
 MapQuery query_map(gl::Case& c, GLenum target, int max_order, bool doubles) {
-  const bool two = is_two_dimensional(target);
+  const bool two = reference::is_map2_target(target);
   const std::size_t directions = two ? 2 : 1;
   const auto room =
       static_cast<std::size_t>((two ? max_order * max_order : max_order) * gl::components_of(target));
@@ -325,16 +304,16 @@ MapQuery query_map(gl::Case& c, GLenum target, int max_order, bool doubles) {
   return query;
 }
 
-void expect_map(Played& played, const MapQuery& query, const Map& map, bool doubles) {
+void expect_map(CheckedTrace& checked, const MapQuery& query, const Map& map, bool doubles) {
   // Queries promise single precision, to one part in 10^5 (EV-GETMAP-FLOAT, EV-GETMAP-DOUBLE).
   constexpr double kRelative = 1e-5;
-  played.expect_values(query.order, map.orders());
+  checked.expect_values(query.order, map.orders());
   if (doubles) {
-    played.expect_values_near(query.domain, map.domain(), kRelative);
-    played.expect_values_near(query.coefficients, map.coefficients(), kRelative);
+    checked.expect_values_near(query.domain, map.domain(), kRelative);
+    checked.expect_values_near(query.coefficients, map.coefficients(), kRelative);
   } else {
-    played.expect_values_near(query.domain, converted<float>(map.domain()), kRelative);
-    played.expect_values_near(query.coefficients, converted<float>(map.coefficients()), kRelative);
+    checked.expect_values_near(query.domain, converted<float>(map.domain()), kRelative);
+    checked.expect_values_near(query.coefficients, converted<float>(map.coefficients()), kRelative);
   }
 }
 

@@ -1,28 +1,32 @@
 // One- and two-dimensional maps for tests: how they are made, laid out in memory, defined, shown and queried.
 #pragma once
 
+#include <reference/map.h>
+
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
+#include <evalcts/gl/targets.h>
 #include "fixtures.h"
 
 namespace evalcts {
 
 // Values of parameters `two`, which choose between the two dimensions.
 inline constexpr bool kCurves = false, kSurfaces = true;
-bool is_two_dimensional(GLenum target);
 // Returns the one-dimensional target itself, or the two-dimensional target of the same name.
 GLenum target_in(bool two, GLenum map1_target);
 // The nine targets of the dimension.
 std::span<const GLenum> targets(bool two);
-// All 18 targets, the one-dimensional ones first.
-const std::vector<GLenum>& all_targets();
-// All 18 targets and AUTO_NORMAL: the evaluator capabilities of Enable.
-const std::vector<GLenum>& all_caps();
+using gl::all_caps;
+using gl::all_targets;
+
+// The targets of curves that have another attribute than the position.
+inline constexpr GLenum kAttributeTargets[] = {
+    GL_MAP1_COLOR_4,         GL_MAP1_INDEX,           GL_MAP1_NORMAL,         GL_MAP1_TEXTURE_COORD_1,
+    GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_4};
 
 struct Orders {
   int u, v = 1;
@@ -43,7 +47,7 @@ struct Map {
   double u1 = 0, u2 = 1, v1 = 0, v2 = 1;
   int ustride = 3, vstride = 3, uorder = 1, vorder = 1;
   std::vector<double> points;
-  bool two = is_two_dimensional(target);
+  bool two = reference::is_map2_target(target);
 
   int components() const { return gl::components_of(target); }
   // The control points (v fastest), the orders and the domain as GetMap returns them.
@@ -133,13 +137,13 @@ inline std::span<const Form> forms_of(const Test& t) {
 }
 
 // A change to the memory of the points after the call.
-struct Fate {
+struct Treatment {
   const char* name;
   gl::AfterCall after;
 };
-inline constexpr Fate kFates[] = {{"OVERWRITTEN", gl::AfterCall::kOverwrite},
-                                  {"UNMAPPED", gl::AfterCall::kUnmap},
-                                  {"PROTECTED", gl::AfterCall::kProtect}};
+inline constexpr Treatment kTreatments[] = {{"OVERWRITTEN", gl::AfterCall::kOverwrite},
+                                            {"UNMAPPED", gl::AfterCall::kUnmap},
+                                            {"PROTECTED", gl::AfterCall::kProtect}};
 
 // A target and a form: "MAP1_VERTEX_3_f".
 struct TargetForm {
@@ -219,7 +223,8 @@ void evaluate_all(gl::Case& c, bool two, const std::vector<At>& arguments, bool 
 // the MAP2 maps. The arrays have room for maps of the highest order. Queries that crash are omitted
 // (Test::append_optional).
 std::vector<gl::Ref> query_everything(Test& t, gl::Case& c);
-void expect_unchanged(Played& played, const std::vector<gl::Ref>& before, const std::vector<gl::Ref>& after);
+void expect_unchanged(CheckedTrace& checked, const std::vector<gl::Ref>& before,
+                      const std::vector<gl::Ref>& after);
 
 // A form of GetMap; `get` appends the query with an array of `room` elements.
 struct Getter {
@@ -242,6 +247,6 @@ struct MapQuery {
 MapQuery query_map(gl::Case& c, GLenum target, int max_order, bool doubles = false);
 // Expects the answers to be the map's, to a relative error of 1e-5. `doubles` is that of the call of
 // query_map().
-void expect_map(Played& played, const MapQuery& query, const Map& map, bool doubles = false);
+void expect_map(CheckedTrace& checked, const MapQuery& query, const Map& map, bool doubles = false);
 
 }  // namespace evalcts

@@ -6,7 +6,7 @@
 
 #include "checked_case.h"
 #include "dimensions.h"
-#include "refusal.h"
+#include "rejection.h"
 
 namespace evalcts::suite_mesh_errors {
 namespace {
@@ -55,7 +55,7 @@ std::vector<Calls> bad_meshes(bool two, bool empty = false) {
 EVALCTS_TEST_PAIR(MeshErrors.Mesh1BadMode, MeshErrors.Mesh2BadMode, kMust,
                   decide("EV-MESH1-ERR-MODE", "EV-MESH2-ERR-MODE"), by(gl::list_deliveries()))
 (Test& t, bool two) {
-  expect_refused(t, "every second map enabled", bad_meshes(two), {GL_INVALID_ENUM});
+  expect_rejected(t, "every second map enabled", bad_meshes(two), {GL_INVALID_ENUM});
 
   // The mode causes the error: the same call with a valid mode raises none.
   CheckedCase c(t, "good modes, vertex maps enabled");
@@ -102,17 +102,17 @@ EVALCTS_TEST_PAIR(MeshErrors.Mesh1BetweenBeginAndEnd, MeshErrors.Mesh2BetweenBeg
     for (const GLenum mode : good_modes(two))
       for (const bool after_vertex : {false, true})
         bad.push_back(inside(primitive, mode, false, after_vertex));
-  expect_refused(t, "good modes", bad, {GL_INVALID_OPERATION});
+  expect_rejected(t, "good modes", bad, {GL_INVALID_OPERATION});
 
   bad.clear();
   for (const GLenum mode : good_modes(two)) bad.push_back(inside(GL_TRIANGLES, mode, true, false));
-  expect_refused(t, "good modes, empty range", bad, {GL_INVALID_OPERATION});
+  expect_rejected(t, "good modes, empty range", bad, {GL_INVALID_OPERATION});
 
   // Two errors apply to these calls; either is accepted.
   bad.clear();
   for (const GLenum mode : {GL_QUADS, GL_LINES, 0x1B03})
     bad.push_back(inside(GL_TRIANGLES, mode, false, false));
-  expect_refused(t, "bad modes", bad, {GL_INVALID_ENUM, GL_INVALID_OPERATION});
+  expect_rejected(t, "bad modes", bad, {GL_INVALID_ENUM, GL_INVALID_OPERATION});
 
   CheckedCase c(t, "all maps disabled");
   disable_maps(c);

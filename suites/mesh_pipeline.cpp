@@ -150,10 +150,10 @@ std::string describe(const Outlines& outlines) {
 
 void expect_outlines(Picture& picture, const Part& part, bool holds, const Outlines& expected) {
   const std::string seen = describe(outlines_of(part));
-  picture.played.expect(holds, part.shown,
-                        fmt::format("a FILL mesh comes out as {}, explicit quad strips as {} ({})", seen,
-                                    describe(expected), part.name),
-                        describe(expected), seen);
+  picture.checked.expect(holds, part.shown,
+                         fmt::format("a FILL mesh comes out as {}, explicit quad strips as {} ({})", seen,
+                                     describe(expected), part.name),
+                         describe(expected), seen);
 }
 
 constexpr GLenum kOutlined[] = {GL_POINT, GL_LINE};
@@ -217,10 +217,10 @@ EVALCTS_TEST(Mesh2, EdgeFlagHasNoInfluence, kMust, "EV-MESH2-EDGEFLAG")
     const bool has_all =
         std::ranges::includes(seen.edges, quads.edges) && std::ranges::includes(seen.points, quads.points);
     expect_outlines(picture, part, has_all, quads);
-    picture.played.expect(seen == with, part.shown,
-                          fmt::format("a FILL mesh comes out as {} with edge flag FALSE, as {} with TRUE",
-                                      describe(seen), describe(with)),
-                          describe(with), describe(seen));
+    picture.checked.expect(seen == with, part.shown,
+                           fmt::format("a FILL mesh comes out as {} with edge flag FALSE, as {} with TRUE",
+                                       describe(seen), describe(with)),
+                           describe(with), describe(seen));
   }
 };
 
@@ -246,9 +246,9 @@ EVALCTS_TEST(Mesh2, NoDiagonals, kMust, "EV-MESH2-ISQUADS")
   for (std::size_t i = 0; i < areas.size(); ++i) {
     const Part& part = picture.parts[i];
     const char* const where = is_edge(i) ? "on an edge of a quad" : "in the middle of a quad";
-    picture.played.expect(lit(part) == is_edge(i), part.shown,
-                          fmt::format("{}, {}, is {}", part.name, where, lit(part) ? "drawn" : "not drawn"),
-                          is_edge(i) ? "drawn" : "not drawn", lit(part) ? "drawn" : "not drawn");
+    picture.checked.expect(lit(part) == is_edge(i), part.shown,
+                           fmt::format("{}, {}, is {}", part.name, where, lit(part) ? "drawn" : "not drawn"),
+                           is_edge(i) ? "drawn" : "not drawn", lit(part) ? "drawn" : "not drawn");
   }
 };
 
@@ -284,9 +284,9 @@ EVALCTS_TEST(Mesh2, NonPlanarQuads, kQuality, "EV-MESH2-PLANAR")
     if (!lit(control.parts[i]))
       throw NotObservable("pipeline: explicit quad strips are not drawn completely");
     const Part& part = picture.parts[i];
-    picture.played.expect(lit(part), part.shown,
-                          fmt::format("{}, in the middle of a quad, is not drawn", part.name), "drawn",
-                          "not drawn");
+    picture.checked.expect(lit(part), part.shown,
+                           fmt::format("{}, in the middle of a quad, is not drawn", part.name), "drawn",
+                           "not drawn");
   }
 };
 
@@ -522,9 +522,9 @@ EVALCTS_TEST(Mesh2, LinesAndPointsAreNoPolygons, kMust, "EV-MESH2-NOPOLYMODE", c
       const auto seen = looks.parts(stage, drawing), expected = control.parts(stage, drawing);
       for (std::size_t i = 0; i < seen.size(); ++i)
         if (stages.in_depth) {
-          expect_like_explicit(looks.picture().played, seen[i], expected[i]);
+          expect_like_explicit(looks.picture().checked, seen[i], expected[i]);
         } else {
-          expect_mesh_like_explicit(looks.picture().played, seen[i], expected[i]);
+          expect_mesh_like_explicit(looks.picture().checked, seen[i], expected[i]);
         }
     }
 };
@@ -546,7 +546,7 @@ EVALCTS_TEST(Mesh2, FillsArePolygons, kMust, "EV-MESH2-NOPOLYMODE", combine(kSta
     const auto all_seen = looks.parts(stage, 0), all_expected = control.parts(stage, 0);
     for (std::size_t i = 0; i < all_seen.size(); ++i) {
       if (stages.in_depth) {
-        expect_like_explicit(looks.picture().played, all_seen[i], all_expected[i]);
+        expect_like_explicit(looks.picture().checked, all_seen[i], all_expected[i]);
         continue;
       }
       const Outlines seen = outlines_of(all_seen[i]), expected = outlines_of(all_expected[i]);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include <evalcts/testkit/registration.h>
 
@@ -117,7 +116,8 @@ void expect_stipple(Test& t, const Stipple& stipple, const gl::Case& evaluated,
       throw NotObservable("pipeline: the stipple does not restart at each explicit line strip");
   Picture picture = pixels(t, "evaluated", state, evaluated, areas, GL_RED);
   show_pixels(picture, expected);
-  for (std::size_t i = 0; i < count; ++i) expect_like_explicit(picture.played, picture.parts[i], expected[i]);
+  for (std::size_t i = 0; i < count; ++i)
+    expect_like_explicit(picture.checked, picture.parts[i], expected[i]);
 }
 
 // Expects LINE_RESET_TOKEN at the first segments of strips only. A missing one is not a failure
@@ -132,13 +132,14 @@ void expect_starts(Test& t, const gl::Case& evaluated) {
       throw NotObservable("pipeline: explicit line strips have no LINE_RESET_TOKEN at their beginnings only");
   Picture picture = feedback(t, "evaluated", state, evaluated);
   const std::vector<bool> seen = starts_of(picture.parts[0]);
-  picture.played.expect(seen.size() == expected.size(), picture.parts[0].shown,
-                        fmt::format("{} segments are drawn, expected {}", seen.size(), expected.size()),
-                        fmt::format("{} segments", expected.size()), fmt::format("{} segments", seen.size()));
+  picture.checked.expect(seen.size() == expected.size(), picture.parts[0].shown,
+                         fmt::format("{} segments are drawn, expected {}", seen.size(), expected.size()),
+                         fmt::format("{} segments", expected.size()),
+                         fmt::format("{} segments", seen.size()));
   for (std::size_t i = 0; i < std::min(seen.size(), expected.size()); ++i)
-    picture.played.expect(!seen[i] || expected[i], picture.parts[0].shown,
-                          fmt::format("LINE_RESET_TOKEN at segment {} of a strip", i % kSegments + 1),
-                          "LINE_TOKEN", "LINE_RESET_TOKEN");
+    picture.checked.expect(!seen[i] || expected[i], picture.parts[0].shown,
+                           fmt::format("LINE_RESET_TOKEN at segment {} of a strip", i % kSegments + 1),
+                           "LINE_TOKEN", "LINE_RESET_TOKEN");
 }
 
 EVALCTS_TEST_PAIR(Mesh1.Stipple, Mesh2.Stipple, kMust, decide("EV-MESH1-STIPPLE", "EV-MESH2-STIPPLE"),

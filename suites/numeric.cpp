@@ -5,9 +5,7 @@
 #include <reference/map.h>
 
 #include <cmath>
-#include <cstring>
 #include <functional>
-#include <limits>
 
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/hexadecimal.h>

@@ -6,7 +6,7 @@
 #include "checked_case.h"
 #include "grid_cases.h"
 #include "pictures.h"
-#include "refusal.h"
+#include "rejection.h"
 
 namespace evalcts::suite_nv_vertex_program {
 namespace {
@@ -63,7 +63,7 @@ EVALCTS_TEST(NvVertexProgram, FourComponents, kMust, "EV-EXT-NVVP-K")
   std::vector<Calls> calls;
   for (const GLenum target : attribute_maps(t))
     calls.push_back([target](gl::Case& c) { define_attribute_map(c, target, 3, std::vector<float>(32, 1)); });
-  expect_refused(t, "stride 3", calls, {GL_INVALID_VALUE});
+  expect_rejected(t, "stride 3", calls, {GL_INVALID_VALUE});
 };
 
 EVALCTS_TEST(NvVertexProgram, Initial, kMust, "EV-EXT-NVVP-INIT")
@@ -198,7 +198,7 @@ void expect_points(Test& t, const gl::Identity& identity, const gl::Case& state,
                    std::size_t count, const std::function<Color(double)>& color) {
   Picture picture = feedback(t, identity, state, drawing);
   const std::string why = wrong_points(picture.parts.at(0), count, color, kPositionAt);
-  picture.played.expect(why.empty(), picture.parts.at(0).shown, why, "what the maps of attributes say", why);
+  picture.checked.expect(why.empty(), picture.parts.at(0).shown, why, "what the maps of attributes say", why);
 }
 
 EVALCTS_TEST(NvVertexProgram, IgnoredWithoutProgram, kMust, "EV-EXT-NVVP-MODE", combine(kDimensions))
@@ -261,7 +261,7 @@ EVALCTS_TEST(NvVertexProgram, Attribute0IsTheVertex, kMust, "EV-EXT-NVVP-VERTEX"
 EVALCTS_TEST(NvVertexProgram, AutoNormal, kMust, "EV-EXT-NVVP-AUTON")
 (Test& t) {
   require_nv(t);
-  const Dimension& kSurface = kDimensions[1];
+  const Dimension& surface = kDimensions[1];
   const auto set_normal = [](gl::Case& c) { c.Normal3f(0, 0, 2); };
   require_programs(t, "v[NRML]", set_normal, {0, 0, 1, 1});  // colours are clamped
   gl::Case state, drawing;
@@ -275,11 +275,11 @@ EVALCTS_TEST(NvVertexProgram, AutoNormal, kMust, "EV-EXT-NVVP-AUTON")
   for (const double u : {0.0, 1.0})
     for (const double v : {0.0, 1.0})
       for (const float value : point(u, v)) points.push_back(value);
-  const GLenum target = attribute_map(kSurface, kPositionAttribute);
+  const GLenum target = attribute_map(surface, kPositionAttribute);
   drawing.Map2f(target, 0.0f, 1.0f, 8, 2, 0.0f, 1.0f, 4, 2, points);
   drawing.Enable(target);
   drawing.Enable(GL_AUTO_NORMAL);
-  draw(drawing, kSurface);
+  draw(drawing, surface);
   Picture picture = feedback(t, "a rational patch of attribute 0", state, drawing);
   const std::string why = wrong_points(
       picture.parts.at(0), std::size(kAt),
@@ -291,7 +291,7 @@ EVALCTS_TEST(NvVertexProgram, AutoNormal, kMust, "EV-EXT-NVVP-AUTON")
         const double w = 1 + u / 2;
         return Color{u / w - 0.5, 0.25 / w - 0.25, 0, 1};
       });
-  picture.played.expect(why.empty(), picture.parts.at(0).shown, why, "(mx, my, mz, 1), not normalized", why);
+  picture.checked.expect(why.empty(), picture.parts.at(0).shown, why, "(mx, my, mz, 1), not normalized", why);
 };
 
 EVALCTS_TEST(NvVertexProgram, CurrentAttributesStay, kMust, "EV-EXT-NVVP-CURRENT", combine(kDimensions))

@@ -1,13 +1,12 @@
 // Section 19 of the requirements: the evaluator commands that are allowed between Begin and End, and the
 // order of commands: each one takes effect on all later commands and on no earlier one.
-#include <fmt/format.h>
 
 #include <evalcts/judge/prediction.h>
 #include <evalcts/testkit/registration.h>
 #include "checked_case.h"
 #include "dimensions.h"
 #include "drawings.h"
-#include "refusal.h"
+#include "rejection.h"
 
 namespace evalcts::suite_ordering {
 namespace {
@@ -75,9 +74,9 @@ EVALCTS_TEST(Ordering, ForbiddenInPrimitives, kMust, "EV-BE-ALLOWED", "EV-BE-IGN
   c.EvalCoord1f(0.75f);
   c.End();
   const gl::Ref error = c.GetError();
-  c.expect([&, other = control_of(command.name)](Played& played) {
-    if (!other) return played.expect_error(error, {GL_INVALID_OPERATION});
-    expect_error_of_query(t, played, error, other);
+  c.expect([&, other = control_of(command.name)](CheckedTrace& checked) {
+    if (!other) return checked.expect_error(error, {GL_INVALID_OPERATION});
+    expect_error_of_query(t, checked, error, other);
   });
   c.expect_no_error();
   c.expect_unchanged(before);

@@ -104,7 +104,7 @@ Plot pixel_plot(const std::vector<Part>& seen, const std::vector<Part>& expected
 }  // namespace
 
 void show_pixels(Picture& picture, const std::vector<Part>& control, std::size_t scene) {
-  picture.played.set_plot([&picture, &control, scene] { return pixel_plot(picture.parts, control, scene); });
+  picture.checked.set_plot([&picture, &control, scene] { return pixel_plot(picture.parts, control, scene); });
 }
 
 Picture feedback(Test& t, const gl::Identity& identity, const std::vector<Scene>& scenes) {
@@ -120,7 +120,7 @@ Picture feedback(Test& t, const gl::Identity& identity, const std::vector<Scene>
     refs.push_back({buffer, c.RenderMode(GL_RENDER)});
   }
   Picture picture = {t.play(c), {}};
-  const gl::Trace& trace = picture.played.trace();
+  const gl::Trace& trace = picture.checked.trace();
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const auto returned = static_cast<GLint>(trace.result(refs[i].count));
     if (returned < 0) throw NotObservable("pipeline: the feedback buffer overflows");
@@ -182,7 +182,7 @@ Picture pixels(Test& t, const gl::Identity& identity, const std::vector<Scene>& 
   }
   Picture picture = {t.play(c), std::move(parts)};
   for (Part& part : picture.parts) {
-    const std::vector<GLfloat> values = picture.played.trace().values<GLfloat>(part.shown);
+    const std::vector<GLfloat> values = picture.checked.trace().values<GLfloat>(part.shown);
     part.values.assign(values.begin(), values.end());
   }
   return picture;
@@ -212,25 +212,25 @@ void require_an_effect(const Picture& with, const Picture& without) {
   if (alike_in_all) throw NotObservable("pipeline: the stage does not show with explicit vertices");
 }
 
-void expect_like_explicit(Played& played, const Part& seen, const Part& control) {
+void expect_like_explicit(CheckedTrace& checked, const Part& seen, const Part& control) {
   const std::size_t where = first_difference(seen.values, control.values, kTolerance);
   const auto text = [&](const std::vector<double>& values) {
     if (where >= values.size()) return fmt::format("{} values", values.size());
     return fmt::format("{:.7g} at {} of {} values", values[where], where, values.size());
   };
   const std::string expected = text(control.values), captured = text(seen.values);
-  if (!seen.area) played.set_plot([&] { return feedback_plot(seen, control); });
-  played.expect(alike(seen.values, control.values), seen.shown,
-                fmt::format("evaluated vertices leave the pipeline as {}, explicit ones as {} ({})", captured,
-                            expected, seen.name),
-                expected, captured);
-  if (!seen.area) played.set_plot({});
+  if (!seen.area) checked.set_plot([&] { return feedback_plot(seen, control); });
+  checked.expect(alike(seen.values, control.values), seen.shown,
+                 fmt::format("evaluated vertices leave the pipeline as {}, explicit ones as {} ({})",
+                             captured, expected, seen.name),
+                 expected, captured);
+  if (!seen.area) checked.set_plot({});
 }
 
 void expect_like_explicit(Picture picture, const Picture& control) {
   for (std::size_t i = 0; i < picture.parts.size(); ++i) {
     if (picture.parts[i].area) show_pixels(picture, control.parts, picture.parts[i].scene);
-    expect_like_explicit(picture.played, picture.parts[i], control.parts.at(i));
+    expect_like_explicit(picture.checked, picture.parts[i], control.parts.at(i));
   }
 }
 

@@ -50,7 +50,7 @@ struct Part {
 };
 
 struct Picture {
-  Played played;
+  CheckedTrace checked;
   std::vector<Part> parts;
 
   const std::vector<double>& values() const { return parts.at(0).values; }
@@ -98,7 +98,7 @@ void require_an_effect(const std::vector<double>& with, const std::vector<double
 void require_an_effect(const Picture& with, const Picture& without);
 
 // Expects the part to be alike to that of the control.
-void expect_like_explicit(Played& played, const Part& seen, const Part& control);
+void expect_like_explicit(CheckedTrace& checked, const Part& seen, const Part& control);
 // The same for all parts.
 void expect_like_explicit(Picture picture, const Picture& control);
 

@@ -1,7 +1,6 @@
 // Section 7 of the requirements, the pipeline after evaluation: evaluated vertices go through it like
 // explicit ones, whatever the state and the commands between them. The tests draw both under the same state;
 // they may differ by the error that the accuracy rule allows to evaluation.
-#include <functional>
 
 #include <evalcts/judge/prediction.h>
 #include <evalcts/testkit/registration.h>
@@ -31,7 +30,7 @@ Picture look(Test& t, View view, const gl::Identity& identity, const gl::Case& s
 void expect_like_explicit(Test& t, View view, const gl::Identity& identity, const gl::Case& state,
                           const gl::Case& evaluated, const Part& control) {
   Picture picture = look(t, view, identity, state, evaluated);
-  evalcts::expect_like_explicit(picture.played, picture.parts.at(0), control);
+  evalcts::expect_like_explicit(picture.checked, picture.parts.at(0), control);
 }
 
 // --- Stages ----------------------------------------------------------------------------------------------
@@ -160,7 +159,7 @@ constexpr Between kBetween[] = {
 EVALCTS_TEST(Pipeline, BetweenEvaluations, kMust, "EV-COORD-MATERIAL/1-D",
              combine(kBetween).by(without_lists()))
 (Test& t, const Between& between) {
-  constexpr View view = View::kFeedback;
+  constexpr View kView = View::kFeedback;
   gl::Case state;
   set_up_texture(state);
   if (between.lit) light(state);
@@ -199,19 +198,19 @@ EVALCTS_TEST(Pipeline, BetweenEvaluations, kMust, "EV-COORD-MATERIAL/1-D",
     return c;
   };
   const Part& control = drawn_once(std::string("between ") + between.name, [&] {
-    const Picture picture = look(t, view, gl::control("explicit vertices"), state, draw_both(false));
+    const Picture picture = look(t, kView, gl::control("explicit vertices"), state, draw_both(false));
     const std::vector<double>& values = picture.values();
     const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     require_an_effect(std::vector<double>(half, values.end()), std::vector<double>(values.begin(), half));
     return picture.parts.at(0);
   });
-  expect_like_explicit(t, view, "evaluated", state, draw_both(true), control);
+  expect_like_explicit(t, kView, "evaluated", state, draw_both(true), control);
 };
 
 // There is no map of edge flags: evaluated vertices have the current edge flag.
 EVALCTS_TEST(Pipeline, CurrentEdgeFlag, kMust, "EV-ATTR-NOMAPS/1-D", by(without_lists()))
 (Test& t) {
-  constexpr View view = View::kFeedback;
+  constexpr View kView = View::kFeedback;
   gl::Case state;
   state.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   const auto flag = [](std::size_t vertex) { return static_cast<GLboolean>(vertex % 3 != 1); };
@@ -228,9 +227,9 @@ EVALCTS_TEST(Pipeline, CurrentEdgeFlag, kMust, "EV-ATTR-NOMAPS/1-D", by(without_
   gl::Case flags = as_explicit_commands(prediction);
   gl::Case all_edges = without_edge_flags(flags);
 
-  const Picture control = look(t, view, gl::control("explicit vertices"), state, flags);
-  require_an_effect(control, look(t, view, gl::control("all edges"), state, all_edges));
-  expect_like_explicit(t, view, "evaluated", state, evaluated, control.parts.at(0));
+  const Picture control = look(t, kView, gl::control("explicit vertices"), state, flags);
+  require_an_effect(control, look(t, kView, gl::control("all edges"), state, all_edges));
+  expect_like_explicit(t, kView, "evaluated", state, evaluated, control.parts.at(0));
 };
 
 // Evaluation takes attributes without a map from the current values, even if client arrays are enabled.

@@ -8,7 +8,7 @@
 #include <evalcts/gl/contexts.h>
 #include <evalcts/testkit/registration.h>
 #include "checked_case.h"
-#include "refusal.h"
+#include "rejection.h"
 
 namespace evalcts::suite_profiles {
 namespace {
@@ -33,14 +33,14 @@ Entered enter(gl::Case& c, GLuint kind) {
   return {flags, profile};
 }
 
-bool has_bit(const Played& played, gl::Ref query, GLint bit) {
-  return played.trace().written(query) > 0 && (played.trace().values<GLint>(query)[0] & bit) != 0;
+bool has_bit(const CheckedTrace& checked, gl::Ref query, GLint bit) {
+  return checked.trace().written(query) > 0 && (checked.trace().values<GLint>(query)[0] & bit) != 0;
 }
 
-void require_removed(const Played& played, const Entered& entered, GLuint kind) {
+void require_removed(const CheckedTrace& checked, const Entered& entered, GLuint kind) {
   const bool is_one = kind == EVALCTS_CORE_PROFILE
-                          ? has_bit(played, entered.profile, GL_CONTEXT_CORE_PROFILE_BIT)
-                          : has_bit(played, entered.flags, GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT);
+                          ? has_bit(checked, entered.profile, GL_CONTEXT_CORE_PROFILE_BIT)
+                          : has_bit(checked, entered.flags, GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT);
   if (!is_one) throw NotObservable("the context that was asked for is of another kind");
 }
 
@@ -68,7 +68,7 @@ struct Removed {
 void expect_removed(Test& t, GLuint kind, const std::string& identity, const std::vector<Removed>& calls) {
   CheckedCase c(t, identity);
   const Entered entered = enter(c, kind);
-  c.expect([=](Played& played) { require_removed(played, entered, kind); });
+  c.expect([=](CheckedTrace& checked) { require_removed(checked, entered, kind); });
   for (const Removed& removed : calls) {
     removed.call(c);
     c.expect_error(removed.error, removed.other);
@@ -143,9 +143,9 @@ void expect_everything(Test& t) {
   }
   const gl::Ref order = c.GetIntegerv(GL_MAX_EVAL_ORDER, gl::out<GLint>(1));
   c.expect_no_error();
-  c.expect([=](Played& played) {
-    const GLint limit = played.trace().values<GLint>(order)[0];
-    played.expect(limit >= 8, order, "MAX_EVAL_ORDER is less than 8", "8 or more", fmt::format("{}", limit));
+  c.expect([=](CheckedTrace& checked) {
+    const GLint limit = checked.trace().values<GLint>(order)[0];
+    checked.expect(limit >= 8, order, "MAX_EVAL_ORDER is less than 8", "8 or more", fmt::format("{}", limit));
   });
   c.check();
 
@@ -190,8 +190,8 @@ EVALCTS_TEST(Profiles, NoError, kMust, "EV-PROF-NOERROR")
   CheckedCase c(t, "legal commands in a no-error context");
   std::optional<Entered> entered;  // empty if the default context is a no-error context
   if (!t.gl().no_error) entered = enter(c, EVALCTS_NO_ERROR);
-  c.expect([=](Played& played) {
-    if (entered && !has_bit(played, entered->flags, GL_CONTEXT_FLAG_NO_ERROR_BIT))
+  c.expect([=](CheckedTrace& checked) {
+    if (entered && !has_bit(checked, entered->flags, GL_CONTEXT_FLAG_NO_ERROR_BIT))
       throw NotObservable("the context that was asked for is of another kind");
   });
   const Map curve = random_map(t, GL_MAP1_VERTEX_4, 5);

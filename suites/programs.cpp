@@ -18,8 +18,8 @@ Program link_program(gl::Case& c, const std::vector<Shader>& shaders,
   return {program, c.GetProgramiv(program, GL_LINK_STATUS, gl::out<GLint>(1))};
 }
 
-void require_linked(const Played& played, const Program& program) {
-  if (played.trace().values<GLint>(program.linked)[0] != GL_TRUE)
+void require_linked(const CheckedTrace& checked, const Program& program) {
+  if (checked.trace().values<GLint>(program.linked)[0] != GL_TRUE)
     throw NotObservable("pipeline: a program of this test does not link");
 }
 

@@ -22,7 +22,7 @@ struct Program {
 Program link_program(gl::Case& c, const std::vector<Shader>& shaders,
                      const std::vector<std::string>& recorded = {});
 // Throws NotObservable unless the program is linked.
-void require_linked(const Played& played, const Program& program);
+void require_linked(const CheckedTrace& checked, const Program& program);
 
 // Binds program `number` of ARB_vertex_program or ARB_fragment_program and loads its text. Does not enable
 // it.

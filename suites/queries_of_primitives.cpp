@@ -2,8 +2,6 @@
 // conditional rendering discards them.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include <evalcts/testkit/registration.h>
 
 #include "drawings.h"
@@ -15,10 +13,10 @@ namespace {
 // --- Counts ----------------------------------------------------------------------------------------------
 
 struct Counted {
-  Played played;
+  CheckedTrace checked;
   std::vector<gl::Ref> queries;
 
-  GLuint count(std::size_t i) const { return played.trace().values<GLuint>(queries[i])[0]; }
+  GLuint count(std::size_t i) const { return checked.trace().values<GLuint>(queries[i])[0]; }
 };
 
 Counted count(Test& t, const gl::Identity& identity, GLenum target, const std::vector<Scene>& scenes) {
@@ -51,10 +49,10 @@ void expect_counted_like_explicit(Test& t, GLenum target, const std::vector<Draw
       throw NotObservable("pipeline: explicit vertices are not counted");
   Counted counted = count(t, "evaluated", target, evaluated);
   for (std::size_t i = 0; i < evaluated.size(); ++i)
-    counted.played.expect(counted.count(i) == control.count(i), counted.queries[i],
-                          fmt::format("{}: {} are counted, of explicit vertices {}", evaluated[i].name,
-                                      counted.count(i), control.count(i)),
-                          std::to_string(control.count(i)), std::to_string(counted.count(i)));
+    counted.checked.expect(counted.count(i) == control.count(i), counted.queries[i],
+                           fmt::format("{}: {} are counted, of explicit vertices {}", evaluated[i].name,
+                                       counted.count(i), control.count(i)),
+                           std::to_string(control.count(i)), std::to_string(counted.count(i)));
 }
 
 EVALCTS_TEST(Pipeline, SamplesPassed, kMust, "EV-PIPE-QUERY")
@@ -73,10 +71,10 @@ EVALCTS_TEST(Pipeline, PrimitivesGenerated, kMust, "EV-PIPE-PRIMGEN", combine(kM
 
 // ReadPixels after each drawing in conditional rendering, by a query without and by one with passed samples.
 struct Conditional {
-  Played played;
+  CheckedTrace checked;
   std::vector<gl::Ref> failed, passed;
 
-  std::size_t lit(gl::Ref read) const { return count_lit(played, read); }
+  std::size_t lit(gl::Ref read) const { return count_lit(checked, read); }
 };
 
 Conditional render(Test& t, const gl::Identity& identity, const std::vector<Scene>& scenes) {
@@ -116,13 +114,13 @@ void expect_discarded(Test& t, const std::vector<Drawing>& drawings) {
   Conditional evaluated = render(t, "evaluated", scenes);
   for (std::size_t i = 0; i < drawings.size(); ++i) {
     const std::size_t lit = evaluated.lit(evaluated.failed[i]);
-    evaluated.played.expect(
+    evaluated.checked.expect(
         lit == 0, evaluated.failed[i],
         fmt::format("{}: {} pixels are drawn, though no sample passed", scenes[i].name, lit), "no pixel",
         fmt::format("{} pixels", lit));
-    evaluated.played.expect(evaluated.lit(evaluated.passed[i]) > 0, evaluated.passed[i],
-                            fmt::format("{}: nothing is drawn, though samples passed", scenes[i].name),
-                            "some pixels", "no pixel");
+    evaluated.checked.expect(evaluated.lit(evaluated.passed[i]) > 0, evaluated.passed[i],
+                             fmt::format("{}: nothing is drawn, though samples passed", scenes[i].name),
+                             "some pixels", "no pixel");
   }
 }
 

@@ -472,7 +472,7 @@ void expect_picture(Test& t, const RealProgram& program) {
   if (lit < kLeast || 2 * lit < all_lit)
     throw NotObservable("pipeline: explicit vertices do not draw the picture");
   const std::size_t x = first % kSide, y = first / kSide;
-  picture.played.expect(
+  picture.checked.expect(
       static_cast<double>(different) <= kShareThatMayDiffer * static_cast<double>(lit),
       picture.parts[0].shown,
       fmt::format(
@@ -481,7 +481,7 @@ void expect_picture(Test& t, const RealProgram& program) {
       "the picture of explicit vertices: " + wanted.text(first), seen.text(first));
 }
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool kRegistered = [] {
   for (const RealProgram& program : kPrograms) {
     const auto add = [&](const std::string& test, void (*body)(Test&, const RealProgram&)) {
       declare({"RealPrograms", test + "/" + program.name, program.requirements, Level::kMust, nullptr})

@@ -29,7 +29,7 @@ struct Recording {
 };
 
 struct Recordings {
-  Played played;
+  CheckedTrace checked;
   std::vector<Recording> all;
 };
 
@@ -75,10 +75,10 @@ Recordings record(Test& t, const gl::Identity& identity, const std::vector<Scene
     recordings.push_back(std::move(recording));
   }
   Recordings all = {t.play(c), std::move(recordings)};
-  require_linked(all.played, program);
+  require_linked(all.checked, program);
   for (Recording& recording : all.all) {
-    const std::size_t written = all.played.trace().values<GLuint>(recording.written)[0] * recording.size;
-    const std::vector<GLfloat> values = all.played.trace().values<GLfloat>(recording.data);
+    const std::size_t written = all.checked.trace().values<GLuint>(recording.written)[0] * recording.size;
+    const std::vector<GLfloat> values = all.checked.trace().values<GLfloat>(recording.data);
     for (std::size_t i = 0; i < std::min(written, kRoom); ++i)
       std::copy_n(&values[i * kFloats], kFloats, recording.vertices.emplace_back().begin());
   }
@@ -176,7 +176,7 @@ void expect_recorded(Recordings& recordings, const std::vector<Drawing>& drawing
     const Recording& seen = recordings.all[i];
     const Drawing& drawing = drawings[i % drawings.size()];
     const std::size_t expected = primitives_in_order(drawing).size(), where = first_wrong(seen, drawing);
-    recordings.played.expect(
+    recordings.checked.expect(
         is_right(seen, drawing), where < expected ? seen.data : seen.written,
         where < expected ? fmt::format("{}: primitive {} of {} is not recorded as the mesh has it", seen.name,
                                        where, expected)
@@ -190,7 +190,7 @@ void expect_recorded(Recordings& recordings, const std::vector<Drawing>& drawing
 void require_recorded(const Recordings& control, const std::vector<Drawing>& drawings) {
   for (std::size_t i = 0; i < control.all.size(); ++i)
     if (!is_right(control.all[i], drawings[i % drawings.size()]) ||
-        control.played.trace().error(control.all[i].error) != GL_NO_ERROR)
+        control.checked.trace().error(control.all[i].error) != GL_NO_ERROR)
       throw NotObservable("pipeline: explicit vertices are not recorded as they come");
 }
 
@@ -201,7 +201,7 @@ EVALCTS_TEST(Pipeline, TransformFeedback, kMust, "EV-PIPE-XFB")
   require_recorded(record(t, gl::control("explicit vertices"), scenes_of(drawings, false), drawings),
                    drawings);
   Recordings recordings = record(t, "evaluated", scenes_of(drawings, true), drawings);
-  for (const Recording& recording : recordings.all) recordings.played.expect_no_error(recording.error);
+  for (const Recording& recording : recordings.all) recordings.checked.expect_no_error(recording.error);
   expect_recorded(recordings, drawings);
 };
 
@@ -222,16 +222,16 @@ EVALCTS_TEST(Pipeline, RasterizerDiscard, kMust, "EV-PIPE-DISCARD")
   const Recordings control = record(t, gl::control("explicit vertices"), scenes(false), drawings);
   require_recorded(control, drawings);
   for (std::size_t i = 0; i < control.all.size(); ++i)
-    if ((count_lit(control.played, control.all[i].read) == 0) != is_discarded(i))
+    if ((count_lit(control.checked, control.all[i].read) == 0) != is_discarded(i))
       throw NotObservable("pipeline: explicit vertices are not discarded, or never drawn");
   Recordings recordings = record(t, "evaluated", scenes(true), drawings);
   for (std::size_t i = 0; i < recordings.all.size(); ++i) {
     const Recording& recording = recordings.all[i];
-    const std::size_t lit = count_lit(recordings.played, recording.read);
-    recordings.played.expect_no_error(recording.error);
-    recordings.played.expect((lit == 0) == is_discarded(i), recording.read,
-                             fmt::format("{}: {} pixels are drawn", recording.name, lit),
-                             is_discarded(i) ? "no pixel" : "some", std::to_string(lit));
+    const std::size_t lit = count_lit(recordings.checked, recording.read);
+    recordings.checked.expect_no_error(recording.error);
+    recordings.checked.expect((lit == 0) == is_discarded(i), recording.read,
+                              fmt::format("{}: {} pixels are drawn", recording.name, lit),
+                              is_discarded(i) ? "no pixel" : "some", std::to_string(lit));
   }
   expect_recorded(recordings, drawings);
 };

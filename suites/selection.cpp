@@ -24,7 +24,7 @@ struct Hit {
 
 // The hits in the selection buffer, and the command that returned their number.
 struct Selection {
-  Played played;
+  CheckedTrace checked;
   gl::Ref count;
   std::vector<Hit> hits;
 
@@ -55,9 +55,9 @@ Selection select(Test& t, const gl::Identity& identity, const std::vector<Scene>
   }
   const gl::Ref count = c.RenderMode(GL_RENDER);
   Selection selection = {t.play(c), count, {}};
-  const std::int64_t hits = selection.played.trace().result(count);
+  const std::int64_t hits = selection.checked.trace().result(count);
   if (hits < 0) throw NotObservable("pipeline: the selection buffer overflows");
-  const std::vector<GLuint> values = selection.played.trace().values<GLuint>(buffer);
+  const std::vector<GLuint> values = selection.checked.trace().values<GLuint>(buffer);
   std::size_t next = 0;
   for (std::int64_t i = 0; i < hits; ++i) {
     if (next + 3 > kRoom || next + 3 + values[next] > kRoom)
@@ -87,7 +87,7 @@ void expect_hits_like_explicit(Selection& selection, const Selection& control,
     const auto name = static_cast<GLuint>(i + 1);
     const Hit* seen = selection.hit_of(name);
     const Hit* expected = control.hit_of(name);
-    selection.played.expect(
+    selection.checked.expect(
         alike(seen, expected), selection.count,
         fmt::format("{}: {}, explicit vertices: {}", scenes[i].name, in_words(seen), in_words(expected)),
         in_words(expected), in_words(seen));
@@ -199,12 +199,12 @@ EVALCTS_TEST(Selection, EmptyMesh, kMust, "EV-SEL-EMPTY")
   scenes.emplace_back(drawn.name, drawn.evaluated);
   Selection selection = select(t, "evaluated", scenes);
   for (GLuint name = 1; name <= empty; ++name)
-    selection.played.expect(!selection.hit_of(name), selection.count,
-                            fmt::format("{}: hits, though it draws nothing", scenes[name - 1].name), "no hit",
-                            in_words(selection.hit_of(name)));
+    selection.checked.expect(!selection.hit_of(name), selection.count,
+                             fmt::format("{}: hits, though it draws nothing", scenes[name - 1].name),
+                             "no hit", in_words(selection.hit_of(name)));
   const std::vector<GLuint> expected = {empty + 1};
   if (selection.hits.size() < 2)
-    selection.played.expect(
+    selection.checked.expect(
         selection.names() == expected, selection.count,
         fmt::format("the mesh after them does not hit: the names are {}", selection.names()),
         fmt::format("{}", expected), fmt::format("{}", selection.names()));

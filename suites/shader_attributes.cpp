@@ -2,8 +2,6 @@
 // attribute 0.
 #include <fmt/format.h>
 
-#include <cstring>
-
 #include <evalcts/testkit/registration.h>
 
 #include "maps.h"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
 
 #include <evalcts/testkit/registration.h>
@@ -220,8 +219,8 @@ EVALCTS_TEST(Pipeline, ClippedQuads, kMust, "EV-PIPE-CLIPPLANE")
     show_pixels(picture, control.parts, seen.scene);
     const char* const is = lit(seen) ? "drawn" : "not drawn";
     const char* const expected = lit(control.parts[i]) ? "drawn" : "not drawn";
-    picture.played.expect(lit(seen) == lit(control.parts[i]), seen.shown,
-                          fmt::format("{} is {}, expected {}", seen.name, is, expected), expected, is);
+    picture.checked.expect(lit(seen) == lit(control.parts[i]), seen.shown,
+                           fmt::format("{} is {}, expected {}", seen.name, is, expected), expected, is);
   }
 };
 
@@ -371,12 +370,12 @@ EVALCTS_TEST(Pipeline, NoPrimitiveRestart, kMust, "EV-PIPE-NORESTART")
     const Part& seen = picture.parts[i];
     const Part& without = picture.parts[i % drawings.size()];
     if (i < drawings.size()) {
-      expect_drawn_like_explicit(picture.played, drawings[i], seen, control.parts[i]);
+      expect_drawn_like_explicit(picture.checked, drawings[i], seen, control.parts[i]);
     } else {
-      picture.played.expect(is_as_without(picture, i), seen.shown,
-                            fmt::format("{}: the primitives differ from those without restart", seen.name),
-                            fmt::format("the same {} values", without.values.size()),
-                            fmt::format("{} different values", seen.values.size()));
+      picture.checked.expect(is_as_without(picture, i), seen.shown,
+                             fmt::format("{}: the primitives differ from those without restart", seen.name),
+                             fmt::format("the same {} values", without.values.size()),
+                             fmt::format("{} different values", seen.values.size()));
     }
   }
 };

@@ -251,16 +251,16 @@ Checkpoint merged(const std::vector<std::filesystem::path>& files) {
   json first;
   std::vector<bool> seen;
   for (const std::filesystem::path& file : files) {
-    const auto refused = [&](const std::string& why) {
+    const auto rejected = [&](const std::string& why) {
       return BadCheckpoint(fmt::format("{} {}; nothing was written", file.string(), why));
     };
     try {
       const json checkpoint = read_whole(file);
-      if (checkpoint.value("format", "") != kFormat) throw refused("is not a sweep");
+      if (checkpoint.value("format", "") != kFormat) throw rejected("is not a sweep");
       const SweepIdentity own = identity_from(checkpoint);
       const SweepState part = state_from(checkpoint, own.task);
       if (part.done.size() != own.task.blocks_of_shard())
-        throw refused("is unfinished: run its command again to complete it");
+        throw rejected("is unfinished: run its command again to complete it");
       const std::string shard = checkpoint.at("shard");
       if (!whole) {
         first = checkpoint;
@@ -272,21 +272,22 @@ Checkpoint merged(const std::vector<std::filesystem::path>& files) {
       for (const char* name :
            {"format", "evalcts_version", "implementation", "points", "map", "interval", "block"})
         if (checkpoint.value(name, json()) != first.value(name, json()))
-          throw refused(fmt::format("is of another sweep: its {} is {}, not {}", name,
-                                    checkpoint.value(name, json()).dump(), first.value(name, json()).dump()));
+          throw rejected(fmt::format("is of another sweep: its {} is {}, not {}", name,
+                                     checkpoint.value(name, json()).dump(),
+                                     first.value(name, json()).dump()));
       if (own.task.shards != static_cast<std::int64_t>(seen.size()))
-        throw refused(fmt::format("is shard {}, but the others are of {}", shard, seen.size()));
+        throw rejected(fmt::format("is shard {}, but the others are of {}", shard, seen.size()));
       if (seen[static_cast<std::size_t>(own.task.shard)])
-        throw refused(fmt::format("is shard {} a second time", shard));
+        throw rejected(fmt::format("is shard {} a second time", shard));
       seen[static_cast<std::size_t>(own.task.shard)] = true;
       for (std::int64_t block = 0; block < own.task.blocks(); ++block)
         if (part.done.contains(block)) whole->state.done.insert(block);
       whole->state.result.add(part.result);
       whole->seconds += checkpoint.at("seconds").get<double>();
     } catch (const json::exception& problem) {
-      throw refused(fmt::format("is damaged ({})", problem.what()));
+      throw rejected(fmt::format("is damaged ({})", problem.what()));
     } catch (const std::logic_error& problem) {
-      throw refused(fmt::format("is damaged ({})", problem.what()));
+      throw rejected(fmt::format("is damaged ({})", problem.what()));
     }
   }
   std::string missing;

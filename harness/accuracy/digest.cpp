@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -18,17 +17,18 @@ namespace {
 constexpr std::uint64_t kOfMap = 1200;
 
 SweptMap random_swept_map(Random& random) {
-  static const std::vector<std::string> targets = target_names();
-  static const char* const data[] = {"ordinary", "integers", "lines", "cancelling", "wide", "extreme"};
+  static const std::vector<std::string> kTargets = target_names();
+  static const char* const kData[] = {"ordinary", "integers", "lines", "cancelling", "wide", "extreme"};
   SweptMap what;
-  what.target = targets[random.below(targets.size())];
+  what.target = kTargets[random.below(kTargets.size())];
   what.two_dimensional = random.once_in(3);
   Map& map = what.map;
   const int most = !what.two_dimensional || random.once_in(16) ? 30 : 8;
   map.uorder = 1 + static_cast<int>(random.below(most));
   map.vorder = what.two_dimensional ? 1 + static_cast<int>(random.below(most)) : 1;
   map.components = gl::components_of(target_of(what.target, what.two_dimensional));
-  const Class kind = {map.uorder, what.two_dimensional ? map.vorder : 0, data[random.below(std::size(data))]};
+  const Class kind = {map.uorder, what.two_dimensional ? map.vorder : 0,
+                      kData[random.below(std::size(kData))]};
   draw_points(map, kind, random);
   what.along_v = what.two_dimensional && random.once_in(2);
   return what;

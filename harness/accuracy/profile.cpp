@@ -31,7 +31,7 @@ int sign_at(const reference::BernsteinForm& form, int step, int log2_steps) {
 }  // namespace
 
 const std::vector<ProfileCurve>& profile_curves() {
-  static const std::vector<ProfileCurve> all = {
+  static const std::vector<ProfileCurve> kAll = {
       {"cubic", "a cubic with three zeros", {0.37F, -0.98F, 0.87F, -0.31F}},
       {"triple-zero", "(1 - 2u)^3, a zero of three", {1, -1, 1, -1}},
       {"order-10",
@@ -43,7 +43,7 @@ const std::vector<ProfileCurve>& profile_curves() {
        {1,     -0.75F, 1.25F, -1,     0.75F, -1.25F, 1,     -0.75F, 1.25F, -1,
         0.75F, -1.25F, 1,     -0.75F, 1.25F, -1,     0.75F, -1.25F, 1,     -0.75F}},
   };
-  return all;
+  return kAll;
 }
 
 // Finds sign changes on a grid that is fine enough for these curves, then uses bisection.

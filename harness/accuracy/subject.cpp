@@ -39,7 +39,7 @@ GLenum target_of(const std::string& name, bool two_dimensional) {
 }
 
 const std::vector<SubjectKind>& own_subjects() {
-  static const std::vector<SubjectKind> all = {
+  static const std::vector<SubjectKind> kAll = {
       {"production-fast", "libglevaluator's meshes with GLEV_FAST"},
       {"casteljau-float", "de Casteljau's construction, in float"},
       {"casteljau-double", "de Casteljau's construction in double, rounded once"},
@@ -48,7 +48,7 @@ const std::vector<SubjectKind>& own_subjects() {
       {"sum-float", "the sum of all terms as it stands in the specification, in float"},
       {"sum-double", "the sum of all terms in double, rounded once"},
   };
-  return all;
+  return kAll;
 }
 
 std::unique_ptr<Subject> open_subject(const ImplementationOptions& options) {

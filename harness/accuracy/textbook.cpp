@@ -3,7 +3,6 @@
 // IEEE arithmetic.
 #include <algorithm>
 #include <array>
-#include <vector>
 
 #include <evalcts/accuracy/subject.h>
 

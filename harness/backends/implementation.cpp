@@ -8,6 +8,7 @@
 #include <functional>
 
 #include <evalcts/backends/refused_queries.h>
+#include <evalcts/gl/errors.h>
 #include <evalcts/gl/player.h>
 #include <evalcts/gl/tokens.h>
 #include "context_maker.h"
@@ -24,7 +25,7 @@ struct NamedContexts {
 };
 
 const std::vector<NamedContexts>& named_contexts() {
-  static const std::vector<NamedContexts> all = {
+  static const std::vector<NamedContexts> kAll = {
       {"osmesa", [] { return make_osmesa_contexts(""); }},
       {"egl-surfaceless", [] { return make_egl_contexts("", EglPlatform::kSurfaceless); }},
       {"egl-device", [] { return make_egl_contexts("", EglPlatform::kDevice); }},
@@ -33,7 +34,7 @@ const std::vector<NamedContexts>& named_contexts() {
       {"glx-indirect", [] { return make_glx_contexts("", GlxRendering::kIndirect); }},
       {"none", [] { return make_no_contexts(); }},
   };
-  return all;
+  return kAll;
 }
 
 std::string guessed_kind(const std::string& path) {
@@ -73,7 +74,7 @@ std::unique_ptr<Implementation> open_with_context(const ImplementationOptions& o
 }  // namespace
 
 const std::vector<ImplementationKind>& implementation_kinds() {
-  static const std::vector<ImplementationKind> kinds = {
+  static const std::vector<ImplementationKind> kKinds = {
       {"osmesa", "Mesa's off-screen library, libOSMesa", "libosmesa6", true},
       {"production", "libglevaluator, the evaluator of this project", "", true},
       {"reference", "the executable specification, in exact arithmetic", "", true},
@@ -86,16 +87,16 @@ const std::vector<ImplementationKind>& implementation_kinds() {
       {"dropin-glx", "the same in front of libGL, rendering directly, under an X server", "xvfb", false},
       {"sink", "an evaluator that is not a GL, given with --library", "", false},
   };
-  return kinds;
+  return kKinds;
 }
 
 const std::vector<std::string>& context_names() {
-  static const std::vector<std::string> names = [] {
+  static const std::vector<std::string> kNames = [] {
     std::vector<std::string> all;
     for (const NamedContexts& named : named_contexts()) all.push_back(named.name);
     return all;
   }();
-  return names;
+  return kNames;
 }
 
 std::unique_ptr<Implementation> open_implementation(const ImplementationOptions& options) {
@@ -171,8 +172,7 @@ bool state_survives_context(Implementation& implementation) {
   const bool survives = segments == kSegments || gl.IsEnabled(kMap) == GL_TRUE;
   gl.MapGrid1f(1, 0, 1);
   gl.Disable(kMap);
-  if (gl.GetError)
-    for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) continue;
+  gl::take_errors(second->table());
   return survives;
 }
 
@@ -227,8 +227,7 @@ ImplementationInfo inquire(Implementation& implementation) {
 
   info.no_error = (info.at_least(4, 6) || info.extensions.contains("GL_KHR_no_error")) &&
                   (integer_of(GL_CONTEXT_FLAGS, 0) & GL_CONTEXT_FLAG_NO_ERROR_BIT) != 0;
-  if (table.GetError)
-    for (int i = 0; i < 16 && table.GetError() != GL_NO_ERROR; ++i) continue;
+  gl::take_errors(table);
 
   info.has_mapd = table.Map1d && table.Map2d;
   info.has_get_mapdv = table.GetMapdv != nullptr;

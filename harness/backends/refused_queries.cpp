@@ -4,6 +4,9 @@
 
 #include <utility>
 
+#include <evalcts/backends/context_in_front.h>
+#include <evalcts/gl/errors.h>
+
 namespace evalcts {
 namespace {
 
@@ -60,20 +63,11 @@ struct Filter {
   }
 };
 
-class FilteredContext final : public Context {
+class FilteredContext final : public ContextInFront {
  public:
-  explicit FilteredContext(std::unique_ptr<Context> inner)
-      : inner_(std::move(inner)), table_(inner_->table()) {
+  explicit FilteredContext(std::unique_ptr<Context> inner) : ContextInFront(std::move(inner)) {
     Filter::install(table_);
   }
-  const gl::Table& table() const override { return table_; }
-  bool has_sink() const override { return inner_->has_sink(); }
-  Attributes emitted_attributes() const override { return inner_->emitted_attributes(); }
-  std::vector<ObservedPrimitive> take_emitted() override { return inner_->take_emitted(); }
-
- private:
-  std::unique_ptr<Context> inner_;
-  gl::Table table_;
 };
 
 class Filtered final : public ImplementationInFront {
@@ -90,17 +84,12 @@ std::set<GLenum> find_refused_queries(Implementation& implementation) {
   const std::unique_ptr<Context> context = implementation.create_context();
   const gl::Table& table = context->table();
   if (!table.GetFloatv || !table.GetError) return {};
-  const auto drain = [&] {
-    bool any = false;
-    for (int i = 0; i < 16 && table.GetError() != GL_NO_ERROR; ++i) any = true;
-    return any;
-  };
-  drain();
+  gl::take_errors(table);
   std::set<GLenum> refused;
   for (const GLenum name : kQueried) {
     GLfloat values[16] = {};
     table.GetFloatv(name, values);
-    if (drain()) refused.insert(name);
+    if (!gl::take_errors(table).empty()) refused.insert(name);
   }
   return refused;
 }

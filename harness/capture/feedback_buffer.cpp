@@ -86,7 +86,7 @@ class FeedbackBuffer final : public Capture {
     const Attributes wanted = asked.attributes;
     std::optional<Observation> observation;
     const auto pass = [&](TextureCoordinatesHold hold, Attributes gives) {
-      Observation seen = play_pass(implementation, script, hold, asked.most_vertices);
+      Observation seen = run_pass(implementation, script, hold, asked.most_vertices);
       seen.attributes = gives;
       if (!observation) {
         observation = std::move(seen);
@@ -108,8 +108,8 @@ class FeedbackBuffer final : public Capture {
   }
 
  private:
-  Observation play_pass(Implementation& implementation, const gl::Case& script, TextureCoordinatesHold hold,
-                        std::size_t most_vertices) const {
+  Observation run_pass(Implementation& implementation, const gl::Case& script, TextureCoordinatesHold hold,
+                       std::size_t most_vertices) const {
     // Each vertex takes x y z w, R G B A, s t r q and a token; a polygon adds its number of vertices.
     const std::size_t room = (most_vertices + 1) * 13;
     gl::Case prologue = setup(hold, keep_w_, unclamp_);

@@ -211,7 +211,7 @@ class Windows {
 // The explicit vertex that is drawn after the case. If it is not captured after the vertices of the case, the
 // case has changed state that pixels depend on.
 const ObservedVertex& witness() {
-  static const ObservedVertex vertex = [] {
+  static const ObservedVertex kVertex = [] {
     ObservedVertex v;
     v.position = {0.3f, -0.7f, 0.011f, 1.5f};
     v.color = {0.1f, 0.9f, 0.3f, 0.6f};
@@ -219,7 +219,7 @@ const ObservedVertex& witness() {
     v.texture_coordinate[0] = {-12.3f, 0.007f, 4.5f, 1.25f};
     return v;
   }();
-  return vertex;
+  return kVertex;
 }
 
 void draw_witness(gl::Case& c) {
@@ -256,9 +256,9 @@ float decode(const GLubyte* pixel) {
   return std::bit_cast<float>(bits);
 }
 
-template <std::size_t n>
-void decode(const GLubyte* vertex, std::size_t first_component, std::array<float, n>& values) {
-  for (std::size_t k = 0; k < n; ++k) values[k] = decode(vertex + 8 * (first_component + k));
+template <std::size_t kN>
+void decode(const GLubyte* vertex, std::size_t first_component, std::array<float, kN>& values) {
+  for (std::size_t k = 0; k < kN; ++k) values[k] = decode(vertex + 8 * (first_component + k));
 }
 
 class Pixels final : public Capture {
@@ -305,7 +305,7 @@ class Pixels final : public Capture {
     std::vector<ObservedVertex> seen;
     for (std::size_t first = 0; seen.size() == first && first < kOfOneWindow; first += kOfOnePass) {
       const std::size_t count = std::min(kOfOneWindow - first, kOfOnePass);
-      const GLenum error = play_pass(implementation, windows, window, first, count, seen);
+      const GLenum error = run_pass(implementation, windows, window, first, count, seen);
       if (window == 0 && first == 0) observation.error = error;
     }
     if (seen.size() == kOfOneWindow)
@@ -317,8 +317,8 @@ class Pixels final : public Capture {
 
   // Appends up to `count` vertices of the window, starting with the vertex `first`. Returns the error of the
   // case.
-  GLenum play_pass(Implementation& implementation, const Windows& windows, std::size_t window,
-                   std::size_t first, std::size_t count, std::vector<ObservedVertex>& vertices) const {
+  GLenum run_pass(Implementation& implementation, const Windows& windows, std::size_t window,
+                  std::size_t first, std::size_t count, std::vector<ObservedVertex>& vertices) const {
     const std::unique_ptr<Context> context = implementation.create_context();
     gl::Case prologue;
     prologue.Viewport(0, 0, kViewport, kViewport);

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
-#include <map>
 
 #include <evalcts/faults/fault_table.h>
 #include <evalcts/results/coverage.h>
@@ -100,27 +99,27 @@ class Scratch {
 };
 
 // The run of a test on the executable specification, where it passes.
-struct PlayedTest {
+struct TestRun {
   std::optional<CaseStarted> first;  // its first case that is not a control
   std::optional<TestRecord> record;
 };
 
-PlayedTest play_on_specification(const std::string& test, const fs::path& scratch) {
+TestRun run_on_specification(const std::string& test, const fs::path& scratch) {
   constexpr double kLook = 0.01, kPatience = 60;  // seconds
   const fs::path list = scratch / "test.txt", events = scratch / "events.jsonl";
   std::ofstream(list) << test << '\n';
-  PlayedTest played;
+  TestRun run;
   SuiteChild child(
       {places().suite_program.string(), "--implementation", "reference", "--depth", "quick", "--tests",
        list.string(), "--records", events.string(), "--trace-cases", "--die-with-parent", "--gtest_brief=1"},
       events, scratch / "log.txt", {kPatience});
   const auto take = [&](const Event& event) {
     if (const auto* started = std::get_if<CaseStarted>(&event); started && !started->is_control)
-      if (!played.first) played.first = *started;
-    if (const auto* finished = std::get_if<TestFinished>(&event)) played.record = finished->record;
+      if (!run.first) run.first = *started;
+    if (const auto* finished = std::get_if<TestFinished>(&event)) run.record = finished->record;
   };
   while (!child.look(kLook, {}, take)) continue;
-  return played;
+  return run;
 }
 
 // Returns the queries among the calls, each once: "glGetError, glIsEnabled".
@@ -135,17 +134,17 @@ std::string queries_of(const std::vector<std::string>& calls) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-void explain_cases(const PlayedTest& played) {
-  if (!played.first || !played.record) return;
-  const auto cases = played.record->cases.value_or(1);
+void explain_cases(const TestRun& run) {
+  if (!run.first || !run.record) return;
+  const auto cases = run.record->cases.value_or(1);
   paragraph(fmt::format("{}, '{}':", cases == 1 ? "The only case" : fmt::format("First of {} cases", cases),
-                        played.first->identity));
-  for (const std::string& call : played.first->calls) std::cout << "    " << call << "\n";
+                        run.first->identity));
+  for (const std::string& call : run.first->calls) std::cout << "    " << call << "\n";
   std::vector<std::string> compared;
-  if (!played.record->capture.empty())
+  if (!run.record->capture.empty())
     compared.emplace_back(
         "the vertices and primitives that are drawn, with those of the executable specification");
-  if (const std::string queries = queries_of(played.first->calls); !queries.empty())
+  if (const std::string queries = queries_of(run.first->calls); !queries.empty())
     compared.push_back("the answers of " + queries + ", with the answers that the rules demand");
   labelled("Compared", fmt::format("{}", fmt::join(compared, "; ")));
 }
@@ -189,7 +188,7 @@ void explain_test(const ListedTest& test) {
       paragraph("Source: " + requirement->source, 4);
     }
   const Scratch scratch;
-  explain_cases(play_on_specification(test.name, scratch.path()));
+  explain_cases(run_on_specification(test.name, scratch.path()));
   explain_faults(test, scratch.path());
 }
 

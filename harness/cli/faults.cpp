@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
-#include <iostream>
 
 #include <evalcts/faults/fault_table.h>
 #include <evalcts/results/coverage.h>

@@ -4,10 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <memory>
-#include <set>
 
 #include <evalcts/backends/implementation.h>
 #include <evalcts/fuzz/campaign.h>

@@ -223,7 +223,7 @@ class MpiWorld final : public World {
   int rank_ = 0, size_ = 1;
 };
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool kRegistered = [] {
   join_world = [] { return std::unique_ptr<World>(std::make_unique<MpiWorld>()); };
   return true;
 }();

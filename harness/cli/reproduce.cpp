@@ -1,6 +1,5 @@
 // `evalcts reproduce`: writes a failure or a bug of the last run as a stand-alone C program.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

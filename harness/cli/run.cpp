@@ -8,11 +8,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 #include <future>
 #include <iostream>
-#include <map>
-#include <mutex>
 #include <random>
 
 #include <evalcts/fuzz/bugs.h>
@@ -175,7 +172,7 @@ std::vector<ListedTest> chosen_tests(const RunOptions& options, const std::vecto
                                      const RunRequest& request) {
   std::vector<ListedTest> tests = matching(all, options.filter);
   std::erase_if(tests,
-                [&](const ListedTest& test) { return !is_played(test, request.depth, options.filter); });
+                [&](const ListedTest& test) { return !is_selected(test, request.depth, options.filter); });
   if (request.shard) tests = request.shard->part_of(tests);
   if (options.shuffle) std::shuffle(tests.begin(), tests.end(), std::mt19937(*options.shuffle));
   return tests;
@@ -186,7 +183,7 @@ std::string wrong_filter(const RunOptions& options, const std::vector<ListedTest
   const std::vector<ListedTest> matched = matching(all, options.filter);
   if (matched.empty()) return fmt::format("no test matches '{}'; see 'evalcts list tests'", options.filter);
   if (std::ranges::any_of(matched,
-                          [&](const ListedTest& test) { return is_played(test, depth, options.filter); }))
+                          [&](const ListedTest& test) { return is_selected(test, depth, options.filter); }))
     return {};
   const Depth needed = std::ranges::min(matched, {}, &ListedTest::from).from;
   return fmt::format(

@@ -13,7 +13,6 @@
 #include <fstream>
 #include <iostream>
 #include <map>
-#include <sstream>
 #include <variant>
 
 #include <evalcts/accuracy_page.h>

@@ -4,7 +4,6 @@
 
 #include <fstream>
 #include <iostream>
-#include <sstream>
 
 #include <evalcts/vectors/lint.h>
 #include <evalcts/vectors/pipe.h>

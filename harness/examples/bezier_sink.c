@@ -76,20 +76,20 @@ static const char* reset(const evalcts_receiver* new_receiver) {
   return NULL;
 }
 
-static const evalcts_sink_command commands[] = {
+static const evalcts_sink_command kCommands[] = {
     EVALCTS_SINK_COMMAND(Map1f),       EVALCTS_SINK_COMMAND(Enable),       EVALCTS_SINK_COMMAND(Disable),
     EVALCTS_SINK_COMMAND(EvalCoord1f), EVALCTS_SINK_COMMAND(EvalCoord1fv), {NULL, NULL}};
-static const unsigned targets[] = {kMap1Vertex3, kMap1Vertex4, 0};
+static const unsigned kTargets[] = {kMap1Vertex3, kMap1Vertex4, 0};
 
 const evalcts_sink* evalcts_sink_open(void) {
-  static const evalcts_sink sink = {.version = EVALCTS_SINK_VERSION,
-                                    .attributes = EVALCTS_SINK_POSITION,
-                                    .commands = commands,
-                                    .reset = reset,
-                                    .targets = targets,
-                                    .max_order = kMaxOrder,
-                                    .vendor = "evalcts",
-                                    .name = "Bezier example",
-                                    .gl_version = "1.1"};
-  return &sink;
+  static const evalcts_sink kSink = {.version = EVALCTS_SINK_VERSION,
+                                     .attributes = EVALCTS_SINK_POSITION,
+                                     .commands = kCommands,
+                                     .reset = reset,
+                                     .targets = kTargets,
+                                     .max_order = kMaxOrder,
+                                     .vendor = "evalcts",
+                                     .name = "Bezier example",
+                                     .gl_version = "1.1"};
+  return &kSink;
 }

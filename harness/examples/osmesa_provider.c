@@ -62,8 +62,8 @@ static void* get_address(const char* command) { return dlsym(library, command); 
 static const char* error(void) { return what_went_wrong; }
 
 const evalcts_provider* evalcts_provider_open(void) {
-  static const evalcts_provider provider = {
+  static const evalcts_provider kProvider = {
       EVALCTS_PROVIDER_VERSION, create, destroy, get_address, error,
       make_context_current,     NULL /* OSMesa has no colour-index contexts */};
-  return &provider;
+  return &kProvider;
 }

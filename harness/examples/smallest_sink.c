@@ -21,13 +21,13 @@ static const char* reset(const evalcts_receiver* new_receiver) {
   Map1f(0x0D97, 0, 1, 3, 1, (float[]){0, 0, 0}); /* GL_MAP1_VERTEX_3, initial map */
   return receiver = new_receiver, enabled = 0, (const char*)0;
 }
-static const evalcts_sink_command commands[] = {
+static const evalcts_sink_command kCommands[] = {
     EVALCTS_SINK_COMMAND(Enable), EVALCTS_SINK_COMMAND(Map1f), EVALCTS_SINK_COMMAND(EvalCoord1f), {0, 0}};
-static const unsigned targets[] = {0x0D97, 0};
-static const evalcts_sink sink = {.version = EVALCTS_SINK_VERSION,
-                                  .attributes = EVALCTS_SINK_POSITION,
-                                  .commands = commands,
-                                  .reset = reset,
-                                  .targets = targets,
-                                  .max_order = 8};
-const evalcts_sink* evalcts_sink_open(void) { return &sink; }
+static const unsigned kTargets[] = {0x0D97, 0};
+static const evalcts_sink kSink = {.version = EVALCTS_SINK_VERSION,
+                                   .attributes = EVALCTS_SINK_POSITION,
+                                   .commands = kCommands,
+                                   .reset = reset,
+                                   .targets = kTargets,
+                                   .max_order = 8};
+const evalcts_sink* evalcts_sink_open(void) { return &kSink; }

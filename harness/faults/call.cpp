@@ -101,12 +101,12 @@ Command describe(std::string_view name) {
   using Wrapped = Wrapper<kEntry, kMember, std::remove_cvref_t<decltype(unmodified.*kMember)>>;
   return {Wrapped::install, Wrapped::remove, Wrapped::original, name};
 }
-const std::array<Command, gl::kEntryPointCount> commands{{
+const std::array<Command, gl::kEntryPointCount> kCommands{{
 #define GL_ENTRY(name, kinds) describe<name, &gl::Table::name>(#name),
 #include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
 }};
-const Command& command(gl::EntryPoint entry) { return commands[static_cast<std::size_t>(entry)]; }
+const Command& command(gl::EntryPoint entry) { return kCommands[static_cast<std::size_t>(entry)]; }
 
 }  // namespace
 

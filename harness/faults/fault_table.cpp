@@ -6,10 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
-#include <fstream>
 #include <mutex>
-#include <thread>
 
 #include <evalcts/backends/implementation.h>
 #include <evalcts/results/files.h>
@@ -58,7 +55,7 @@ class Trial {
       const std::vector<std::string> tests =
           passing_tests(fault, depth, tests_of(requirement, depth, fault.level));
       if (interrupted) throw CannotTry{"interrupted"};
-      if (!tests.empty()) detection = play_until_detected(fault, depth, tests);
+      if (!tests.empty()) detection = run_until_detected(fault, depth, tests);
       if (detection.detected) break;
     }
     detection.requirement = requirement;
@@ -99,8 +96,7 @@ class Trial {
   }
 
   // Runs the tests with the fault until one detects it.
-  Detection play_until_detected(const ListedFault& fault, Depth depth,
-                                const std::vector<std::string>& tests) {
+  Detection run_until_detected(const ListedFault& fault, Depth depth, const std::vector<std::string>& tests) {
     const ChildRun run = play(fault, fault.name, depth, tests);
     if (interrupted) throw CannotTry{"interrupted"};  // the interruption has killed the child
     const auto detected = [&](const std::string& test, Verdict verdict, const std::string& message) {
@@ -125,7 +121,7 @@ class Trial {
                 const std::vector<std::string>& tests) const {
     std::vector<std::string> arguments = arguments_of(fault);
     if (label == fault.name) arguments.insert(arguments.end(), {"--fault", label, "--gtest_fail_fast"});
-    return play_in_child(request_, label, arguments, depth, tests);
+    return run_in_child(request_, label, arguments, depth, tests);
   }
 
   const TableRequest& request_;
@@ -140,22 +136,8 @@ std::vector<TriedFault> try_faults(
     const TableRequest& request,
     const std::function<void(std::size_t done, const std::string& fault)>& progress) {
   Trial trial(request);
-  std::vector<std::optional<TriedFault>> results(request.faults.size());
-  std::atomic<std::size_t> next = 0, done = 0;
-  const auto work = [&] {
-    for (std::size_t i; (i = next++) < request.faults.size() && !interrupted;) {
-      progress(done, request.faults[i].name);
-      results[i] = trial.try_fault(request.faults[i]);
-      ++done;
-    }
-  };
-  std::vector<std::jthread> workers;
-  for (int i = 0; i < request.jobs; ++i) workers.emplace_back(work);
-  workers.clear();
-  std::vector<TriedFault> all;
-  for (std::optional<TriedFault>& result : results)
-    if (result) all.push_back(*std::move(result));
-  return all;
+  return try_each<TriedFault>(request.faults, request.jobs, progress,
+                              [&](const ListedFault& fault) { return trial.try_fault(fault); });
 }
 
 std::vector<ListedFault> list_faults(const fs::path& program, const std::string& question) {

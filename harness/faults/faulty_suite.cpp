@@ -20,7 +20,7 @@ using namespace evalcts;
 // True if OSMesa can be opened. Mesa 25.1 and newer do not contain it, so the faults for OSMesa are injected
 // into Mesa through EGL.
 bool has_osmesa() {
-  static const bool has = [] {
+  static const bool kHas = [] {
     try {
       open_implementation({"osmesa"})->create_context();
       return true;
@@ -28,7 +28,7 @@ bool has_osmesa() {
       return false;
     }
   }();
-  return has;
+  return kHas;
 }
 
 // Returns the arguments that make this program open the implementation of a fault.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <evalcts/backends/context_in_front.h>
 #include <mutations/mutation.h>
 #include "fault.h"
 #include "rules.h"
@@ -21,7 +22,7 @@ std::vector<Fault>& wrappers() {
 // Returns the mutations of the production library that tests of the suite must detect, with their numbers.
 // Mutations without requirements are left out, because production's own tests detect them.
 const std::vector<std::pair<int, Fault>>& mutations() {
-  static const std::vector<std::pair<int, Fault>> all = [] {
+  static const std::vector<std::pair<int, Fault>> kAll = [] {
     std::vector<std::pair<int, Fault>> list;
     int number = 0;
 #define GLEV_MUTATION(name, level, requirements, what, test) \
@@ -32,7 +33,7 @@ const std::vector<std::pair<int, Fault>>& mutations() {
 #undef GLEV_MUTATION
     return list;
   }();
-  return all;
+  return kAll;
 }
 
 void activate_mutation(std::string_view name) {
@@ -41,11 +42,11 @@ void activate_mutation(std::string_view name) {
 }
 
 // A context of an implementation with a fault.
-class FaultyContext final : public Context {
+class FaultyContext final : public ContextInFront {
  public:
-  FaultyContext(std::unique_ptr<Context> inner, const Fault& fault) : inner_(std::move(inner)) {
+  FaultyContext(std::unique_ptr<Context> inner, const Fault& fault) : ContextInFront(std::move(inner)) {
     forget_rules();
-    unmodified = table_ = inner_->table();
+    unmodified = table_;
     Injection injection{table_};
     fault.inject(injection);
     emitted_ = injection.emitted;
@@ -57,18 +58,13 @@ class FaultyContext final : public Context {
     watch(table_);
   }
 
-  const gl::Table& table() const override { return table_; }
-  bool has_sink() const override { return inner_->has_sink(); }
-  Attributes emitted_attributes() const override { return inner_->emitted_attributes(); }
   std::vector<ObservedPrimitive> take_emitted() override {
-    std::vector<ObservedPrimitive> primitives = inner_->take_emitted();
+    std::vector<ObservedPrimitive> primitives = inner().take_emitted();
     if (emitted_) emitted_(primitives);
     return primitives;
   }
 
  private:
-  std::unique_ptr<Context> inner_;
-  gl::Table table_;
   std::function<void(std::vector<ObservedPrimitive>&)> emitted_;
 };
 
@@ -90,7 +86,7 @@ class Faulty final : public ImplementationInFront {
 FaultRegistration::FaultRegistration(const Fault& fault) { wrappers().push_back(fault); }
 
 const std::vector<Fault>& all_faults() {
-  static const std::vector<Fault> sorted = [] {
+  static const std::vector<Fault> kSorted = [] {
     std::vector<Fault> all = wrappers();
     for (const auto& [number, fault] : mutations()) all.push_back(fault);
     std::ranges::sort(all, {}, &Fault::name);
@@ -98,7 +94,7 @@ const std::vector<Fault>& all_faults() {
     if (twice != all.end()) throw std::logic_error(fmt::format("two faults are called {}", twice->name));
     return all;
   }();
-  return sorted;
+  return kSorted;
 }
 
 std::unique_ptr<Implementation> with_fault(std::unique_ptr<Implementation> inner, std::string_view name) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include <evalcts/backends/context_in_front.h>
 #include <evalcts/gl/tokens.h>
 
 namespace evalcts::faults {
@@ -83,21 +84,16 @@ void copy_context(GLuint from, GLuint to, GLbitfield mask) {
 
 // ------------------------------------------------------------------------------------------------------------
 
-class RepairedContext final : public Context {
+class RepairedContext final : public ContextInFront {
  public:
-  explicit RepairedContext(std::unique_ptr<Context> inner) : inner_(std::move(inner)) {
-    own = table_ = inner_->table();
+  explicit RepairedContext(std::unique_ptr<Context> inner) : ContextInFront(std::move(inner)) {
+    own = table_;
     state = {};
     table_.Begin = begin;
     table_.End = end;
     table_.EvalMesh2 = eval_mesh2;
     table_.CopyContextEVALCTS = copy_context;
   }
-  const gl::Table& table() const override { return table_; }
-
- private:
-  std::unique_ptr<Context> inner_;
-  gl::Table table_;
 };
 
 class RepairedOSMesa final : public ImplementationInFront {

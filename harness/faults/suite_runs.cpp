@@ -12,9 +12,9 @@ std::vector<std::string> arguments_of(const ListedFault& fault) {
                                  : fault.arguments;
 }
 
-ChildRun play_in_child(const TableRequest& request, const std::string& label,
-                       const std::vector<std::string>& arguments, Depth depth,
-                       const std::vector<std::string>& tests) {
+ChildRun run_in_child(const TableRequest& request, const std::string& label,
+                      const std::vector<std::string>& arguments, Depth depth,
+                      const std::vector<std::string>& tests) {
   constexpr double kLook = 0.01;  // interval, in seconds, at which the child is checked
   namespace fs = std::filesystem;
   const fs::path list = request.scratch / (label + ".txt"), events = request.scratch / (label + ".jsonl");

@@ -1,10 +1,15 @@
 // Runs the suite program with faults or variations.
 #pragma once
 
+#include <atomic>
+#include <functional>
+#include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <evalcts/faults/fault_table.h>
+#include <evalcts/runner/interruption.h>
 #include <evalcts/runner/suite_child.h>
 
 namespace evalcts::faults {
@@ -14,8 +19,33 @@ std::vector<std::string> arguments_of(const ListedFault& fault);
 
 // Runs the tests in this order in one child process with these arguments. The run ends early if a test kills
 // the process. The names of files in the scratch folder begin with `label`.
-ChildRun play_in_child(const TableRequest& request, const std::string& label,
-                       const std::vector<std::string>& arguments, Depth depth,
-                       const std::vector<std::string>& tests);
+ChildRun run_in_child(const TableRequest& request, const std::string& label,
+                      const std::vector<std::string>& arguments, Depth depth,
+                      const std::vector<std::string>& tests);
+
+// Calls try_one() for each of the faults on `jobs` threads, and before each call progress() with the number
+// of completed calls and the name of the fault. Returns the results in the order of the faults, without those
+// that are missing because of an interruption.
+template <class Result>
+std::vector<Result> try_each(const std::vector<ListedFault>& faults, int jobs,
+                             const std::function<void(std::size_t done, const std::string& name)>& progress,
+                             const std::function<std::optional<Result>(const ListedFault&)>& try_one) {
+  std::vector<std::optional<Result>> results(faults.size());
+  std::atomic<std::size_t> next = 0, done = 0;
+  const auto work = [&] {
+    for (std::size_t i; (i = next++) < faults.size() && !interrupted;) {
+      progress(done, faults[i].name);
+      results[i] = try_one(faults[i]);
+      ++done;
+    }
+  };
+  std::vector<std::jthread> workers;
+  for (int i = 0; i < jobs; ++i) workers.emplace_back(work);
+  workers.clear();
+  std::vector<Result> all;
+  for (std::optional<Result>& result : results)
+    if (result) all.push_back(*std::move(result));
+  return all;
+}
 
 }  // namespace evalcts::faults

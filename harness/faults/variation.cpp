@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <evalcts/backends/context_in_front.h>
+
 namespace evalcts::variations {
 namespace {
 
@@ -41,29 +43,25 @@ void note(gl::Table& table) {
     };
 }
 
-class VariedContext final : public Context {
+class VariedContext final : public ContextInFront {
  public:
-  VariedContext(std::shared_ptr<Context> inner, const Variation& variation) : inner_(std::move(inner)) {
+  VariedContext(std::shared_ptr<Context> inner, const Variation& variation)
+      : ContextInFront(std::move(inner)) {
     remembered = {};
-    unvaried = table_ = inner_->table();
+    unvaried = table_;
     Varied varied{table_};
     variation.vary(varied);
     emitted_ = varied.emitted;
     note(table_);
   }
 
-  const gl::Table& table() const override { return table_; }
-  bool has_sink() const override { return inner_->has_sink(); }
-  Attributes emitted_attributes() const override { return inner_->emitted_attributes(); }
   std::vector<ObservedPrimitive> take_emitted() override {
-    std::vector<ObservedPrimitive> primitives = inner_->take_emitted();
+    std::vector<ObservedPrimitive> primitives = inner().take_emitted();
     if (emitted_) emitted_(primitives);
     return primitives;
   }
 
  private:
-  std::shared_ptr<Context> inner_;
-  gl::Table table_;
   void (*emitted_)(std::vector<ObservedPrimitive>&) = nullptr;
 };
 
@@ -100,12 +98,12 @@ VariationRegistration::VariationRegistration(const Variation& variation) {
 }
 
 const std::vector<Variation>& all_variations() {
-  static const std::vector<Variation> sorted = [] {
+  static const std::vector<Variation> kSorted = [] {
     std::vector<Variation> all = registered();
     std::ranges::sort(all, {}, &Variation::name);
     return all;
   }();
-  return sorted;
+  return kSorted;
 }
 
 std::unique_ptr<Implementation> with_variation(std::unique_ptr<Implementation> inner, std::string_view name) {

@@ -2,14 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
-#include <thread>
 
 #include <evalcts/runner/interruption.h>
 #include "suite_runs.h"
@@ -18,7 +16,7 @@ namespace evalcts::faults {
 namespace {
 
 constexpr int kMostDeathsOfOne = 60;  // children that may die while the tests run on one implementation
-constexpr Depth kPlayedDepth = Depth::kQuick;
+constexpr Depth kTriedDepth = Depth::kQuick;
 
 using Verdicts = std::map<std::string, TestRecord>;
 
@@ -26,7 +24,7 @@ class VariationTrial {
  public:
   explicit VariationTrial(const TableRequest& request) : request_(request) {
     for (const ListedTest& test : request.tests) {
-      if (test.from > kPlayedDepth) continue;
+      if (test.from > kTriedDepth) continue;
       all_.push_back(test.name);
       requirements_[test.name] = test.requirements;
     }
@@ -41,7 +39,7 @@ class VariationTrial {
       return result;
     }
     const std::vector<std::string> varied_arguments = {"--variation", variation.name};
-    const Verdicts varied = play_all(variation, variation.name, varied_arguments, all_);
+    const Verdicts varied = run_all(variation, variation.name, varied_arguments, all_);
     // Without any verdict, the variation must not count as free of false alarms.
     if (varied.empty() && !interrupted)
       result.alarms.push_back({"all tests", Verdict::kInternalError, "the suite did not begin in its time"});
@@ -84,8 +82,8 @@ class VariationTrial {
     }
     if (in_full.empty()) tests.insert(tests.end(), undecided.begin(), undecided.end());
     if (tests.empty()) return detection;
-    const Verdicts both = play_all(variation, variation.name + "-" + fault.name,
-                                   {"--fault", fault.name, "--variation", variation.name}, tests);
+    const Verdicts both = run_all(variation, variation.name + "-" + fault.name,
+                                  {"--fault", fault.name, "--variation", variation.name}, tests);
     for (const auto& [name, record] : both)
       if (detection.test.empty() && record.is_bad()) {
         detection.outcome = DetectionBehind::Outcome::kDetected;
@@ -126,13 +124,13 @@ class VariationTrial {
 
   const Verdicts& unmodified(const ListedFault& variation) {
     return kept("unmodified-" + variation.implementation,
-                [&] { return play_all(variation, "unmodified-" + variation.implementation, {}, all_); });
+                [&] { return run_all(variation, "unmodified-" + variation.implementation, {}, all_); });
   }
 
   // Returns the verdicts on the variation's implementation with the fault, without the variation.
   const Verdicts& with_fault(const ListedFault& variation, const ListedFault& fault) {
     const std::string label = variation.implementation + "-" + fault.name;
-    return kept(label, [&] { return play_all(variation, label, {"--fault", fault.name}, tests_of(fault)); });
+    return kept(label, [&] { return run_all(variation, label, {"--fault", fault.name}, tests_of(fault)); });
   }
 
   // Returns the verdicts kept under the label. The first caller computes them by `find`; other threads wait.
@@ -149,13 +147,13 @@ class VariationTrial {
     return entry->verdicts;
   }
 
-  Verdicts play_all(const ListedFault& variation, const std::string& label,
-                    const std::vector<std::string>& more, std::vector<std::string> left) const {
+  Verdicts run_all(const ListedFault& variation, const std::string& label,
+                   const std::vector<std::string>& more, std::vector<std::string> left) const {
     std::vector<std::string> arguments = arguments_of(variation);
     arguments.insert(arguments.end(), more.begin(), more.end());
     Verdicts verdicts;
     for (int deaths = 0; !left.empty() && deaths < kMostDeathsOfOne && !interrupted; ++deaths) {
-      const ChildRun run = play_in_child(request_, label, arguments, kPlayedDepth, left);
+      const ChildRun run = run_in_child(request_, label, arguments, kTriedDepth, left);
       if (run.records.empty() && run.in_flight.empty()) break;
       verdicts.insert(run.records.begin(), run.records.end());
       if (!run.in_flight.empty()) {
@@ -206,23 +204,12 @@ std::vector<TriedVariation> try_variations(
     const TableRequest& request, const std::vector<ListedFault>& variations,
     const std::function<void(std::size_t done, const std::string& variation)>& progress) {
   VariationTrial trial(request);
-  std::vector<std::optional<TriedVariation>> results(variations.size());
-  std::atomic<std::size_t> next = 0, done = 0;
-  const auto work = [&] {
-    for (std::size_t i; (i = next++) < variations.size() && !interrupted;) {
-      progress(done, variations[i].name);
-      results[i] = trial.try_variation(variations[i]);
-      if (interrupted) results[i].reset();  // the result is incomplete
-      ++done;
-    }
-  };
-  std::vector<std::jthread> workers;
-  for (int i = 0; i < request.jobs; ++i) workers.emplace_back(work);
-  workers.clear();
-  std::vector<TriedVariation> all;
-  for (std::optional<TriedVariation>& result : results)
-    if (result) all.push_back(*std::move(result));
-  return all;
+  return try_each<TriedVariation>(variations, request.jobs, progress,
+                                  [&](const ListedFault& variation) -> std::optional<TriedVariation> {
+                                    TriedVariation result = trial.try_variation(variation);
+                                    if (interrupted) return std::nullopt;  // the result is incomplete
+                                    return result;
+                                  });
 }
 
 std::string as_markdown(const std::vector<TriedVariation>& variations) {

@@ -15,7 +15,7 @@ std::vector<T> written_values(const gl::Trace& trace, gl::Ref query) {
   return values;
 }
 
-void expect_answer(Played& played, const gl::Trace& expected, gl::Ref query) {
+void expect_answer(CheckedTrace& played, const gl::Trace& expected, gl::Ref query) {
   switch (expected.type(query)) {
     case gl::Scalar::kI32:
       return played.expect_values(query, written_values<GLint>(expected, query));
@@ -29,7 +29,7 @@ void expect_answer(Played& played, const gl::Trace& expected, gl::Ref query) {
 }
 
 void expect_answers(Test& t, const gl::Case& program, const gl::Trace& expected) {
-  Played played = t.play(program);
+  CheckedTrace played = t.play(program);
   for (int i = 0; i < static_cast<int>(program.commands().size()); ++i) {
     const gl::Ref command{i};
     if (program.commands()[static_cast<std::size_t>(i)].entry == gl::EntryPoint::GetError) {

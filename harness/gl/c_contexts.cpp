@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <evalcts/gl/call_log.h>
-
 namespace evalcts::gl {
 namespace {
 
@@ -60,6 +58,20 @@ static void *address_of(const char *name) {
   void *(*get)(const char *) = (void *(*)(const char *))dlsym(library, "OSMesaGetProcAddress");
   return get ? get(name) : NULL;
 }
+)";
+
+// The part of make_context() that both uses of EGL share: initializes a display, surfaceless if it can.
+constexpr char kDisplay[] =
+    R"(  unsigned (*initialize)(void *, int *, int *) = (unsigned (*)(void *, int *, int *))need("eglInitialize");
+  unsigned (*bind_api)(unsigned) = (unsigned (*)(unsigned))need("eglBindAPI");
+  unsigned (*choose)(void *, const int *, void **, int, int *) =
+      (unsigned (*)(void *, const int *, void **, int, int *))need("eglChooseConfig");
+  void *(*get_default)(void *) = (void *(*)(void *))need("eglGetDisplay");
+  display = get_display ? get_display(0x31DD /* EGL_PLATFORM_SURFACELESS_MESA */, NULL, NULL) : NULL;
+  if (!display || !initialize(display, NULL, NULL)) {
+    display = get_default(NULL);
+    if (!display || !initialize(display, NULL, NULL)) stop("EGL gives no display, surfaceless or default");
+  }
 )";
 
 constexpr char kEgl[] = R"(
@@ -118,17 +130,7 @@ static void make_context(const char *path) {
   open_library(path);
   void *(*get_display)(unsigned, void *, const int *) =
       (void *(*)(unsigned, void *, const int *))address_of("eglGetPlatformDisplayEXT");
-  unsigned (*initialize)(void *, int *, int *) = (unsigned (*)(void *, int *, int *))need("eglInitialize");
-  unsigned (*bind_api)(unsigned) = (unsigned (*)(unsigned))need("eglBindAPI");
-  unsigned (*choose)(void *, const int *, void **, int, int *) =
-      (unsigned (*)(void *, const int *, void **, int, int *))need("eglChooseConfig");
-  void *(*get_default)(void *) = (void *(*)(void *))need("eglGetDisplay");
-  display = get_display ? get_display(0x31DD /* EGL_PLATFORM_SURFACELESS_MESA */, NULL, NULL) : NULL;
-  if (!display || !initialize(display, NULL, NULL)) {
-    display = get_default(NULL);
-    if (!display || !initialize(display, NULL, NULL)) stop("EGL gives no display, surfaceless or default");
-  }
-  if (!bind_api(0x30A2 /* EGL_OPENGL_API */)) stop("this EGL has no OpenGL");
+%DISPLAY%  if (!bind_api(0x30A2 /* EGL_OPENGL_API */)) stop("this EGL has no OpenGL");
   const int wanted[] = {0x3040 /* EGL_RENDERABLE_TYPE */, 8 /* EGL_OPENGL_BIT */, 0x3033 /* EGL_SURFACE_TYPE */, 0,
                         0x3038 /* EGL_NONE */};
   int count = 0;
@@ -168,17 +170,7 @@ static void make_context(const char *path) {
   void *(*get_proc)(const char *) = (void *(*)(const char *))need("eglGetProcAddress");
   void *(*get_display)(unsigned, void *, const int *) =
       (void *(*)(unsigned, void *, const int *))get_proc("eglGetPlatformDisplayEXT");
-  unsigned (*initialize)(void *, int *, int *) = (unsigned (*)(void *, int *, int *))need("eglInitialize");
-  unsigned (*bind_api)(unsigned) = (unsigned (*)(unsigned))need("eglBindAPI");
-  unsigned (*choose)(void *, const int *, void **, int, int *) =
-      (unsigned (*)(void *, const int *, void **, int, int *))need("eglChooseConfig");
-  void *(*get_default)(void *) = (void *(*)(void *))need("eglGetDisplay");
-  display = get_display ? get_display(0x31DD /* EGL_PLATFORM_SURFACELESS_MESA */, NULL, NULL) : NULL;
-  if (!display || !initialize(display, NULL, NULL)) {
-    display = get_default(NULL);
-    if (!display || !initialize(display, NULL, NULL)) stop("EGL gives no display, surfaceless or default");
-  }
-  if (!bind_api(0x30A0 /* EGL_OPENGL_ES_API */)) stop("this EGL has no OpenGL ES");
+%DISPLAY%  if (!bind_api(0x30A0 /* EGL_OPENGL_ES_API */)) stop("this EGL has no OpenGL ES");
   /* EGL_RENDERABLE_TYPE: EGL_OPENGL_ES2_BIT, SURFACE_TYPE: PBUFFER_BIT, RED, ALPHA, DEPTH and STENCIL_SIZE */
   const int wanted[] = {0x3040, 4, 0x3033, 1, 0x3024, 8, 0x3021, 8, 0x3025, 24, 0x3026, 8, 0x3038};
   int count = 0;
@@ -309,6 +301,7 @@ std::string c_contexts(const CProgram& program) {
     return fragment;
   }
   std::string text = fragment_of(program.context);
+  replace_all(text, "%DISPLAY%", kDisplay);
   if (!program.context_library.empty()) {
     replace_all(text, "*address_of(", "*maker_address_of(");
     replace_all(text, " address_of(", " maker_address_of(");

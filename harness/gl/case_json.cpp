@@ -31,6 +31,9 @@ Scalar type_named(const std::string& name) {
   throw std::invalid_argument(fmt::format("'{}' is not a type of array elements", name));
 }
 
+constexpr std::pair<AfterCall, const char*> kAfterCalls[] = {
+    {AfterCall::kOverwrite, "overwrite"}, {AfterCall::kUnmap, "unmap"}, {AfterCall::kProtect, "protect"}};
+
 template <class Use>
 auto with_type(Scalar type, Use use) {
   switch (type) {
@@ -73,6 +76,14 @@ json values_as_json(const Input& input) {
   });
 }
 
+json array_as_json(const Input& input) {
+  json data = {{name_of_type(input.type), values_as_json(input)}};
+  for (const auto& [after, name] : kAfterCalls)
+    if (input.after == after) data["after"] = name;
+  if (input.slot >= 0) data["slot"] = input.slot;
+  return data;
+}
+
 json argument_of(const Value& value, char kind) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) {
     const auto token = static_cast<GLenum>(*integer);
@@ -82,8 +93,7 @@ json argument_of(const Value& value, char kind) {
   }
   if (const auto* single = std::get_if<float>(&value)) return finite(*single);
   if (const auto* real = std::get_if<double>(&value)) return finite(*real);
-  if (const auto* input = std::get_if<Input>(&value))
-    return {{name_of_type(input->type), values_as_json(*input)}};
+  if (const auto* input = std::get_if<Input>(&value)) return array_as_json(*input);
   if (const auto* output = std::get_if<Output>(&value))
     return {{"out", name_of_type(output->type)}, {"count", output->count}};
   if (std::holds_alternative<std::nullptr_t>(value)) return nullptr;
@@ -92,14 +102,14 @@ json argument_of(const Value& value, char kind) {
 
 // Returns all tokens whose name does not depend on the context.
 const std::map<std::string, GLenum>& tokens_by_name() {
-  static const std::map<std::string, GLenum> all = [] {
+  static const std::map<std::string, GLenum> kAll = [] {
     std::map<std::string, GLenum> map;
     for (GLenum token = 0xFFFF; token > 0; --token)
       if (const std::string name = token_name(token); name.starts_with("GL_")) map[name] = token;
     for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode) map[primitive_name(mode)] = mode;
     return map;
   }();
-  return all;
+  return kAll;
 }
 
 std::int64_t integer_from(const json& data) {
@@ -117,11 +127,46 @@ std::int64_t integer_from(const json& data) {
 // Upper limit of array sizes: more than any command writes, and not too much for memory.
 constexpr std::size_t kMostWritten = std::size_t{1} << 24;
 
+// Upper limit of slots; tests use numbers of targets as slots.
+constexpr std::uint64_t kMostSlots = 0xFFFF;
+
 Output output_from(const json& data) {
   const json count = data.value("count", json());
   if (!data["out"].is_string() || !count.is_number_unsigned() || count.get<std::uint64_t>() > kMostWritten)
     throw std::invalid_argument(fmt::format("{} is not a buffer for an answer", data.dump()));
   return {type_named(data["out"].get<std::string>()), count.get<std::size_t>()};
+}
+
+AfterCall after_call_from(const json& data) {
+  for (const auto& [after, name] : kAfterCalls)
+    if (as_text(data) == name) return after;
+  throw std::invalid_argument(fmt::format("{} is not a treatment of an array after the call", data.dump()));
+}
+
+int slot_from(const json& data) {
+  if (!data.is_number_unsigned() || data.get<std::uint64_t>() > kMostSlots)
+    throw std::invalid_argument(fmt::format("{} is not a slot of an array", data.dump()));
+  return data.get<int>();
+}
+
+Input input_from(json data) {
+  const json after = data.value("after", json()), slot = data.value("slot", json());
+  data.erase("after");
+  data.erase("slot");
+  if (data.size() != 1 || !data.begin()->is_array())
+    throw std::invalid_argument(fmt::format("{} is not an array", data.dump()));
+  Input input = with_type(type_named(data.begin().key()), [&](auto zero) {
+    std::vector<decltype(zero)> values;
+    for (const json& element : data.begin().value()) {
+      if (!element.is_number())
+        throw std::invalid_argument(fmt::format("{} is not a number", element.dump()));
+      values.push_back(element.get<decltype(zero)>());
+    }
+    return array(values);
+  });
+  if (!after.is_null()) input.after = after_call_from(after);
+  if (!slot.is_null()) input.slot = slot_from(slot);
+  return input;
 }
 
 template <class Parameter>
@@ -130,18 +175,7 @@ Value value_from(const json& data) {
     if (data.is_null()) return nullptr;
     if (!data.is_object()) throw std::invalid_argument(fmt::format("{} is not an array", data.dump()));
     if (data.contains("out")) return output_from(data);
-    if (data.size() != 1 || !data.begin()->is_array())
-      throw std::invalid_argument(fmt::format("{} is not an array", data.dump()));
-    const Scalar type = type_named(data.begin().key());
-    return with_type(type, [&](auto zero) -> Value {
-      std::vector<decltype(zero)> values;
-      for (const json& element : data.begin().value()) {
-        if (!element.is_number())
-          throw std::invalid_argument(fmt::format("{} is not a number", element.dump()));
-        values.push_back(element.get<decltype(zero)>());
-      }
-      return array(values);
-    });
+    return input_from(data);
   } else if constexpr (std::is_floating_point_v<Parameter>) {
     if (!data.is_number()) throw std::invalid_argument(fmt::format("{} is not a number", data.dump()));
     return data.get<Parameter>();

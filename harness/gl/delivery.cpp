@@ -2,7 +2,6 @@
 #include <evalcts/gl/delivery.h>
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -300,14 +299,14 @@ std::vector<Delivery> with_lists(const std::vector<Delivery>& deliveries) {
     const char* name;
     std::vector<std::string> evaluated;  // suffixes of the names of the deliveries
   };
-  static const std::vector<Way> ways = {
+  static const std::vector<Way> kWays = {
       {Lists::kCompiled, "Compiled", {"1fv", "1d", "Point1", "Mesh1", "2dv", "2f"}},
       {Lists::kExecuted, "Executed", {"1f", "1dv", "2d", "Mesh2"}},
       {Lists::kNested, "Nested", {"1f", "1d", "2fv", "2d", "Point2"}},
       {Lists::kRepeated, "Repeated", {"1f", "1d", "2f", "2d"}},
       {Lists::kSplit, "Split", {"1f", "1d", "2f", "2d"}}};
   std::vector<Delivery> all = deliveries;
-  for (const Way& way : ways)
+  for (const Way& way : kWays)
     for (const Delivery& delivery : deliveries)
       for (const std::string& end : way.evaluated)
         if (delivery.name.ends_with(end)) {
@@ -355,7 +354,7 @@ bool Delivery::is_plain() const {
 
 const std::vector<Delivery>& curve_deliveries() {
   using enum Delivery::Evaluation;
-  static const std::vector<Delivery> all =
+  static const std::vector<Delivery> kAll =
       with_lists({{"EvalCoord1f", kCoordinates},
                   {"EvalCoord1fv", kArray},
                   {.name = "EvalCoord1d", .evaluation = kCoordinates, .doubles = true},
@@ -368,27 +367,27 @@ const std::vector<Delivery>& curve_deliveries() {
                   {"EvalCoord2dv", kArray, true, true, false},
                   {"EvalPoint2", kPoint, false, true, true},
                   {"EvalMesh2", kMesh, false, true, false}});
-  return all;
+  return kAll;
 }
 
 const std::vector<Delivery>& surface_deliveries() {
-  static const std::vector<Delivery> all = [] {
+  static const std::vector<Delivery> kAll = [] {
     std::vector<Delivery> two = curve_deliveries();
     std::erase_if(two, [](const Delivery& delivery) { return !delivery.lifted; });
     for (Delivery& delivery : two) delivery.lifted = false;
     return two;
   }();
-  return all;
+  return kAll;
 }
 
 const std::vector<Delivery>& list_deliveries() {
-  static const std::vector<Delivery> all = {{},
-                                            {.name = "Compiled", .lists = Lists::kCompiled},
-                                            {.name = "Executed", .lists = Lists::kExecuted},
-                                            {.name = "Nested", .lists = Lists::kNested},
-                                            {.name = "Repeated", .lists = Lists::kRepeated},
-                                            {.name = "Split", .lists = Lists::kSplit}};
-  return all;
+  static const std::vector<Delivery> kAll = {{},
+                                             {.name = "Compiled", .lists = Lists::kCompiled},
+                                             {.name = "Executed", .lists = Lists::kExecuted},
+                                             {.name = "Nested", .lists = Lists::kNested},
+                                             {.name = "Repeated", .lists = Lists::kRepeated},
+                                             {.name = "Split", .lists = Lists::kSplit}};
+  return kAll;
 }
 
 std::vector<Delivery> sparing(std::vector<Delivery> deliveries) {

@@ -12,12 +12,13 @@
 #include <map>
 
 #include <evalcts/gl/call_in_flight.h>
+#include <evalcts/gl/errors.h>
 
 namespace evalcts::gl {
 namespace {
 
 constexpr std::byte kFiller{0xA5};
-constexpr int kMostErrors = 16;
+constexpr std::size_t kMostErrors = 16;
 
 constexpr std::byte kUnlikely{0x4B};  // a float or double of these bytes is a large finite number
 
@@ -52,8 +53,8 @@ class FencedPages {
   }
 
   static std::size_t page_size() {
-    static const auto size = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-    return size;
+    static const auto kSize = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    return kSize;
   }
   std::byte* end() const { return base_ + count_ * page_size(); }
   void unmap() { munmap(std::exchange(base_, nullptr) - page_size(), (count_ + 2) * page_size()); }
@@ -161,7 +162,7 @@ class Player {
     }
     call_in_flight.command = nullptr;
     if (uses_other_contexts(script)) table_.OtherContextEVALCTS(0);
-    drain_errors();
+    trace_.left_over_errors_ = take_errors(table_);
     return std::move(trace_);
   }
 
@@ -194,15 +195,16 @@ class Player {
     invoke_with(function, command, std::index_sequence_for<Parameters...>());
   }
 
-  template <class Result, class... Parameters, std::size_t... I>
-  void invoke_with(Result (*function)(Parameters...), const Command& command, std::index_sequence<I...>) {
+  template <class Result, class... Parameters, std::size_t... kIndices>
+  void invoke_with(Result (*function)(Parameters...), const Command& command,
+                   std::index_sequence<kIndices...>) {
     // Braces fix the order of evaluation: memory for pointers is set up from the first argument to the last.
     [[maybe_unused]] const std::tuple<Parameters...> arguments{
-        argument<Parameters>(command.arguments[I], I)...};
+        argument<Parameters>(command.arguments[kIndices], kIndices)...};
     if constexpr (std::is_void_v<Result>) {
-      function(std::get<I>(arguments)...);
+      function(std::get<kIndices>(arguments)...);
     } else {
-      keep(function(std::get<I>(arguments)...));
+      keep(function(std::get<kIndices>(arguments)...));
     }
   }
 
@@ -264,15 +266,6 @@ class Player {
     return element;
   }
 
-  void drain_errors() {
-    if (!table_.GetError) return;
-    for (int i = 0; i < kMostErrors; ++i) {
-      const GLenum error = table_.GetError();
-      if (error == GL_NO_ERROR) return;
-      trace_.left_over_errors_.push_back(error);
-    }
-  }
-
   const Table& table_;
   Trace trace_;
   std::size_t index_ = 0;
@@ -281,6 +274,16 @@ class Player {
   std::list<std::vector<const char*>> strings_;
   std::array<ClientArray*, 16> inputs_of_call_{};
 };
+
+std::vector<GLenum> take_errors(const Table& table) {
+  std::vector<GLenum> errors;
+  while (table.GetError && errors.size() < kMostErrors) {
+    const GLenum error = table.GetError();
+    if (error == GL_NO_ERROR) break;
+    errors.push_back(error);
+  }
+  return errors;
+}
 
 Trace play(const Case& script, const Table& table, const std::function<void(std::size_t)>& after_each) {
   Trace trace = Player(table).play(script, after_each);

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <unordered_map>
 
+#include <evalcts/gl/targets.h>
+
 namespace evalcts::gl {
 namespace {
 
@@ -50,7 +52,7 @@ TOKENS(GL_MAP1_COLOR_4, GL_MAP1_INDEX, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_1, 
 #undef TOKENS
 
 const std::unordered_map<GLenum, std::string>& names() {
-  static const std::unordered_map<GLenum, std::string> table = [] {
+  static const std::unordered_map<GLenum, std::string> kTable = [] {
     std::unordered_map<GLenum, std::string> all;
     std::size_t begin = 0;
     for (const GLenum value : kValues) {
@@ -60,7 +62,7 @@ const std::unordered_map<GLenum, std::string>& names() {
     }
     return all;
   }();
-  return table;
+  return kTable;
 }
 
 }  // namespace
@@ -109,6 +111,24 @@ std::string error_name(GLenum error) {
     default:
       return fmt::format("0x{:04X}", error);
   }
+}
+
+const std::vector<GLenum>& all_targets() {
+  static const std::vector<GLenum> kAll = [] {
+    std::vector<GLenum> both(kMap1Targets.begin(), kMap1Targets.end());
+    both.insert(both.end(), kMap2Targets.begin(), kMap2Targets.end());
+    return both;
+  }();
+  return kAll;
+}
+
+const std::vector<GLenum>& all_caps() {
+  static const std::vector<GLenum> kAll = [] {
+    std::vector<GLenum> caps = all_targets();
+    caps.push_back(GL_AUTO_NORMAL);
+    return caps;
+  }();
+  return kAll;
 }
 
 int components_of(GLenum target) {

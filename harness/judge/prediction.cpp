@@ -25,8 +25,8 @@ struct Oracle {
 };
 
 const gl::Table& oracle() {
-  static const gl::Table table = bind_methods<Oracle, reference::Specification>();
-  return table;
+  static const gl::Table kTable = bind_methods<Oracle, reference::Specification>();
+  return kTable;
 }
 
 gl::Trace play(const gl::Case& script, reference::Specification& specification,

@@ -2,7 +2,6 @@
 #include <evalcts/results/filter.h>
 #include <fnmatch.h>
 
-#include <algorithm>
 #include <sstream>
 
 namespace evalcts {
@@ -32,7 +31,7 @@ bool is_chosen(const std::string& name, const std::string& filter) {
   return (positive.empty() || matches_any(positive)) && !(!negative.empty() && matches_any(negative));
 }
 
-bool is_played(const ListedTest& test, Depth depth, const std::string& filter) {
+bool is_selected(const ListedTest& test, Depth depth, const std::string& filter) {
   return test.from <= depth ||
          any_pattern(filter, [&](const std::string& pattern) { return pattern == test.name; });
 }

@@ -50,8 +50,8 @@ std::vector<KnownBug> parse_known_bugs(const std::string& text) {
 }
 
 const std::vector<KnownBug>& known_bugs() {
-  static const std::vector<KnownBug> all = parse_known_bugs(kKnownBugs);
-  return all;
+  static const std::vector<KnownBug> kAll = parse_known_bugs(kKnownBugs);
+  return kAll;
 }
 
 const KnownBug* find_known_bug(const std::string& id) {

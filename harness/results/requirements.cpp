@@ -100,8 +100,8 @@ Catalogue Catalogue::parse(const std::string& text) {
 }
 
 const Catalogue& catalogue() {
-  static const Catalogue shipped = Catalogue::parse(kRequirements);
-  return shipped;
+  static const Catalogue kShipped = Catalogue::parse(kRequirements);
+  return kShipped;
 }
 
 std::string catalogue_as_json() { return json::parse(kRequirements).dump(1); }

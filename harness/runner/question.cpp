@@ -64,8 +64,8 @@ std::optional<std::string> Question::wait(std::string& reason) {
   ending_ = *ending;
   std::string text = read_file(answer_file_);
   if (!ending->signalled && ending->value == 0) return text;
-  const std::optional<std::string> refusal = parse_cannot_start(text);
-  reason = refusal ? *refusal + quote_output() : how_it_ended();
+  const std::optional<std::string> why_not = parse_cannot_start(text);
+  reason = why_not ? *why_not + quote_output() : how_it_ended();
   return std::nullopt;
 }
 

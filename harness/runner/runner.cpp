@@ -4,25 +4,22 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/utsname.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <chrono>
-#include <cstring>
 #include <fstream>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
-#include <thread>
 
 #include <evalcts/runner/child_process.h>
 #include <evalcts/runner/claims.h>
 #include <evalcts/runner/question.h>
 #include <evalcts/runner/suite_child.h>
 #include "history.h"
+#include "request.h"
 
 namespace evalcts {
 
@@ -41,36 +38,12 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::string machine() {
-  utsname names{};
-  uname(&names);
-  std::string model = "unknown processor";
-  std::ifstream cpuinfo("/proc/cpuinfo");
-  for (std::string line; std::getline(cpuinfo, line);)
-    if (line.starts_with("model name")) {
-      model = line.substr(line.find(':') + 2);
-      break;
-    }
-  return fmt::format("{} {}, {}, {} threads", names.sysname, names.machine, model,
-                     std::thread::hardware_concurrency());
-}
-
-// Returns `path` relative to the working directory if it lies below it, otherwise the absolute path. Used in
-// commands that the user is meant to paste.
-std::string seen_from_here(const fs::path& path) {
-  std::error_code unknown;
-  const fs::path near = fs::proximate(path, unknown);
-  if (unknown || near.empty() || near.is_absolute() || *near.begin() == "..")
-    return fs::absolute(path).string();
-  return near.has_parent_path() ? near.string() : (fs::path(".") / near).string();
-}
-
 class Run {
  public:
   Run(const RunRequest& request, const std::function<void(const Progress&)>& progress)
       : request_(request),
         progress_(progress),
-        result_(header()),
+        result_(header_of(request)),
         scratch_(request.output / ("scratch-" + result_.file_label())) {}
   ~Run() {
     std::error_code error;
@@ -88,7 +61,7 @@ class Run {
       if (second_pass())
         explain_by_history();
       else
-        play_failures_again();
+        rerun_failures();
     } catch (const CannotWrite& error) {
       result_.reason =
           error.what() + std::string("; free some space, or choose another folder with --output");
@@ -111,80 +84,8 @@ class Run {
     fs::create_directory(scratch_);
   }
 
-  RunResult header() const {
-    RunResult header;
-    header.evalcts_version = EVALCTS_VERSION;
-    header.command = request_.command;
-    header.depth = request_.depth;
-    header.seed = request_.seed;
-    header.timeout = request_.limits.seconds_per_test;
-    header.memory = request_.limits.memory >> 20;
-    header.suite_command = suite_command();
-    header.pass = second_pass() ? Pass::kReuseContext : Pass::kFreshContexts;
-    header.shard = request_.shard;
-    header.implementation.name = request_.name;
-    header.implementation.machine = machine();
-    return header;
-  }
-
-  // Options that `evalcts run` and the suite program share.
-  std::vector<std::string> shared_options() const {
-    std::vector<std::string> options = {"--depth", name_of(request_.depth), "--seed",
-                                        std::to_string(request_.seed)};
-    if (!request_.implementation.name.empty())
-      options.insert(options.end(), {"--implementation", request_.implementation.name});
-    if (!request_.implementation.library.empty())
-      options.insert(options.end(), {"--library", request_.implementation.library});
-    if (!request_.implementation.context.empty())
-      options.insert(options.end(), {"--context", request_.implementation.context});
-    for (const std::string& reading : request_.readings)
-      options.insert(options.end(), {"--interpretation", reading});
-    return options;
-  }
-
-  std::vector<std::string> suite_command() const {
-    std::vector<std::string> command = shared_options();
-    command.insert(command.begin(), request_.suite_program.string());
-    return command;
-  }
-
-  // Adds shell commands to a failure: run this test alone, run it in a debugger, and write it as a C program.
-  void add_commands(TestRecord& record) const {
-    // A failure over a shared context also needs the tests of its history.
-    std::string filter = record.name;
-    for (const std::string& before : record.history.value_or(std::vector<std::string>()))
-      filter += ":" + before;
-    const std::string usual_name =
-        request_.implementation.name.empty() ? "library" : request_.implementation.name;
-    std::vector<std::string> rerun = shared_options();
-    rerun.insert(rerun.begin(), {request_.program, "run"});
-    if (request_.name != usual_name) rerun.insert(rerun.end(), {"--name", request_.name});
-    if (second_pass()) rerun.push_back("--reuse-context");
-    const Limits& limits = request_.limits;
-    if (limits.seconds_per_test != Limits().seconds_per_test)
-      rerun.insert(rerun.end(), {"--timeout", fmt::format("{}", limits.seconds_per_test)});
-    if (limits.memory != Limits().memory)
-      rerun.insert(rerun.end(), {"--memory", std::to_string(limits.memory >> 20)});
-    rerun.insert(rerun.end(), {"--filter", filter});
-    record.rerun = shell_line(rerun);
-
-    std::vector<std::string> debug = suite_command();
-    debug.front() = seen_from_here(debug.front());
-    debug.insert(debug.begin(), {"gdb", "--args"});
-    if (second_pass()) debug.push_back("--reuse-context");
-    std::replace(filter.begin(), filter.end(), '-', '?');  // in GoogleTest's filters, '-' starts exclusions
-    debug.push_back("--gtest_filter=" + filter);
-    record.debug = shell_line(debug);
-
-    if (second_pass()) return;  // a C program contains only one case, without its history
-    std::vector<std::string> reproduce = {request_.program, "reproduce", request_.name + ":" + record.name};
-    if (request_.own_output)
-      reproduce.insert(reproduce.end(), {"--results", seen_from_here(request_.output)});
-    record.reproducer = shell_line(reproduce);
-  }
-
   std::unique_ptr<Question> ask(const std::vector<std::string>& question) const {
-    std::vector<std::string> command = suite_command();
+    std::vector<std::string> command = suite_command(request_);
     command.insert(command.end(), question.begin(), question.end());
     return std::make_unique<Question>(command, file("log", "txt"), request_.limits.memory);
   }
@@ -223,7 +124,7 @@ class Run {
     for (const std::string& test : tests) stream << test << '\n';
     if (!stream.flush()) throw CannotWrite(fmt::format("cannot write '{}'", list.string()));
     fs::remove(events);
-    std::vector<std::string> command = suite_command();
+    std::vector<std::string> command = suite_command(request_);
     command.insert(command.end(),
                    {"--die-with-parent", "--tests", list.string(), "--records", events.string(), "--captures",
                     captures_.empty() ? "none" : fmt::format("{}", fmt::join(captures_, ","))});
@@ -547,7 +448,7 @@ class Run {
   }
 
   // Repeats fails that the baseline does not list. (Crashes and timeouts have already been repeated.)
-  void play_failures_again() {
+  void rerun_failures() {
     std::vector<std::string> names;
     for (const ListedTest& test : request_.tests) {
       const auto found = records_.find(test.name);
@@ -557,7 +458,7 @@ class Run {
     }
     if (request_.retries == 0) return;
     std::map<std::string, std::vector<std::string>> rest_of_group;  // by the test that represents the group
-    if (names.size() > kMostPlayedAgain) rest_of_group = keep_one_of_each_group(names);
+    if (names.size() > kMostRerun) rest_of_group = keep_one_of_each_group(names);
     for (int round = 0; round < request_.retries; ++round) {
       std::vector<std::string> same;
       const auto jobs = static_cast<std::size_t>(request_.jobs);
@@ -742,7 +643,7 @@ class Run {
     for (const ListedTest& test : request_.tests) {
       const auto found = records_.find(test.name);
       if (found == records_.end()) continue;
-      if (is_failure(found->second.verdict)) add_commands(found->second);
+      if (is_failure(found->second.verdict)) add_commands(request_, found->second);
       result_.tests.push_back(found->second);
     }
     result_.summarize();

@@ -231,7 +231,7 @@ std::vector<Chosen> tests_to_register(const std::string& path, Depth depth, cons
   std::vector<Chosen> tests;
   if (path.empty()) {
     for (const TestInfo& info : all_tests())
-      if (is_played(listed(info), depth, filter)) tests.push_back({info, tests.size()});
+      if (is_selected(listed(info), depth, filter)) tests.push_back({info, tests.size()});
     return tests;
   }
   std::map<std::string, const TestInfo*> by_name;
@@ -341,7 +341,7 @@ std::string with_names_taken_literally(const std::string& filter) {
 
 // Runs random programs, reduces failing cases, or runs one program from a file. Returns the exit code, which
 // is 1 if the program from the file differs from the specification.
-int play_programs(const Program& program) {
+int run_programs(const Program& program) {
   if (!program.options.reduce.empty()) {
     fuzz::reduce(program.subject, fuzz::parse_failing_cases(read_file(program.options.reduce)),
                  *program.claims, program.options.reduce_seconds,
@@ -398,7 +398,7 @@ std::set<std::string> rejected_queries(Implementation& implementation) {
 // Runs the controls of a case that ends the process: explicit commands replace evaluation, and maps and grids
 // are left out. If the case draws no vertices, the first control omits evaluation instead. Throws
 // NotObservable if the library survives all controls.
-void play_without_evaluators(const Program& program, const gl::Case& script) {
+void run_without_evaluators(const Program& program, const gl::Case& script) {
   std::vector<gl::Case> controls = fuzz::controls_without_evaluators(script);
   if (predict(script, program.subject.info.max_order()).vertex_count() == 0) {
     gl::Case without = script.without_commands();
@@ -428,10 +428,10 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
     return 0;
   }
   const bool answers = options.describe || !options.prove.empty();
-  const bool plays_programs = options.fuzz || !options.replay.empty() || !options.reduce.empty();
+  const bool runs_programs = options.fuzz || !options.replay.empty() || !options.reduce.empty();
   const Depth depth = depth_named(options.depth).value_or(Depth::kFull);
   const std::vector<Chosen> tests =
-      answers || plays_programs ? std::vector<Chosen>() : tests_to_register(options.tests, depth, filter);
+      answers || runs_programs ? std::vector<Chosen>() : tests_to_register(options.tests, depth, filter);
   program.records = std::make_unique<EventFile>(options.records);
   report_crashes(*program.records);
   if (!options.claims.empty()) program.claims = std::make_unique<Claims>(options.claims);
@@ -452,7 +452,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
     program.subject.depth = depth;
     program.subject.seed = options.seed;
     program.subject.crashing_calls = {options.left_out.begin(), options.left_out.end()};
-    if (!answers && !plays_programs)
+    if (!answers && !runs_programs)
       program.subject.crashing_calls.merge(rejected_queries(*program.implementation));
     for (const std::string& choice : options.readings) {
       const std::size_t equals = choice.find('=');
@@ -462,7 +462,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
     program.subject.before_case = [](const gl::Case& script) {
       keep_failing_case(program);
       program.latest_case = script;
-      if (program.options.crash_control && program.cases_left == 1) play_without_evaluators(program, script);
+      if (program.options.crash_control && program.cases_left == 1) run_without_evaluators(program, script);
       if (program.cases_left-- == 0) throw std::runtime_error("no further cases of this test were requested");
       if (program.options.trace_cases)
         program.records->write(to_line(CaseStarted{script.identity(), script.is_control(),
@@ -491,9 +491,9 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
       program.subject.implementation = &program.reproduction->implementation();
     }
   }
-  if (plays_programs) {
+  if (runs_programs) {
     program.subject.before_case = nullptr;
-    const int status = play_programs(program);
+    const int status = run_programs(program);
     program.captures.reset();
     program.records->write(to_line(RunEnded{}));
     return status;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <evalcts/gl/errors.h>
 #include <evalcts/gl/explicit_vertices.h>
 #include <evalcts/gl/player.h>
 #include <evalcts/judge/judge.h>
@@ -35,16 +36,11 @@ gl::IdleCapability idle_capability(Implementation& implementation) {
   const std::unique_ptr<Context> context = implementation.create_context();
   const gl::Table& table = context->table();
   if (!table.Enable || !table.Disable || !table.GetError) return {};
-  const auto drain = [&] {
-    bool any = false;
-    for (int i = 0; i < 16 && table.GetError() != GL_NO_ERROR; ++i) any = true;
-    return any;
-  };
-  drain();
+  gl::take_errors(table);
   for (const GLenum capability : {GL_INDEX_LOGIC_OP, GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL}) {
     table.Enable(capability);
     table.Disable(capability);
-    if (!drain()) return capability;
+    if (gl::take_errors(table).empty()) return capability;
   }
   return {};
 }
@@ -60,7 +56,7 @@ void ExplicitControl::set_observed(const gl::Case& script, const Capture& captur
 
 void ExplicitControl::require_explicit_vertices(const std::string& what) {
   const std::optional<Observed> observed = std::exchange(observed_, std::nullopt);
-  if (observed) play_controls(*observed);
+  if (observed) run_controls(*observed);
   const auto found =
       std::ranges::find_if(wrong_, [&](const Mismatch& mismatch) { return explains(mismatch, what); });
   if (found != wrong_.end())
@@ -68,7 +64,7 @@ void ExplicitControl::require_explicit_vertices(const std::string& what) {
                         found->message);
 }
 
-void ExplicitControl::play_controls(const Observed& observed) {
+void ExplicitControl::run_controls(const Observed& observed) {
   wrong_.clear();
   const gl::IdleCapability idle = idle_capability(*subject_.implementation);
   for (const auto control : {gl::with_explicit_vertices, gl::with_explicit_commands}) {

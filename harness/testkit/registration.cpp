@@ -167,14 +167,14 @@ Registration lift_suite(const char* of_one, const char* of_two) {
 }
 
 const std::vector<TestInfo>& all_tests() {
-  static const std::vector<TestInfo> sorted = [] {
+  static const std::vector<TestInfo> kSorted = [] {
     std::vector<TestInfo> tests;
     for (const Registered& test : registry()) add(test, tests);
     std::ranges::sort(tests, {}, [](const TestInfo& info) { return std::tie(info.suite, info.name); });
     add_missing_pairs(tests);
     return tests;
   }();
-  return sorted;
+  return kSorted;
 }
 
 }  // namespace evalcts

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 
+#include <evalcts/backends/context_in_front.h>
 #include <evalcts/gl/c_program.h>
 
 namespace evalcts {
@@ -21,8 +22,8 @@ struct Pass {
 };
 
 const gl::Table& no_commands() {
-  static const gl::Table table;
-  return table;
+  static const gl::Table kTable;
+  return kTable;
 }
 
 // An implementation that returns the recorded answers, regardless of the case.
@@ -242,22 +243,18 @@ class Reproduction::Recorder final : public ImplementationInFront {
   }
 
  private:
-  class RecordingContext final : public Context {
+  class RecordingContext final : public ContextInFront {
    public:
     RecordingContext(Recorder& recorder, std::unique_ptr<Context> inner)
-        : recorder_(recorder), inner_(std::move(inner)) {}
-
-    const gl::Table& table() const override { return inner_->table(); }
-    bool has_sink() const override { return inner_->has_sink(); }
-    Attributes emitted_attributes() const override { return inner_->emitted_attributes(); }
+        : ContextInFront(std::move(inner)), recorder_(recorder) {}
 
     gl::Trace play(const gl::Case& script) override {
-      if (recorder_.frozen_) return inner_->play(script);
+      if (recorder_.frozen_) return inner().play(script);
       pass_ = recorder_.passes_.size();
       recorder_.passes_.push_back({script, {}, {}});
       recorder_.write(pass_, nullptr);
       try {
-        gl::Trace trace = inner_->play(script);
+        gl::Trace trace = inner().play(script);
         recorder_.passes_[pass_].trace = trace;
         return trace;
       } catch (const gl::MissingEntryPoint&) {
@@ -267,14 +264,13 @@ class Reproduction::Recorder final : public ImplementationInFront {
     }
 
     std::vector<ObservedPrimitive> take_emitted() override {
-      std::vector<ObservedPrimitive> emitted = inner_->take_emitted();
+      std::vector<ObservedPrimitive> emitted = inner().take_emitted();
       if (!recorder_.frozen_ && pass_ < recorder_.passes_.size()) recorder_.passes_[pass_].emitted = emitted;
       return emitted;
     }
 
    private:
     Recorder& recorder_;
-    std::unique_ptr<Context> inner_;
     std::size_t pass_ = 0;
   };
 

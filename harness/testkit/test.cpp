@@ -106,13 +106,13 @@ gl::DeliveredCase Test::begin_case(const gl::Case& script) {
   return delivered;
 }
 
-Played Test::play(const gl::Case& written) {
+CheckedTrace Test::play(const gl::Case& written) {
   const gl::DeliveredCase delivered = begin_case(written);
   const gl::Case& script = delivered.script;
   const std::unique_ptr<Context> context = subject_.implementation->create_context();
   const gl::Trace trace = context->play(script);
   const std::vector<GLenum>& left_over = trace.left_over_errors();
-  Played played(*this, delivered, trace);
+  CheckedTrace checked(*this, delivered, trace);
   if (!left_over.empty()) {
     std::vector<std::string> names;
     for (const GLenum error : left_over) names.push_back(gl::error_name(error));
@@ -131,7 +131,7 @@ Played Test::play(const gl::Case& written) {
     fail(
         std::move(failure), [&] { return gl::all_calls(script); }, check);
   }
-  return played;
+  return checked;
 }
 
 const Capture& Test::choose_capture(Attributes required, PrimitiveKinds kinds) {

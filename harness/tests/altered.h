@@ -5,9 +5,8 @@
 #include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
-#include <evalcts/backends/implementation.h>
+#include <evalcts/backends/context_in_front.h>
 
 namespace evalcts {
 
@@ -23,19 +22,13 @@ class Altered final : public Implementation {
   static inline gl::Table original;
 
  private:
-  class AlteredContext final : public Context {
+  class AlteredContext final : public ContextInFront {
    public:
-    AlteredContext(std::unique_ptr<Context> inner, void (*alter)(gl::Table&)) : inner_(std::move(inner)) {
-      original = table_ = inner_->table();
+    AlteredContext(std::unique_ptr<Context> inner, void (*alter)(gl::Table&))
+        : ContextInFront(std::move(inner)) {
+      original = table_;
       if (alter) alter(table_);
     }
-    const gl::Table& table() const override { return table_; }
-    bool has_sink() const override { return true; }
-    std::vector<ObservedPrimitive> take_emitted() override { return inner_->take_emitted(); }
-
-   private:
-    std::unique_ptr<Context> inner_;
-    gl::Table table_;
   };
 
   std::unique_ptr<Implementation> inner_ = open_implementation({.name = "production"});

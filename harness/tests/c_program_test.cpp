@@ -5,11 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
-#include <evalcts/backends/implementation.h>
+#include <evalcts/backends/context_in_front.h>
 #include <evalcts/testkit/reproduction.h>
 #include <evalcts/testkit/test.h>
 #include "program.h"
@@ -189,20 +188,15 @@ class Bent final : public Implementation {
   }
 
  private:
-  class BentContext final : public Context {
+  class BentContext final : public ContextInFront {
    public:
-    explicit BentContext(std::unique_ptr<Context> inner) : inner_(std::move(inner)) {}
-    const gl::Table& table() const override { return inner_->table(); }
-    bool has_sink() const override { return true; }
+    using ContextInFront::ContextInFront;
     std::vector<ObservedPrimitive> take_emitted() override {
-      auto emitted = inner_->take_emitted();
+      auto emitted = inner().take_emitted();
       if (!emitted.empty() && emitted.front().vertices.size() == 2)
         emitted.front().vertices[1].position[2] = 3;
       return emitted;
     }
-
-   private:
-    std::unique_ptr<Context> inner_;
   };
   std::unique_ptr<Implementation> inner_ = open_implementation({.name = "production"});
 };

@@ -18,6 +18,8 @@ TEST(Hexadecimal, HasTheSameBytesOnEveryMachine) {
   EXPECT_EQ(hexadecimal(-0.0), "-0x0p+0");
   EXPECT_EQ(hexadecimal(1.5), "0x1.8p+0");
   EXPECT_EQ(hexadecimal(0x1p-149f), "0x1p-149");
+  EXPECT_EQ(hexadecimal(-0x1.8p-1073), "-0x1.8p-1073");
+  EXPECT_EQ(hexadecimal(std::numeric_limits<double>::infinity()), "inf");
   EXPECT_EQ(hexadecimal(-0x1.fffffffffffffp+1023), "-0x1.fffffffffffffp+1023");
 }
 

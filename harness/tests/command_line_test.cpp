@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <thread>
 
 #include <evalcts/results/json.h>
@@ -428,9 +427,9 @@ TEST_F(CommandLine, WriteBaselineKeepsFilesForOtherImplementations) {
                              "--write-baseline"});
   };
 
-  const Outcome refused = write(folder.string());
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_TRUE(contains(refused.text, "drill-fails.txt is for other implementations (version: Mesa 20.3)"));
+  const Outcome rejected = write(folder.string());
+  EXPECT_EQ(rejected.code, 2);
+  EXPECT_TRUE(contains(rejected.text, "drill-fails.txt is for other implementations (version: Mesa 20.3)"));
   EXPECT_EQ(read_file(folder / "drill-fails.txt"), other);
   EXPECT_EQ(results("drill")["tests"].size(), 1u);  // the results are not lost
 

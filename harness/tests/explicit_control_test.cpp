@@ -96,9 +96,9 @@ TEST_F(ExplicitControlTest, ListsThatLoseExplicitVerticesAre) {
         << reason.what();
   }
   // For later failures of the same case, the controls do not run again.
-  const int played = capture.observations;
+  const int observed_before = capture.observations;
   EXPECT_THROW(control_.require_explicit_vertices("normal.x of vertex 0"), NotObservable);
-  EXPECT_EQ(capture.observations, played);
+  EXPECT_EQ(capture.observations, observed_before);
 }
 
 TEST_F(ExplicitControlTest, AttributesThatAreNotJudgedDoNotMatterButPositionsAlwaysDo) {

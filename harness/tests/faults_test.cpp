@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include <evalcts/faults/fault_table.h>
 #include <evalcts/runner/question.h>
@@ -21,10 +20,10 @@ class Faults : public testing::Test {
   ~Faults() override { fs::remove_all(scratch_); }
 
   TriedFault try_one(const ListedFault& fault) {
-    static const std::vector<ListedTest> tests = list_tests(SUITE_PROGRAM);
+    static const std::vector<ListedTest> kTests = list_tests(SUITE_PROGRAM);
     return try_faults({.suite_program = FAULTY_SUITE_PROGRAM,
                        .faults = {fault},
-                       .tests = tests,
+                       .tests = kTests,
                        .scratch = scratch_},
                       [](std::size_t, const std::string&) {})
         .at(0);

@@ -18,11 +18,11 @@ TEST(Filter, HasPatternsOfGoogleTest) {
 TEST(Filter, KeepsTheDepthExceptForExactNames) {
   const ListedTest quick{"A.B/1", {}, Level::kMust, Depth::kQuick};
   const ListedTest thorough{"A.B/2", {}, Level::kMust, Depth::kThorough};
-  EXPECT_TRUE(is_played(quick, Depth::kQuick, ""));
-  EXPECT_FALSE(is_played(thorough, Depth::kFull, ""));
-  EXPECT_FALSE(is_played(thorough, Depth::kFull, "A.B/*"));
-  EXPECT_TRUE(is_played(thorough, Depth::kThorough, "A.B/*"));
-  EXPECT_TRUE(is_played(thorough, Depth::kQuick, "A.C:A.B/2"));
+  EXPECT_TRUE(is_selected(quick, Depth::kQuick, ""));
+  EXPECT_FALSE(is_selected(thorough, Depth::kFull, ""));
+  EXPECT_FALSE(is_selected(thorough, Depth::kFull, "A.B/*"));
+  EXPECT_TRUE(is_selected(thorough, Depth::kThorough, "A.B/*"));
+  EXPECT_TRUE(is_selected(thorough, Depth::kQuick, "A.C:A.B/2"));
 }
 
 }  // namespace

@@ -159,16 +159,50 @@ TEST(CaseJson, ComesBackTheSame) {
   }
 }
 
+// Programs with arrays that are overwritten, unmapped or protected after the call, or that share their
+// memory.
+TEST(CaseJson, KeepsTheTreatmentOfArraysAndTheirSlots) {
+  gl::Case program;
+  for (const gl::AfterCall after :
+       {gl::AfterCall::kKeep, gl::AfterCall::kOverwrite, gl::AfterCall::kUnmap, gl::AfterCall::kProtect}) {
+    gl::Input points = gl::array<float>({5}, after);
+    if (after == gl::AfterCall::kKeep) points.slot = 3;
+    program.Map1f(GL_MAP1_INDEX, 0, 1, 1, 1, points);
+  }
+  const gl::Case read = gl::parse_case(gl::to_text(program));
+  ASSERT_EQ(read.commands().size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& wanted = std::get<gl::Input>(program.commands()[i].arguments[5]);
+    const auto& got = std::get<gl::Input>(read.commands()[i].arguments[5]);
+    EXPECT_EQ(got.bytes, wanted.bytes);
+    EXPECT_EQ(got.after, wanted.after);
+    EXPECT_EQ(got.slot, wanted.slot);
+  }
+}
+
 TEST(CaseJson, SaysWhatIsWrong) {
   const auto read = [](const char* text) { return gl::case_from_json(json::parse(text)); };
-  for (const char* wrong :
-       {"{}", "[[]]", "[[1]]", R"([["NoSuchCommand"]])", R"([["EvalCoord1f"]])", R"([["EvalCoord1f", "x"]])",
-        R"([["Enable", "GL_NO_SUCH_TOKEN"]])", R"([["Enable", 1.5]])", R"([["EvalCoord1fv", [0.5]]])",
-        R"([["EvalCoord1fv", {"f99": [0.5]}]])", R"([["EvalCoord1fv", {}]])",
-        R"([["EvalCoord1fv", {"f32": ["x"]}]])", R"([["GetFloatv", "GL_CURRENT_COLOR", {"out": "f32"}]])",
-        R"([["GetFloatv", "GL_CURRENT_COLOR", {"out": 4}]])",
-        R"([["GetFloatv", "GL_CURRENT_COLOR", {"out": "f32", "count": -1}]])",
-        R"([["GetFloatv", "GL_CURRENT_COLOR", {"out": "f32", "count": 1000000000000}]])"})
+  for (const char* wrong : {"{}",
+                            "[[]]",
+                            "[[1]]",
+                            R"([["NoSuchCommand"]])",
+                            R"([["EvalCoord1f"]])",
+                            R"([["EvalCoord1f", "x"]])",
+                            R"([["Enable", "GL_NO_SUCH_TOKEN"]])",
+                            R"([["Enable", 1.5]])",
+                            R"([["EvalCoord1fv", [0.5]]])",
+                            R"([["EvalCoord1fv", {"f99": [0.5]}]])",
+                            R"([["EvalCoord1fv", {}]])",
+                            R"([["EvalCoord1fv", {"after": "unmap"}]])",
+                            R"([["EvalCoord1fv", {"f32": [0.5], "f64": [0.5]}]])",
+                            R"([["EvalCoord1fv", {"f32": [0.5], "after": "gone"}]])",
+                            R"([["EvalCoord1fv", {"f32": [0.5], "slot": -1}]])",
+                            R"([["EvalCoord1fv", {"f32": [0.5], "slot": 70000}]])",
+                            R"([["EvalCoord1fv", {"f32": ["x"]}]])",
+                            R"([["GetFloatv", "GL_CURRENT_COLOR", {"out": "f32"}]])",
+                            R"([["GetFloatv", "GL_CURRENT_COLOR", {"out": 4}]])",
+                            R"([["GetFloatv", "GL_CURRENT_COLOR", {"out": "f32", "count": -1}]])",
+                            R"([["GetFloatv", "GL_CURRENT_COLOR", {"out": "f32", "count": 1000000000000}]])"})
     EXPECT_THROW(read(wrong), std::invalid_argument) << wrong;
   gl::Case strings;
   strings.ShaderSource(1, 1, gl::Strings{{"void main() {}"}}, nullptr);
@@ -292,35 +326,35 @@ TEST(Cause, NeedsAllItsWords) {
 
 // --- judging ----------------------------------------------------------------------------------------------
 
-struct Played {
+struct CampaignResult {
   std::vector<Finding> findings;
   std::uint64_t programs = 0, commands = 0;
 };
 
-Played play_against(Implementation& implementation, std::uint32_t programs,
-                    const std::vector<std::string>& known = {}) {
+CampaignResult run_campaign(Implementation& implementation, std::uint32_t programs,
+                            const std::vector<std::string>& known = {}) {
   Subject subject;
   subject.implementation = &implementation;
   subject.info = inquire(implementation);
   Captures captures(implementation, subject.info, nullptr);
   subject.captures = &captures;
-  Played played;
+  CampaignResult result;
   fuzz::play(subject, {.programs = programs, .length = 60, .known = known}, [&](const CampaignEvent& event) {
-    if (const auto* made = std::get_if<FindingMade>(&event)) played.findings.push_back(made->finding);
+    if (const auto* made = std::get_if<FindingMade>(&event)) result.findings.push_back(made->finding);
     if (const auto* progress = std::get_if<CampaignProgress>(&event)) {
-      played.programs = progress->programs;
-      played.commands = progress->commands;
+      result.programs = progress->programs;
+      result.commands = progress->commands;
     }
   });
-  return played;
+  return result;
 }
 
 TEST(Campaign, FindsNothingInASoundEvaluator) {
   Altered unaltered(nullptr);
-  const Played played = play_against(unaltered, 40);
-  EXPECT_EQ(played.programs, 40u);
-  EXPECT_GT(played.commands, 40u * 60);
-  for (const Finding& finding : played.findings) ADD_FAILURE() << to_text(finding);
+  const CampaignResult result = run_campaign(unaltered, 40);
+  EXPECT_EQ(result.programs, 40u);
+  EXPECT_GT(result.commands, 40u * 60);
+  for (const Finding& finding : result.findings) ADD_FAILURE() << to_text(finding);
 }
 
 // EvalCoord2d exchanges its arguments, which is a bug of one form of a command.
@@ -328,9 +362,9 @@ TEST(Campaign, FindsADefectAndMakesItSmall) {
   Altered altered([](gl::Table& table) {
     table.EvalCoord2d = [](GLdouble u, GLdouble v) { Altered::original.EvalCoord2d(v, u); };
   });
-  const Played played = play_against(altered, 40);
-  ASSERT_FALSE(played.findings.empty());
-  const Finding& finding = played.findings.front();
+  const CampaignResult result = run_campaign(altered, 40);
+  ASSERT_FALSE(result.findings.empty());
+  const Finding& finding = result.findings.front();
   const gl::Case& program = finding.program;
   EXPECT_LE(program.commands().size(), 5u) << text_of(program);
   EXPECT_TRUE(has(program, gl::EntryPoint::EvalCoord2d)) << text_of(program);
@@ -344,9 +378,9 @@ TEST(Campaign, TellsDefectsOutsideEvaluatorsApart) {
   Altered altered([](gl::Table& table) {
     table.Color4f = [](GLfloat r, GLfloat g, GLfloat b, GLfloat a) { Altered::original.Color4f(g, r, b, a); };
   });
-  const Played played = play_against(altered, 800);
-  ASSERT_FALSE(played.findings.empty());
-  const Finding& finding = played.findings.front();
+  const CampaignResult result = run_campaign(altered, 800);
+  ASSERT_FALSE(result.findings.empty());
+  const Finding& finding = result.findings.front();
   EXPECT_TRUE(finding.outside_evaluators) << to_text(finding);
   EXPECT_FALSE(contains(finding.cause, "Eval"));
 }
@@ -374,7 +408,7 @@ TEST(Campaign, ShowsTheMinimalProgramOfAKnownCause) {
   ASSERT_NE(known, known_findings().end());
   const std::string cause = cause_of(known->program, known->what);
   // The first finding is the one that a campaign shows.
-  const std::vector<Finding> findings = play_against(altered, 400, {cause}).findings;
+  const std::vector<Finding> findings = run_campaign(altered, 400, {cause}).findings;
   const auto first = std::ranges::find(findings, cause, &Finding::cause);
   ASSERT_NE(first, findings.end());
   EXPECT_EQ(text_of(first->program), text_of(known->program));
@@ -387,9 +421,9 @@ TEST(Campaign, FindsAWrongAnswer) {
       Altered::original.MapGrid1f(n < 1 ? 1 : n, u1, u2);
     };
   });
-  const Played played = play_against(altered, 400);
-  ASSERT_FALSE(played.findings.empty());
-  EXPECT_EQ(played.findings.front().cause, "GetError, MapGrid1: glGetError");
+  const CampaignResult result = run_campaign(altered, 400);
+  ASSERT_FALSE(result.findings.empty());
+  EXPECT_EQ(result.findings.front().cause, "GetError, MapGrid1: glGetError");
 }
 
 // --- the command ------------------------------------------------------------------------------------------

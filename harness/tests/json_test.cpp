@@ -9,15 +9,15 @@ namespace {
 using nlohmann::json;
 
 template <class A, class B>
-constexpr bool can_be_compared = requires(const A& a, const B& b) {
+constexpr bool kCanBeCompared = requires(const A& a, const B& b) {
   a == b;
 }
 || requires(const A& a, const B& b) { a != b; };
 
-static_assert(can_be_compared<json, json> && can_be_compared<json, int> && can_be_compared<json, bool>);
-static_assert(!can_be_compared<json, std::string> && !can_be_compared<std::string, json>);
-static_assert(!can_be_compared<json, std::string_view> && !can_be_compared<std::string_view, json>);
-static_assert(!can_be_compared<nlohmann::ordered_json, std::string>);
+static_assert(kCanBeCompared<json, json> && kCanBeCompared<json, int> && kCanBeCompared<json, bool>);
+static_assert(!kCanBeCompared<json, std::string> && !kCanBeCompared<std::string, json>);
+static_assert(!kCanBeCompared<json, std::string_view> && !kCanBeCompared<std::string_view, json>);
+static_assert(!kCanBeCompared<nlohmann::ordered_json, std::string>);
 
 TEST(Json, TextIsThatOfStringsOnly) {
   EXPECT_EQ(as_text(json("pass")), "pass");

@@ -230,7 +230,7 @@ TEST_F(Flakes, AreNotSeenElsewhere) {
   EXPECT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f", "--retry", "3"}).code,
             1);
   EXPECT_FALSE(test_named(results("drill"), "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f").contains("flake"));
-  const auto times_played = [&] {
+  const auto times_run = [&] {
     const std::string log = text_of("log-drill.txt"), line = std::string("[ RUN      ] ") + kVictim + "\n";
     std::size_t times = 0;
     for (std::size_t at = log.find(line); at != std::string::npos; at = log.find(line, at + 1)) ++times;
@@ -238,12 +238,12 @@ TEST_F(Flakes, AreNotSeenElsewhere) {
   };
   const fs::path baseline = folder_ / "baseline";
   EXPECT_EQ(play("now-and-then", {"--baseline", baseline.string(), "--write-baseline"}).code, 0);
-  EXPECT_GT(times_played(), 1u);
+  EXPECT_GT(times_run(), 1u);
   EXPECT_EQ(play("now-and-then", {"--baseline", baseline.string()}).code, 0);
-  EXPECT_EQ(times_played(), 1u);
+  EXPECT_EQ(times_run(), 1u);
   std::ofstream(baseline / "drill-flakes.txt") << "# now and then\n^Map1State\\.Stride/MAP1_INDEX_f$\n";
   EXPECT_EQ(play("now-and-then", {"--baseline", baseline.string(), "--strict"}).code, 0);
-  EXPECT_EQ(times_played(), 1u);
+  EXPECT_EQ(times_run(), 1u);
 }
 
 // --- disks and folders -------------------------------------------------------------------------------------
@@ -365,7 +365,7 @@ class Variables : public DrillTest {
   static constexpr char kFilter[] =
       "InitialState.*:Enables.*:Map1Errors.StrideBelowK/*:GetMap.*:Map1State.Stride/*";
 
-  std::set<std::string> played(const std::string& name) const {
+  std::set<std::string> tests_run(const std::string& name) const {
     std::set<std::string> tests;
     const json result = results(name);
     for (const json& test : result["tests"]) tests.insert(test["name"]);
@@ -384,7 +384,7 @@ TEST_F(Variables, ShardTheSameWay) {
     std::vector<std::string> sharded = arguments;
     sharded.insert(sharded.end(), {"--shard", std::to_string(shard + 1) + "/3"});
     EXPECT_EQ(evalcts(sharded).code, 0);
-    const std::set<std::string> by_option = played(label);
+    const std::set<std::string> by_option = tests_run(label);
     EXPECT_FALSE(by_option.empty());
     fs::remove(folder_ / ("results-" + label + ".json"));
 
@@ -392,7 +392,7 @@ TEST_F(Variables, ShardTheSameWay) {
     setenv("GTEST_SHARD_INDEX", std::to_string(shard).c_str(), 1);
     setenv("GTEST_SHARD_STATUS_FILE", (folder_ / "status").c_str(), 1);
     EXPECT_EQ(evalcts(arguments).code, 0);
-    EXPECT_EQ(played(label), by_option);
+    EXPECT_EQ(tests_run(label), by_option);
     EXPECT_TRUE(fs::exists(folder_ / "status"));
 
     const Outcome suite = start({SUITE_PROGRAM, "--implementation", "production", "--depth", "thorough",
@@ -411,7 +411,7 @@ TEST_F(Variables, ShardTheSameWay) {
 
 // A test name with a '-', as other runners pass it, selects the test and is not read as an exclusion.
 TEST_F(Variables, NamesWorkAsTheyAreListed) {
-  const auto played_by = [&](const std::string& filter) {
+  const auto tests_run_by = [&](const std::string& filter) {
     std::istringstream lines(start({SUITE_PROGRAM, "--implementation", "production", "--depth", "thorough",
                                     "--gtest_filter=" + filter})
                                  .text);
@@ -421,9 +421,9 @@ TEST_F(Variables, NamesWorkAsTheyAreListed) {
     return names;
   };
   const std::string name = "DisplayLists.CalledTwiceSameBits/1-D", other = "InitialState.OrderOf1D";
-  EXPECT_EQ(played_by(name), std::set({name}));
-  EXPECT_EQ(played_by(name + ":" + other), std::set({name, other}));
-  EXPECT_EQ(played_by("DisplayLists.CalledTwiceSameBits/*:-" + name),
+  EXPECT_EQ(tests_run_by(name), std::set({name}));
+  EXPECT_EQ(tests_run_by(name + ":" + other), std::set({name, other}));
+  EXPECT_EQ(tests_run_by("DisplayLists.CalledTwiceSameBits/*:-" + name),
             std::set<std::string>({"DisplayLists.CalledTwiceSameBits/2-D"}));
 }
 
@@ -448,7 +448,7 @@ TEST_F(Variables, ForOthersAreForgotten) {
   setenv("XML_OUTPUT_FILE", (folder_ / "own.xml").c_str(), 1);
   const Outcome outcome = drill("nothing");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
-  EXPECT_GT(played("drill").size(), 15u);
+  EXPECT_GT(tests_run("drill").size(), 15u);
   EXPECT_FALSE(fs::exists(folder_ / "own.xml"));
 }
 

@@ -14,18 +14,18 @@ struct Size {
 };
 const std::vector<Size> kSizes = {{"small", 1}, {"large", 9}};
 const std::vector<GLenum> kTargets = {GL_MAP1_INDEX, GL_MAP1_NORMAL, GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4};
-std::string played_so_far;
+std::string run_so_far;
 
-EVALCTS_TEST(Sample, Plain, kQuality, "EV-A", "EV-B/1-D")(Test&) { played_so_far += "plain "; };
+EVALCTS_TEST(Sample, Plain, kQuality, "EV-A", "EV-B/1-D")(Test&) { run_so_far += "plain "; };
 EVALCTS_TEST(Sample, Sizes, kMust, "EV-A",
              combine(kTargets).combine(kSizes).filter([](GLenum target, const Size& size) {
                return target == GL_MAP1_NORMAL || size.value == 9;
              }))
-(Test&, GLenum, const Size& size) { played_so_far += size.name + " "; };
+(Test&, GLenum, const Size& size) { run_so_far += size.name + " "; };
 EVALCTS_TEST(Sample, Expanded, kMust, "EV-A", combine(kSizes).expand([](const Size& size) {
   return std::vector<Size>{{"again", size.value + 1}};
 }))
-(Test&, const Size&, const Size& more) { played_so_far += std::to_string(more.value) + " "; };
+(Test&, const Size&, const Size& more) { run_so_far += std::to_string(more.value) + " "; };
 EVALCTS_LIFTED_SUITE(Curves, Surfaces);
 EVALCTS_TEST(Curves, Delivered, kMust, "EV-MAP1-BEZIER", "EV-A", "EV-B/1-D",
              combine(std::vector<GLenum>{GL_MAP1_INDEX}).by(gl::curve_deliveries()))
@@ -44,15 +44,15 @@ std::vector<std::string> names_of(const std::vector<TestInfo>& tests) {
   return names;
 }
 
-std::string played(const std::vector<TestInfo>& tests) {
-  played_so_far.clear();
+std::string names_run(const std::vector<TestInfo>& tests) {
+  run_so_far.clear();
   Subject subject;
   for (const TestInfo& info : tests) {
     TestRecord record;
     Test test(subject, record);
     info.body(test);
   }
-  return played_so_far;
+  return run_so_far;
 }
 
 TEST(Registration, OfATestWithoutParameters) {
@@ -61,7 +61,7 @@ TEST(Registration, OfATestWithoutParameters) {
   EXPECT_EQ(plain[0].requirements, (std::vector<RequirementId>{"EV-A", "EV-B/1-D"}));
   EXPECT_EQ(plain[0].level, Level::kQuality);
   EXPECT_EQ(plain[0].from, Depth::kQuick);
-  EXPECT_EQ(played(plain), "plain ");
+  EXPECT_EQ(names_run(plain), "plain ");
 }
 
 TEST(Registration, CombinesAndFilters) {
@@ -69,7 +69,7 @@ TEST(Registration, CombinesAndFilters) {
   EXPECT_EQ(names_of(sizes), (std::vector<std::string>{"Sizes/MAP1_INDEX/large", "Sizes/MAP1_NORMAL/large",
                                                        "Sizes/MAP1_NORMAL/small", "Sizes/MAP1_VERTEX_3/large",
                                                        "Sizes/MAP1_VERTEX_4/large"}));
-  EXPECT_EQ(played(sizes), "large large small large large ");
+  EXPECT_EQ(names_run(sizes), "large large small large large ");
   // The suite has no other tests with these pairs of parameters.
   EXPECT_EQ(std::ranges::count(sizes, Depth::kQuick, &TestInfo::from), 5);
 }
@@ -77,7 +77,7 @@ TEST(Registration, CombinesAndFilters) {
 TEST(Registration, ExpandsEachCombination) {
   const std::vector<TestInfo> expanded = named("Expanded");
   EXPECT_EQ(names_of(expanded), (std::vector<std::string>{"Expanded/large/again", "Expanded/small/again"}));
-  EXPECT_EQ(played(expanded), "10 2 ");
+  EXPECT_EQ(names_run(expanded), "10 2 ");
 }
 
 TEST(Registration, OneTestForEachDelivery) {

@@ -116,7 +116,7 @@ TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
       {wrong.dump(), "tests[0].verdict: unknown verdict \"passed\""},
       {twice.dump(), "occurs twice in this record"},
       {shard.dump(), "is not K-of-N"}};
-  const auto refuses = [this](const std::vector<std::string>& arguments, const std::string& words) {
+  const auto expect_rejected = [this](const std::vector<std::string>& arguments, const std::string& words) {
     std::vector<std::string> command = {"report", "--output", path("out")};
     command.insert(command.end(), arguments.begin(), arguments.end());
     const Outcome outcome = evalcts(command);
@@ -126,10 +126,10 @@ TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
   };
   for (const auto& [text, words] : cases) {
     write("bad/results-y.json", text);
-    refuses({path("good"), path("bad")}, words);
+    expect_rejected({path("good"), path("bad")}, words);
   }
-  refuses({path("bad/results-y.json")}, "is not K-of-N");
-  refuses({path("good"), "--before", path("bad")}, "is not K-of-N");
+  expect_rejected({path("bad/results-y.json")}, "is not K-of-N");
+  expect_rejected({path("good"), "--before", path("bad")}, "is not K-of-N");
   for (const std::string& argument :
        std::vector<std::string>{path("nowhere"), path("empty"), std::string("/dev/null"), std::string()}) {
     const Outcome outcome = evalcts({"report", argument, "--output", path("out")});

@@ -320,13 +320,16 @@ TEST_F(Checkpoints, HoldAllOfAState) {
   // Stops the sweep after two blocks, because it reports only every second and at the end.
   StreamSource slow = source_;
   std::atomic<int> evaluated = 0;
-  struct Counting final : Stream {
+  class Counting final : public Stream {
+   public:
     Counting(std::unique_ptr<Stream> inner, std::atomic<int>& count, std::atomic<bool>& end)
         : inner_(std::move(inner)), count_(count), end_(end) {}
     void evaluate(std::span<const float> u, std::span<float> results) override {
       inner_->evaluate(u, results);
       if (++count_ == 2) end_ = true;
     }
+
+   private:
     std::unique_ptr<Stream> inner_;
     std::atomic<int>& count_;
     std::atomic<bool>& end_;
@@ -481,21 +484,21 @@ TEST_F(SweepCommand, ShardsAreMerged) {
   EXPECT_EQ(merged, whole);
   EXPECT_EQ(merge({"1", "2"}, "merged").code, 2) << "it is there already";
 
-  const auto refused = [&](const std::vector<std::string>& names) {
-    const Outcome refusal = merge(names, "not-made");
-    EXPECT_EQ(refusal.code, 2) << refusal.text;
+  const auto rejected = [&](const std::vector<std::string>& names) {
+    const Outcome rejection = merge(names, "not-made");
+    EXPECT_EQ(rejection.code, 2) << rejection.text;
     EXPECT_FALSE(std::filesystem::exists(folder_ / "not-made"));
-    return refusal.text;
+    return rejection.text;
   };
-  EXPECT_TRUE(contains(refused({"1"}), "shards are missing: 2/2"));
-  EXPECT_TRUE(contains(refused({"1", "1"}), "is shard 1/2 a second time"));
-  EXPECT_TRUE(contains(refused({"1", "whole"}), "is shard 1/1, but the others are of 2"));
-  EXPECT_TRUE(contains(refused({"1", "nowhere"}), "is damaged (incomplete JSON)"));
+  EXPECT_TRUE(contains(rejected({"1"}), "shards are missing: 2/2"));
+  EXPECT_TRUE(contains(rejected({"1", "1"}), "is shard 1/2 a second time"));
+  EXPECT_TRUE(contains(rejected({"1", "whole"}), "is shard 1/1, but the others are of 2"));
+  EXPECT_TRUE(contains(rejected({"1", "nowhere"}), "is damaged (incomplete JSON)"));
   std::ofstream(folder_ / "half") << std::ifstream(folder_ / "2").rdbuf();
   std::filesystem::resize_file(folder_ / "half", 300);
-  EXPECT_TRUE(contains(refused({"1", "half"}), "is damaged"));
+  EXPECT_TRUE(contains(rejected({"1", "half"}), "is damaged"));
   sweep("other", {"--shard", "2/2", "--target", "normal"});
-  EXPECT_TRUE(contains(refused({"1", "other"}), "is of another sweep: its points is"));
+  EXPECT_TRUE(contains(rejected({"1", "other"}), "is of another sweep: its points is"));
 }
 
 TEST_F(SweepCommand, GoesAlongSurfaces) {

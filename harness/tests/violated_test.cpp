@@ -99,11 +99,11 @@ TEST(Violated, ExpectationsDecideRequirements) {
       [](evalcts::Test& t) {
         gl::Case c("enables");
         const gl::Ref index = c.IsEnabled(GL_MAP1_INDEX), normal = c.IsEnabled(GL_MAP1_NORMAL);
-        Played played = t.play(c);
+        CheckedTrace checked = t.play(c);
         t.decide({"EV-A"});
-        played.expect_result(index, 0);
+        checked.expect_result(index, 0);
         t.decide({"EV-B"});
-        played.expect_result(normal, 0);
+        checked.expect_result(normal, 0);
       });
   EXPECT_EQ(record.blamed(), Ids{"EV-A"});
   EXPECT_EQ(record.hidden(), Ids{"EV-B"});

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 #include "direction.h"
 #include "homogeneous.h"
@@ -20,8 +19,8 @@ struct Problem {
 
 // Returns the v of a curve, which may be any value, because the curve does not depend on it.
 const Argument& no_argument() {
-  static const Argument zero = Argument::coordinate(0);
-  return zero;
+  static const Argument kZero = Argument::coordinate(0);
+  return kZero;
 }
 
 Surface as_surface(const Curve& curve) {

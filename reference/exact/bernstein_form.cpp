@@ -43,7 +43,7 @@ struct BernsteinForm::Data {
 
   Evaluation evaluate_generally(const Argument& u, const Argument& v) const;
   // Computes the sum and returns its divisor, or nothing if the numbers are too long.
-  template <bool magnitude>
+  template <bool kMagnitude>
   std::optional<Power> sum_of(const Argument& u, const Argument& v, ShortSum& sum) const;
   template <typename Float>
   Float rounded(const Argument& u, const Argument& v) const;
@@ -79,7 +79,7 @@ Evaluation BernsteinForm::Data::evaluate_generally(const Argument& u, const Argu
   return bernstein_sum(net, homogenise(u, u1, u2), homogenise(v, v1, v2));
 }
 
-template <bool magnitude>
+template <bool kMagnitude>
 std::optional<Power> BernsteinForm::Data::sum_of(const Argument& u, const Argument& v, ShortSum& sum) const {
   check_argument(u);
   if (!is_curve) check_argument(v);
@@ -93,14 +93,14 @@ std::optional<Power> BernsteinForm::Data::sum_of(const Argument& u, const Argume
   if (uorder > 1 && !homogenise_into(s, u, u1, u2)) return std::nullopt;
   if (vorder > 1 && !homogenise_into(t, v, v1, v2)) return std::nullopt;
   if (vorder == 1) {
-    short_sum<magnitude>(*terms, s, sum);
+    short_sum<kMagnitude>(*terms, s, sum);
     return power_of(s.c, uorder - 1);
   }
   if (uorder == 1) {
-    short_sum<magnitude>(*terms, t, sum);
+    short_sum<kMagnitude>(*terms, t, sum);
     return power_of(t.c, vorder - 1);
   }
-  short_sum<magnitude>(*terms, s, t, sum);
+  short_sum<kMagnitude>(*terms, s, t, sum);
   const Power along_u = power_of(s.c, uorder - 1), along_v = power_of(t.c, vorder - 1);
   return Power{along_u.denominator * along_v.denominator, along_u.exponent + along_v.exponent};
 }

@@ -63,8 +63,8 @@ HWY_INLINE Pair two_product(Vector x, Vector y) {
 // Returns true if two_product is exact on this machine. If fused operations are switched off, the MulSub of
 // Highway rounds twice, and the low part is lost.
 inline bool has_exact_products() {
-  static const volatile double number = 1 + 0x1p-30;  // not known to the compiler
-  const Vector x = hn::Set(kTag, number);
+  static const volatile double kNumber = 1 + 0x1p-30;  // not known to the compiler
+  const Vector x = hn::Set(kTag, kNumber);
   return hn::AllTrue(kTag, hn::Eq(two_product(x, x).low, hn::Set(kTag, 0x1p-60)));
 }
 

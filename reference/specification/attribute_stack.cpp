@@ -2,14 +2,12 @@
 
 #include <reference/specification.h>
 
-#include <utility>
-
 namespace evalcts::reference {
 
 void Specification::PushAttrib(GLbitfield mask) {
   if (compiled(&Specification::PushAttrib, mask)) return;
-  if (refused({{inside(), GL_INVALID_OPERATION},
-               {attribute_stack_.size() == kMaxAttribStackDepth, GL_STACK_OVERFLOW}})) {
+  if (reject_if({{inside(), GL_INVALID_OPERATION},
+                 {attribute_stack_.size() == kMaxAttribStackDepth, GL_STACK_OVERFLOW}})) {
     return;
   }
   attribute_stack_.push_back({mask, attributes_});
@@ -17,7 +15,7 @@ void Specification::PushAttrib(GLbitfield mask) {
 
 void Specification::PopAttrib() {
   if (compiled(&Specification::PopAttrib)) return;
-  if (refused({{inside(), GL_INVALID_OPERATION}, {attribute_stack_.empty(), GL_STACK_UNDERFLOW}})) return;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}, {attribute_stack_.empty(), GL_STACK_UNDERFLOW}})) return;
   const auto [mask, saved] = attribute_stack_.back();
   attribute_stack_.pop_back();
   if (mask & (GL_EVAL_BIT | GL_ENABLE_BIT)) attributes_.enables = saved.enables;

@@ -66,10 +66,10 @@ GLuint offset(GLenum type, const void* lists, std::ptrdiff_t i) {
 
 void Specification::NewList(GLuint list, GLenum mode) {
   const bool is_mode = mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE;
-  if (refused({{inside(), GL_INVALID_OPERATION},
-               {list == 0, GL_INVALID_VALUE},
-               {!is_mode, GL_INVALID_ENUM},
-               {construction_.has_value(), GL_INVALID_OPERATION}})) {
+  if (reject_if({{inside(), GL_INVALID_OPERATION},
+                 {list == 0, GL_INVALID_VALUE},
+                 {!is_mode, GL_INVALID_ENUM},
+                 {construction_.has_value(), GL_INVALID_OPERATION}})) {
     return;
   }
   construction_ = Construction{list, mode, {}};
@@ -78,7 +78,7 @@ void Specification::NewList(GLuint list, GLenum mode) {
 // EndList raises an error between an executed Begin and its End, too, and leaves the list open (P-glNewList;
 // the list of section 2.6.3 does not mention it). A compiled Begin does not count.
 void Specification::EndList() {
-  if (refused({{inside(), GL_INVALID_OPERATION}, {!construction_, GL_INVALID_OPERATION}})) return;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}, {!construction_, GL_INVALID_OPERATION}})) return;
   Construction complete = *std::exchange(construction_, std::nullopt);
   lists_[complete.name] = std::move(complete.list);
 }
@@ -105,7 +105,7 @@ void Specification::execute(const std::vector<GLuint>& names) {
 // CallList(0) has no effect, because no list has the name 0 (P-glCallList).
 void Specification::CallList(GLuint list) {
   if (compiled(&Specification::CallList, list)) return;
-  refused({});
+  reject_if({});
   execute({list});
 }
 
@@ -119,23 +119,23 @@ void Specification::CallLists(GLsizei n, GLenum type, const void* lists) {
 
 void Specification::call_lists(Objections objections, std::vector<GLuint> offsets) {
   if (compiled(&Specification::call_lists, objections, offsets)) return;
-  if (refused(objections)) return;
+  if (reject_if(objections)) return;
   for (GLuint& offset : offsets) offset += attributes_.list_base;
   execute(offsets);
 }
 
 void Specification::ListBase(GLuint base) {
   if (compiled(&Specification::ListBase, base)) return;
-  if (refused({{inside(), GL_INVALID_OPERATION}})) return;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}})) return;
   attributes_.list_base = base;
 }
 
 // ---- Names ----
 
 GLuint Specification::GenLists(GLsizei range) {
-  if (refused({{inside(), GL_INVALID_OPERATION},
-               {range < 0, GL_INVALID_VALUE},
-               {range > kMostGenerated, GL_OUT_OF_MEMORY}}) ||
+  if (reject_if({{inside(), GL_INVALID_OPERATION},
+                 {range < 0, GL_INVALID_VALUE},
+                 {range > kMostGenerated, GL_OUT_OF_MEMORY}}) ||
       range == 0) {
     return 0;
   }
@@ -153,12 +153,12 @@ GLuint Specification::GenLists(GLsizei range) {
 }
 
 GLboolean Specification::IsList(GLuint list) {
-  if (refused({{inside(), GL_INVALID_OPERATION}})) return GL_FALSE;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}})) return GL_FALSE;
   return lists_.contains(list) ? GL_TRUE : GL_FALSE;
 }
 
 void Specification::DeleteLists(GLuint list, GLsizei range) {
-  if (refused({{inside(), GL_INVALID_OPERATION}, {range < 0, GL_INVALID_VALUE}})) return;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}, {range < 0, GL_INVALID_VALUE}})) return;
   std::erase_if(lists_, [=](const auto& entry) {
     return entry.first >= list && entry.first - list < static_cast<GLuint>(range);
   });

@@ -9,8 +9,8 @@ namespace evalcts::reference {
 namespace {
 
 // Replaces the first components of an attribute by those of the evaluated map.
-template <std::size_t size>
-void evaluate_into(std::array<Component, size>& attribute, const std::shared_ptr<const Map>& map,
+template <std::size_t kSize>
+void evaluate_into(std::array<Component, kSize>& attribute, const std::shared_ptr<const Map>& map,
                    const Argument& u, const std::optional<Argument>& v) {
   for (int c = 0; c < map->components(); ++c) attribute[c] = Sample{map, c, u, v};
 }
@@ -27,7 +27,7 @@ std::shared_ptr<const Map> Specification::effective_map(int dimension,
 }
 
 void Specification::eval_coord(const Argument& u, const std::optional<Argument>& v) {
-  refused({});  // no argument is an error (EV-COORD-NOERR)
+  reject_if({});  // no argument is an error (EV-COORD-NOERR)
   const int dimension = v ? 2 : 1;
   // Without a vertex map nothing happens (EV-COORD-NOVERTEX). VERTEX_4 goes before VERTEX_3 (EV-PREC-VERTEX).
   const auto position = effective_map(dimension, {GL_MAP1_VERTEX_4, GL_MAP1_VERTEX_3});
@@ -86,7 +86,7 @@ void Specification::EvalCoord2dv(const GLdouble* u) {
 void Specification::map_grid(std::initializer_list<std::pair<GridDirection*, GridDirection>> directions) {
   const bool bad = std::ranges::any_of(directions, [](const auto& d) { return d.second.segments <= 0; });
   // EV-GRID-ERR-*. Equal ends are legal (EV-GRID-EQUAL), and so is any texture unit (EV-GRID-NOUNIT).
-  if (refused({{inside(), GL_INVALID_OPERATION}, {bad, GL_INVALID_VALUE}})) return;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}, {bad, GL_INVALID_VALUE}})) return;
   for (const auto& [state, value] : directions) *state = value;
 }
 
@@ -132,7 +132,7 @@ void Specification::draw(GLenum mode, std::size_t mesh, Vertices vertices) {
 void Specification::EvalMesh1(GLenum mode, GLint p1, GLint p2) {
   if (compiled(&Specification::EvalMesh1, mode, p1, p2)) return;
   const bool is_mode = mode == GL_POINT || mode == GL_LINE;
-  if (refused({{inside(), GL_INVALID_OPERATION}, {!is_mode, GL_INVALID_ENUM}})) return;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}, {!is_mode, GL_INVALID_ENUM}})) return;
   const std::int64_t i1 = p1, i2 = p2;
   draw(mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP, 0, [&] {  // C-MESH1-LINES
     for (std::int64_t i = i1; i <= i2; ++i) eval_point(i);
@@ -142,7 +142,7 @@ void Specification::EvalMesh1(GLenum mode, GLint p1, GLint p2) {
 void Specification::EvalMesh2(GLenum mode, GLint p1, GLint p2, GLint q1, GLint q2) {
   if (compiled(&Specification::EvalMesh2, mode, p1, p2, q1, q2)) return;
   const bool is_mode = mode == GL_POINT || mode == GL_LINE || mode == GL_FILL;
-  if (refused({{inside(), GL_INVALID_OPERATION}, {!is_mode, GL_INVALID_ENUM}})) return;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}, {!is_mode, GL_INVALID_ENUM}})) return;
   ++meshes_;
   const std::int64_t i1 = p1, i2 = p2, j1 = q1, j2 = q2;
   switch (mode) {

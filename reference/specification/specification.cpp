@@ -81,7 +81,7 @@ bool Specification::any_applies(const Objections& objections) {
   return std::ranges::any_of(objections, &Objection::applies);
 }
 
-bool Specification::refused(const Objections& objections) {
+bool Specification::reject_if(const Objections& objections) {
   permitted_errors_.clear();
   for (const Objection& objection : objections) {
     if (objection.applies && std::ranges::count(permitted_errors_, objection.error) == 0) {
@@ -94,14 +94,14 @@ bool Specification::refused(const Objections& objections) {
 }
 
 GLenum Specification::GetError() {
-  if (refused({{inside(), GL_INVALID_OPERATION}})) return GL_NO_ERROR;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}})) return GL_NO_ERROR;
   return std::exchange(error_, GL_NO_ERROR);
 }
 
 // ---- Flush and Finish (section 5.5) ----
 
-void Specification::Flush() { refused({{inside(), GL_INVALID_OPERATION}}); }
-void Specification::Finish() { refused({{inside(), GL_INVALID_OPERATION}}); }
+void Specification::Flush() { reject_if({{inside(), GL_INVALID_OPERATION}}); }
+void Specification::Finish() { reject_if({{inside(), GL_INVALID_OPERATION}}); }
 
 // ---- Maps (section 5.1) ----
 
@@ -148,7 +148,7 @@ void Specification::define(Objections objections, std::shared_ptr<const Map> map
   if (compiled(&Specification::define, objections, map)) return;
   objections.insert(objections.begin(), {inside(), GL_INVALID_OPERATION});        // EV-MAP*-ERR-BEGINEND
   objections.push_back({attributes_.active_texture != 0, GL_INVALID_OPERATION});  // EV-MAP*-ERR-ACTIVETEX
-  if (refused(objections) || map == nullptr) return;
+  if (reject_if(objections) || map == nullptr) return;
   maps_[slot(map->target)] = map;
 }
 
@@ -176,13 +176,13 @@ void Specification::Map2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustride
 
 void Specification::Begin(GLenum mode) {
   if (compiled(&Specification::Begin, mode)) return;
-  if (refused({{inside(), GL_INVALID_OPERATION}, {mode > GL_POLYGON, GL_INVALID_ENUM}})) return;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}, {mode > GL_POLYGON, GL_INVALID_ENUM}})) return;
   open_ = Primitive{mode, {}};
 }
 
 void Specification::End() {
   if (compiled(&Specification::End)) return;
-  if (refused({{!inside(), GL_INVALID_OPERATION}})) return;
+  if (reject_if({{!inside(), GL_INVALID_OPERATION}})) return;
   completed_.push_back(*std::exchange(open_, std::nullopt));
 }
 
@@ -206,7 +206,7 @@ Vertex Specification::current_vertex() const {
 
 void Specification::vertex(double x, double y, double z, double w) {
   if (compiled(&Specification::vertex, x, y, z, w)) return;
-  refused({});
+  reject_if({});
   if (!inside()) return;
   Vertex vertex = current_vertex();
   vertex.position = {to_single(x), to_single(y), to_single(z), to_single(w)};
@@ -215,38 +215,38 @@ void Specification::vertex(double x, double y, double z, double w) {
 
 void Specification::color(double red, double green, double blue, double alpha) {
   if (compiled(&Specification::color, red, green, blue, alpha)) return;
-  refused({});
+  reject_if({});
   attributes_.current.color = {to_single(red), to_single(green), to_single(blue), to_single(alpha)};
 }
 
 void Specification::normal(double x, double y, double z) {
   if (compiled(&Specification::normal, x, y, z)) return;
-  refused({});
+  reject_if({});
   attributes_.current.normal = {to_single(x), to_single(y), to_single(z)};
 }
 
 void Specification::texture_coordinate(GLenum texture, double s, double t, double r, double q) {
   if (compiled(&Specification::texture_coordinate, texture, s, t, r, q)) return;
-  if (refused({{!is_texture_unit(texture), GL_INVALID_ENUM}})) return;
+  if (reject_if({{!is_texture_unit(texture), GL_INVALID_ENUM}})) return;
   attributes_.current.texture_coordinate[texture - GL_TEXTURE0] = {to_single(s), to_single(t), to_single(r),
                                                                    to_single(q)};
 }
 
 void Specification::index(double c) {
   if (compiled(&Specification::index, c)) return;
-  refused({});
+  reject_if({});
   attributes_.current.index = to_single(c);
 }
 
 void Specification::EdgeFlag(GLboolean flag) {
   if (compiled(&Specification::EdgeFlag, flag)) return;
-  refused({});
+  reject_if({});
   attributes_.current.edge_flag = flag != GL_FALSE;
 }
 
 void Specification::ActiveTexture(GLenum texture) {
   if (compiled(&Specification::ActiveTexture, texture)) return;
-  if (refused({{inside(), GL_INVALID_OPERATION}, {!is_texture_unit(texture), GL_INVALID_ENUM}})) return;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}, {!is_texture_unit(texture), GL_INVALID_ENUM}})) return;
   attributes_.active_texture = static_cast<int>(texture - GL_TEXTURE0);
 }
 
@@ -260,7 +260,7 @@ std::optional<bool> Specification::enabled(GLenum cap) const {
 
 void Specification::set_enabled(GLenum cap, bool value) {
   if (compiled(&Specification::set_enabled, cap, value)) return;
-  if (refused({{inside(), GL_INVALID_OPERATION}, {!enabled(cap), GL_INVALID_ENUM}})) return;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}, {!enabled(cap), GL_INVALID_ENUM}})) return;
   (cap == GL_AUTO_NORMAL ? attributes_.enables.auto_normal : attributes_.enables.maps[slot(cap)]) = value;
 }
 
@@ -268,7 +268,7 @@ void Specification::Enable(GLenum cap) { set_enabled(cap, true); }
 void Specification::Disable(GLenum cap) { set_enabled(cap, false); }
 
 GLboolean Specification::IsEnabled(GLenum cap) {
-  if (refused({{inside(), GL_INVALID_OPERATION}, {!enabled(cap), GL_INVALID_ENUM}})) return GL_FALSE;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}, {!enabled(cap), GL_INVALID_ENUM}})) return GL_FALSE;
   return *enabled(cap) ? GL_TRUE : GL_FALSE;
 }
 
@@ -278,10 +278,10 @@ template <typename T>
 void Specification::get_map(GLenum target, GLenum query, GLsizei size, T* v) {
   const std::vector<double> values =
       is_map_target(target) ? answer_of_map(*maps_[slot(target)], query) : std::vector<double>{};
-  if (refused({{inside(), GL_INVALID_OPERATION},
-               {values.empty(), GL_INVALID_ENUM},  // unknown target or query
-               {size < 0, GL_INVALID_VALUE},       // EV-GETN-NEGATIVE
-               {std::cmp_less(size, values.size() * sizeof(T)), GL_INVALID_OPERATION}}) ||  // EV-GETN-SMALL
+  if (reject_if({{inside(), GL_INVALID_OPERATION},
+                 {values.empty(), GL_INVALID_ENUM},  // unknown target or query
+                 {size < 0, GL_INVALID_VALUE},       // EV-GETN-NEGATIVE
+                 {std::cmp_less(size, values.size() * sizeof(T)), GL_INVALID_OPERATION}}) ||  // EV-GETN-SMALL
       v == nullptr) {
     return;
   }
@@ -361,7 +361,7 @@ std::optional<Specification::Answer> Specification::answer(GLenum pname) const {
 template <typename T>
 void Specification::get(GLenum pname, T* params) {
   const std::optional<Answer> found = answer(pname);
-  if (refused({{inside(), GL_INVALID_OPERATION}, {!found, GL_INVALID_ENUM}}) || params == nullptr) return;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}, {!found, GL_INVALID_ENUM}}) || params == nullptr) return;
   const bool normalized = found->kind == Answer::Kind::kNormalized;
   std::ranges::transform(found->values, params, [=](double value) { return convert<T>(value, normalized); });
 }
@@ -375,7 +375,7 @@ const GLubyte* Specification::GetString(GLenum name) {
   const auto text = [](const char* characters) { return reinterpret_cast<const GLubyte*>(characters); };
   const bool is_name =
       name == GL_VENDOR || name == GL_RENDERER || name == GL_VERSION || name == GL_EXTENSIONS;
-  if (refused({{inside(), GL_INVALID_OPERATION}, {!is_name, GL_INVALID_ENUM}})) return nullptr;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}, {!is_name, GL_INVALID_ENUM}})) return nullptr;
   switch (name) {
     case GL_VENDOR:
       return text("evalcts");

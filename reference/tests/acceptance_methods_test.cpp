@@ -45,9 +45,8 @@ class Worst {
 };
 
 long double evaluate_case(Arithmetic& a, const MethodCase& c, Parameter how, Method method) {
-  const long double u = c.u.is_grid() ? grid_point(a, c.u.index(), c.u.segments(), c.u.first(), c.u.last())
-                                      : static_cast<long double>(c.u.coordinate());
-  return evaluate_by(a, method, {c.points.begin(), c.points.end()}, parameter(a, how, u, c.u1, c.u2));
+  return evaluate_by(a, method, {c.points.begin(), c.points.end()},
+                     parameter(a, how, coordinate(a, c.u), c.u1, c.u2));
 }
 
 MethodCase random_case(std::mt19937_64& generator, int order) {
@@ -159,8 +158,6 @@ TEST(EveryMethod, IsAcceptedWithRandomErrors) {
   }
 }
 
-// The sign of every single error is chosen for the largest result, then for the smallest. To first order, the
-// errors are independent, so flipping one sign at a time finds the worst signs.
 TEST(EveryMethod, IsAcceptedWithTheWorstErrors) {
   std::mt19937_64 generator = make_generator();
   Worst worst;
@@ -172,24 +169,9 @@ TEST(EveryMethod, IsAcceptedWithTheWorstErrors) {
         if (order > 30 && method != Method::kHorner && method != Method::kDirectSum)
           continue;  // too many operations
         const Parameter how = kParameters[pick(generator, 0, 2)];
-        SignedErrors arithmetic;
-        const auto run = [&] {
-          arithmetic.restart();
-          return evaluate_case(arithmetic, c, how, method);
-        };
-        const long double outward = run();
-        std::vector<signed char> best = arithmetic.signs;
-        for (std::size_t k = 0; k < best.size(); ++k) {
-          arithmetic.signs[k] = -1;
-          if (run() > outward) best[k] = -1;
-          arithmetic.signs[k] = 1;
-        }
-        for (const signed char direction : {1, -1}) {
-          for (std::size_t k = 0; k < best.size(); ++k) {
-            arithmetic.signs[k] = static_cast<signed char>(direction * best[k]);
-          }
-          worst.record(c, run(), exact, bound, method);
-        }
+        search_worst_errors(
+            [&](Arithmetic& a) { return evaluate_case(a, c, how, method); },
+            [&](Arithmetic& a) { worst.record(c, evaluate_case(a, c, how, method), exact, bound, method); });
       }
     }
   }

@@ -76,10 +76,10 @@ inline void define_line(Specification& gl, GLenum target, float first) {
   gl.Map1f(target, 0, 1, k, 2, points.data());
 }
 
-template <std::size_t size>
-std::array<float, size> rounded(const std::array<Component, size>& components) {
-  std::array<float, size> values;
-  for (std::size_t i = 0; i < size; ++i) values[i] = rounded(components[i]);
+template <std::size_t kSize>
+std::array<float, kSize> rounded(const std::array<Component, kSize>& components) {
+  std::array<float, kSize> values;
+  for (std::size_t i = 0; i < kSize; ++i) values[i] = rounded(components[i]);
   return values;
 }
 

@@ -2,10 +2,6 @@
 #include <gtest/gtest.h>
 #include <reference/specification.h>
 
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <memory>
 #include <vector>
 
 #include "context.h"
@@ -186,22 +182,22 @@ TEST(DisplayLists, CopyOtherArrays) {  // EV-DL-POINTS-COPIED
 }
 
 TEST(DisplayLists, RaiseErrorsWhenCalled) {  // EV-DL-ERR-LATE, EV-DL-ERR-ALL, EV-DL-ERR-CONTINUE
-  static const GLfloat one = 1;              // a rejected command must not read more
-  static const GLdouble one_double = 1;
+  static const GLfloat kOne = 1;             // a rejected command must not read more
+  static const GLdouble kOneDouble = 1;
   struct Wrong {
     GLenum error;
     Commands issue;
   };
   const Wrong all[] = {
-      {GL_INVALID_ENUM, [](Specification& c) { c.Map1f(GL_MAP2_VERTEX_3, 0, 1, 3, 64, &one); }},
-      {GL_INVALID_ENUM, [](Specification& c) { c.Map2d(0, 0, 1, 3, 64, 0, 1, 3, 64, &one_double); }},
-      {GL_INVALID_VALUE, [](Specification& c) { c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 0, &one); }},
-      {GL_INVALID_VALUE, [](Specification& c) { c.Map1d(GL_MAP1_VERTEX_3, 0, 1, 3, 65, &one_double); }},
-      {GL_INVALID_VALUE, [](Specification& c) { c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 2, 64, &one); }},
-      {GL_INVALID_VALUE, [](Specification& c) { c.Map1d(GL_MAP1_VERTEX_3, 5, 5, 3, 64, &one_double); }},
-      {GL_INVALID_VALUE, [](Specification& c) { c.Map2f(GL_MAP2_INDEX, 0, 1, 1, 65, 0, 1, 1, 1, &one); }},
-      {GL_INVALID_VALUE, [](Specification& c) { c.Map2f(GL_MAP2_INDEX, 0, 1, 0, 64, 0, 1, 1, 64, &one); }},
-      {GL_INVALID_VALUE, [](Specification& c) { c.Map2f(GL_MAP2_INDEX, 0, 1, 1, 64, 2, 2, 1, 64, &one); }},
+      {GL_INVALID_ENUM, [](Specification& c) { c.Map1f(GL_MAP2_VERTEX_3, 0, 1, 3, 64, &kOne); }},
+      {GL_INVALID_ENUM, [](Specification& c) { c.Map2d(0, 0, 1, 3, 64, 0, 1, 3, 64, &kOneDouble); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 0, &kOne); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.Map1d(GL_MAP1_VERTEX_3, 0, 1, 3, 65, &kOneDouble); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 2, 64, &kOne); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.Map1d(GL_MAP1_VERTEX_3, 5, 5, 3, 64, &kOneDouble); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.Map2f(GL_MAP2_INDEX, 0, 1, 1, 65, 0, 1, 1, 1, &kOne); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.Map2f(GL_MAP2_INDEX, 0, 1, 0, 64, 0, 1, 1, 64, &kOne); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.Map2f(GL_MAP2_INDEX, 0, 1, 1, 64, 2, 2, 1, 64, &kOne); }},
       {GL_INVALID_VALUE, [](Specification& c) { c.MapGrid1f(0, 0, 1); }},
       {GL_INVALID_VALUE, [](Specification& c) { c.MapGrid2d(1, 0, 1, -1, 0, 1); }},
       {GL_INVALID_ENUM, [](Specification& c) { c.EvalMesh1(GL_FILL, 0, 1); }},
@@ -211,8 +207,8 @@ TEST(DisplayLists, RaiseErrorsWhenCalled) {  // EV-DL-ERR-LATE, EV-DL-ERR-ALL, E
       {GL_INVALID_OPERATION, [](Specification& c) { c.End(); }},
       {GL_INVALID_ENUM, [](Specification& c) { c.ActiveTexture(0); }},
       {GL_INVALID_ENUM, [](Specification& c) { c.MultiTexCoord1f(0, 1); }},
-      {GL_INVALID_VALUE, [](Specification& c) { c.CallLists(-1, GL_BYTE, &one); }},
-      {GL_INVALID_ENUM, [](Specification& c) { c.CallLists(1, GL_DOUBLE, &one); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.CallLists(-1, GL_BYTE, &kOne); }},
+      {GL_INVALID_ENUM, [](Specification& c) { c.CallLists(1, GL_DOUBLE, &kOne); }},
       {GL_STACK_UNDERFLOW, [](Specification& c) { c.PopAttrib(); }},
       {GL_STACK_OVERFLOW, [](Specification& c) {
          for (int i = 0; i <= 16; ++i) c.PushAttrib(0);

@@ -5,7 +5,6 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
-#include <limits>
 
 #include "patch.h"
 #include "second_bound.h"

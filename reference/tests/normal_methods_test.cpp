@@ -67,11 +67,6 @@ NormalCase random_case(std::mt19937_64& generator, int size, int uorder, int vor
   return {std::move(patch), u, v};
 }
 
-long double coordinate(Arithmetic& a, const Argument& u) {
-  return u.is_grid() ? grid_point(a, u.index(), u.segments(), u.first(), u.last())
-                     : static_cast<long double>(u.coordinate());
-}
-
 RealVector run(Arithmetic& a, const NormalCase& c, const NormalMethod& how, bool clear) {
   const long double u = coordinate(a, c.u), v = coordinate(a, c.v);
   return normal_by(a, how, c.patch, u, v, clear);
@@ -121,53 +116,57 @@ struct Statistics {
   }
 };
 
-TEST(EveryNormalMethod, IsAcceptedInSinglePrecision) {
-  std::mt19937_64 generator = make_generator();
-  SinglePrecision arithmetic;
+// Calls check() for random cases in which is_judged() holds, which must be most of them.
+template <typename IsJudged, typename Check>
+void check_cases(int repetitions, std::mt19937_64& generator, const IsJudged& is_judged, const Check& check) {
   Statistics seen;
-  for (int repetition = 0; repetition < 1500; ++repetition) {
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
     const NormalCase c =
         random_case(generator, pick(generator, 3, 4), pick(generator, 2, 8), pick(generator, 2, 8));
     const NormalAcceptance acceptance = c.acceptance();
     ++seen.all;
-    if (!acceptance.must_applies || !acceptance.bound) continue;
+    if (!is_judged(acceptance)) continue;
     ++seen.judged;
-    const RealVector exact = exact_unit(acceptance.m);
-    for (int k = 0; k < 4; ++k) {
-      const NormalMethod how = random_method(generator);
-      const RealVector got = run_unit(arithmetic, c, how);
-      const std::array<float, 3> floats{static_cast<float>(got[0]), static_cast<float>(got[1]),
-                                        static_cast<float>(got[2])};
-      const bool flipped = is_flipped(c, how);
-      EXPECT_TRUE(is_within(floats, acceptance.m, *acceptance.bound, flipped)) << in_words(c, how);
-      EXPECT_TRUE(direction_is_within(floats, acceptance.m, *acceptance.bound, flipped)) << in_words(c, how);
-      seen.worst = std::max(seen.worst, excess(got, exact, flipped, real(*acceptance.bound)));
-    }
+    check(c, acceptance, seen);
   }
   EXPECT_GT(seen.judged, seen.all / 2);
+}
+
+TEST(EveryNormalMethod, IsAcceptedInSinglePrecision) {
+  std::mt19937_64 generator = make_generator();
+  SinglePrecision arithmetic;
+  const auto is_judged = [](const NormalAcceptance& a) { return a.must_applies && a.bound; };
+  check_cases(1500, generator, is_judged,
+              [&](const NormalCase& c, const NormalAcceptance& a, Statistics& seen) {
+                const RealVector exact = exact_unit(a.m);
+                for (int k = 0; k < 4; ++k) {
+                  const NormalMethod how = random_method(generator);
+                  const RealVector got = run_unit(arithmetic, c, how);
+                  const std::array<float, 3> floats{static_cast<float>(got[0]), static_cast<float>(got[1]),
+                                                    static_cast<float>(got[2])};
+                  const bool flipped = is_flipped(c, how);
+                  EXPECT_TRUE(is_within(floats, a.m, *a.bound, flipped)) << in_words(c, how);
+                  EXPECT_TRUE(direction_is_within(floats, a.m, *a.bound, flipped)) << in_words(c, how);
+                  seen.worst = std::max(seen.worst, excess(got, exact, flipped, real(*a.bound)));
+                }
+              });
 }
 
 TEST(EveryNormalMethod, IsAcceptedWithRandomErrors) {
   std::mt19937_64 generator = make_generator();
   RandomErrors arithmetic(generator);
-  Statistics seen;
-  for (int repetition = 0; repetition < 2500; ++repetition) {
-    const NormalCase c =
-        random_case(generator, pick(generator, 3, 4), pick(generator, 2, 8), pick(generator, 2, 8));
-    const NormalAcceptance acceptance = c.acceptance();
-    ++seen.all;
-    if (!acceptance.bound) continue;
-    ++seen.judged;
-    const RealVector exact = exact_unit(acceptance.m);
-    for (int k = 0; k < 4; ++k) {
-      const NormalMethod how = random_method(generator);
-      const double share =
-          excess(run_unit(arithmetic, c, how), exact, is_flipped(c, how), real(*acceptance.bound));
-      EXPECT_LE(share, 1) << in_words(c, how);
-      seen.worst = std::max(seen.worst, share);
-    }
-  }
-  EXPECT_GT(seen.judged, seen.all / 2);
+  const auto is_judged = [](const NormalAcceptance& a) { return a.bound.has_value(); };
+  check_cases(2500, generator, is_judged,
+              [&](const NormalCase& c, const NormalAcceptance& a, Statistics& seen) {
+                const RealVector exact = exact_unit(a.m);
+                for (int k = 0; k < 4; ++k) {
+                  const NormalMethod how = random_method(generator);
+                  const double share =
+                      excess(run_unit(arithmetic, c, how), exact, is_flipped(c, how), real(*a.bound));
+                  EXPECT_LE(share, 1) << in_words(c, how);
+                  seen.worst = std::max(seen.worst, share);
+                }
+              });
 }
 
 // The normal is not normalised, as with a vertex shader.
@@ -175,58 +174,23 @@ TEST(EveryNormalMethod, IsAcceptedAsAVector) {
   std::mt19937_64 generator = make_generator();
   RandomErrors random(generator);
   SinglePrecision single;
-  Statistics seen;
-  for (int repetition = 0; repetition < 1500; ++repetition) {
-    const NormalCase c =
-        random_case(generator, pick(generator, 3, 4), pick(generator, 2, 8), pick(generator, 2, 8));
-    const NormalAcceptance acceptance = c.acceptance();
-    ++seen.all;
-    if (!acceptance.vector_bound) continue;
-    ++seen.judged;
-    const Vector m = normal_vector(c.patch.surface(), c.u, c.v);
-    const RealVector exact{real(m[0]), real(m[1]), real(m[2])};
-    for (Arithmetic* arithmetic : {static_cast<Arithmetic*>(&random), static_cast<Arithmetic*>(&single)}) {
-      for (int k = 0; k < 3; ++k) {
-        NormalMethod how = random_method(generator);
-        how.domain_variable = false;
-        const double share =
-            excess(run(*arithmetic, c, how, true), exact, false, real(*acceptance.vector_bound));
-        EXPECT_LE(share, 1) << in_words(c, how);
-        seen.worst = std::max(seen.worst, share);
-      }
-    }
-  }
-  EXPECT_GT(seen.judged, seen.all / 2);
+  const auto is_judged = [](const NormalAcceptance& a) { return a.vector_bound.has_value(); };
+  check_cases(
+      1500, generator, is_judged, [&](const NormalCase& c, const NormalAcceptance& a, Statistics& seen) {
+        const Vector m = normal_vector(c.patch.surface(), c.u, c.v);
+        const RealVector exact{real(m[0]), real(m[1]), real(m[2])};
+        for (Arithmetic* arithmetic :
+             {static_cast<Arithmetic*>(&random), static_cast<Arithmetic*>(&single)}) {
+          for (int k = 0; k < 3; ++k) {
+            NormalMethod how = random_method(generator);
+            how.domain_variable = false;
+            const double share = excess(run(*arithmetic, c, how, true), exact, false, real(*a.vector_bound));
+            EXPECT_LE(share, 1) << in_words(c, how);
+            seen.worst = std::max(seen.worst, share);
+          }
+        }
+      });
 }
-
-// Searches the signs of all single errors that give the largest and the smallest component of the result, one
-// flip at a time.
-class WorstErrors {
- public:
-  // `result` runs the method and gives the component.
-  template <typename Result, typename Check>
-  static void search(const Result& result, const Check& check) {
-    SignedErrors arithmetic;
-    const auto run = [&] {
-      arithmetic.restart();
-      return result(arithmetic);
-    };
-    const long double outward = run();
-    std::vector<signed char> best = arithmetic.signs;
-    for (std::size_t k = 0; k < best.size(); ++k) {
-      arithmetic.signs[k] = -1;
-      if (run() > outward) best[k] = -1;
-      arithmetic.signs[k] = 1;
-    }
-    for (const int direction : {1, -1}) {
-      for (std::size_t k = 0; k < best.size(); ++k) {
-        arithmetic.signs[k] = static_cast<signed char>(direction * best[k]);
-      }
-      arithmetic.restart();
-      check(arithmetic);
-    }
-  }
-};
 
 TEST(EveryNormalMethod, IsAcceptedWithTheWorstErrors) {
   std::mt19937_64 generator = make_generator();
@@ -241,7 +205,7 @@ TEST(EveryNormalMethod, IsAcceptedWithTheWorstErrors) {
     NormalMethod how = random_method(generator);
     const int component = pick(generator, 0, 2);
     const RealVector exact = exact_unit(acceptance.m);
-    WorstErrors::search([&](Arithmetic& a) { return run_unit(a, c, how)[component]; },
+    search_worst_errors([&](Arithmetic& a) { return run_unit(a, c, how)[component]; },
                         [&](Arithmetic& a) {
                           const double share =
                               excess(run_unit(a, c, how), exact, is_flipped(c, how), real(*acceptance.bound));
@@ -251,7 +215,7 @@ TEST(EveryNormalMethod, IsAcceptedWithTheWorstErrors) {
     how.domain_variable = false;
     const Vector m = normal_vector(c.patch.surface(), c.u, c.v);
     const RealVector exact_vector{real(m[0]), real(m[1]), real(m[2])};
-    WorstErrors::search([&](Arithmetic& a) { return run(a, c, how, true)[component]; },
+    search_worst_errors([&](Arithmetic& a) { return run(a, c, how, true)[component]; },
                         [&](Arithmetic& a) {
                           const double share = excess(run(a, c, how, true), exact_vector, false,
                                                       real(*acceptance.vector_bound));

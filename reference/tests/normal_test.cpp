@@ -176,24 +176,24 @@ TEST(NormalVector, RefusesWhatIsNoVertexMap) {
   });
   const Argument u = at(0.5);
   std::vector<Surface> surface = patch.surface();
-  const auto refused = [&] {
+  const auto expect_rejected = [&] {
     EXPECT_THROW(tangents(surface, u, u), std::invalid_argument);
     EXPECT_THROW(normal_vector(surface, u, u), std::invalid_argument);
     EXPECT_THROW(normal_acceptance(surface, u, u), std::invalid_argument);
   };
   surface.push_back(surface.back());
-  refused();
+  expect_rejected();
   surface.resize(2);
-  refused();
+  expect_rejected();
   surface.clear();
-  refused();
+  expect_rejected();
   for (const auto& change :
        {+[](Surface& s) { s.uorder = 1; }, +[](Surface& s) { s.vorder = 1; }, +[](Surface& s) { s.u1 = -1; },
         +[](Surface& s) { s.u2 = 2; }, +[](Surface& s) { s.v1 = -1; }, +[](Surface& s) { s.v2 = 2; },
         +[](Surface& s) { s.uorder = 0; }, +[](Surface& s) { s.vorder = 65; }}) {
     surface = patch.surface();
     change(surface[2]);
-    refused();
+    expect_rejected();
   }
   surface = patch.surface();
   EXPECT_THROW(normal_vector(surface, at(std::numeric_limits<double>::infinity()), u), std::domain_error);

@@ -1,6 +1,8 @@
 // Arithmetic of limited accuracy, and the usual methods to evaluate a map with it.
 #pragma once
 
+#include <reference/bernstein.h>
+
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -58,6 +60,31 @@ class SignedErrors : public Arithmetic {
   std::size_t next_ = 0;
 };
 
+// Chooses the sign of every single error for the largest result, then for the smallest, and calls check()
+// with each choice. `result` runs the method. To first order, the errors are independent, so flipping one
+// sign at a time finds the worst signs.
+template <typename Result, typename Check>
+void search_worst_errors(const Result& result, const Check& check) {
+  SignedErrors arithmetic;
+  const auto run = [&] {
+    arithmetic.restart();
+    return result(arithmetic);
+  };
+  const long double outward = run();
+  std::vector<signed char> best = arithmetic.signs;
+  for (std::size_t k = 0; k < best.size(); ++k) {
+    arithmetic.signs[k] = -1;
+    if (run() > outward) best[k] = -1;
+    arithmetic.signs[k] = 1;
+  }
+  for (const int direction : {1, -1}) {
+    for (std::size_t k = 0; k < best.size(); ++k)
+      arithmetic.signs[k] = static_cast<signed char>(direction * best[k]);
+    arithmetic.restart();
+    check(arithmetic);
+  }
+}
+
 enum class Parameter { kDivision, kReciprocal, kTwoDivisions };  // the computation of t and s
 enum class Method { kDeCasteljau, kDeCasteljauFused, kLerp, kLerpFused, kHorner, kHornerFused, kDirectSum };
 
@@ -86,6 +113,12 @@ inline long double grid_point(Arithmetic& a, long double i, long double n, long 
   if (i == 0) return g1;
   if (i == n) return g2;
   return a.add(a.mul(i, a.div(a.sub(g2, g1), n)), g1);
+}
+
+// Returns the argument, computed if it is a point of a grid.
+inline long double coordinate(Arithmetic& a, const Argument& u) {
+  return u.is_grid() ? grid_point(a, u.index(), u.segments(), u.first(), u.last())
+                     : static_cast<long double>(u.coordinate());
 }
 
 inline long double evaluate_by(Arithmetic& a, Method method, std::vector<long double> r, Weights w) {

@@ -223,7 +223,7 @@ TEST(Queries, OfMapsConvert) {  // EV-GETMAP-ROUND, -SATURATE, -FLOAT, -DOUBLE, 
 
 TEST(Queries, OfMapsHaveErrorsAndWriteNothingThen) {  // EV-GETMAP-ERR-*
   Specification gl;
-  const auto refused = [&](GLenum target, GLenum query) {
+  const auto expect_rejected = [&](GLenum target, GLenum query) {
     GLfloat f = 7;
     GLdouble d = 7;
     GLint i = 7;
@@ -239,10 +239,10 @@ TEST(Queries, OfMapsHaveErrorsAndWriteNothingThen) {  // EV-GETMAP-ERR-*
   };
   for (const GLenum target : {0u, 0x0D8Fu, 0x0D99u, 0x0DB9u, static_cast<GLenum>(GL_TEXTURE_2D),
                               static_cast<GLenum>(GL_AUTO_NORMAL), 0x8660u, 0x8444u, 0x81CBu}) {
-    refused(target, GL_ORDER);
+    expect_rejected(target, GL_ORDER);
   }
   for (const GLenum query : {0x0A03u, 0x09FFu, static_cast<GLenum>(GL_MAX_EVAL_ORDER), 0u}) {
-    refused(GL_MAP1_INDEX, query);
+    expect_rejected(GL_MAP1_INDEX, query);
   }
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "evalcts/reports.h"
 #include "side_by_side.h"

@@ -1,6 +1,5 @@
 // Tests the page as text, and the data in it. check_pages.py reads the page with a parser, and
 // browser_test.py opens it in a browser.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -12,8 +12,8 @@ using nlohmann::json;
 // Returns the first complaint, or "valid".
 std::string verdict(const json& record) {
   std::ifstream in(EVALCTS_REPORTS_SCHEMA);
-  static const JsonSchema schema(json::parse(in));
-  const std::string complaint = schema.complaint(record);
+  static const JsonSchema kSchema(json::parse(in));
+  const std::string complaint = kSchema.complaint(record);
   return complaint.empty() ? "valid" : complaint;
 }
 

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <reference/component.h>
 
-#include <algorithm>
 #include <functional>
 #include <map>
 #include <memory>
@@ -68,12 +67,12 @@ const std::map<std::string, Holds>& claims_of_requirements() {
   const Holds first = [](const json& entry) { return tells_exact_end(entry, false); };
   const Holds last = [](const json& entry) { return tells_exact_end(entry, true); };
   const Holds any = [=](const json& entry) { return first(entry) || last(entry); };
-  static const std::map<std::string, Holds> claims = {{"EV-POINT-EXACT-0", first},
-                                                      {"EV-POINT-EXACT-N", last},
-                                                      {"EV-MESH1-EXACT-0", first},
-                                                      {"EV-MESH1-EXACT-N", last},
-                                                      {"EV-MESH2-EXACT", any}};
-  return claims;
+  static const std::map<std::string, Holds> kClaims = {{"EV-POINT-EXACT-0", first},
+                                                       {"EV-POINT-EXACT-N", last},
+                                                       {"EV-MESH1-EXACT-0", first},
+                                                       {"EV-MESH1-EXACT-N", last},
+                                                       {"EV-MESH2-EXACT", any}};
+  return kClaims;
 }
 
 // Returns a message if a rejected query has an answer. Queries without a member `errors` are between Begin

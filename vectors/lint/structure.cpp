@@ -17,41 +17,41 @@ using nlohmann::json;
 }
 
 const json& file_schema() {
-  static const json schema = json::parse(kSchemaText);
-  return schema;
+  static const json kSchema = json::parse(kSchemaText);
+  return kSchema;
 }
 
 // The schema of a file without its cases. The cases are validated one by one by the definition of their kind,
 // so that messages begin with the id of the case.
 const JsonSchema& head_schema() {
-  static const JsonSchema schema([] {
+  static const JsonSchema kSchema([] {
     json head = file_schema();
     head.erase("oneOf");
     return head;
   }());
-  return schema;
+  return kSchema;
 }
 
 const JsonSchema& case_schema(const std::string& kind, const json& entry) {
-  static const std::map<std::string, JsonSchema> schemas = [] {
+  static const std::map<std::string, JsonSchema> kSchemas = [] {
     std::map<std::string, JsonSchema> all;
     for (const char* name : {"map1_eval", "map2_eval", "grid1", "grid2", "auto_normal", "sequence"})
       all.try_emplace(name, json{{"allOf", {{{"$ref", fmt::format("#/definitions/{}", name)}}}},
                                  {"definitions", file_schema()["definitions"]}});
     return all;
   }();
-  if (kind == "grid") return schemas.at(entry.contains("v") ? "grid2" : "grid1");
-  const auto found = schemas.find(kind);
-  return found == schemas.end() ? schemas.at("sequence") : found->second;
+  if (kind == "grid") return kSchemas.at(entry.contains("v") ? "grid2" : "grid1");
+  const auto found = kSchemas.find(kind);
+  return found == kSchemas.end() ? kSchemas.at("sequence") : found->second;
 }
 
 // Returns the number of components of a target, which is the same in both dimensions.
 std::size_t components_of(const std::string& target) {
-  static const std::map<std::string, std::size_t> table = {
+  static const std::map<std::string, std::size_t> kTable = {
       {"COLOR_4", 4},         {"INDEX", 1},           {"NORMAL", 3},
       {"TEXTURE_COORD_1", 1}, {"TEXTURE_COORD_2", 2}, {"TEXTURE_COORD_3", 3},
       {"TEXTURE_COORD_4", 4}, {"VERTEX_3", 3},        {"VERTEX_4", 4}};
-  return table.at(target.substr(std::string_view("GL_MAP1_").size()));
+  return kTable.at(target.substr(std::string_view("GL_MAP1_").size()));
 }
 
 void check_points(const json& points, const std::string& where, std::size_t components) {

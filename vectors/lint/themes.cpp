@@ -159,9 +159,10 @@ bool is_awkward(const ValueCase& c) {
   });
 }
 
+// Returns the claim of each theme or flag that has one. Longer than 100 lines, because it is one table.
 const std::map<std::string, Claim>& claims() {
   const Claim no_normal = [](const ValueCase& c) { return c.entry["normal"].is_null(); };
-  static const std::map<std::string, Claim> all = {
+  static const std::map<std::string, Claim> kAll = {
       {"tie-float", is_tie(Type::kSingle)},
       {"tie-double", is_tie(Type::kReal)},
       {"near-tie-float", is_near_tie(Type::kSingle, 7)},
@@ -269,7 +270,7 @@ const std::map<std::string, Claim>& claims() {
       {"negative-w", all_w([](double w) { return w < 0; })},
       {"constant-w", all_w([](double w) { return w == 2; })},
       {"auto_normal.grid", all_directions([](const ValueDirection& d) { return d.argument.is_grid(); })}};
-  return all;
+  return kAll;
 }
 
 }  // namespace

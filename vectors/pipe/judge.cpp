@@ -304,6 +304,18 @@ Answers read_answers(std::istream& lines) {
   return answers;
 }
 
+// Takes the answer with this id. Returns no numbers if it is missing or skipped, which the score then counts.
+static std::vector<double> take_answer(Answers& answers, const std::string& id, Score& score) {
+  auto answer = answers.of.extract(id);
+  if (answer.empty())
+    score.missing.push_back(id);
+  else if (answer.mapped().empty())
+    ++score.skipped;
+  else
+    return std::move(answer.mapped());
+  return {};
+}
+
 Score judge_random(const std::string& kind, std::uint64_t seed, std::uint64_t count, std::istream& lines,
                    Answers& answers) {
   Score score;
@@ -311,18 +323,9 @@ Score judge_random(const std::string& kind, std::uint64_t seed, std::uint64_t co
   RandomCases cases(kind, seed);
   for (; score.cases < count; ++score.cases) {
     cases.draw();
-    auto found = answers.of.find(cases.id());
-    while (found == answers.of.end() && read_answer(lines, answers)) found = answers.of.find(cases.id());
-    if (found == answers.of.end()) {
-      score.missing.push_back(cases.id());
-      continue;
-    }
-    const std::vector<double> got = std::move(found->second);
-    answers.of.erase(found);
-    if (got.empty()) {
-      ++score.skipped;
-      continue;
-    }
+    while (!answers.of.contains(cases.id()) && read_answer(lines, answers)) continue;
+    const std::vector<double> got = take_answer(answers, cases.id(), score);
+    if (got.empty()) continue;
     std::string message = judge_random_case(cases, got, score);
     if (!message.empty()) score.wrong.push_back({cases.id(), message + "\n    " + question(cases)});
   }
@@ -334,17 +337,8 @@ Score judge(const json& file, Answers& answers) {
   score.kind = file["kind"];
   for (const json& entry : file["cases"]) {
     ++score.cases;
-    const auto found = answers.of.find(entry["id"]);
-    if (found == answers.of.end()) {
-      score.missing.push_back(entry["id"]);
-      continue;
-    }
-    const std::vector<double> got = std::move(found->second);
-    answers.of.erase(found);
-    if (got.empty()) {
-      ++score.skipped;
-      continue;
-    }
+    const std::vector<double> got = take_answer(answers, entry["id"], score);
+    if (got.empty()) continue;
     std::string message = judge_one(entry, got, score);
     for (const std::string flag : entry["flags"]) {
       Score::Count& count = score.by_flag[flag];

@@ -15,14 +15,14 @@ namespace {
 using nlohmann::json;
 
 const std::set<std::string>& requirements() {
-  static const std::set<std::string> ids = [] {
+  static const std::set<std::string> kIds = [] {
     std::ifstream stream(REQUIREMENTS_FILE);
     const json catalogue = json::parse(stream);
     std::set<std::string> all;
     for (const json& row : catalogue["requirements"]) all.insert(row["id"]);
     return all;
   }();
-  return ids;
+  return kIds;
 }
 
 // Returns a file with the first cases of a shipped one and the notes of their flags.
@@ -136,7 +136,7 @@ struct BrokenTheme {
 const std::vector<BrokenTheme>& broken_themes() {
   const char *const exact = "/cases/0/components/0/exact", *const u = "/cases/0/u",
                     *const first = "/cases/0/map/points/0/0", *const end = "/cases/0/map/domain/0";
-  static const std::vector<BrokenTheme> all = {
+  static const std::vector<BrokenTheme> kAll = {
       {"map1_eval", "tie-float", exact, "3/1"},
       {"map1_eval", "near-tie-float", exact, "100000001/200000000"},
       {"map1_eval", "tie-double", exact, "1/3"},
@@ -190,7 +190,7 @@ const std::vector<BrokenTheme>& broken_themes() {
       {"auto_normal", "negative-w", "/cases/0/map/points/0/0/3", "0x1p+0"},
       {"auto_normal", "constant-w", "/cases/0/map/points/0/0/3", "0x1p+0"},
       {"auto_normal", "zero-w", "/cases/0/m", {"1/1", "0/1", "0/1"}}};
-  return all;
+  return kAll;
 }
 
 TEST(Lint, ChecksWhatThemesSay) {

@@ -8,17 +8,6 @@
 namespace evalcts::vectors {
 namespace {
 
-using Ends = std::pair<double, double>;
-
-Direction along(int order, const Ends& ends = {0, 1}) { return {order, ends.first, ends.second}; }
-
-Argument at(double u) { return Argument::coordinate(u); }
-
-// Returns a random argument inside the domain.
-double inside(Dice& dice, const Direction& u, Type type) {
-  return between(u.first, u.last, Rational(dice.below(33)) / 32, type);
-}
-
 // Returns a case with the map at random arguments inside its domain.
 Json inside_case(Dice& dice, const Map& map, Type type) {
   const double u = inside(dice, map.u, type);
@@ -137,11 +126,8 @@ void places(Document& document) {
     for (int i = 0; i < 32; ++i) {
       const Type type = kTypes[i % 2];
       const auto& [u, v] = theme == &domains ? kDomains[i / 2 % 4] : kReversed[i / 2 % 4];
-      const auto single = [&](const Ends& e) {
-        return Ends(rounded(e.first, type), rounded(e.second, type));
-      };
       const int uorder = dice.between(2, 4), vorder = dice.between(2, 4);
-      const Map map = landscape(dice, along(uorder, single(u)), along(vorder, single(v)));
+      const Map map = landscape(dice, along(uorder, rounded(u, type)), along(vorder, rounded(v, type)));
       theme->add(inside_case(dice, map, type));
     }
   }

@@ -5,14 +5,6 @@
 
 namespace evalcts::vectors {
 
-Direction along(int order, const Ends& ends) { return {order, ends.first, ends.second}; }
-
-Argument at(double u) { return Argument::coordinate(u); }
-
-double inside(Dice& dice, const Direction& u, Type type, int parts) {
-  return between(u.first, u.last, Rational(dice.below(parts + 1)) / parts, type);
-}
-
 namespace curves {
 
 Map some_curve(Dice& dice, GLenum target, const Direction& u) {

@@ -7,12 +7,6 @@
 
 namespace evalcts::vectors {
 
-using Ends = std::pair<double, double>;
-Direction along(int order, const Ends& ends = {0, 1});
-Argument at(double u);
-// Returns u1 + i/parts * (u2 - u1) for a random i from 0 to `parts`, rounded to the type.
-double inside(Dice& dice, const Direction& u, Type type, int parts = 32);
-
 // Each function with a document adds its themes to it.
 namespace curves {
 

@@ -11,20 +11,44 @@ namespace {
 // From this degree on, a sum over 2^degree of integers is near a tie if its numerator is off by 1.
 constexpr int kNearDegree = 7;
 
-// Changes integer control values in [2^23, 3 * 2^22), whose weighted sum over 2^degree is the value, so that
-// the value is a tie except for the contribution of the last control value, which becomes a small fraction
-// with the sign of `more`. The first weight is 1.
-void leave_crumb(Values& values, const std::vector<std::int64_t>& weights, int degree, int more) {
-  std::int64_t sum = 0;
-  for (std::size_t i = 0; i + 1 < values.size(); ++i) {
-    values[i] += 0x1p22;
-    sum += weights[i] * static_cast<std::int64_t>(values[i]);
+// Control values of one component whose weighted sum over 2^degree is exactly or nearly a tie of binary32.
+class Tie {
+ public:
+  // Adds a random integer control value in [2^23, 3 * 2^22). The first weight is 1.
+  void add(Dice& dice, std::int64_t weight) {
+    values_.push_back(static_cast<double>((std::int64_t{1} << 23) + dice.below(std::int64_t{1} << 22)));
+    weights_.push_back(weight);
   }
-  const std::int64_t whole = std::int64_t{1} << degree;
-  values.front() += static_cast<double>(whole / 2 - sum % whole);
-  if (values.front() >= 0x1p24) values.front() -= static_cast<double>(whole);
-  values.back() = more * 0x1p-12;
-}
+
+  // Returns the values with a change of the last one, whose weight is 1, so that the sum over 2^degree is an
+  // odd multiple of 1/2, plus more / 2^degree. If that is not near a tie, the last value is a small fraction
+  // with the sign of `more` instead, and the others are changed so that the value is a tie except for its
+  // contribution.
+  Values values(int degree, int more) const {
+    const std::int64_t whole = std::int64_t{1} << degree;
+    Values values = values_;
+    if (more == 0 || degree >= kNearDegree) {
+      values.back() += static_cast<double>(whole / 2 - sum(values) % whole + more);
+      return values;
+    }
+    for (double& value : values) value += 0x1p22;
+    values.back() = 0;
+    values.front() += static_cast<double>(whole / 2 - sum(values) % whole);
+    if (values.front() >= 0x1p24) values.front() -= static_cast<double>(whole);
+    values.back() = more * 0x1p-12;
+    return values;
+  }
+
+ private:
+  std::int64_t sum(const Values& values) const {
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) sum += weights_[i] * static_cast<std::int64_t>(values[i]);
+    return sum;
+  }
+
+  Values values_;
+  std::vector<std::int64_t> weights_;
+};
 
 }  // namespace
 
@@ -32,27 +56,15 @@ namespace curves {
 
 namespace {
 
-// Returns integer control values whose value at 1/2, SUM C(n,i) * R_i / 2^n, is an odd multiple of 1/2, plus
-// more / 2^n. If that is not near a tie, the last value is a small fraction instead, see leave_crumb().
+// Returns control values whose value at 1/2, SUM C(n,i) * R_i / 2^n, is a tie or near it, see Tie.
 Values tied(Dice& dice, int n, int more) {
-  Values values;
-  std::vector<std::int64_t> weights;
-  std::int64_t sum = 0, binomial = 1;
+  Tie tie;
+  std::int64_t binomial = 1;
   for (int i = 0; i <= n; ++i) {
-    const std::int64_t value = (std::int64_t{1} << 23) + dice.below(std::int64_t{1} << 22);
-    values.push_back(static_cast<double>(value));
-    weights.push_back(binomial);
-    sum += binomial * value;
+    tie.add(dice, binomial);
     binomial = binomial * (n - i) / (i + 1);
   }
-  const std::int64_t whole = std::int64_t{1} << n;
-  if (more != 0 && n < kNearDegree) {
-    leave_crumb(values, weights, n, more);
-    return values;
-  }
-  const std::int64_t missing = whole / 2 - sum % whole + more;
-  values.back() += static_cast<double>(missing);
-  return values;
+  return tie.values(n, more);
 }
 
 }  // namespace
@@ -284,24 +296,14 @@ void ties(Document& document) {
       // The value at (1/2, 1/2) is SUM C(n,i) * C(m,j) * R_ij / 2^(n+m). The last control value makes it a
       // tie.
       const int n = dice.between(1, 4), m = dice.between(1, 4);
-      Values values;
-      std::vector<std::int64_t> weights;
-      std::int64_t sum = 0, row = 1;
+      Tie tie;
+      std::int64_t row = 1;
       for (int j = 0; j <= n; ++j, row = row * (n - j + 1) / j) {
         std::int64_t binomial = row;
-        for (int k = 0; k <= m; ++k, binomial = binomial * (m - k + 1) / k) {
-          const std::int64_t value = (std::int64_t{1} << 23) + dice.below(std::int64_t{1} << 22);
-          values.push_back(static_cast<double>(value));
-          weights.push_back(binomial);
-          sum += binomial * value;
-        }
+        for (int k = 0; k <= m; ++k, binomial = binomial * (m - k + 1) / k) tie.add(dice, binomial);
       }
-      const std::int64_t whole = std::int64_t{1} << (n + m);
       const int more = !is_near ? 0 : dice.one_in(2) ? 1 : -1;
-      if (is_near && n + m < kNearDegree)
-        leave_crumb(values, weights, n + m, more);
-      else
-        values.back() += static_cast<double>(whole / 2 - sum % whole + more);
+      Values values = tie.values(n + m, more);
       const double scale = dice.power(-30, 8);
       for (double& value : values) value *= scale;
       theme.add(

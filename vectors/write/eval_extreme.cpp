@@ -23,7 +23,7 @@ struct Magnitude {
   Names requirements;
 };
 const std::vector<Magnitude>& magnitude_kinds() {
-  static const std::vector<Magnitude> all = {
+  static const std::vector<Magnitude> kAll = {
       {"huge", "control values up to the largest binary32", Type::kSingle, 90, 127, {"EV-NUM-RANGE-POS"}},
       {"promised-range",
        "control values up to 2^32, which every implementation can hold",
@@ -56,7 +56,7 @@ const std::vector<Magnitude>& magnitude_kinds() {
        -1074,
        -150,
        {"EV-NUM-DENORMAL"}}};
-  return all;
+  return kAll;
 }
 
 // Makes the last control value huge or tiny if all have similar magnitudes. A map with one control value gets

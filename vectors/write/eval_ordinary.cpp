@@ -353,11 +353,9 @@ void domains(Document& document) {
     for (int i = 0; i < 40; ++i) {
       const Type type = kTypes[i % 2];
       const auto& [u, v] = ends[static_cast<std::size_t>(i / 2) % ends.size()];
-      const auto single = [&](const Ends& e) {
-        return Ends(rounded(e.first, type), rounded(e.second, type));
-      };
       const int uorder = dice.between(2, 4), vorder = dice.between(2, 4);
-      const Map map = some_surface(dice, any_target(i), along(uorder, single(u)), along(vorder, single(v)));
+      const Map map =
+          some_surface(dice, any_target(i), along(uorder, rounded(u, type)), along(vorder, rounded(v, type)));
       theme.add(inside_case(dice, map, type));
     }
   }
@@ -372,10 +370,7 @@ void edges(Document& document) {
     const Type type = kTypes[i / 4 % 2];
     for (Theme* theme : {&corners, &borders}) {
       Dice& dice = theme->dice();
-      const auto ends = [&] {
-        const auto [first, last] = dice.pick(kEnds);
-        return Ends(rounded(first, type), rounded(last, type));
-      };
+      const auto ends = [&] { return rounded(dice.pick(kEnds), type); };
       const Ends u_ends = ends(), v_ends = ends();
       const Direction u = along(dice.between(1, 6), u_ends), v = along(dice.between(1, 6), v_ends);
       const Map map = full_surface(dice, small_target(i), u, v, type);

@@ -2,8 +2,6 @@
 // which this is not exact.
 #include "exact_ends.h"
 
-#include <cmath>
-
 namespace evalcts::vectors {
 namespace {
 

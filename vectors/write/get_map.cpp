@@ -1,6 +1,7 @@
 // Writes get_map.json: answers to queries of maps.
 #include <algorithm>
 
+#include <evalcts/gl/targets.h>
 #include <evalcts/gl/tokens.h>
 #include "kinds.h"
 #include "sequences.h"
@@ -11,14 +12,6 @@ namespace {
 constexpr GLenum kQueries[] = {GL_ORDER, GL_DOMAIN, GL_COEFF};
 
 int k_of(GLenum target) { return gl::components_of(target); }
-bool is_two(GLenum target) { return reference::is_map2_target(target); }
-
-std::vector<GLenum> all_targets() {
-  std::vector<GLenum> all(gl::kMap1Targets.begin(), gl::kMap1Targets.end());
-  all.insert(all.end(), gl::kMap2Targets.begin(), gl::kMap2Targets.end());
-  return all;
-}
-
 // Returns the number of values of the answer.
 std::size_t values_of(const Map& map, GLenum query) {
   const std::size_t dimensions = map.is_two_dimensional() ? 2 : 1;
@@ -49,7 +42,7 @@ void ask_everything(gl::Case& c, const Map& map) {
 }
 
 Names order_and_domain(GLenum target) {
-  return is_two(target)
+  return reference::is_map2_target(target)
              ? Names{"EV-GETMAP-ORDER2", "EV-GETMAP-DOMAIN2", "EV-GETMAP-COEFF2", "EV-GETMAP-COUNT"}
              : Names{"EV-GETMAP-ORDER1", "EV-GETMAP-DOMAIN1", "EV-GETMAP-COEFF1", "EV-GETMAP-COUNT"};
 }
@@ -57,15 +50,16 @@ Names order_and_domain(GLenum target) {
 void initial(Document& document) {
   Theme theme(document, "initial", "maps that were never defined", {"EV-GETMAP-DISABLED", "EV-INIT-DOMAIN"});
   const auto initial_requirement = [](GLenum target) -> Names {
-    const int i = static_cast<int>(is_two(target) ? target - GL_MAP2_COLOR_4 : target - GL_MAP1_COLOR_4);
+    const int i = static_cast<int>(reference::is_map2_target(target) ? target - GL_MAP2_COLOR_4
+                                                                     : target - GL_MAP1_COLOR_4);
     const char* const point = i == 0   ? "EV-INIT-COEFF-COLOR"
                               : i == 1 ? "EV-INIT-COEFF-INDEX"
                               : i == 2 ? "EV-INIT-COEFF-NORMAL"
                               : i <= 6 ? "EV-INIT-COEFF-TEX"
                                        : "EV-INIT-COEFF-VERTEX";
-    return {point, is_two(target) ? "EV-INIT-ORDER2" : "EV-INIT-ORDER1"};
+    return {point, reference::is_map2_target(target) ? "EV-INIT-ORDER2" : "EV-INIT-ORDER1"};
   };
-  for (const GLenum target : all_targets())
+  for (const GLenum target : gl::all_targets())
     for (int form = 0; form < 3; ++form) {
       gl::Case c;
       for (const GLenum query : kQueries)
@@ -79,11 +73,12 @@ void defined(Document& document) {
               "order, domain and control points as they were given, by f and d forms of both commands",
               {"EV-API-FD", "EV-GETMAP-FLOAT", "EV-GETMAP-DISABLED"});
   Dice& dice = theme.dice();
-  for (const GLenum target : all_targets())
+  for (const GLenum target : gl::all_targets())
     for (const Type type : kTypes)
       for (int i = 0; i < 2; ++i) {
         const Direction u{dice.between(1, 6), 2, i == 0 ? 5.0 : -1.0};
-        const Direction v = is_two(target) ? Direction{dice.between(1, 4), -3, 0.5} : Direction{};
+        const Direction v =
+            reference::is_map2_target(target) ? Direction{dice.between(1, 4), -3, 0.5} : Direction{};
         const Map map{target, u, v, numbered(u.order * v.order * k_of(target), dice.between(-20, 20))};
         gl::Case c;
         define(c, type, map);
@@ -97,7 +92,7 @@ void reals(Document& document) {
               "floats with all their bits, subnormal, huge and -0 among them, come back unchanged",
               {"EV-GETMAP-FLOAT"});
   Dice& dice = theme.dice();
-  for (const GLenum target : all_targets()) {
+  for (const GLenum target : gl::all_targets()) {
     const auto value = [&] {
       const int least = dice.one_in(3) ? -149 : -20;
       const int most = dice.one_in(3) ? 127 : 20;
@@ -105,7 +100,7 @@ void reals(Document& document) {
       return dice.one_in(6) ? -0.0 : some;
     };
     Map map{target, {3, 0x1.2p-100, 0x1.fffffep+30}, {}, {}};
-    if (is_two(target)) map.v = {2, -0x1.000002p+0, 0x1p-126};
+    if (reference::is_map2_target(target)) map.v = {2, -0x1.000002p+0, 0x1p-126};
     while (static_cast<int>(map.points.size()) < map.u.order * map.v.order * k_of(target))
       map.points.push_back(value());
     for (const Type type : kTypes) {
@@ -120,9 +115,9 @@ void reals(Document& document) {
   Theme doubles(document, "double-only",
                 "doubles that no float holds: they come back as they are, or as one of the adjacent floats",
                 {"EV-GETMAP-DOUBLE"});
-  for (const GLenum target : all_targets()) {
+  for (const GLenum target : gl::all_targets()) {
     Map map{target, {2, 0.1, 0.7}, {}, {}};
-    if (is_two(target)) map.v = {2, -0.3, 1.0 / 3};
+    if (reference::is_map2_target(target)) map.v = {2, -0.3, 1.0 / 3};
     while (static_cast<int>(map.points.size()) < map.u.order * map.v.order * k_of(target))
       map.points.push_back(full(doubles.dice(), Type::kReal));
     gl::Case c;
@@ -147,8 +142,9 @@ void integers(Document& document) {
   document.explain("normalized-reading",
                    "colours or normals as integers: by the text they are rounded like all others; "
                    "an implementation may map [-1, 1] to the whole range, skip these if yours does");
-  for (const GLenum target : all_targets()) {
-    const int kind = static_cast<int>(is_two(target) ? target - GL_MAP2_COLOR_4 : target - GL_MAP1_COLOR_4);
+  for (const GLenum target : gl::all_targets()) {
+    const int kind = static_cast<int>(reference::is_map2_target(target) ? target - GL_MAP2_COLOR_4
+                                                                        : target - GL_MAP1_COLOR_4);
     const Names flags = kind == 0 || kind == 2 ? Names{"normalized-reading"} : Names{};
     const auto add = [&](Theme& theme, const auto& values) {
       const Type type = kTypes[theme.count() % 2];
@@ -208,12 +204,12 @@ void strides(Document& document) {
 void histories(Document& document) {
   Theme redefined(document, "redefined", "a map defined again, with a lower and a higher order",
                   {"EV-MAP1-REPLACE", "EV-MAP2-REPLACE"});
-  for (const GLenum target : all_targets()) {
+  for (const GLenum target : gl::all_targets()) {
     gl::Case c;
     int first = 1;
     for (const int order : {3, 1, 5}) {
       Map map{target, {order, 0.5, first + 1.0}, {}, {}};
-      if (is_two(target)) map.v = {6 - order, -1, 2.0 * first};
+      if (reference::is_map2_target(target)) map.v = {6 - order, -1, 2.0 * first};
       map.points = numbered(map.u.order * map.v.order * k_of(target), 10 * first++);
       define(c, kTypes[order / 2 % 2], map);
       query_all(c, target, static_cast<int>(map.points.size()));
@@ -225,14 +221,14 @@ void histories(Document& document) {
       document, "separate", "all maps defined differently, then all queried",
       {"EV-MAP1-INDEP", "EV-MAP1-VS-MAP2", "EV-GETMAP-NOSIDE", "EV-MAP1-NOENABLE", "EV-MAP2-NOENABLE"});
   for (const bool backwards : {false, true}) {
-    std::vector<GLenum> targets = all_targets();
+    std::vector<GLenum> targets = gl::all_targets();
     if (backwards) std::reverse(targets.begin(), targets.end());
     gl::Case c;
     for (const GLenum target : targets) {
       const int first = static_cast<int>(target % 100);
       define(c, Type::kSingle, {target, {2, 0, first + 1.0}, {}, numbered(2 * k_of(target), first)});
     }
-    for (const GLenum target : all_targets()) {
+    for (const GLenum target : gl::all_targets()) {
       query_all(c, target, 2 * k_of(target));
       c.IsEnabled(target);
     }
@@ -242,7 +238,7 @@ void histories(Document& document) {
   Theme unit(document, "other-unit", "queries while another texture unit is active", {"EV-GETMAP-NOUNIT"});
   Theme list(document, "in-list", "maps defined by a display list; queries are never put into one",
              {"EV-DL-GETMAP", "EV-DL-POINTS-COPIED", "EV-DL-DOUBLE"});
-  for (const GLenum target : all_targets()) {
+  for (const GLenum target : gl::all_targets()) {
     const Map map{target, {2, 3, 4}, {}, numbered(2 * k_of(target))};
     gl::Case c;
     define(c, Type::kSingle, map);
@@ -265,20 +261,20 @@ void histories(Document& document) {
 void compiled_strides(Document& document) {
   Theme theme(document, "list-stride", "maps with padding between their points, defined by a display list",
               {"EV-DL-STRIDE-KEPT", "EV-DL-POINTS-COPIED"});
-  for (const GLenum target : all_targets())
+  for (const GLenum target : gl::all_targets())
     for (const GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE}) {
       const int k = k_of(target);
       const Type type = kTypes[theme.count() / 2 % 2];
       gl::Case c;
       c.NewList(7, mode);
-      if (is_two(target))
+      if (reference::is_map2_target(target))
         map2(c, type, target, 0, 1, k + 1, 2, 0, 1, 2 * k + 5, 3, numbered(k + 1 + 2 * (2 * k + 5) + k));
       else
         map1(c, type, target, 0, 1, k + 2, 3, numbered(2 * (k + 2) + k));
       c.EndList();
-      query_all(c, target, (is_two(target) ? 6 : 3) * k);
+      query_all(c, target, (reference::is_map2_target(target) ? 6 : 3) * k);
       c.CallList(7);
-      query_all(c, target, (is_two(target) ? 6 : 3) * k);
+      query_all(c, target, (reference::is_map2_target(target) ? 6 : 3) * k);
       theme.add(sequence(c));
     }
 }
@@ -288,12 +284,12 @@ void high_orders(Document& document) {
   Theme theme(document, "high-order", "orders from 9 to 64 are accepted and come back",
               {"EV-MAP1-ORDER-ALL", "EV-MAP2-ORDER-ALL", "EV-GETMAP-COUNT"});
   constexpr std::pair<int, int> kOrders[] = {{9, 1}, {16, 9}, {30, 2}, {31, 3}, {33, 1}, {64, 2}};
-  for (const GLenum target : all_targets())
+  for (const GLenum target : gl::all_targets())
     for (std::size_t i = 0; i < 6; ++i) {
       const auto [larger, smaller] = kOrders[i];
-      const bool along_v = is_two(target) && i % 2 == 1;
+      const bool along_v = reference::is_map2_target(target) && i % 2 == 1;
       Map map{target, {along_v ? smaller : larger, 0, 1}, {}, {}};
-      if (is_two(target)) map.v.order = along_v ? larger : smaller;
+      if (reference::is_map2_target(target)) map.v.order = along_v ? larger : smaller;
       map.points = numbered(map.u.order * map.v.order * k_of(target));
       gl::Case c;
       define(c, kTypes[theme.count() % 2], map);

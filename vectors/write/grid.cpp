@@ -10,13 +10,7 @@
 namespace evalcts::vectors {
 namespace {
 
-using Ends = std::pair<double, double>;
-
 constexpr GLint kMost = std::numeric_limits<GLint>::max();
-
-Ends of_type(const Ends& ends, Type type) { return {rounded(ends.first, type), rounded(ends.second, type)}; }
-
-Direction along(int order, const Ends& ends = {0, 1}) { return {order, ends.first, ends.second}; }
 
 // Return curves and surfaces of one to three components.
 Map some_curve(Dice& dice, int i, const Direction& u) {
@@ -44,8 +38,9 @@ struct Kind {
 
 std::int64_t anywhere(Dice& dice, GLint n) { return dice.below(std::int64_t{n} + 1); }
 
+// Longer than 100 lines, because it is one table.
 const std::vector<Kind>& all_kinds() {
-  static const std::vector<Kind> kinds = {
+  static const std::vector<Kind> kKinds = {
       {"inside",
        "points of ordinary grids",
        {"EV-POINT1-EQUIV", "EV-POINT2-EQUIV", "EV-MESH1-COORDS", "EV-MESH2-COORDS"},
@@ -143,15 +138,15 @@ const std::vector<Kind>& all_kinds() {
        {1, 3, 10, 64},
        anywhere,
        {{1000, 1001}, {1e6, 1e6 + 4}, {-4100, -4090}}}};
-  return kinds;
+  return kKinds;
 }
 
 // Returns a point of a grid of the kind in one direction.
 Argument grid_point(Dice& dice, const Kind& kind, Type type, std::size_t& turn) {
-  auto [first, last] = of_type(kind.grids[turn % kind.grids.size()], type);
+  auto [first, last] = rounded(kind.grids[turn % kind.grids.size()], type);
   const GLint segments = kind.segments[static_cast<std::size_t>(dice.below(std::ssize(kind.segments)))];
   ++turn;
-  const auto is_exact = [&](double end) {
+  const auto is_exact = [&, first = first](double end) {
     const Rational step = (Rational(end) - Rational(first)) / segments;
     return Rational(rounded(step, type)) == step;
   };
@@ -234,7 +229,7 @@ void targets(Document& document) {
   const auto point = [&](Type type) {
     constexpr Ends kGrids[] = {{0, 1}, {0.1, 0.7}, {1, 0}, {-0.3, 1.1}};
     constexpr GLint kSegments[] = {3, 7, 10, 49, 100};
-    const Ends ends = of_type(dice.pick(kGrids), type);
+    const Ends ends = rounded(dice.pick(kGrids), type);
     const GLint segments = dice.pick(kSegments);
     return Argument::grid(dice.between(-1, segments + 1), segments, ends.first, ends.second);
   };
@@ -270,14 +265,14 @@ Document grid() {
     std::size_t turn = 0;
     for (int i = 0; i < kind.curves; ++i) {
       const Type type = kTypes[i % 2];
-      const Ends domain = of_type(kind.domains[static_cast<std::size_t>(i) % kind.domains.size()], type);
+      const Ends domain = rounded(kind.domains[static_cast<std::size_t>(i) % kind.domains.size()], type);
       const Map map = some_curve(dice, i, along(dice.between(2, 7), domain));
       theme.add(value_case({map, type, grid_point(dice, kind, type, turn)}), {}, {"1-D"});
     }
     for (int i = 0; i < kind.surfaces; ++i) {
       const Type type = kTypes[i % 2];
       const auto domain = [&](int which) {
-        return of_type(kind.domains[static_cast<std::size_t>(i + which) % kind.domains.size()], type);
+        return rounded(kind.domains[static_cast<std::size_t>(i + which) % kind.domains.size()], type);
       };
       const Direction u = along(dice.between(1, 4), domain(0)), v = along(dice.between(1, 4), domain(1));
       const Map map = some_surface(dice, i, u, v);

@@ -14,6 +14,8 @@ double rounded(const Rational& x, Type type) {
   return type == Type::kSingle ? reference::round_to_float(x) : reference::round_to_double(x);
 }
 
+Ends rounded(const Ends& ends, Type type) { return {rounded(ends.first, type), rounded(ends.second, type)}; }
+
 double between(double a, double b, const Rational& part, Type type) {
   return rounded(Rational(a) + part * (Rational(b) - Rational(a)), type);
 }

@@ -21,6 +21,9 @@ inline constexpr Type kTypes[] = {Type::kSingle, Type::kReal};
 int bits_of(Type type);
 // Returns x rounded to the nearest number of the type.
 double rounded(const Rational& x, Type type);
+// The first and last argument of a domain or grid, and the same rounded to the type.
+using Ends = std::pair<double, double>;
+Ends rounded(const Ends& ends, Type type);
 // Returns a + part * (b - a) rounded to the type.
 double between(double a, double b, const Rational& part, Type type);
 // Returns the number of the type adjacent to x in the direction of `towards`.

@@ -520,6 +520,13 @@ void query_all(gl::Case& c, GLenum target, int values) {
   c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(static_cast<std::size_t>(values)));
 }
 
+void query_grids(gl::Case& c) {
+  c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
+  c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2));
+  c.GetIntegerv(GL_MAP2_GRID_SEGMENTS, gl::out<GLint>(2));
+  c.GetFloatv(GL_MAP2_GRID_DOMAIN, gl::out<GLfloat>(4));
+}
+
 Values numbered(int count, int first) {
   Values values;
   for (int i = 0; i < count; ++i) values.push_back(first + i);

@@ -30,6 +30,8 @@ void grid2(gl::Case& c, Type type, int usegments, double u1, double u2, int vseg
 void define(gl::Case& c, Type type, const Map& map);
 // Appends queries of ORDER, DOMAIN and COEFF of a map with `values` control values.
 void query_all(gl::Case& c, GLenum target, int values);
+// Appends queries of segments and domains of both grids.
+void query_grids(gl::Case& c);
 
 // Returns small integers, each of which differs from its neighbours.
 Values numbered(int count, int first = 1);

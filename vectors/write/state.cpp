@@ -1,16 +1,14 @@
 // Writes state.json: longer sequences about enables, precedence, emitted vertices, and state that must not
 // change.
-#include <algorithm>
 #include <cmath>
 
 #include <evalcts/fuzz/random_program.h>
+#include <evalcts/gl/targets.h>
 #include <evalcts/gl/tokens.h>
 #include "kinds.h"
 #include "state.h"
 
 namespace evalcts::vectors::states {
-
-bool is_two(GLenum target) { return reference::is_map2_target(target); }
 
 GLenum target_of(bool two, GLenum map1_target) {
   return two ? map1_target - GL_MAP1_COLOR_4 + GL_MAP2_COLOR_4 : map1_target;
@@ -19,8 +17,9 @@ GLenum target_of(bool two, GLenum map1_target) {
 Map some_map(GLenum target, int order) {
   const int k = gl::components_of(target);
   Map map{target, {order, 0, 1}, {}, {}};
-  if (is_two(target)) map.v.order = 2;
-  const int first = static_cast<int>(target - (is_two(target) ? GL_MAP2_COLOR_4 : GL_MAP1_COLOR_4));
+  if (reference::is_map2_target(target)) map.v.order = 2;
+  const int first =
+      static_cast<int>(target - (reference::is_map2_target(target) ? GL_MAP2_COLOR_4 : GL_MAP1_COLOR_4));
   for (int i = 0; i < map.u.order * map.v.order * k; ++i)
     map.points.push_back((first + 1) / 4.0 + (i * i % 7) / 8.0 + i / 16.0);
   return map;
@@ -57,23 +56,10 @@ void add(Theme& theme, const Shown& shown, const std::function<void(gl::Case&)>&
 
 namespace {
 
-std::vector<GLenum> all_capabilities() {
-  std::vector<GLenum> all(gl::kMap1Targets.begin(), gl::kMap1Targets.end());
-  all.insert(all.end(), gl::kMap2Targets.begin(), gl::kMap2Targets.end());
-  all.push_back(GL_AUTO_NORMAL);
-  return all;
-}
-
 void query_current_values(gl::Case& c) {
   c.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4));
   c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));
   c.GetFloatv(GL_CURRENT_TEXTURE_COORDS, gl::out<GLfloat>(4));
-}
-void query_grids(gl::Case& c) {
-  c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
-  c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2));
-  c.GetIntegerv(GL_MAP2_GRID_SEGMENTS, gl::out<GLint>(2));
-  c.GetFloatv(GL_MAP2_GRID_DOMAIN, gl::out<GLfloat>(4));
 }
 
 // --- State
@@ -82,7 +68,7 @@ void initial(Document& document) {
   Theme theme(document, "initial", "a new context",
               {"EV-INIT-MAPS-OFF", "EV-INIT-AUTON-OFF", "EV-INIT-GRID1", "EV-INIT-GRID2"});
   add(theme, kPositions, [](gl::Case& c) {
-    for (const GLenum cap : all_capabilities()) c.IsEnabled(cap);
+    for (const GLenum cap : gl::all_caps()) c.IsEnabled(cap);
   });
   add(theme, kPositions, [](gl::Case& c) {
     query_grids(c);
@@ -150,7 +136,7 @@ void high_orders(Document& document) {
 void enables(Document& document) {
   Theme theme(document, "enables", "each of the 19 enables by itself, in all forms of queries",
               {"EV-EN-CAPS", "EV-EN-INDEP", "EV-EN-GETS"});
-  const std::vector<GLenum> all = all_capabilities();
+  const std::vector<GLenum> all = gl::all_caps();
   for (std::size_t i = 0; i < all.size(); ++i)
     add(theme, kPositions, [&](gl::Case& c) {
       c.Enable(all[i]);

@@ -11,7 +11,6 @@ namespace evalcts::vectors::states {
 inline constexpr Shown kPositions{};
 inline constexpr Shown kEverything{.color = true, .normal = true, .texture_units = 1};
 
-bool is_two(GLenum target);
 // Returns the one-dimensional target itself, or the two-dimensional target of the same name.
 GLenum target_of(bool two, GLenum map1_target);
 // Returns a map with small numbers that depend on the target, so that no two targets have the same values.

@@ -124,16 +124,13 @@ void long_meshes(Document& document) {
             "in both",
             {"EV-MESH2-NOACCUM", "EV-MESH2-COORDS"});
   // Ends of both the grid and the domain.
-  const std::pair<double, double> kEnds[] = {{16, 17}, {-33, -32}, {0.1, 0.7}, {17.3, 16.1}};
-  const auto of_type = [](const std::pair<double, double>& ends, Type type) {
-    return std::pair(rounded(ends.first, type), rounded(ends.second, type));
-  };
+  const Ends kEnds[] = {{16, 17}, {-33, -32}, {0.1, 0.7}, {17.3, 16.1}};
   for (const int n : {1000, 9999})
     for (int i = 0; i < 4; ++i)
       for (const GLenum mode : {GL_POINT, GL_LINE}) {
         if (n > 1000 && mode == (i % 2 == 0 ? GL_LINE : GL_POINT)) continue;
         const Type type = kTypes[i / 2];
-        const auto u = of_type(kEnds[i], type);
+        const auto u = rounded(kEnds[i], type);
         const Map map = smooth_map(one.dice(), false, u, {});
         add(one, kPositions, [&](gl::Case& c) {
           define(c, type, map);
@@ -149,7 +146,7 @@ void long_meshes(Document& document) {
   for (const Size& size : {Size{1000, 1}, Size{1, 1000}, Size{31, 31}, Size{99, 99}})
     for (const GLenum mode : {GL_POINT, GL_LINE, GL_FILL}) {
       const Type type = kTypes[turn / 3 % 2];
-      const auto u = of_type(kEnds[turn % 4], type), v = of_type(kEnds[(turn + 1) % 4], type);
+      const auto u = rounded(kEnds[turn % 4], type), v = rounded(kEnds[(turn + 1) % 4], type);
       ++turn;
       const Map map = smooth_map(two.dice(), true, u, v);
       add(two, kPositions, [&](gl::Case& c) {

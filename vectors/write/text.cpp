@@ -1,13 +1,13 @@
-// Formats hexadecimal floats and fractions, and rounds intervals inward.
+// Formats floats and fractions, and rounds intervals inward.
 #include "text.h"
 
 #include <reference/rounding.h>
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <stdexcept>
+
+#include <evalcts/gl/hexadecimal.h>
 
 namespace evalcts::vectors {
 
@@ -16,18 +16,7 @@ using reference::Rational;
 
 std::string hexadecimal(double value) {
   if (std::isnan(value)) throw std::domain_error("NaN has no place in a vector");
-  std::string text = std::signbit(value) ? "-" : "";
-  if (std::isinf(value)) return text + "inf";
-  if (value == 0) return text + "0x0p+0";
-  // printf does not normalise subnormal numbers.
-  const int exponent = std::ilogb(value);
-  constexpr std::uint64_t kFraction = (std::uint64_t{1} << 52) - 1;
-  std::uint64_t digits = std::bit_cast<std::uint64_t>(std::scalbn(value, -exponent)) & kFraction;
-  text += "0x1";
-  if (digits != 0) text += '.';
-  for (; digits != 0; digits = (digits << 4) & kFraction) text += "0123456789abcdef"[digits >> 48];
-  text += exponent < 0 ? "p" : "p+";
-  return text + std::to_string(exponent);
+  return evalcts::hexadecimal(value);
 }
 
 std::string fraction(const Rational& x) {

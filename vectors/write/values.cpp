@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <reference/rounding.h>
 
-#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -116,6 +115,14 @@ Json fractions(const std::vector<Rational>& values) {
   Json list = Json::array();
   for (const Rational& value : values) list.push_back(fraction(value));
   return list;
+}
+
+Direction along(int order, const Ends& ends) { return {order, ends.first, ends.second}; }
+
+Argument at(double u) { return Argument::coordinate(u); }
+
+double inside(Dice& dice, const Direction& u, Type type, int parts) {
+  return between(u.first, u.last, Rational(dice.below(parts + 1)) / parts, type);
 }
 
 Json map_as_json(const Map& map, Type type) {

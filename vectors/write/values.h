@@ -24,6 +24,12 @@ struct Problem {
   std::optional<Argument> v = {};
 };
 
+// Make a direction over a domain, and an argument that is no point of a grid.
+Direction along(int order, const Ends& ends = {0, 1});
+Argument at(double u);
+// Returns u1 + i/parts * (u2 - u1) for a random i from 0 to `parts`, rounded to the type.
+double inside(Dice& dice, const Direction& u, Type type, int parts = 32);
+
 // Returns the member "map". Throws std::logic_error if a number is not of the type.
 Json map_as_json(const Map& map, Type type);
 // Returns a hexadecimal number, or an object for a point of a grid.

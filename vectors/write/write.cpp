@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
-#include <utility>
 
 #include <evalcts/results/files.h>
 #include "kinds.h"
@@ -24,12 +23,12 @@ constexpr Kind kAll[] = {
 }  // namespace
 
 const std::vector<std::string>& kinds() {
-  static const std::vector<std::string> names = [] {
+  static const std::vector<std::string> kNames = [] {
     std::vector<std::string> list;
     for (const Kind& kind : kAll) list.emplace_back(kind.name);
     return list;
   }();
-  return names;
+  return kNames;
 }
 
 std::string text_of(const std::string& kind) {

@@ -42,7 +42,7 @@ void change_feedback(GLfloat* values, std::size_t count, Change change, ChangeTo
 float unchanged(float x) { return x; }
 GLenum unchanged_token(GLenum token) { return token; }
 
-template <float (*change)(float), GLenum (*change_token)(GLenum) = unchanged_token>
+template <float (*kChange)(float), GLenum (*kChangeToken)(GLenum) = unchanged_token>
 void vary_feedback(Varied& v) {
   v.gl.FeedbackBuffer = [](GLsizei size, GLenum type, GLfloat* buffer) {
     unvaried.FeedbackBuffer(size, type, buffer);
@@ -56,8 +56,8 @@ void vary_feedback(Varied& v) {
     const GLint count = unvaried.RenderMode(mode);
     if (before == GL_FEEDBACK && remembered.feedback)
       change_feedback(remembered.feedback,
-                      static_cast<std::size_t>(count < 0 ? remembered.feedback_size : count), change,
-                      change_token);
+                      static_cast<std::size_t>(count < 0 ? remembered.feedback_size : count), kChange,
+                      kChangeToken);
     return count;
   };
 }
@@ -187,14 +187,14 @@ bool draws(GLenum mode) {
 void point(GLint i, GLint j) { unvaried.EvalPoint2(i, j); }
 
 // Draws the points, line strips and quads of a mesh in a different order. Each quad is a primitive of mode
-// `quads`, QUADS or QUAD_STRIP. QUAD_STRIP keeps the provoking vertex.
-template <bool backwards, GLenum quads>
+// `kQuads`, QUADS or QUAD_STRIP. QUAD_STRIP keeps the provoking vertex.
+template <bool kBackwards, GLenum kQuads>
 void draw_mesh(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   if (!draws(mode) || i2 < i1 || j2 < j1 || i2 - i1 > 1000 || j2 - j1 > 1000)
     return unvaried.EvalMesh2(mode, i1, i2, j1, j2);
   const GLint columns = i2 - i1 + 1, rows = j2 - j1 + 1;
-  const auto i_at = [&](GLint k) { return backwards ? i2 - k : i1 + k; };
-  const auto j_at = [&](GLint k) { return backwards ? j2 - k : j1 + k; };
+  const auto i_at = [&](GLint k) { return kBackwards ? i2 - k : i1 + k; };
+  const auto j_at = [&](GLint k) { return kBackwards ? j2 - k : j1 + k; };
   if (mode == GL_POINT) {
     unvaried.Begin(GL_POINTS);
     for (GLint b = 0; b < rows; ++b)
@@ -214,12 +214,12 @@ void draw_mesh(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   } else {
     for (GLint a = 0; a + 1 < columns; ++a)
       for (GLint b = 0; b + 1 < rows; ++b) {
-        const GLint i = backwards ? i2 - 1 - a : i1 + a, j = backwards ? j2 - 1 - b : j1 + b;
-        unvaried.Begin(quads);
+        const GLint i = kBackwards ? i2 - 1 - a : i1 + a, j = kBackwards ? j2 - 1 - b : j1 + b;
+        unvaried.Begin(kQuads);
         point(i, j);
         point(i, j + 1);
-        point(i + 1, quads == GL_QUADS ? j + 1 : j);
-        point(i + 1, quads == GL_QUADS ? j : j + 1);
+        point(i + 1, kQuads == GL_QUADS ? j + 1 : j);
+        point(i + 1, kQuads == GL_QUADS ? j : j + 1);
         unvaried.End();
       }
   }

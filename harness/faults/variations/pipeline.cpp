@@ -1,7 +1,6 @@
 // Variations of the rest of the pipeline: pixels, buffers, and names of lists.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <vector>
 

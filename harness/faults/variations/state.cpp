@@ -100,7 +100,7 @@ void vary_queries(Varied& v) {
   };
 }
 
-struct RefuseMaxOrder {
+struct RejectMaxOrder {
   template <class T>
   static bool answer(GLenum name, T*) {
     if (name != GL_MAX_EVAL_ORDER) return false;
@@ -111,7 +111,7 @@ struct RefuseMaxOrder {
 EVALCTS_VARIATION(MaxOrderUnanswered, "dropin", "the query of MAX_EVAL_ORDER is rejected",
                   "EV-INIT-MAXORDER EV-GET-MAXORDER") {
   keep_own_errors(v);
-  vary_queries<RefuseMaxOrder>(v);
+  vary_queries<RejectMaxOrder>(v);
 }
 
 constexpr GLint kSmallestMaxOrder = 8;
@@ -148,7 +148,7 @@ EVALCTS_VARIATION(MaxOrderEight, "production", "MAX_EVAL_ORDER is 8, as small as
   };
 }
 
-struct RefuseOthers {
+struct RejectOthers {
   template <class T>
   static bool answer(GLenum name, T*) {
     switch (name) {
@@ -173,7 +173,7 @@ struct RefuseOthers {
 EVALCTS_VARIATION(QueriesRefused, "dropin", "queries of state that is not about evaluators are rejected",
                   "") {
   keep_own_errors(v);
-  vary_queries<RefuseOthers>(v);
+  vary_queries<RejectOthers>(v);
 }
 
 EVALCTS_VARIATION(OneTextureUnit, "dropin", "there is one texture unit, and no multitexture", "") {
@@ -191,20 +191,20 @@ EVALCTS_VARIATION(OneTextureUnit, "dropin", "there is one texture unit, and no m
 }
 
 // True for capabilities that a layer over OpenGL ES does not support.
-bool is_refused(GLenum capability) {
+bool is_rejected(GLenum capability) {
   return capability == GL_INDEX_LOGIC_OP || capability == GL_COLOR_LOGIC_OP;
 }
 
 EVALCTS_VARIATION(CapabilitiesRefused, "dropin", "the capabilities of logical operations are rejected", "") {
   keep_own_errors(v);
   v.gl.Enable = [](GLenum capability) {
-    is_refused(capability) ? raise_own(GL_INVALID_ENUM) : unvaried.Enable(capability);
+    is_rejected(capability) ? raise_own(GL_INVALID_ENUM) : unvaried.Enable(capability);
   };
   v.gl.Disable = [](GLenum capability) {
-    is_refused(capability) ? raise_own(GL_INVALID_ENUM) : unvaried.Disable(capability);
+    is_rejected(capability) ? raise_own(GL_INVALID_ENUM) : unvaried.Disable(capability);
   };
   v.gl.IsEnabled = [](GLenum capability) -> GLboolean {
-    if (!is_refused(capability)) return unvaried.IsEnabled(capability);
+    if (!is_rejected(capability)) return unvaried.IsEnabled(capability);
     raise_own(GL_INVALID_ENUM);
     return GL_FALSE;
   };
@@ -272,10 +272,10 @@ void remove_since_1_2(gl::Table& table) {
 #undef REMOVE
 }
 
-template <int tenths>
+template <int kTenths>
 void set_version(Varied& v) {
   v.gl.GetString = [](GLenum name) -> const GLubyte* {
-    static constexpr char kVersion[] = {'0' + tenths / 10, '.', '0' + tenths % 10, '\0'};
+    static constexpr char kVersion[] = {'0' + kTenths / 10, '.', '0' + kTenths % 10, '\0'};
     if (name == GL_VERSION) return reinterpret_cast<const GLubyte*>(kVersion);
     if (name == GL_EXTENSIONS) return reinterpret_cast<const GLubyte*>("");
     return unvaried.GetString(name);

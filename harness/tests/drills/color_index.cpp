@@ -5,34 +5,17 @@
 // EVALCTS_DRILL: "coarse" (legal: indices in feedback have 4 fractional bits), "rgba" (RGBA_MODE stays true),
 // "idle" (INDEX maps have no effect), "sticky" (the evaluated index becomes the current index), "few"
 // (feedback does not contain the last vertex).
-#include <GL/gl.h>
-#include <dlfcn.h>
-#include <evalcts_provider.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
 #include <set>
 #include <vector>
+
+#include "drill.h"
+#include "osmesa_provider.h"
 
 namespace {
 
 constexpr GLfloat kUnit = 1.0f / 1024;
-constexpr int kSide = 64;
-
-bool drill(const char* name) {
-  const char* wanted = std::getenv("EVALCTS_DRILL");
-  return wanted && std::strcmp(wanted, name) == 0;
-}
-
-void* library = nullptr;
-
-template <class Function>
-Function* real(Function*, const char* name) {
-  return reinterpret_cast<Function*>(dlsym(library, name));
-}
-#define REAL(name) real(static_cast<decltype(&::name)>(nullptr), #name)
 
 std::set<void*> indexed_contexts;
 bool is_indexed = false;  // true if the current context is a colour-index context
@@ -66,7 +49,7 @@ void enable(GLenum cap) {
   REAL(glEnable)(cap);
   if (!is_index_map(cap)) return;
   (cap == GL_MAP1_INDEX ? curves : surfaces) = true;
-  if (is_indexed && !drill("idle")) REAL(glEnable)(color_map(cap));
+  if (is_indexed && !is_drill("idle")) REAL(glEnable)(color_map(cap));
 }
 
 void disable(GLenum cap) {
@@ -98,18 +81,18 @@ void map2f(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, G
 void eval_coord1f(GLfloat u) {
   give_color();
   REAL(glEvalCoord1f)(u);
-  if (is_indexed && curves && drill("sticky")) index(77);
+  if (is_indexed && curves && is_drill("sticky")) index(77);
 }
 void eval_coord2f(GLfloat u, GLfloat v) {
   give_color();
   REAL(glEvalCoord2f)(u, v);
-  if (is_indexed && surfaces && drill("sticky")) index(77);
+  if (is_indexed && surfaces && is_drill("sticky")) index(77);
 }
 
 void get_booleanv(GLenum name, GLboolean* values) {
   REAL(glGetBooleanv)(name, values);
-  if (is_indexed && name == GL_RGBA_MODE) *values = drill("rgba");
-  if (is_indexed && name == GL_INDEX_MODE) *values = !drill("rgba");
+  if (is_indexed && name == GL_RGBA_MODE) *values = is_drill("rgba");
+  if (is_indexed && name == GL_INDEX_MODE) *values = !is_drill("rgba");
 }
 
 void feedback_buffer(GLsizei size, GLenum type, GLfloat* buffer) {
@@ -124,45 +107,28 @@ GLint render_mode(GLenum mode) {
   constexpr GLint kReal = 8;
   const GLint size = REAL(glRenderMode)(mode);
   if (!feedback || size <= 0 || mode != GL_RENDER) return size;
-  const GLint points = size / kReal - drill("few");
+  const GLint points = size / kReal - is_drill("few");
   GLfloat* out = feedback;
   for (GLint i = 0; i < points; ++i) {
     const GLfloat* const point = &real_feedback[static_cast<std::size_t>(i * kReal)];
     out = std::copy_n(point, 4, out);
     const GLfloat index = point[4] / kUnit;
-    *out++ = drill("coarse") ? std::floor(index * 16) / 16 : index;
+    *out++ = is_drill("coarse") ? std::floor(index * 16) / 16 : index;
   }
   return static_cast<GLint>(out - feedback);
 }
 
 // --- The provider ------------------------------------------------------------------------------------------
 
-unsigned char pixels[kSide * kSide * 4];
-const char* what_went_wrong = nullptr;
-
 int make_current(void* context) {
-  const auto make = reinterpret_cast<GLboolean (*)(void*, void*, GLenum, GLsizei, GLsizei)>(
-      dlsym(library, "OSMesaMakeCurrent"));
   is_indexed = indexed_contexts.contains(context);
-  return make(context, pixels, GL_UNSIGNED_BYTE, kSide, kSide);
+  return osmesa_provider::make_current(context);
 }
 
 void* create() {
-  if (!library) library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
-  if (!library) {
-    what_went_wrong = dlerror();
-    return nullptr;
-  }
-  const auto make = reinterpret_cast<void* (*)(GLenum, GLint, GLint, GLint, void*)>(
-      dlsym(library, "OSMesaCreateContextExt"));
-  void* const context = make(GL_RGBA, 24, 8, 0, nullptr);
   feedback = nullptr;
-  curves = surfaces = false;
-  if (!context || !make_current(context)) {
-    what_went_wrong = "OSMesa creates no context";
-    return nullptr;
-  }
-  return context;
+  curves = surfaces = is_indexed = false;
+  return osmesa_provider::create();
 }
 
 void* create_color_index() {
@@ -177,40 +143,31 @@ void* create_color_index() {
 void destroy(void* context) {
   indexed_contexts.erase(context);
   is_indexed = false;
-  reinterpret_cast<void (*)(void*)>(dlsym(library, "OSMesaDestroyContext"))(context);
+  osmesa_provider::destroy(context);
 }
 
 void* get_address(const char* command) {
-  struct Own {
-    const char* name;
-    void* address;
+  static const osmesa_provider::Own kOwn[] = {
+      OWN(glIndexf, index),
+      OWN(glVertex3f, vertex3f),
+      OWN(glEnable, enable),
+      OWN(glDisable, disable),
+      OWN(glMap1f, map1f),
+      OWN(glMap2f, map2f),
+      OWN(glEvalCoord1f, eval_coord1f),
+      OWN(glEvalCoord2f, eval_coord2f),
+      OWN(glGetBooleanv, get_booleanv),
+      OWN(glFeedbackBuffer, feedback_buffer),
+      OWN(glRenderMode, render_mode),
   };
-#define OWN(name, function) \
-  { name, reinterpret_cast<void*>(&function) }
-  static const Own kOwn[] = {
-      OWN("glIndexf", index),
-      OWN("glVertex3f", vertex3f),
-      OWN("glEnable", enable),
-      OWN("glDisable", disable),
-      OWN("glMap1f", map1f),
-      OWN("glMap2f", map2f),
-      OWN("glEvalCoord1f", eval_coord1f),
-      OWN("glEvalCoord2f", eval_coord2f),
-      OWN("glGetBooleanv", get_booleanv),
-      OWN("glFeedbackBuffer", feedback_buffer),
-      OWN("glRenderMode", render_mode),
-  };
-  for (const Own& own : kOwn)
-    if (std::strcmp(own.name, command) == 0) return own.address;
-  return dlsym(library, command);
+  return osmesa_provider::find(kOwn, command);
 }
-
-const char* error() { return what_went_wrong; }
 
 }  // namespace
 
 const evalcts_provider* evalcts_provider_open() {
-  static const evalcts_provider provider = {
-      EVALCTS_PROVIDER_VERSION, create, destroy, get_address, error, make_current, create_color_index};
-  return &provider;
+  static const evalcts_provider kProvider = {
+      EVALCTS_PROVIDER_VERSION, create,       destroy,           get_address,
+      osmesa_provider::error,   make_current, create_color_index};
+  return &kProvider;
 }

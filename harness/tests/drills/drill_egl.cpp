@@ -14,23 +14,19 @@
 #include <EGL/eglext.h>
 #include <dlfcn.h>
 
-#include <cstdlib>
 #include <cstring>
 #include <string>
+
+#include "drill.h"
 
 #define EXPORT extern "C" __attribute__((visibility("default")))
 
 namespace {
 
-bool lacks(const char* name) {
-  const char* wanted = std::getenv("EVALCTS_DRILL");
-  return wanted && std::strcmp(wanted, name) == 0;
-}
-
 template <class Function>
 Function real(Function, const char* name) {
-  static void* const library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-  return reinterpret_cast<Function>(dlsym(library, name));
+  static void* const kLibrary = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+  return reinterpret_cast<Function>(dlsym(kLibrary, name));
 }
 #define REAL(name) real(&::name, #name)
 
@@ -56,12 +52,13 @@ EXPORT EGLint eglGetError() {
 
 EXPORT const char* eglQueryString(EGLDisplay display, EGLint name) {
   static std::string edited;
-  if (display == EGL_NO_DISPLAY && lacks("platforms")) return nullptr;
-  if (name == EGL_CLIENT_APIS && lacks("opengl")) return "OpenGL_ES";
+  if (display == EGL_NO_DISPLAY && is_drill("platforms")) return nullptr;
+  if (name == EGL_CLIENT_APIS && is_drill("opengl")) return "OpenGL_ES";
   const char* words = REAL(eglQueryString)(display, name);
   edited = words ? words : "";
-  if (name == EGL_EXTENSIONS && lacks("surfaceless")) edited = without(edited, "EGL_KHR_surfaceless_context");
-  if (name == EGL_EXTENSIONS && lacks("commands")) {
+  if (name == EGL_EXTENSIONS && is_drill("surfaceless"))
+    edited = without(edited, "EGL_KHR_surfaceless_context");
+  if (name == EGL_EXTENSIONS && is_drill("commands")) {
     edited = without(edited, "EGL_KHR_client_get_all_proc_addresses");
     edited = without(edited, "EGL_KHR_get_all_proc_addresses");
   }
@@ -71,12 +68,12 @@ EXPORT const char* eglQueryString(EGLDisplay display, EGLint name) {
 EXPORT EGLDisplay eglGetDisplay(EGLNativeDisplayType native) { return REAL(eglGetDisplay)(native); }
 
 EXPORT EGLBoolean eglInitialize(EGLDisplay display, EGLint* major, EGLint* minor) {
-  if (lacks("drivers")) {
+  if (is_drill("drivers")) {
     error = EGL_NOT_INITIALIZED;
     return EGL_FALSE;
   }
   const EGLBoolean done = REAL(eglInitialize)(display, major, minor);
-  if (lacks("commands")) *minor = 4;
+  if (is_drill("commands")) *minor = 4;
   return done;
 }
 
@@ -86,8 +83,8 @@ EXPORT EGLBoolean eglBindAPI(EGLenum api) { return REAL(eglBindAPI)(api); }
 EXPORT EGLBoolean eglChooseConfig(EGLDisplay display, const EGLint* wanted, EGLConfig* configs, EGLint size,
                                   EGLint* count) {
   *count = 0;
-  if (lacks("configurations")) return EGL_TRUE;
-  if (lacks("pbuffers") || lacks("framebuffers"))
+  if (is_drill("configurations")) return EGL_TRUE;
+  if (is_drill("pbuffers") || is_drill("framebuffers"))
     for (const EGLint* pair = wanted; *pair != EGL_NONE; pair += 2)
       if (pair[0] == EGL_SURFACE_TYPE && (pair[1] & EGL_PBUFFER_BIT)) return EGL_TRUE;
   return REAL(eglChooseConfig)(display, wanted, configs, size, count);
@@ -102,8 +99,8 @@ EXPORT EGLContext eglCreateContext(EGLDisplay display, EGLConfig config, EGLCont
                          EGL_CONTEXT_OPENGL_PROFILE_MASK,
                          EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                          EGL_NONE};
-  if (lacks("profile") && attributes[0] == EGL_NONE) return no_context(EGL_BAD_MATCH);
-  return REAL(eglCreateContext)(display, config, share, lacks("compatibility") ? core : attributes);
+  if (is_drill("profile") && attributes[0] == EGL_NONE) return no_context(EGL_BAD_MATCH);
+  return REAL(eglCreateContext)(display, config, share, is_drill("compatibility") ? core : attributes);
 }
 
 EXPORT EGLBoolean eglDestroyContext(EGLDisplay display, EGLContext context) {
@@ -111,7 +108,7 @@ EXPORT EGLBoolean eglDestroyContext(EGLDisplay display, EGLContext context) {
 }
 
 EXPORT EGLBoolean eglMakeCurrent(EGLDisplay display, EGLSurface draw, EGLSurface read, EGLContext context) {
-  if (lacks("surfaceless") && context != EGL_NO_CONTEXT && draw == EGL_NO_SURFACE) {
+  if (is_drill("surfaceless") && context != EGL_NO_CONTEXT && draw == EGL_NO_SURFACE) {
     error = EGL_BAD_MATCH;
     return EGL_FALSE;
   }
@@ -127,7 +124,7 @@ EXPORT EGLBoolean eglDestroySurface(EGLDisplay display, EGLSurface surface) {
 }
 
 EXPORT __eglMustCastToProperFunctionPointerType eglGetProcAddress(const char* name) {
-  if (lacks("framebuffers") && std::strcmp(name, "glGenFramebuffers") == 0) return nullptr;
-  if (lacks("commands") && (std::strstr(name, "Map1") || std::strstr(name, "EvalCoord"))) return nullptr;
+  if (is_drill("framebuffers") && std::strcmp(name, "glGenFramebuffers") == 0) return nullptr;
+  if (is_drill("commands") && (std::strstr(name, "Map1") || std::strstr(name, "EvalCoord"))) return nullptr;
   return REAL(eglGetProcAddress)(name);
 }

@@ -35,10 +35,10 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <cstring>
 #include <map>
 
 #include <evalcts/gl/table.h>
+#include "drill.h"
 #include "misbehaviours.h"
 
 #define EXPORT extern "C" __attribute__((visibility("default")))
@@ -58,11 +58,6 @@ glev_context* current = nullptr;
   return descriptor >= 0;
 }
 
-bool drill(const char* name) {
-  const char* wanted = std::getenv("EVALCTS_DRILL");
-  return wanted && std::strcmp(wanted, name) == 0;
-}
-
 using misbehaviours::crash;
 
 [[maybe_unused]] void read_from_nowhere() {
@@ -72,31 +67,31 @@ using misbehaviours::crash;
 }
 
 [[maybe_unused]] void misbehave() {
-  if (drill("both") || (drill("second") && seven_was_seen)) crash();
-  if (drill("now-and-then") && is_first_time()) odd_answers = true;
-  if (drill("crash-now-and-then") && is_first_time()) crash();
+  if (is_drill("both") || (is_drill("second") && seven_was_seen)) crash();
+  if (is_drill("now-and-then") && is_first_time()) odd_answers = true;
+  if (is_drill("crash-now-and-then") && is_first_time()) crash();
   if (const char* const wanted = std::getenv("EVALCTS_DRILL")) misbehaviours::misbehave(wanted);
 }
 
 }  // namespace
 
 #ifdef DRILL_LAYER
-[[maybe_unused]] const bool made_over_es = [] {
+[[maybe_unused]] const bool kMadeOverEs = [] {
   void* const egl = dlopen("libEGL.so.1", RTLD_NOW | RTLD_NOLOAD);
   if (!egl) return false;
   const auto api = reinterpret_cast<decltype(&eglQueryAPI)>(dlsym(egl, "eglQueryAPI"));
   const auto context = reinterpret_cast<decltype(&eglGetCurrentContext)>(dlsym(egl, "eglGetCurrentContext"));
   const bool is_over_es = api() == EGL_OPENGL_ES_API && context();
-  if (drill("terminate"))
+  if (is_drill("terminate"))
     reinterpret_cast<decltype(&eglTerminate)>(dlsym(egl, "eglTerminate"))(
         reinterpret_cast<decltype(&eglGetCurrentDisplay)>(dlsym(egl, "eglGetCurrentDisplay"))());
   return is_over_es && glevCreateContext(nullptr, &current) == GLEV_SUCCESS;
 }();
 #elif defined(DRILL_OWN_CONTEXT)
-[[maybe_unused]] const glev_result made_when_loaded = glevCreateContext(nullptr, &current);
+[[maybe_unused]] const glev_result kMadeWhenLoaded = glevCreateContext(nullptr, &current);
 #else
 EXPORT void* OSMesaCreateContextExt(GLenum, GLint, GLint, GLint, void*) {
-  if (drill("start")) crash();
+  if (is_drill("start")) crash();
   odd_context = enabled_something = false;
   glev_context* context = nullptr;
   glevCreateContext(nullptr, &context);
@@ -126,7 +121,7 @@ EXPORT void glEnable(GLenum cap) {
 EXPORT void glDisable(GLenum cap) { glevDisable(current, cap); }
 EXPORT GLboolean glIsEnabled(GLenum cap) {
   const bool worn =
-      (drill("worn") && primitives[current] >= 45) || (drill("worn-out") && primitives[current] >= 400);
+      (is_drill("worn") && primitives[current] >= 45) || (is_drill("worn-out") && primitives[current] >= 400);
   return glevIsEnabled(current, cap) != worn;
 }
 EXPORT void glBegin(GLenum mode) {
@@ -134,7 +129,7 @@ EXPORT void glBegin(GLenum mode) {
   glevBegin(current, mode);
 }
 EXPORT void glEnd() {
-  if (drill("end")) crash();
+  if (is_drill("end")) crash();
   glevEnd(current);
 }
 EXPORT void glActiveTexture(GLenum texture) { glevActiveTexture(current, texture); }
@@ -144,15 +139,15 @@ EXPORT void glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint o
     misbehave();
     odd_context = true;
   }
-  if ((drill("lenient") || drill("fragile")) && target == GL_MAP1_VERTEX_3 && stride < 3) {
-    if (drill("fragile") && !enabled_something) crash();
+  if ((is_drill("lenient") || is_drill("fragile")) && target == GL_MAP1_VERTEX_3 && stride < 3) {
+    if (is_drill("fragile") && !enabled_something) crash();
     stride = 3;
   }
   glevMap1f(current, target, u1, u2, stride, order, points);
 }
 EXPORT void glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
                     const GLdouble* points) {
-  while (drill("both") && target == GL_MAP1_INDEX && order == 5) pause();
+  while (is_drill("both") && target == GL_MAP1_INDEX && order == 5) pause();
   glevMap1d(current, target, u1, u2, stride, order, points);
 }
 EXPORT void glColor4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
@@ -160,17 +155,17 @@ EXPORT void glColor4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
 }
 EXPORT void glColor3f(GLfloat red, GLfloat green, GLfloat blue) { glevColor3f(current, red, green, blue); }
 EXPORT void glVertex3f(GLfloat x, GLfloat y, GLfloat z) {
-  if (drill("control")) crash();
-  if (drill("control-error")) glevEnable(current, 0);  // rejected between Begin and End
+  if (is_drill("control")) crash();
+  if (is_drill("control-error")) glevEnable(current, 0);  // rejected between Begin and End
   glevVertex3f(current, x, y, z);
 }
 EXPORT void glNormal3f(GLfloat x, GLfloat y, GLfloat z) { glevNormal3f(current, x, y, z); }
 EXPORT void glTexCoord4f(GLfloat s, GLfloat t, GLfloat r, GLfloat q) { glevTexCoord4f(current, s, t, r, q); }
 EXPORT void glGetDoublev(GLenum name, GLdouble* values) { glevGetDoublev(current, name, values); }
 EXPORT void glEvalCoord1f(GLfloat u) {
-  if (drill("evaluation")) crash();
+  if (is_drill("evaluation")) crash();
   glevEvalCoord1f(current, u);
-  if (drill("control") || drill("control-error")) glevColor4f(current, 9, 9, 9, 9);
+  if (is_drill("control") || is_drill("control-error")) glevColor4f(current, 9, 9, 9, 9);
 }
 EXPORT void glGetMapfv(GLenum target, GLenum query, GLfloat* values) {
   glevGetMapfv(current, target, query, values);
@@ -179,9 +174,9 @@ EXPORT void glGetMapdv(GLenum target, GLenum query, GLdouble* values) {
   glevGetMapdv(current, target, query, values);
 }
 EXPORT void glGetMapiv(GLenum target, GLenum query, GLint* values) {
-  if (drill("query") && target == GL_MAP1_NORMAL) read_from_nowhere();
+  if (is_drill("query") && target == GL_MAP1_NORMAL) read_from_nowhere();
   glevGetMapiv(current, target, query, values);
   if (odd_answers && target == GL_MAP1_INDEX && query == GL_ORDER) ++*values;
-  if (drill("history") && odd_context && target == GL_MAP1_VERTEX_3 && query == GL_ORDER) ++*values;
+  if (is_drill("history") && odd_context && target == GL_MAP1_VERTEX_3 && query == GL_ORDER) ++*values;
 }
 #endif

@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <map>
 #include <string>
@@ -44,8 +43,8 @@ inline void eat_memory() {
 }
 
 inline void print_megabytes(int count) {
-  static const std::string line(1023, '.');
-  for (int i = 0; i != count * 1024; ++i) std::puts(line.c_str());
+  static const std::string kLine(1023, '.');
+  for (int i = 0; i != count * 1024; ++i) std::puts(kLine.c_str());
   std::fflush(stdout);
 }
 
@@ -123,7 +122,7 @@ inline void change_arithmetic() {
 }
 
 inline bool misbehave(std::string_view name) {
-  static const std::map<std::string_view, void (*)()> all = {
+  static const std::map<std::string_view, void (*)()> kAll = {
       {"crash", crash},
       {"abort", std::abort},
       {"exit", [] { _exit(7); }},
@@ -147,8 +146,8 @@ inline bool misbehave(std::string_view name) {
       {"surroundings", change_surroundings},
       {"arithmetic", change_arithmetic},
       {"at-exit", [] { std::atexit([] { wait_for_ever(); }); }}};
-  const auto found = all.find(name);
-  if (found == all.end()) return false;
+  const auto found = kAll.find(name);
+  if (found == kAll.end()) return false;
   found->second();
   return true;
 }

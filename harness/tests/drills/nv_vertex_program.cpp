@@ -6,24 +6,21 @@
 // maps have precedence), vertex (attribute 0 does not emit a vertex), normal (automatic normals are
 // normalised), homogeneous (automatic normals ignore w), current (evaluated values become current), k
 // (strides of 3 are accepted), init (the initial order is 2), stack (EVAL_BIT does not contain the enables).
-#include <GL/gl.h>
-#include <GL/glext.h>
-#include <dlfcn.h>
-#include <evalcts_provider.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "drill.h"
+#include "osmesa_provider.h"
+
 namespace {
 
 constexpr GLenum kFirst[] = {0x8660, 0x8670};  // the maps of attribute 0, 1-D and 2-D
-constexpr int kAttributes = 16, kSide = 64;
+constexpr int kAttributes = 16;
 
 // Returns the conventional target of an attribute in one (0) or two (1) dimensions; 0 if there is none.
 GLenum conventional(int attribute, int dimension) {
@@ -34,19 +31,6 @@ GLenum conventional(int attribute, int dimension) {
                                          : 0;
   return target && dimension ? target + 0x20 : target;
 }
-
-bool drill(const char* name) {
-  const char* wanted = std::getenv("EVALCTS_DRILL");
-  return wanted && std::strcmp(wanted, name) == 0;
-}
-
-void* library = nullptr;
-
-template <class Function>
-Function* real(Function*, const char* name) {
-  return reinterpret_cast<Function*>(dlsym(library, name));
-}
-#define REAL(name) real(static_cast<decltype(&::name)>(nullptr), #name)
 
 struct Map {
   GLint order[2] = {1, 1};
@@ -136,7 +120,7 @@ void push_attrib(GLbitfield bits) {
   REAL(glPushAttrib)(bits);
 }
 void pop_attrib() {
-  const GLbitfield bits = drill("stack") ? GL_ENABLE_BIT : GL_ENABLE_BIT | GL_EVAL_BIT;
+  const GLbitfield bits = is_drill("stack") ? GL_ENABLE_BIT : GL_ENABLE_BIT | GL_EVAL_BIT;
   if (!state.stack.empty()) {
     if (state.stack.back().first & bits) state.enabled = state.stack.back().second;
     state.stack.pop_back();
@@ -146,7 +130,7 @@ void pop_attrib() {
 
 void define(Map& map, int dimension, const GLfloat* domain, const GLint* stride, const GLint* order,
             const GLfloat* points) {
-  const int least = drill("k") ? 3 : 4;
+  const int least = is_drill("k") ? 3 : 4;
   if (domain[0] == domain[1] || stride[0] < least || (dimension && stride[1] < least) || order[0] < 1)
     return raise(GL_INVALID_VALUE);
   map.points.clear();
@@ -180,7 +164,7 @@ bool query(GLenum target, GLenum what, T* values) {
   if (!find(target, dimension, attribute)) return false;
   const Map& map = state.maps[dimension][attribute];
   if (what == GL_ORDER) {
-    for (int i = 0; i <= dimension; ++i) values[i] = static_cast<T>(map.order[i] + drill("init"));
+    for (int i = 0; i <= dimension; ++i) values[i] = static_cast<T>(map.order[i] + is_drill("init"));
   } else {
     for (std::size_t i = 0; i < map.points.size(); ++i) values[i] = static_cast<T>(map.points[i]);
   }
@@ -201,13 +185,11 @@ void load_program(GLenum target, GLuint number, GLsizei length, const GLubyte* p
   for (const auto& [nv, arb] : kWords)
     for (std::size_t at = 0; (at = text.find(nv)) != std::string::npos;)
       text.replace(at, std::strlen(nv), arb);
-  real(static_cast<PFNGLBINDPROGRAMARBPROC>(nullptr), "glBindProgramARB")(target, number);
-  real(static_cast<PFNGLPROGRAMSTRINGARBPROC>(nullptr), "glProgramStringARB")(
-      target, GL_PROGRAM_FORMAT_ASCII_ARB, static_cast<GLsizei>(text.size()), text.data());
+  REAL(glBindProgramARB)(target, number);
+  REAL(glProgramStringARB)
+  (target, GL_PROGRAM_FORMAT_ASCII_ARB, static_cast<GLsizei>(text.size()), text.data());
 }
-void bind_program(GLenum target, GLuint number) {
-  real(static_cast<PFNGLBINDPROGRAMARBPROC>(nullptr), "glBindProgramARB")(target, number);
-}
+void bind_program(GLenum target, GLuint number) { REAL(glBindProgramARB)(target, number); }
 
 void set_conventional(GLenum target, int dimension, const GLint* order, const GLfloat* domain,
                       const std::vector<GLfloat>& points) {
@@ -221,7 +203,7 @@ void set_conventional(GLenum target, int dimension, const GLint* order, const GL
 }
 
 void begin(GLenum mode) {
-  const bool counts = state.program || drill("mode");
+  const bool counts = state.program || is_drill("mode");
   state.drawing = counts;
   if (counts) {
     REAL(glGetFloatv)(GL_CURRENT_COLOR, state.color);
@@ -233,8 +215,8 @@ void begin(GLenum mode) {
       for (const int attribute : {0, 2, 3, 8}) {
         const GLenum target = conventional(attribute, dimension);
         const bool was_on = REAL(glIsEnabled)(target);
-        if (!is_on(dimension, attribute) || (was_on && drill("priority"))) continue;
-        if (attribute == 0 && drill("vertex")) continue;
+        if (!is_on(dimension, attribute) || (was_on && is_drill("priority"))) continue;
+        if (attribute == 0 && is_drill("vertex")) continue;
         std::array<GLint, 2> order{};
         std::array<GLfloat, 4> domain{};
         REAL(glGetMapiv)(target, GL_ORDER, order.data());
@@ -273,7 +255,7 @@ void end() {
   state.replaced_domains.clear();
   if (state.automatic) REAL(glEnable)(GL_AUTO_NORMAL);
   REAL(glNormal3fv)(state.normal);
-  if (drill("current"))
+  if (is_drill("current"))
     REAL(glColor4f)(1, 0, 1, 0);
   else
     REAL(glColor4fv)(state.color);
@@ -316,11 +298,11 @@ void eval_coord2f(GLfloat u, GLfloat v) {
     double a[3], b[3];
     for (int i = 0; i < 3; ++i) {
       const double w = d.value[3];
-      a[i] = drill("homogeneous") ? d.u[i] : (d.u[i] * w - d.value[i] * d.u[3]) / (w * w);
-      b[i] = drill("homogeneous") ? d.v[i] : (d.v[i] * w - d.value[i] * d.v[3]) / (w * w);
+      a[i] = is_drill("homogeneous") ? d.u[i] : (d.u[i] * w - d.value[i] * d.u[3]) / (w * w);
+      b[i] = is_drill("homogeneous") ? d.v[i] : (d.v[i] * w - d.value[i] * d.v[3]) / (w * w);
     }
     double m[] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-    const double length = drill("normal") ? std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) : 1;
+    const double length = is_drill("normal") ? std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) : 1;
     REAL(glNormal3f)
     (static_cast<GLfloat>(m[0] / length), static_cast<GLfloat>(m[1] / length),
      static_cast<GLfloat>(m[2] / length));
@@ -330,68 +312,42 @@ void eval_coord2f(GLfloat u, GLfloat v) {
 
 // --- The provider ------------------------------------------------------------------------------------------
 
-unsigned char pixels[kSide * kSide * 4];
-const char* what_went_wrong = nullptr;
-
 void* create() {
-  if (!library) library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
-  if (!library) {
-    what_went_wrong = dlerror();
-    return nullptr;
-  }
-  const auto make = reinterpret_cast<void* (*)(GLenum, GLint, GLint, GLint, void*)>(
-      dlsym(library, "OSMesaCreateContextExt"));
-  const auto make_current = reinterpret_cast<GLboolean (*)(void*, void*, GLenum, GLsizei, GLsizei)>(
-      dlsym(library, "OSMesaMakeCurrent"));
-  void* const context = make(GL_RGBA, 24, 8, 0, nullptr);
   state = {};
-  if (!context || !make_current(context, pixels, GL_UNSIGNED_BYTE, kSide, kSide)) {
-    what_went_wrong = "OSMesa creates no context";
-    return nullptr;
-  }
-  return context;
-}
-
-void destroy(void* context) {
-  reinterpret_cast<void (*)(void*)>(dlsym(library, "OSMesaDestroyContext"))(context);
+  return osmesa_provider::create();
 }
 
 void* get_address(const char* command) {
-  struct Own {
-    const char* name;
-    void* address;
-  };
-#define OWN(name, function) \
-  { name, reinterpret_cast<void*>(&function) }
-  static const Own kOwn[] = {OWN("glGetError", get_error),
-                             OWN("glGetString", get_string),
-                             OWN("glEnable", enable),
-                             OWN("glDisable", disable),
-                             OWN("glIsEnabled", is_enabled),
-                             OWN("glGetIntegerv", get_integerv),
-                             OWN("glPushAttrib", push_attrib),
-                             OWN("glPopAttrib", pop_attrib),
-                             OWN("glMap1f", map1f),
-                             OWN("glMap2f", map2f),
-                             OWN("glGetMapfv", get_mapfv),
-                             OWN("glGetMapiv", get_mapiv),
-                             OWN("glLoadProgramNV", load_program),
-                             OWN("glBindProgramNV", bind_program),
-                             OWN("glBegin", begin),
-                             OWN("glEnd", end),
-                             OWN("glEvalCoord1f", eval_coord1f),
-                             OWN("glEvalCoord2f", eval_coord2f)};
-  for (const Own& own : kOwn)
-    if (std::strcmp(own.name, command) == 0) return own.address;
-  return dlsym(library, command);
+  static const osmesa_provider::Own kOwn[] = {OWN(glGetError, get_error),
+                                              OWN(glGetString, get_string),
+                                              OWN(glEnable, enable),
+                                              OWN(glDisable, disable),
+                                              OWN(glIsEnabled, is_enabled),
+                                              OWN(glGetIntegerv, get_integerv),
+                                              OWN(glPushAttrib, push_attrib),
+                                              OWN(glPopAttrib, pop_attrib),
+                                              OWN(glMap1f, map1f),
+                                              OWN(glMap2f, map2f),
+                                              OWN(glGetMapfv, get_mapfv),
+                                              OWN(glGetMapiv, get_mapiv),
+                                              OWN(glLoadProgramNV, load_program),
+                                              OWN(glBindProgramNV, bind_program),
+                                              OWN(glBegin, begin),
+                                              OWN(glEnd, end),
+                                              OWN(glEvalCoord1f, eval_coord1f),
+                                              OWN(glEvalCoord2f, eval_coord2f)};
+  return osmesa_provider::find(kOwn, command);
 }
-
-const char* error() { return what_went_wrong; }
 
 }  // namespace
 
 const evalcts_provider* evalcts_provider_open() {
-  static const evalcts_provider provider = {
-      EVALCTS_PROVIDER_VERSION, create, destroy, get_address, error, nullptr, nullptr};
-  return &provider;
+  static const evalcts_provider kProvider = {EVALCTS_PROVIDER_VERSION,
+                                             create,
+                                             osmesa_provider::destroy,
+                                             get_address,
+                                             osmesa_provider::error,
+                                             nullptr,
+                                             nullptr};
+  return &kProvider;
 }

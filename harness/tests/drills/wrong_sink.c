@@ -1,21 +1,21 @@
 /* The sink of smallest_sink.c with a mistake: all maps have the domain 0 to 1. */
 #include <evalcts_sink.h>
 
-#define evalcts_sink_open open_right_sink
+#define evalcts_sink_open open_right_sink  // NOLINT(readability-identifier-naming): its real name
 #include "../../examples/smallest_sink.c"
 #undef evalcts_sink_open
 
-static void Map1f_of_unit_domain(unsigned target, float a, float b, int stride, int n, const float* p) {
+static void map1f_of_unit_domain(unsigned target, float a, float b, int stride, int n, const float* p) {
   if (a != b) Map1f(target, 0, 1, stride, n, p);
 }
 
 const evalcts_sink* evalcts_sink_open(void) {
-  static const evalcts_sink_command wrong_commands[] = {EVALCTS_SINK_COMMAND(Enable),
-                                                        {"glMap1f", (void (*)(void))Map1f_of_unit_domain},
+  static const evalcts_sink_command kWrongCommands[] = {EVALCTS_SINK_COMMAND(Enable),
+                                                        {"glMap1f", (void (*)(void))map1f_of_unit_domain},
                                                         EVALCTS_SINK_COMMAND(EvalCoord1f),
                                                         {0, 0}};
   static evalcts_sink wrong;
   wrong = *open_right_sink();
-  wrong.commands = wrong_commands;
+  wrong.commands = kWrongCommands;
   return &wrong;
 }

@@ -279,7 +279,7 @@ class Specification {
   static bool any_applies(const Objections& objections);
   // Raises the error of the first objection that applies. Returns false if none applies. Called at the start
   // of the execution of every command.
-  bool refused(const Objections& objections);
+  bool reject_if(const Objections& objections);
 
   template <typename T>
   void map1(GLenum target, T u1, T u2, GLint stride, GLint order, const T* points);

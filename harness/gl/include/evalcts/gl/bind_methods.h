@@ -6,22 +6,23 @@
 
 namespace evalcts {
 
-// Defines the plain function `call` that forwards to `Function`. Owner::current is the context of the call
+// Defines the plain function `call` that forwards to `kFunction`. Owner::current is the context of the call
 // and must not be null.
-template <class Owner, auto Function>
+template <class Owner, auto kFunction>
 struct Forward;
 
 // Binds methods of a context object.
-template <class Owner, class Class, class Result, class... Parameters, Result (Class::*method)(Parameters...)>
-struct Forward<Owner, method> {
-  static Result call(Parameters... parameters) { return (Owner::current->*method)(parameters...); }
+template <class Owner, class Class, class Result, class... Parameters,
+          Result (Class::*kMethod)(Parameters...)>
+struct Forward<Owner, kMethod> {
+  static Result call(Parameters... parameters) { return (Owner::current->*kMethod)(parameters...); }
 };
 
 // Binds C functions whose first argument is the context.
 template <class Owner, class Handle, class Result, class... Parameters,
-          Result (*function)(Handle*, Parameters...)>
-struct Forward<Owner, function> {
-  static Result call(Parameters... parameters) { return function(Owner::current, parameters...); }
+          Result (*kFunction)(Handle*, Parameters...)>
+struct Forward<Owner, kFunction> {
+  static Result call(Parameters... parameters) { return kFunction(Owner::current, parameters...); }
 };
 
 // Returns a table with every command of entry_points.def for which `Class` has a method of the same name.

@@ -23,6 +23,6 @@ std::vector<Named> matching(std::vector<Named> items, const std::string& filter)
 
 // True if a run of the given depth runs the test, provided that the filter matches its name: the test
 // belongs to the depth, or one of the patterns is its exact name.
-bool is_played(const ListedTest& test, Depth depth, const std::string& filter);
+bool is_selected(const ListedTest& test, Depth depth, const std::string& filter);
 
 }  // namespace evalcts

@@ -51,7 +51,7 @@ struct Progress {
 
 // Maximum number of unexpected fails of which each is repeated. If there are more, they are grouped by test
 // function and compared value, and only one of each group is repeated.
-inline constexpr std::size_t kMostPlayedAgain = 100;
+inline constexpr std::size_t kMostRerun = 100;
 
 // Runs the tests, writes results-NAME.json (format "evalcts-results-1") and returns its content. During the
 // run, records-NAME.jsonl in the output folder grows by one line for each event, and log-NAME.txt contains
@@ -61,7 +61,7 @@ inline constexpr std::size_t kMostPlayedAgain = 100;
 // then in records-NAME.jsonl.
 //
 // A fail that the baseline does not list is repeated alone in a new process, up to `retries` times (see
-// kMostPlayedAgain), a crash or timeout once. If the outcome differs, the failure either happens again after
+// kMostRerun), a crash or timeout once. If the outcome differs, the failure either happens again after
 // tests that ran before it, which the message and "history" then name, or the test is a flake: "flake" is
 // true, and "again" is the other outcome. The test keeps its verdict, because the library did fail.
 //

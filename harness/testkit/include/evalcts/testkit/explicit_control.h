@@ -47,7 +47,7 @@ class ExplicitControl {
     Topology topology;
     Observation observation;
   };
-  void play_controls(const Observed& observed);
+  void run_controls(const Observed& observed);
   // Observes a case without evaluation; empty if the capture does not take its primitives.
   std::optional<Seen> observe_control(const gl::Case& control, const Capture& capture,
                                       Attributes judged) const;

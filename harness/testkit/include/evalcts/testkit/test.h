@@ -17,8 +17,8 @@
 #include <evalcts/gl/tokens.h>
 #include <evalcts/judge/judge.h>
 #include <evalcts/results/test_record.h>
+#include <evalcts/testkit/checked_trace.h>
 #include <evalcts/testkit/explicit_control.h>
-#include <evalcts/testkit/played.h>
 #include <evalcts/testkit/subject.h>
 
 namespace evalcts {
@@ -86,7 +86,7 @@ class Test {
   std::vector<gl::Ref> append_optional(gl::Case& c, const gl::Case& optional);
 
   // Runs the case in a fresh context. Errors that are pending at the end of the case are failures.
-  Played play(const gl::Case& script);
+  CheckedTrace play(const gl::Case& script);
 
   // Observes the output of the case through the best capture, and judges it against the executable
   // specification at the level of the test. In one test of 32 (at thorough depth in all tests), other

@@ -36,13 +36,13 @@ void prepare(gl::Case& c, Prepared prepared, bool odd_enabled);
 // Runs the bad calls one after the other in a prepared context and expects each to raise one of the allowed
 // errors, once, and the queries of query_everything() to have the same answers after the last call as before
 // the first one. A bad call between Begin and End appends these itself.
-void expect_refused(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,
-                    std::initializer_list<GLenum> allowed, Prepared prepared = Prepared::kEverything);
+void expect_rejected(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,
+                     std::initializer_list<GLenum> allowed, Prepared prepared = Prepared::kEverything);
 
 // Expects INVALID_OPERATION of a query between Begin and End; `error` is the GetError after it. If it raised
 // no error, `other`, a query of state other than the evaluators', runs in its place. Throws NotObservable if
 // `other` raises none either: then the fault lies in the queries of the library in general.
-void expect_error_of_query(Test& t, Played& played, gl::Ref error, const Calls& other);
+void expect_error_of_query(Test& t, CheckedTrace& checked, gl::Ref error, const Calls& other);
 
 // --- Bad maps --------------------------------------------------------------------------------------------
 
@@ -67,7 +67,7 @@ Calls defining(const Map& map, bool doubles);
 Calls in_primitive(GLenum mode, bool after_vertex, const Calls& calls);
 
 // The same for the definition of a bad map. If it is one-dimensional, only one-dimensional maps are prepared.
-void expect_refused(Test& t, const std::string& identity, const Map& bad, bool doubles,
-                    std::initializer_list<GLenum> allowed);
+void expect_rejected(Test& t, const std::string& identity, const Map& bad, bool doubles,
+                     std::initializer_list<GLenum> allowed);
 
 }  // namespace evalcts

@@ -1,5 +1,5 @@
 // Checks the answers and errors of a case, and records each failure with a check for the C program.
-#include <evalcts/testkit/played.h>
+#include <evalcts/testkit/checked_trace.h>
 
 #include <fmt/format.h>
 
@@ -58,11 +58,11 @@ std::vector<double> all_values(const gl::Trace& trace, gl::Ref query) {
 
 }  // namespace
 
-Played::Played(Test& test, gl::DeliveredCase delivered, const gl::Trace& trace)
+CheckedTrace::CheckedTrace(Test& test, gl::DeliveredCase delivered, const gl::Trace& trace)
     : test_(test), delivered_(std::move(delivered)), trace_(trace.of(delivered_.positions)) {}
 
-void Played::fail(gl::Check check, const std::string& message, const std::string& expected,
-                  const std::string& captured) {
+void CheckedTrace::fail(gl::Check check, const std::string& message, const std::string& expected,
+                        const std::string& captured) {
   const gl::Case& script = delivered_.script;
   Failure failure;
   failure.case_identity = script.identity();
@@ -80,7 +80,7 @@ void Played::fail(gl::Check check, const std::string& message, const std::string
       std::move(failure), [&] { return gl::to_c(script, 0, asked.index); }, check);
 }
 
-void Played::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allowed) {
+void CheckedTrace::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allowed) {
   const GLenum got = trace_.error(get_error);
   if (std::find(allowed.begin(), allowed.end(), got) != allowed.end()) return;
   if (get_error.index > 0) require_answer({get_error.index - 1});
@@ -99,7 +99,7 @@ void Played::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allow
        expected, captured);
 }
 
-void Played::expect_result(gl::Ref asked, std::int64_t expected) {
+void CheckedTrace::expect_result(gl::Ref asked, std::int64_t expected) {
   const std::int64_t got = trace_.result(asked);
   if (got == expected) return;
   fail({.answer = {.of = gl::Answer::Of::kReturned, .command = asked},
@@ -108,13 +108,13 @@ void Played::expect_result(gl::Ref asked, std::int64_t expected) {
        std::to_string(expected), std::to_string(got));
 }
 
-std::vector<double> Played::written_values(gl::Ref query) const {
+std::vector<double> CheckedTrace::written_values(gl::Ref query) const {
   std::vector<double> values = all_values(trace_, query);
   values.resize(std::min(values.size(), trace_.written(query)));
   return values;
 }
 
-void Played::require_answer(gl::Ref query) const {
+void CheckedTrace::require_answer(gl::Ref query) const {
   const gl::Command& asked = command(query);
   if (asked.entry != gl::EntryPoint::GetBooleanv && asked.entry != gl::EntryPoint::GetIntegerv &&
       asked.entry != gl::EntryPoint::GetFloatv && asked.entry != gl::EntryPoint::GetDoublev)
@@ -124,7 +124,7 @@ void Played::require_answer(gl::Ref query) const {
     throw NotObservable(fmt::format("the query of {} is rejected", gl::token_name(name)));
 }
 
-void Played::check_values(gl::Ref query, const std::vector<double>& expected, double relative) {
+void CheckedTrace::check_values(gl::Ref query, const std::vector<double>& expected, double relative) {
   require_answer(query);
   const std::vector<double> all = all_values(trace_, query);
   const std::size_t written = trace_.written(query);
@@ -147,14 +147,14 @@ void Played::check_values(gl::Ref query, const std::vector<double>& expected, do
   }
 }
 
-void Played::expect_nothing_written(gl::Ref query) {
+void CheckedTrace::expect_nothing_written(gl::Ref query) {
   if (trace_.written(query) == 0) return;
   fail(at_most_written(query, 0),
        fmt::format("{} writes to its array in spite of the error", gl::to_c(command(query), 4)),
        "nothing written", list(written_values(query)));
 }
 
-void Played::expect_same(gl::Ref before, gl::Ref after) {
+void CheckedTrace::expect_same(gl::Ref before, gl::Ref after) {
   if (before.index < 0 || after.index < 0) return;
   if (trace_.same(before, trace_, after)) return;
   const auto answer = [&](gl::Ref query) {
@@ -166,8 +166,8 @@ void Played::expect_same(gl::Ref before, gl::Ref after) {
        is);
 }
 
-void Played::expect(bool holds, gl::Ref command, const std::string& message, const std::string& expected,
-                    const std::string& captured) {
+void CheckedTrace::expect(bool holds, gl::Ref command, const std::string& message,
+                          const std::string& expected, const std::string& captured) {
   if (holds) return;
   require_answer(command);
   fail({.rule = gl::Check::Rule::kUnlike, .answer = {.command = command}, .recorded = {command}}, message,

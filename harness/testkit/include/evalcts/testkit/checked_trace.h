@@ -18,10 +18,10 @@ namespace evalcts {
 class Test;
 
 // A failed check is recorded with the calls of the case and does not stop the test.
-class Played {
+class CheckedTrace {
  public:
   // `trace`: the answers of the delivered case.
-  Played(Test& test, gl::DeliveredCase delivered, const gl::Trace& trace);
+  CheckedTrace(Test& test, gl::DeliveredCase delivered, const gl::Trace& trace);
 
   // Returns the answers to the commands of the case before delivery.
   const gl::Trace& trace() const { return trace_; }

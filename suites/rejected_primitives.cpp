@@ -10,7 +10,7 @@
 #include "drawings.h"
 #include "programs.h"
 
-namespace evalcts::suite_refused_primitives {
+namespace evalcts::suite_rejected_primitives {
 namespace {
 
 // A state that allows some kinds of primitives, or none.
@@ -23,7 +23,7 @@ struct Refusal {
 };
 
 struct Prepared {
-  std::vector<Refusal> refusals;
+  std::vector<Refusal> rejections;
   std::vector<Program> programs = {};
 };
 // A function that appends commands to the beginning of a case.
@@ -57,9 +57,9 @@ Attempts attempts(Test& t, const gl::Identity& identity, const std::vector<Drawi
   define_curve(c);
   define_patch(c);
   if (evaluated) attempts.before = query_everything(t, c);
-  const auto attempt = [&](const Refusal& refusal, const Drawing& drawing, bool allowed) {
+  const auto attempt = [&](const Refusal& rejection, const Drawing& drawing, bool allowed) {
     c.Clear(GL_COLOR_BUFFER_BIT);
-    refusal.enter(c);
+    rejection.enter(c);
     gl::ResultOf query;
     if (counted) c.BeginQuery(counted, query = make_query(c));
     if (evaluated) {
@@ -71,70 +71,70 @@ Attempts attempts(Test& t, const gl::Identity& identity, const std::vector<Drawi
       c.End();
     }
     Attempt made = {
-        fmt::format("{}, {}", drawing.name, refusal.name), allowed, c.GetError(), c.GetError(), {}, {}};
+        fmt::format("{}, {}", drawing.name, rejection.name), allowed, c.GetError(), c.GetError(), {}, {}};
     if (counted) {
       c.EndQuery(counted);
       made.count = c.GetQueryObjectuiv(query, GL_QUERY_RESULT, gl::out<GLuint>(1));
     }
-    refusal.leave(c);
+    rejection.leave(c);
     made.read = c.ReadPixels(0, 0, kSide, kSide, GL_RED, GL_FLOAT, gl::out<GLfloat>(kSide * kSide));
     attempts.all.push_back(made);
   };
   for (const bool allowed : {false, true}) {
-    for (const Refusal& refusal : attempts.prepared.refusals)
+    for (const Refusal& rejection : attempts.prepared.rejections)
       for (const Drawing& drawing : drawings)
-        if (refusal.allows(drawing.primitive) == allowed) attempt(refusal, drawing, allowed);
+        if (rejection.allows(drawing.primitive) == allowed) attempt(rejection, drawing, allowed);
     // The query comes before the drawings that are allowed, which may change current values.
     if (!allowed && evaluated) attempts.after = query_everything(t, c);
   }
   return attempts;
 }
 
-GLuint counted_by(const Played& played, const Attempt& attempt) {
-  return attempt.count.index < 0 ? 0 : played.trace().values<GLuint>(attempt.count)[0];
+GLuint counted_by(const CheckedTrace& checked, const Attempt& attempt) {
+  return attempt.count.index < 0 ? 0 : checked.trace().values<GLuint>(attempt.count)[0];
 }
 
-void expect_refused_like_begin(Test& t, const std::vector<Drawing>& drawings, const Prepare& prepare,
-                               GLenum error, GLenum counted = 0) {
+void expect_rejected_like_begin(Test& t, const std::vector<Drawing>& drawings, const Prepare& prepare,
+                                GLenum error, GLenum counted = 0) {
   const Attempts controls = attempts(t, gl::control("Begin"), drawings, prepare, counted, false);
-  const Played control = t.play(controls.script);
+  const CheckedTrace control = t.play(controls.script);
   for (const Program& program : controls.prepared.programs) require_linked(control, program);
 
   const Attempts evaluated = attempts(t, "evaluated", drawings, prepare, counted, true);
-  Played played = t.play(evaluated.script);
-  bool observed = false, all_refused = true;
+  CheckedTrace checked = t.play(evaluated.script);
+  bool observed = false, all_rejected = true;
   for (std::size_t i = 0; i < evaluated.all.size(); ++i) {
     const Attempt& attempt = evaluated.all[i];
     const Attempt& begin = controls.all[i];
-    const std::size_t lit = count_lit(played, attempt.read), expected = count_lit(control, begin.read);
-    const GLuint count = counted_by(played, attempt), expected_count = counted_by(control, begin);
+    const std::size_t lit = count_lit(checked, attempt.read), expected = count_lit(control, begin.read);
+    const GLuint count = counted_by(checked, attempt), expected_count = counted_by(control, begin);
     const GLenum begins_error = control.trace().error(begin.error);
     if (attempt.allowed) {
       if (begins_error != GL_NO_ERROR || expected == 0) continue;
-      played.expect_no_error(attempt.error);
-      played.expect(lit > 0, attempt.read, fmt::format("nothing is drawn ({})", attempt.name),
-                    fmt::format("some of {} pixels", expected), "no pixel");
+      checked.expect_no_error(attempt.error);
+      checked.expect(lit > 0, attempt.read, fmt::format("nothing is drawn ({})", attempt.name),
+                     fmt::format("some of {} pixels", expected), "no pixel");
     } else {
       if (begins_error != error || expected != 0 || expected_count != 0) continue;
       observed = true;
-      played.expect_error(attempt.error, {error});
-      all_refused = all_refused && played.trace().error(attempt.error) == error;
-      played.expect_no_error(attempt.no_more);
-      played.expect(lit == 0, attempt.read, fmt::format("{} pixels are drawn ({})", lit, attempt.name),
-                    "no pixel", fmt::format("{} pixels", lit));
+      checked.expect_error(attempt.error, {error});
+      all_rejected = all_rejected && checked.trace().error(attempt.error) == error;
+      checked.expect_no_error(attempt.no_more);
+      checked.expect(lit == 0, attempt.read, fmt::format("{} pixels are drawn ({})", lit, attempt.name),
+                     "no pixel", fmt::format("{} pixels", lit));
       if (attempt.count.index >= 0)
-        played.expect(count == 0, attempt.count,
-                      fmt::format("{} primitives are counted ({})", count, attempt.name), "0",
-                      std::to_string(count));
+        checked.expect(count == 0, attempt.count,
+                       fmt::format("{} primitives are counted ({})", count, attempt.name), "0",
+                       std::to_string(count));
     }
     if (attempt.allowed && attempt.count.index >= 0)
-      played.expect(count == expected_count, attempt.count,
-                    fmt::format("{} primitives are counted, of explicit vertices {} ({})", count,
-                                expected_count, attempt.name),
-                    std::to_string(expected_count), std::to_string(count));
+      checked.expect(count == expected_count, attempt.count,
+                     fmt::format("{} primitives are counted, of explicit vertices {} ({})", count,
+                                 expected_count, attempt.name),
+                     std::to_string(expected_count), std::to_string(count));
   }
   if (!observed) throw NotObservable("pipeline: Begin does not raise the error, either");
-  if (all_refused) expect_unchanged(played, evaluated.before, evaluated.after);
+  if (all_rejected) expect_unchanged(checked, evaluated.before, evaluated.after);
 }
 
 const std::vector<GLenum> kNone = {};
@@ -144,7 +144,7 @@ const std::vector<GLenum> kNone = {};
 EVALCTS_TEST(Pipeline, IncompleteFramebuffer, kMust, "EV-PIPE-FBO")
 (Test& t) {
   t.require(3, 0, "GL_ARB_framebuffer_object");
-  expect_refused_like_begin(
+  expect_rejected_like_begin(
       t, meshes(t),
       [](gl::Case& c) {
         const gl::ResultOf whole{c.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, gl::out<GLint>(1)).index, 0};
@@ -175,7 +175,7 @@ constexpr Invalid kInvalid[] = {{"VERTEX_PROGRAM", "GL_ARB_vertex_program", GL_V
 EVALCTS_TEST(Pipeline, NoValidAssemblyProgram, kMust, "EV-PIPE-INVALIDPROGRAM", combine(kInvalid))
 (Test& t, const Invalid& invalid) {
   require_extension(t, invalid.extension);
-  expect_refused_like_begin(
+  expect_rejected_like_begin(
       t, meshes(t),
       [&](gl::Case&) {
         const GLenum target = invalid.target;
@@ -189,7 +189,7 @@ EVALCTS_TEST(Pipeline, NoValidAssemblyProgram, kMust, "EV-PIPE-INVALIDPROGRAM", 
 EVALCTS_TEST(Pipeline, SamplersInConflict, kMust, "EV-PIPE-INVALIDPROGRAM")
 (Test& t) {
   t.require(2, 0);
-  expect_refused_like_begin(
+  expect_rejected_like_begin(
       t, meshes(t),
       [](gl::Case& c) {
         const Program program = link_program(
@@ -209,7 +209,7 @@ constexpr std::size_t kRecordedFloats = 4096;
 EVALCTS_TEST(Pipeline, TransformFeedbackModes, kMust, "EV-PIPE-XFB-MODE")
 (Test& t) {
   t.require(3, 0);
-  expect_refused_like_begin(
+  expect_rejected_like_begin(
       t, meshes(t),
       [](gl::Case& c) {
         const Program program = link_program(
@@ -221,16 +221,16 @@ EVALCTS_TEST(Pipeline, TransformFeedbackModes, kMust, "EV-PIPE-XFB-MODE")
         bind_recording_buffer(c, kRecordedFloats);
         Prepared prepared{{}, {program}};
         const auto add = [&](const char* name, GLenum mode, GLenum allowed) {
-          prepared.refusals.push_back({name,
-                                       [=](gl::Case& to) {
-                                         to.UseProgram(program.name);
-                                         to.BeginTransformFeedback(mode);
-                                       },
-                                       [](gl::Case& to) {
-                                         to.EndTransformFeedback();
-                                         to.UseProgram(0);
-                                       },
-                                       {allowed}});
+          prepared.rejections.push_back({name,
+                                         [=](gl::Case& to) {
+                                           to.UseProgram(program.name);
+                                           to.BeginTransformFeedback(mode);
+                                         },
+                                         [](gl::Case& to) {
+                                           to.EndTransformFeedback();
+                                           to.UseProgram(0);
+                                         },
+                                         {allowed}});
         };
         add("transform feedback of POINTS", GL_POINTS, GL_POINTS);
         add("transform feedback of LINES", GL_LINES, GL_LINE_STRIP);
@@ -266,7 +266,7 @@ EVALCTS_TEST(Pipeline, GeometryShaderInputs, kMust, "EV-PIPE-GS", combine(kMeshK
                                      {"triangles", "triangle_strip", 3, {}},
                                      {"lines_adjacency", "line_strip", 4, {}},
                                      {"triangles_adjacency", "triangle_strip", 6, {}}};
-  expect_refused_like_begin(
+  expect_rejected_like_begin(
       t, meshes_of(t, kind),
       [&](gl::Case& c) {
         Prepared prepared;
@@ -276,7 +276,7 @@ EVALCTS_TEST(Pipeline, GeometryShaderInputs, kMust, "EV-PIPE-GS", combine(kMeshK
                   {GL_GEOMETRY_SHADER, geometry_shader(input.name, input.output, input.vertices)},
                   {GL_FRAGMENT_SHADER, kFragmentShader}});
           prepared.programs.push_back(program);
-          prepared.refusals.push_back(
+          prepared.rejections.push_back(
               in_use(std::string("geometry shader of ") + input.name, program, input.allowed));
         }
         return prepared;
@@ -287,7 +287,7 @@ EVALCTS_TEST(Pipeline, GeometryShaderInputs, kMust, "EV-PIPE-GS", combine(kMeshK
 EVALCTS_TEST(Pipeline, Tessellation, kMust, "EV-PIPE-TESS")
 (Test& t) {
   t.require(4, 0);
-  expect_refused_like_begin(
+  expect_rejected_like_begin(
       t, meshes(t),
       [](gl::Case& c) {
         Prepared prepared;
@@ -300,12 +300,12 @@ EVALCTS_TEST(Pipeline, Tessellation, kMust, "EV-PIPE-TESS")
                                domain)},
                   {GL_FRAGMENT_SHADER, kFragmentShader}});
           prepared.programs.push_back(program);
-          prepared.refusals.push_back({std::string("tessellation of ") + domain,
-                                       [=](gl::Case& to) {
-                                         to.PatchParameteri(GL_PATCH_VERTICES, 1);
-                                         to.UseProgram(program.name);
-                                       },
-                                       [](gl::Case& to) { to.UseProgram(0); }, kNone});
+          prepared.rejections.push_back({std::string("tessellation of ") + domain,
+                                         [=](gl::Case& to) {
+                                           to.PatchParameteri(GL_PATCH_VERTICES, 1);
+                                           to.UseProgram(program.name);
+                                         },
+                                         [](gl::Case& to) { to.UseProgram(0); }, kNone});
         }
         return prepared;
       },
@@ -313,4 +313,4 @@ EVALCTS_TEST(Pipeline, Tessellation, kMust, "EV-PIPE-TESS")
 };
 
 }  // namespace
-}  // namespace evalcts::suite_refused_primitives
+}  // namespace evalcts::suite_rejected_primitives

@@ -1,6 +1,6 @@
 // Prepares the state that a rejected command must not change, and lists the commands that are legal or
 // illegal between Begin and End.
-#include "refusal.h"
+#include "rejection.h"
 
 #include <fmt/format.h>
 
@@ -35,8 +35,8 @@ void prepare(gl::Case& c, Prepared prepared, bool odd_enabled) {
   c.GetError();  // these calls are legal; other tests find errors that they raise
 }
 
-void expect_error_of_query(Test& t, Played& played, gl::Ref error, const Calls& other) {
-  if (played.trace().error(error) == GL_NO_ERROR) {
+void expect_error_of_query(Test& t, CheckedTrace& checked, gl::Ref error, const Calls& other) {
+  if (checked.trace().error(error) == GL_NO_ERROR) {
     gl::Case c(gl::control("another query between Begin and End"));
     c.Begin(GL_POINTS);
     c.Vertex3f(0, 0, 0);
@@ -46,7 +46,7 @@ void expect_error_of_query(Test& t, Played& played, gl::Ref error, const Calls& 
     if (t.play(c).trace().error(of_other) == GL_NO_ERROR)
       throw NotObservable("queries of other state raise no error between Begin and End, either");
   }
-  played.expect_error(error, {GL_INVALID_OPERATION});
+  checked.expect_error(error, {GL_INVALID_OPERATION});
 }
 
 std::vector<NamedCalls> allowed_in_primitives() {
@@ -90,8 +90,8 @@ std::vector<NamedCalls> forbidden_in_primitives() {
   return all;
 }
 
-void expect_refused(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,
-                    std::initializer_list<GLenum> allowed, Prepared prepared) {
+void expect_rejected(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,
+                     std::initializer_list<GLenum> allowed, Prepared prepared) {
   gl::Case c(identity);
   prepare(c, prepared, t.random()() % 2 == 1);
   const std::vector<gl::Ref> before = query_everything(t, c);
@@ -102,15 +102,15 @@ void expect_refused(Test& t, const std::string& identity, const std::vector<Call
     second.push_back(c.GetError());
   }
   const std::vector<gl::Ref> after = query_everything(t, c);
-  Played played = t.play(c);
-  for (const gl::Ref error : first) played.expect_error(error, allowed);
-  for (const gl::Ref error : second) played.expect_no_error(error);
-  expect_unchanged(played, before, after);
+  CheckedTrace checked = t.play(c);
+  for (const gl::Ref error : first) checked.expect_error(error, allowed);
+  for (const gl::Ref error : second) checked.expect_no_error(error);
+  expect_unchanged(checked, before, after);
 }
 
 Map legal_map(GLenum target) {
   std::vector<double> points(4096, 0.5);
-  if (is_two_dimensional(target)) return {target, 0, 1, 0, 1, 12, 4, 2, 3, std::move(points)};
+  if (reference::is_map2_target(target)) return {target, 0, 1, 0, 1, 12, 4, 2, 3, std::move(points)};
   const int k = std::max(gl::components_of(target), 1);
   return {target, 0, 1, 0, 1, k, k, 3, 1, std::move(points)};
 }
@@ -132,10 +132,10 @@ Calls in_primitive(GLenum mode, bool after_vertex, const Calls& calls) {
   };
 }
 
-void expect_refused(Test& t, const std::string& identity, const Map& bad, bool doubles,
-                    std::initializer_list<GLenum> allowed) {
-  expect_refused(t, identity, {defining(bad, doubles)}, allowed,
-                 bad.two ? Prepared::kEverything : Prepared::kMaps1);
+void expect_rejected(Test& t, const std::string& identity, const Map& bad, bool doubles,
+                     std::initializer_list<GLenum> allowed) {
+  expect_rejected(t, identity, {defining(bad, doubles)}, allowed,
+                  bad.two ? Prepared::kEverything : Prepared::kMaps1);
 }
 
 }  // namespace evalcts

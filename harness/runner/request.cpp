@@ -1,0 +1,113 @@
+// Implements the header of a result and the commands that a request stands for.
+#include "request.h"
+
+#include <fmt/format.h>
+#include <sys/utsname.h>
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+#include <thread>
+
+namespace evalcts {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string machine() {
+  utsname names{};
+  uname(&names);
+  std::string model = "unknown processor";
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  for (std::string line; std::getline(cpuinfo, line);)
+    if (line.starts_with("model name")) {
+      model = line.substr(line.find(':') + 2);
+      break;
+    }
+  return fmt::format("{} {}, {}, {} threads", names.sysname, names.machine, model,
+                     std::thread::hardware_concurrency());
+}
+
+// Returns `path` relative to the working directory if it lies below it, otherwise the absolute path. Used in
+// commands that the user is meant to paste.
+std::string seen_from_here(const fs::path& path) {
+  std::error_code unknown;
+  const fs::path near = fs::proximate(path, unknown);
+  if (unknown || near.empty() || near.is_absolute() || *near.begin() == "..")
+    return fs::absolute(path).string();
+  return near.has_parent_path() ? near.string() : (fs::path(".") / near).string();
+}
+
+// Options that `evalcts run` and the suite program share.
+std::vector<std::string> shared_options(const RunRequest& request) {
+  std::vector<std::string> options = {"--depth", name_of(request.depth), "--seed",
+                                      std::to_string(request.seed)};
+  if (!request.implementation.name.empty())
+    options.insert(options.end(), {"--implementation", request.implementation.name});
+  if (!request.implementation.library.empty())
+    options.insert(options.end(), {"--library", request.implementation.library});
+  if (!request.implementation.context.empty())
+    options.insert(options.end(), {"--context", request.implementation.context});
+  for (const std::string& reading : request.readings)
+    options.insert(options.end(), {"--interpretation", reading});
+  return options;
+}
+
+}  // namespace
+
+RunResult header_of(const RunRequest& request) {
+  RunResult header;
+  header.evalcts_version = EVALCTS_VERSION;
+  header.command = request.command;
+  header.depth = request.depth;
+  header.seed = request.seed;
+  header.timeout = request.limits.seconds_per_test;
+  header.memory = request.limits.memory >> 20;
+  header.suite_command = suite_command(request);
+  header.pass = request.first_pass ? Pass::kReuseContext : Pass::kFreshContexts;
+  header.shard = request.shard;
+  header.implementation.name = request.name;
+  header.implementation.machine = machine();
+  return header;
+}
+
+std::vector<std::string> suite_command(const RunRequest& request) {
+  std::vector<std::string> command = shared_options(request);
+  command.insert(command.begin(), request.suite_program.string());
+  return command;
+}
+
+void add_commands(const RunRequest& request, TestRecord& record) {
+  // A failure over a shared context also needs the tests of its history.
+  std::string filter = record.name;
+  for (const std::string& before : record.history.value_or(std::vector<std::string>()))
+    filter += ":" + before;
+  const std::string usual_name =
+      request.implementation.name.empty() ? "library" : request.implementation.name;
+  std::vector<std::string> rerun = shared_options(request);
+  rerun.insert(rerun.begin(), {request.program, "run"});
+  if (request.name != usual_name) rerun.insert(rerun.end(), {"--name", request.name});
+  if (request.first_pass) rerun.push_back("--reuse-context");
+  const Limits& limits = request.limits;
+  if (limits.seconds_per_test != Limits().seconds_per_test)
+    rerun.insert(rerun.end(), {"--timeout", fmt::format("{}", limits.seconds_per_test)});
+  if (limits.memory != Limits().memory)
+    rerun.insert(rerun.end(), {"--memory", std::to_string(limits.memory >> 20)});
+  rerun.insert(rerun.end(), {"--filter", filter});
+  record.rerun = shell_line(rerun);
+
+  std::vector<std::string> debug = suite_command(request);
+  debug.front() = seen_from_here(debug.front());
+  debug.insert(debug.begin(), {"gdb", "--args"});
+  if (request.first_pass) debug.push_back("--reuse-context");
+  std::replace(filter.begin(), filter.end(), '-', '?');  // in GoogleTest's filters, '-' starts exclusions
+  debug.push_back("--gtest_filter=" + filter);
+  record.debug = shell_line(debug);
+
+  if (request.first_pass) return;  // a C program contains only one case, without its history
+  std::vector<std::string> reproduce = {request.program, "reproduce", request.name + ":" + record.name};
+  if (request.own_output) reproduce.insert(reproduce.end(), {"--results", seen_from_here(request.output)});
+  record.reproducer = shell_line(reproduce);
+}
+
+}  // namespace evalcts

@@ -1,0 +1,61 @@
+// Parts of providers that put some entry points of their own in front of OSMesa's: its contexts and entry
+// points.
+#pragma once
+
+#define GL_GLEXT_PROTOTYPES 1
+#include <GL/gl.h>
+#include <dlfcn.h>
+#include <evalcts_provider.h>
+
+#include <cstring>
+#include <span>
+
+namespace osmesa_provider {
+
+// Returns the address in OSMesa, or null if OSMesa is not installed or has no such function.
+inline void* address_of(const char* name) {
+  static void* const library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
+  return library ? dlsym(library, name) : nullptr;
+}
+
+// Returns the function of OSMesa with the given type.
+template <class Function>
+Function* real(const char* name) {
+  return reinterpret_cast<Function*>(address_of(name));
+}
+// OSMesa's own function of this declared name.
+#define REAL(name) osmesa_provider::real<decltype(::name)>(#name)
+
+// A function of the provider that replaces the one of OSMesa.
+struct Own {
+  const char* name;
+  void* address;
+};
+#define OWN(name, function) \
+  osmesa_provider::Own { #name, reinterpret_cast < void*>(&function) }
+
+// Returns the address of the replacement for `command`, or of OSMesa's function if it is not replaced.
+inline void* find(std::span<const Own> own, const char* command) {
+  for (const Own& replacement : own)
+    if (std::strcmp(replacement.name, command) == 0) return replacement.address;
+  return address_of(command);
+}
+
+// Functions of evalcts_provider (evalcts_provider.h).
+inline int make_current(void* context) {
+  static unsigned char pixels[64 * 64 * 4];
+  const auto make = real<GLboolean(void*, void*, GLenum, GLsizei, GLsizei)>("OSMesaMakeCurrent");
+  return make(context, pixels, GL_UNSIGNED_BYTE, 64, 64);
+}
+
+inline void* create() {
+  const auto make = real<void*(GLenum, GLint, GLint, GLint, void*)>("OSMesaCreateContextExt");
+  void* const context = make ? make(GL_RGBA, 24, 8, 0, nullptr) : nullptr;
+  return context && make_current(context) ? context : nullptr;
+}
+
+inline void destroy(void* context) { real<void(void*)>("OSMesaDestroyContext")(context); }
+
+inline const char* error() { return "OSMesa creates no context"; }
+
+}  // namespace osmesa_provider
