@@ -96,7 +96,7 @@ EVALCTS_TEST_PAIR(GetMap.IntegersAreRounded, GetMap2.IntegersAreRounded, kMust,
     map.points[i] = kValues[i % 8];
     points.push_back(kRounded[i % 8]);
   }
-  for (const Form& form : forms_of(t)) {
+  for (const Form& form : kForms) {
     CheckedCase c(t, fmt::format("values away from halves, form {}", form.name));
     define(c, map, form.doubles);
     c.expect_values(c.GetMapiv(target, GL_DOMAIN, gl::out<GLint>(domain.size())), domain);
@@ -203,7 +203,7 @@ EVALCTS_TEST(GetMap, OrderDomainAndPoints, kMust, "EV-GETMAP-ORDER1", "EV-GETMAP
 (Test& t, GLenum target) {
   const int k = gl::components_of(target);
   for (const int order : {1, 3, t.max_order()})
-    for (const Form& form : forms_of(t)) {
+    for (const Form& form : kForms) {
       const Map map = over(random_map(t, target, order, k + 2), {5, -2.25});
       CheckedCase c(t, fmt::format("order {} form {}, domain (5, -2.25), stride k+2", order, form.name));
       define(c, map, form.doubles);
@@ -290,7 +290,7 @@ void expect_answered(Test& t, GLenum target, int uorder, int vorder) {
   const auto shown = [max](int order) { return order == max ? "MAX" : std::to_string(order); };
   CheckedCase c(t, fmt::format("order {}x{}, domain (5, -2.25, 0.5, 7)", shown(uorder), shown(vorder)));
   for (const Layout& layout : {kLayouts[0], kLayouts[1], kLayouts[2], kLayouts[3]})
-    for (const Form& form : forms_of(t)) {
+    for (const Form& form : kForms) {
       const Map map = over(random_map(t, target, {uorder, vorder}, layout), {5, -2.25}, {0.5, 7});
       define(c, map, form.doubles);
       expect_order_domain_and_points(t, c, map);

@@ -131,11 +131,6 @@ struct Form {
 };
 inline constexpr Form kForms[] = {{"f", false}, {"d", true}};
 
-// Returns the forms that the implementation has. Other tests report a missing form.
-inline std::span<const Form> forms_of(const Test& t) {
-  return std::span(kForms).first(t.gl().has_mapd ? 2 : 1);
-}
-
 // A change to the memory of the points after the call.
 struct Treatment {
   const char* name;

@@ -4,6 +4,11 @@
 #include <fmt/format.h>
 #include <glevaluator.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+
 #include <evalcts/accuracy/subject.h>
 #include <evalcts/capture/varyings.h>
 #include <evalcts/gl/tokens.h>

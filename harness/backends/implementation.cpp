@@ -229,7 +229,6 @@ ImplementationInfo inquire(Implementation& implementation) {
                   (integer_of(GL_CONTEXT_FLAGS, 0) & GL_CONTEXT_FLAG_NO_ERROR_BIT) != 0;
   gl::take_errors(table);
 
-  info.has_mapd = table.Map1d && table.Map2d;
   info.has_get_mapdv = table.GetMapdv != nullptr;
   info.has_get_doublev = table.GetDoublev != nullptr;
   require_an_effect(table, info.library.empty() ? "the library" : info.library, info.version);

@@ -124,8 +124,7 @@ struct ImplementationInfo {
   std::set<std::string> extensions;
   std::set<GLenum> refused_queries;  // see refused_queries.h
   bool shares_state = false;         // state that one context sets is visible in the next one
-  // False: Map1d or Map2d, GetMapdv, or GetDoublev is missing.
-  bool has_mapd = true, has_get_mapdv = true, has_get_doublev = true;
+  bool has_get_mapdv = true, has_get_doublev = true;  // false: these queries are missing
   std::optional<Declaration> declaration;             // set for an implementation that is not a GL
   bool no_error = false;  // a no-error context (KHR_no_error): errors are undefined behaviour
 
