@@ -20,7 +20,7 @@ evalcts_stage(tidy 21600 run-clang-tidy-14 -quiet -p ${CMAKE_BINARY_DIR} "^(?!.*
 # Repeated runs, shuffled runs and each test alone give the same verdicts and signatures.
 evalcts_stage(stability 21600 python3 harness/tests/stability.py $<TARGET_FILE:evalcts>)
 
-# Thorough depth has no unexpected results. OSMesa runs in eight parts, because it takes more than an hour.
+# Thorough depth gives no unexpected results. OSMesa runs in eight shards, because it takes more than an hour.
 set(thorough run --depth thorough --strict --no-bugs --timeout 600)
 foreach(implementation production reference)
   evalcts_stage(thorough-${implementation} 21600 $<TARGET_FILE:evalcts> ${thorough} --implementation ${implementation}

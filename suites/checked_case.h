@@ -30,7 +30,7 @@ class CheckedCase : public gl::Case {
   // Records IsEnabled and expects its answer.
   void expect_enabled(GLenum cap, bool on) { expect_result(IsEnabled(cap), on); }
   // Records queries of the whole map, or of its orders (one, or two for a two-dimensional target), and
-  // expects these answers. Floats are asked for in place of doubles if GetMapdv is missing, which other tests
+  // expects these answers. Queries floats in place of doubles if GetMapdv is missing, which other tests
   // report.
   void expect_map(const Map& map, bool doubles = false);
   void expect_orders(GLenum target, const std::vector<GLint>& orders);
@@ -39,7 +39,7 @@ class CheckedCase : public gl::Case {
   std::vector<gl::Ref> query_everything() { return evalcts::query_everything(t_, *this); }
   void expect_unchanged(const std::vector<gl::Ref>& before) { expect_same(before, query_everything()); }
 
-  // Record the checks of the same names of CheckedTrace.
+  // Record the checks of CheckedTrace with the same names.
   void expect_result(gl::Ref command, std::int64_t expected);
   template <class T>
   void expect_values(gl::Ref query, const std::vector<T>& expected) {

@@ -91,7 +91,8 @@ void draw_at(gl::Case& c, const Along& along, PrimitiveKind kind, float value) {
 // grid and its role.
 struct Probed {
   static constexpr int kTags = 4;
-  // At u1 the accuracy rule accepts 2^-126 * (1 + 2/|u2 - u1|) and a few units of underflow.
+  // Largest accepted error at the end, at which the exact value is 0. The accuracy rule accepts
+  // 2^-126 * (1 + 2/|u2 - u1|) and a few units of underflow there, which is less.
   static constexpr double kUnderflow = 0x1p-100;
   std::optional<float> at_end, at_next, at_previous;
   std::vector<float> near_end;  // values of the drawing under test
@@ -105,10 +106,10 @@ struct Probed {
     const double end = *at_end;
     return at_neighbour == *at_end ? beyond : (end + static_cast<double>(at_neighbour)) / 2;
   }
-  // The open interval of accepted values. At the end the value is 0 by the control point. If EvalCoord gives
-  // it, only an error of the size of an underflow is accepted, so that ends that are inexact in double
-  // precision are detected; otherwise, values that are nearer to the value at the end than to those at the
-  // adjacent floats.
+  // The open interval of accepted values. The exact value at the end is the control point, 0. If EvalCoord
+  // gives 0 there, only errors of the size of an underflow are accepted, so that ends that are inexact in
+  // double precision are detected. Otherwise, values are accepted that are nearer to the value at the end
+  // than to those at the adjacent floats.
   std::pair<double, double> accepted() const {
     if (*at_end == 0) return {-kUnderflow, kUnderflow};
     return {limit(*at_previous, -1), limit(*at_next, 1)};

@@ -23,7 +23,7 @@ std::span<const GLenum> targets(bool two);
 using gl::all_caps;
 using gl::all_targets;
 
-// The targets of curves that have another attribute than the position.
+// The one-dimensional targets of all attributes but the position.
 inline constexpr GLenum kAttributeTargets[] = {
     GL_MAP1_COLOR_4,         GL_MAP1_INDEX,           GL_MAP1_NORMAL,         GL_MAP1_TEXTURE_COORD_1,
     GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_4};

@@ -81,9 +81,9 @@ class ProductionStream final : public Stream {
   glev_plan* plan_ = nullptr;
 };
 
-// Streams of libglevaluator, by its patches. Copies of the map are evaluated, as many as the kernels for
-// several patches need, and arguments outside the domain in a call of their own, because these kernels do not
-// support them.
+// Streams of libglevaluator that call glevEvaluatePatches. Several copies of the map are evaluated, so that
+// the kernels for several patches are used. These kernels do not support arguments outside the domain, so
+// such arguments get a separate call.
 class PatchStream final : public Stream {
  public:
   PatchStream(const SweptMap& map, std::string instruction_set)

@@ -126,7 +126,7 @@ class Player {
       seconds_of_known_ += std::chrono::duration<double>(Clock::now() - begin).count();
   }
 
-  // Returns the difference with its cause. Returns none if a fresh context does not show the difference.
+  // Returns the difference with its cause, or nothing if a fresh context does not show the difference.
   std::optional<Finding> explained(const gl::Case& program, const Specified& specified,
                                    const Finding& difference, bool shares) {
     const bool tries = shares && campaign_.deadly.empty();
@@ -145,8 +145,8 @@ class Player {
     return finding;
   }
 
-  // Returns the difference of the known finding with this cause, whose program is minimal, in a fresh
-  // context. Returns none if there is no such finding or difference.
+  // Runs the minimal program of the known finding with this cause in a fresh context and returns its
+  // difference. Returns nothing if there is no such finding or its program shows no such difference.
   std::optional<Finding> minimal_of(const std::string& cause) {
     const KnownFinding* const known = known_finding(cause);
     if (!known || !exists(known->program) || !takes_off(known->program)) return {};
@@ -202,7 +202,7 @@ class Player {
   Clock::time_point reported_ = begin_;
   std::uint64_t programs_ = 0, judged_ = 0, in_full_ = 0, commands_ = 0, not_repeated_ = 0;
   double seconds_of_known_ = 0;
-  std::set<std::string> confirmed_;        // causes that a fresh context has shown
+  std::set<std::string> confirmed_;        // causes that were seen in a fresh context
   std::unique_ptr<SharedContext> shared_;  // may be null
   Reducer reducer_;
 };

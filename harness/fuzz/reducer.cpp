@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kInShared = 5;  // attempts in the shared context for each attempt in a fresh context
 
-// Either an answer or a vertex differs. Repetitions compare only these.
+// A difference is either in an answer or in a vertex; repetitions of the program compare only that kind.
 Look look_of(const std::string& kind) { return kind.starts_with("gl") ? Look::kAnswers : Look::kVertices; }
 
 }  // namespace

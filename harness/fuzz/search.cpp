@@ -246,7 +246,7 @@ class Searcher {
         if (!reduced) continue;
         program = *std::move(reduced);
         cause = seen;
-        // The program of a known finding is minimal. Only the first program of a cause is shown.
+        // Only the first program of a cause is shown, so only this one is replaced by the minimal program.
         const bool is_first = std::ranges::count(found_.causes, cause, &Cause::cause) == 0;
         if (const KnownFinding* const known = known_finding(cause); known && is_first && dies(known->program))
           program = known->program;

@@ -28,7 +28,7 @@ class SharedContext {
     if (history_.size() > kMostHistory + 1) history_.pop_front();
     return judge_aside(program, specified, look);
   }
-  // The same, but the context does not remember the program.
+  // The same, but the program is not added to the history.
   Judged judge_aside(const gl::Case& program, const Specified& specified, Look look) const {
     return judge_program(subject_, program, specified, look);
   }

@@ -60,7 +60,8 @@ static void *address_of(const char *name) {
 }
 )";
 
-// The part of make_context() that both uses of EGL share: initializes a display, surfaceless if it can.
+// The part of make_context() that both uses of EGL share: initializes a surfaceless display, or the default
+// display if there is none.
 constexpr char kDisplay[] =
     R"(  unsigned (*initialize)(void *, int *, int *) = (unsigned (*)(void *, int *, int *))need("eglInitialize");
   unsigned (*bind_api)(unsigned) = (unsigned (*)(unsigned))need("eglBindAPI");

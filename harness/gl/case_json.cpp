@@ -127,7 +127,7 @@ std::int64_t integer_from(const json& data) {
 // Upper limit of array sizes: more than any command writes, and not too much for memory.
 constexpr std::size_t kMostWritten = std::size_t{1} << 24;
 
-// Upper limit of slots; tests use numbers of targets as slots.
+// Largest accepted slot. Tests use the numbers of targets as slots.
 constexpr std::uint64_t kMostSlots = 0xFFFF;
 
 Output output_from(const json& data) {

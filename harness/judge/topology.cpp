@@ -162,9 +162,9 @@ std::optional<std::vector<Quad>> quads_of(const Prediction& prediction) {
   return quads;
 }
 
-// Distance between a captured vertex and a predicted vertex: near zero if they are the same vertex. Automatic
-// normals may have any length and, with some maps, either sign; they only decide between vertices that agree
-// in everything else, such as those of a seam.
+// Distance between a captured vertex and a predicted vertex, which is near zero if they are the same vertex.
+// Automatic normals may have any length and, with some maps, either sign. Their weight is small, so they only
+// distinguish vertices that agree in all other attributes, such as those of a seam.
 class Distance {
  public:
   Distance(const Prediction& prediction, const Observation& observation)

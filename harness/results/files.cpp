@@ -14,7 +14,7 @@
 namespace evalcts {
 
 std::string read_file(const std::filesystem::path& path) {
-  std::ostringstream content;  // copies blocks; a pair of iterators would copy single characters
+  std::ostringstream content;  // copies blocks; iterators would copy single characters
   content << std::ifstream(path, std::ios::binary).rdbuf();
   return std::move(content).str();
 }

@@ -1,4 +1,4 @@
-// Implements the header of a result and the commands that a request stands for.
+// Implements the header of a result and the shell commands that repeat parts of a run.
 #include "request.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Derives from the request of a run the header of its result and commands for a shell.
+// Derives the header of a result and shell commands from the request of a run.
 #pragma once
 
 #include <string>

@@ -128,7 +128,7 @@ std::vector<std::string_view> parts_of(std::string_view name) {
   return parts;
 }
 
-// Completes quick depth in each suite of the sorted tests.
+// Moves tests to quick depth until each suite of the sorted tests has pairwise coverage (see schedule.h).
 void add_missing_pairs(std::vector<TestInfo>& tests) {
   for (auto begin = tests.begin(); begin != tests.end();) {
     const auto end =

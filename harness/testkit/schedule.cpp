@@ -54,8 +54,8 @@ bool Schedule::is_cross_checked(Depth depth, std::size_t primitives) const {
 }
 
 void add_missing_pairs(std::vector<Scheduled>& tests) {
-  // The tests of full depth with each pair, in the order of the pairs. A value and the empty text are a pair,
-  // too.
+  // Maps each pair to the tests of quick and full depth that have it. A single value is represented as a pair
+  // with the empty text.
   using Pair = std::pair<std::string_view, std::string_view>;
   std::map<Pair, std::vector<std::size_t>> with_pair;
   std::vector<std::vector<Pair>> pairs(tests.size());
@@ -78,7 +78,7 @@ void add_missing_pairs(std::vector<Scheduled>& tests) {
   };
   for (const auto& [pair, candidates] : with_pair) {
     if (present.contains(pair)) continue;
-    // The hash distributes the pairs among tests that add equally many.
+    // The hash decides between tests that add equally many pairs.
     const std::size_t best = std::ranges::max(candidates, {}, [&](std::size_t i) {
       return std::pair(gain(i), fnv1a<std::uint32_t>(tests[i].name));
     });

@@ -34,12 +34,12 @@ class Schedule {
   std::uint32_t turn_;
 };
 
-// A test as add_missing_pairs() sees it.
+// The properties of a test that add_missing_pairs() uses.
 struct Scheduled {
   std::string_view name;
   Depth from;
-  std::vector<std::string_view> values;    // of its parameters
-  std::vector<std::string_view> delivery;  // its evaluation command and its form of display lists, if any
+  std::vector<std::string_view> values;    // of the parameters
+  std::vector<std::string_view> delivery;  // evaluation command and form of display lists, if any
 };
 // Moves tests of full depth to quick depth, so that together the tests of quick depth have every value, every
 // pair of values of two parameters, every evaluation command and every form of display lists that a test of

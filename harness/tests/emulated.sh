@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Runs the evalcts of another architecture under an emulator. The digest has to be that of docs/accuracy.md, also on the
-# oldest processor of that architecture; `production` has to round correctly; and the suite may report nothing unexpected.
+# Runs an evalcts that was built for aarch64 under an emulator. The digest must be that of docs/accuracy.md, also on an
+# ARMv8.0 processor (cortex-a53); `production` must round correctly; and the suite must not report anything unexpected.
 # usage: emulated.sh FOLDER EMULATOR [ARGUMENT]..., in the root of the checkout; FOLDER has the programs
 set -euo pipefail
 programs=$1 emulator=("${@:2}") folder=$(dirname "$1")/emulated
 fail() { echo "$*" >&2; exit 1; }
 
-# `evalcts run` starts evalcts-suite, which this machine cannot execute. Therefore evalcts runs in a folder in which that is
-# the name of a script.
+# `evalcts run` starts the evalcts-suite next to it, which this machine cannot execute. Therefore evalcts is linked into a
+# folder in which evalcts-suite is a script that starts the emulator.
 mkdir -p "$folder"
 ln -f "$programs/evalcts" "$folder/evalcts"
 printf '#!/bin/sh\nexec %s "%s" "$@"\n' "${emulator[*]}" "$programs/evalcts-suite" >"$folder/evalcts-suite"

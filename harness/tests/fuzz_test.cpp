@@ -385,7 +385,7 @@ TEST(Campaign, TellsDefectsOutsideEvaluatorsApart) {
   EXPECT_FALSE(contains(finding.cause, "Eval"));
 }
 
-// The program of a known finding takes the place of the commands that show its cause in a random program.
+// A campaign shows a known cause by the program of the known finding, not by commands of the random program.
 TEST(Campaign, ShowsTheMinimalProgramOfAKnownCause) {
   static bool has_grid;
   Altered altered([](gl::Table& table) {

@@ -41,7 +41,8 @@ class ProgramTest : public testing::Test {
     const auto ending = child.wait(240);
     return {ending && !ending->signalled ? ending->value : -1, read_file(log)};
   }
-  // Failing tests are not reduced to bugs unless the test is about that, because this takes most of the time.
+  // Runs evalcts. `evalcts run` does not reduce failures to bugs unless reduces_failures_ is true, because
+  // the reduction takes most of the time.
   Outcome evalcts(std::vector<std::string> arguments) {
     if (!reduces_failures_ && !arguments.empty() && arguments[0] == "run")
       arguments.emplace_back("--no-bugs");

@@ -194,8 +194,8 @@ TEST(MatchMeshes, NormalsTellPointsApart) {
   EXPECT_EQ(wrong_in_own_order(predict(c, 8), Topology::points(4), seen), 0u);
 }
 
-// A triangle with a pole, where there is no automatic normal; elsewhere the normal has another length or
-// sign.
+// A triangle with a pole, at which there is no automatic normal. The captured normals of the other vertices
+// have another length or sign.
 TEST(MatchMeshes, AutomaticNormalsDoNotMislead) {
   gl::Case c;
   c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 2, 0, 1, 3, 2,

@@ -142,8 +142,8 @@ TEST_F(UlpCommand, TakesADomain) {
             json({"-0x1.8p+1", "0x1.4p+2"}));
 }
 
-// --segments replaces the arguments of all classes by the points of a grid, which a correctly rounded
-// evaluator finds over every domain, although not all of them are floats.
+// --segments replaces the arguments of all classes by the points of a grid. A correctly rounded evaluator is
+// right over every domain, although not all grid points are floats.
 TEST_F(UlpCommand, TakesSegments) {
   ASSERT_EQ(ulp({"--implementation", "production", "--implementation", "horner-float", "--values", "300",
                  "--filter", "curve/4/*", "--segments", "4096"})

@@ -632,10 +632,10 @@ GLEV_API void glevRetainPlan(glev_plan* plan);
 GLEV_API void glevReleasePlan(glev_plan* plan); /* null is ignored */
 
 /* The attributes of a vertex. TANGENT_U and the attributes after it exist in plans of dimension 2 with a
- * vertex map. They are the derivatives of its components of first and second order by u and v (of homogeneous
- * coordinates, not of their quotient). They are correctly rounded as floats, and within one ULP of the exact
- * value as doubles, for all finite maps, domains and arguments. Automatic normals as doubles have the values
- * of the floats. */
+ * vertex map. They are the first and second derivatives of its components with respect to u and v (of the
+ * homogeneous coordinates, not of their quotients). They are correctly rounded as floats, and within one ULP
+ * of the exact value as doubles, for all finite maps, domains and arguments. Automatic normals as doubles
+ * have the values of the floats. */
 typedef enum glev_attribute {
   GLEV_ATTRIBUTE_VERTEX = 0,
   GLEV_ATTRIBUTE_COLOR = 1,
@@ -788,7 +788,8 @@ typedef struct glev_patches {
  *   Then once around, in the order of edge_segments and each edge without its last point, the edges v = v1
  *   from u1 to u2, u = u2 from v1 to v2, v = v2 from u2 to u1, and u = u1 from v2 to v1. The points divide an
  *   edge into equal segments. Edges with the same control points and numbers of segments have vertices of
- *   equal bits, in whatever direction, order of the patch and kind of edge. */
+ *   equal bits, whatever the direction of the edge, the order of the patch across the edge, and the position
+ *   of the edge in the patch. */
 typedef enum glev_grid_kind {
   GLEV_GRID_UNIFORM = 0,
   GLEV_GRID_LISTS = 1,
@@ -806,8 +807,8 @@ typedef enum glev_grid_kind {
  *   limits instead of (0,0,0). If all control points of the edge are equal, NORMAL is its limit from inside
  *   the patch, computed in double from derivatives of second order; (0,0,0) if these do not determine the
  *   limit. Let Q be the derivative across the edge, multiplied by w^2 for 4 components as in EvalCoord, and
- * Q' its derivative along the edge. Each component is within 2^-25 + 2^-30 of the exact limit if |Q' x Q| is
- *   at least 2^-12 of the same expression of the largest magnitudes of their control points, for magnitudes
+ *   Q' its derivative along the edge. Each component is within 2^-25 + 2^-30 of the exact limit if |Q' x Q|
+ * is at least 2^-12 of the same expression of the largest magnitudes of their control points, for magnitudes
  *   as in EvalCoord. The control points of Q' count as twice those of Q, times the degree.
  * patch: SCATTERED only; patch numbers of type glev_uint.
  * target: a name from glevGetTargetName; null: the best one.
@@ -892,8 +893,8 @@ GLEV_API glev_result glevCreatePlanFromMap(const glev_map_info* info, glev_plan*
  *   FILL: TRIANGLES, two for each quadrilateral of the QUAD_STRIPs of EvalMesh2, (i,j) (i,j+1) (i+1,j) and
  *     (i+1,j) (i,j+1) (i+1,j+1), with the same front face.
  *   TRIANGLE_STRIP: the triangles of FILL as TRIANGLE_STRIPs: those of EvalMesh2, or strips along v if
- *     winding is GLEV_CCW. Between two strips there is the largest number of the type, as
- *     PRIMITIVE_RESTART_FIXED_INDEX and primitiveRestartEnable of Vulkan expect it. No vertex may have this
+ *     winding is GLEV_CCW. The largest number of the type separates two strips, as
+ *     PRIMITIVE_RESTART_FIXED_INDEX and primitiveRestartEnable of Vulkan expect. No vertex may have this
  *     number.
  *   A mesh of dimension 1 has rows = 1, and no FILL or TRIANGLE_STRIP.
  * patches: number of meshes; 0 means 1. Their vertices are contiguous, as glevEvaluatePatches writes them,
@@ -935,10 +936,10 @@ GLEV_API size_t glevGetIndexScratchSize(const glev_indices* indices);
 
 /* Writes the indices without gaps. Data, vertices and scratch must not overlap; this is not checked.
  * Returns SUCCESS or
- * INVALID_ARGUMENT: a null pointer; a wrong size, mode, type, winding or edge_segments; less than 3 columns
- *   or rows with edge_segments; a vertex whose number the type cannot hold; vertex_bytes that are 0 or more
- *   than vertex_stride; 2^32 vertices or more to share.
- * BUFFER_TOO_SMALL: data_size, vertices_size or scratch_size. */
+ * INVALID_ARGUMENT: a null pointer; a wrong size, mode, type, winding or edge_segments; fewer than 3
+ *   columns or rows with edge_segments; a vertex whose number the type cannot hold; vertex_bytes that are 0
+ * or more than vertex_stride; 2^32 vertices or more to share. BUFFER_TOO_SMALL: data_size, vertices_size or
+ * scratch_size. */
 GLEV_API glev_result glevGetIndices(const glev_indices* indices);
 
 #ifdef __cplusplus

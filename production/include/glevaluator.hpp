@@ -233,7 +233,7 @@ inline glev_patch_grid make_uniform_grid(int u_segments, int v_segments) noexcep
   return grid;
 }
 
-// Returns a grid whose edges v = v1, u = u2, v = v2 and u = u1 have other numbers of segments
+// Returns a grid whose edges have their own numbers of segments, in the order v = v1, u = u2, v = v2, u = u1
 // (GLEV_GRID_EDGES).
 inline glev_patch_grid make_edge_grid(int u_segments, int v_segments,
                                       const std::array<int, 4>& edge_segments) noexcept {

@@ -64,7 +64,7 @@ void evaluate_derivative(const glev_plan& plan, int number, const Output& output
   const glev::DerivativeMap& map = plan.derivative(number);
   const glev::Surface& net = map.net;
   std::array<double, glev::kMaxOrder * 4> room;
-  // The curve along u of the last v, which is often the next v, too.
+  // The curve along u at the last v. It is kept because the next v is often the same.
   GridArgument last_v{};
   glev::Curve curve;
   double growth_v = HUGE_VAL;

@@ -42,12 +42,12 @@ bool is_claimed(const PreparedDirection& in_u, const PreparedDirection& in_v, do
 Enclosure enclosure_of(const DoubleDouble& sum, std::array<int, 2> degree, const PreparedDirection& in_u,
                        const PreparedDirection& in_v, double largest);
 
-// The orders of a partial derivative by u and v, from 1 to 2 together.
+// The orders of a partial derivative in u and v. Their sum is 1 or 2.
 using Derivative = std::array<int, 2>;
 
-// Encloses a derivative by the normalised coordinates. Its control points are differences of control points,
-// times the degree, for each order; differences of first order are exact. The result is exactly zero if all
-// differences of first order are zero.
+// Encloses a derivative with respect to the normalised coordinates. For each order, its control points are
+// differences of control points, times the degree. Differences of first order are exact. The result is
+// exactly zero if all differences of first order are zero.
 Enclosure enclose_derivative(const Component& component, const Derivative& derivative, const GridArgument& u,
                              const GridArgument& v);
 

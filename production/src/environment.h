@@ -15,7 +15,7 @@
 namespace glev {
 
 #if defined(__aarch64__)
-// The control and the flag register. The default value of the former is 0.
+// Access to FPCR, the control register, which is 0 by default, and to FPSR, the register of flags.
 inline std::uint64_t read_fpcr() {
   std::uint64_t value;
   asm volatile("mrs %0, fpcr" : "=r"(value) : : "memory");

@@ -32,8 +32,8 @@ struct Direction {
   int binomial_bits() const { return bit_width(binomial_row(degree)[degree / 2]); }
 };
 
-// Each control point of the net of a derivative is the sum of the points at these distances, times 1 << shift
-// and the sign.
+// Each control point of the net of a derivative is a sum of terms: the points at these distances, times
+// 1 << shift, with a sign.
 struct Differences {
   struct Term {
     std::ptrdiff_t distance = 0;

@@ -22,7 +22,7 @@ struct Component {
 // underflow, and to infinity if |V| >= 2^128 - 2^103. V = 0 gives +0; another V that rounds to zero keeps its
 // sign.
 //
-// With a derivative {a, b}, V is the derivative of order a by u and b by v instead, for a + b <= 2. In a
+// With a derivative {a, b}, a + b <= 2, V is the partial derivative of order a in u and b in v instead. In a
 // direction of order 1, the domain must then be valid as well.
 //
 // Arguments must be finite, with indices of at most 33 bits, and may lie outside the domain. A real argument

@@ -50,8 +50,8 @@ bool count_vertices(const glev_indices& indices, std::size_t* own) {
          !__builtin_add_overflow(*own, boundary_of(indices), own);
 }
 
-// The strips of a patch. GLEV_CCW has strips along v, because strips along u with the same triangles are
-// clockwise.
+// The strips of a patch: along u, or along v for GLEV_CCW, because strips along u with the triangles of FILL
+// are clockwise.
 struct Strips {
   explicit Strips(const glev_indices& indices)
       : are_along_v(indices.winding == GLEV_CCW),
@@ -215,8 +215,9 @@ class IndexWriter {
     }
   }
 
-  // Adds the triangles between the boundary, whose vertices begin with number `first`, and the grid inside.
-  // Along each edge, the side whose next segment has its middle first gets the next triangle.
+  // Adds the triangles between the boundary, whose vertices begin with number `first`, and the inner grid.
+  // The base of each triangle is the next segment of the edge or that of the inner grid: the one with the
+  // earlier midpoint.
   void add_boundary(std::size_t first, std::size_t boundary) {
     const std::size_t columns = indices_.columns - 2, rows = indices_.rows - 2;
     const std::size_t right = columns - 1, top = (rows - 1) * columns;

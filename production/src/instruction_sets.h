@@ -8,9 +8,10 @@
 #define HWY_DISABLED_TARGETS \
   (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 
-// Other processors than x86 have one instruction set, that of the compiler's flags. TOOLCHAIN_MISS_SYS_AUXV_H
-// tells Highway that it cannot detect any at run time. Otherwise it would add +crypto by a pragma, which GCC
-// does not apply to implicit member functions of structures with vectors, so that they do not compile.
+// On processors other than x86, one instruction set is compiled, that of the compiler's flags.
+// TOOLCHAIN_MISS_SYS_AUXV_H tells Highway that it cannot detect any at run time. Otherwise it would add
+// +crypto by a pragma, which GCC does not apply to implicit member functions of structures with vectors, so
+// that they do not compile.
 #if !defined(__x86_64__) && !defined(__i386__)
 #define HWY_COMPILE_ONLY_STATIC 1
 #define TOOLCHAIN_MISS_SYS_AUXV_H 1

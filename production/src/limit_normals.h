@@ -7,11 +7,12 @@
 // unit vector along Q' x Q. At v2 it has the opposite sign; at u1 it is along Q x Q'. Homogeneous points use
 // p and w as in normal.h.
 //
-// In double, with u = 2^-53 and the degree n of the edge, Q and Q' have an error of c = (13 n + 11) u of the
-// largest |Q_i| and of twice that: 13 n + 4 of the evaluation (bernstein.h), 4 of the binomials and 3 of the
-// differences. As in normal.h, the components of the product have an error of (2 c + 6 u) M for a majorant M,
-// with 2 u for each of the differences of products. For n <= 63 this is below 2^-42 M, so the error of the
-// unit vector before rounding to float is at most 2^-30 if |Q' x Q| >= 2^-12 |M|.
+// In double, with u = 2^-53, the degree n of the edge and c = (13 n + 11) u, the errors of Q and Q' are at
+// most c max|Q_i| and 2 c max|Q_i|. The units of c are 13 n + 4 of the evaluation (bernstein.h), 4 of the
+// binomials and 3 of the differences. As in normal.h, the components of the product have an error of
+// (2 c + 6 u) M for a majorant M, with 2 u for each of the differences of products. For n <= 63 this is below
+// 2^-42 M, so the error of the unit vector before rounding to float is at most 2^-30 if |Q' x Q| >= 2^-12
+// |M|.
 #pragma once
 
 #include <array>

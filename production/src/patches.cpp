@@ -133,7 +133,7 @@ bool read_grid(const glev_patch_grid* given, const glev_patches& patches, glev_p
 
 bool is_scattered(const glev_patch_grid& grid) { return grid.kind == GLEV_GRID_SCATTERED; }
 bool has_edges(const glev_patch_grid& grid) { return grid.kind == GLEV_GRID_EDGES; }
-// Returns true if the points are those of grids, without arguments of the caller.
+// Returns true if the points are those of grids, so that the caller gives no arguments.
 bool has_segments(const glev_patch_grid& grid) { return grid.kind == GLEV_GRID_UNIFORM || has_edges(grid); }
 
 glev::Grid grid_of(const glev::Domain& domain, glev_int segments) {

@@ -64,9 +64,9 @@ std::array<double, 4> differences_of(const double* points, std::array<int, 2> or
   return largest;
 }
 
-// Computes the factor and the error bound of a derivative. Roundings, in units of 2^-53 times the largest sum
-// of differences: 13 (n + m) + 8 of the evaluation, 3 of the differences, 4 of the binomials, 6 of the factor
-// and its product; see bernstein.h.
+// Computes the factor and the error bound of a derivative. The rounding errors, in units of 2^-53 times the
+// largest sum of differences, are 13 (n + m) + 8 of the evaluation, 3 of the differences, 4 of the binomials,
+// and 6 of the factor and its product; see bernstein.h.
 void bound_derivative(const std::array<int, 2>& degree, const Derivative& derivative,
                       const std::array<double, 4>& largest, glev::DerivativeMap* map) {
   map->factor = 1;

@@ -19,7 +19,7 @@ float resolve(const PreparedMap& map, int k, const GridArgument& u, const GridAr
 // that has no sufficient bound, exactly.
 double resolve_in_double(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v);
 
-// Returns a derivative of component k by u and v, rounded as above: correctly to float, or to a double within
+// Returns a partial derivative of component k, rounded as above: correctly to float, or to a double within
 // one ULP. `value` and `error` are as above.
 template <class Real>
 Real resolve_derivative(const PreparedMap& map, const Derivative& derivative, int k, const GridArgument& u,

@@ -1,5 +1,5 @@
-// Tests that derivatives of first and second order are correctly rounded as floats and within one ULP as
-// doubles, against exact rationals.
+// Compares first and second derivatives with exact rationals: floats must be correctly rounded, and doubles
+// within one ULP.
 #include <cmath>
 
 #include "batches.h"
@@ -27,7 +27,7 @@ struct Patch {
   std::vector<double> points;  // v fastest
 };
 
-// Returns the derivatives of the Bernstein polynomials of degree order - 1, by
+// Returns derivatives of the Bernstein polynomials of degree order - 1 at t, by the recurrence
 // d B(i, n) / dt = n (B(i - 1, n - 1) - B(i, n - 1)).
 std::vector<Rational> derive_basis(const Rational& t, int order, int derivative) {
   if (order < 1) return {};

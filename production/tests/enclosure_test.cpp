@@ -57,7 +57,7 @@ class Enclosures : public ::testing::Test {
       expect_contains(kernels->encloses(component, largest_of(points), u, v), exact, kernels->name);
   }
 
-  // Checks a derivative, which is the polynomial of the differences times the degree, for each order.
+  // Checks a derivative. For each order, it is the polynomial of the differences, times the degree.
   static void check_derivative(const std::array<int, 2>& order, const std::vector<double>& points,
                                const std::array<Domain, 2>& domain, const glev::Derivative& derivative,
                                const GridArgument& u, const GridArgument& v) {

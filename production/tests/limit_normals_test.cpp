@@ -1,5 +1,5 @@
-// Tests the limits of normals on edges that are a single point: next to the edge, and the documented error
-// bound with 600 binary digits as the oracle.
+// Tests the limits of normals on edges that are a single point: they are near the normals next to the edge,
+// and keep the documented error bound, with 600 binary digits as the oracle.
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
@@ -181,8 +181,8 @@ struct Limit {
   Wide ratio;  // |m| / |majorant|, as documented at limit_normals
 };
 
-// Returns the exact limit of the normal on the edge, at t of the other direction: by the mixed derivative of
-// the surface, and the derivative across the edge.
+// Returns the exact limit of the normal at position t along the edge, computed from the mixed derivative of
+// the surface and the derivative across the edge.
 Limit exact_limit(const Net& net, int direction, bool is_last, const Wide& t) {
   const auto components = static_cast<std::size_t>(net.components);
   const int other = 1 - direction;

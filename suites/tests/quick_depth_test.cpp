@@ -1,4 +1,4 @@
-// Tests which parameters and orders the tests of quick depth cover.
+// Tests that quick depth covers all pairs of parameters and of orders.
 #include <evalcts/testkit/registration.h>
 
 #include <fmt/format.h>
@@ -75,7 +75,7 @@ std::string class_of(std::int64_t uorder, std::int64_t vorder) {
 }
 
 // Adds the class of the orders of each enabled surface at each evaluation of the case, for example
-// "MAP2_NORMAL: 1 < 2", and "AUTO_NORMAL: 1 < 2" if it is enabled.
+// "MAP2_NORMAL: 1 < 2", and that of the vertex map as "AUTO_NORMAL: 1 < 2" if AUTO_NORMAL is enabled.
 void add_orders(const gl::Case& c, Texts& seen) {
   std::map<GLenum, std::string> classes;
   std::set<GLenum> enabled;

@@ -304,7 +304,7 @@ Answers read_answers(std::istream& lines) {
   return answers;
 }
 
-// Takes the answer with this id. Returns no numbers if it is missing or skipped, which the score then counts.
+// Takes the answer with this id. If it is missing or skipped, returns no numbers and counts it in the score.
 static std::vector<double> take_answer(Answers& answers, const std::string& id, Score& score) {
   auto answer = answers.of.extract(id);
   if (answer.empty())

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The named theme detects each wrong evaluator and each wrong state machine; no theme rejects the correct ones.
 
-detections.json, which record_detections.py writes, says by which case, and by which test of the suite.
+detections.json, which record_detections.py writes, records the case and the test of the suite that detect each.
 """
 
 import json
@@ -36,7 +36,7 @@ def themes_of(table):
 
 
 def first_detected(kind, entry):
-    """Returns the first case of the named theme that detects a wrong one, or None."""
+    """Returns the first case of the named theme that detects a wrong evaluator or state machine, or None."""
     where, methods = entry
     if kind == "evaluator":
         evaluator = evaluator_of(methods)

@@ -150,7 +150,7 @@ TEST(RandomCases, AreMeasured) {
   EXPECT_GT(quick.values, quick.correctly_rounded);
 }
 
-// The line of a case at a point of a grid, here of a grid whose ends are equal and at an index outside of it.
+// The lines of cases at points of grids. One grid has equal ends, and its index lies outside the grid.
 TEST(Emit, AsksOfGridPoints) {
   const json argument = {{"segments", 7}, {"first", "0x1p-1"}, {"last", "0x1p-1"}, {"index", -3}};
   const json other = {{"segments", 2}, {"first", "0x0p+0"}, {"last", "0x1.8p+1"}, {"index", 1}};
@@ -168,8 +168,8 @@ TEST(Emit, AsksOfGridPoints) {
       "0x1p+2\n");
 }
 
-// A finite value accepts neither infinity nor NaN, in no component, and an infinity has an infinite or a
-// large error.
+// If the correct value is finite, infinity and NaN are wrong in each component, and their error is infinite
+// or large.
 TEST(Judge, RejectsWhatIsNotFinite) {
   const json file = exact_file("map2_eval", 2, 20);
   for (const double x :
@@ -192,8 +192,8 @@ TEST(Judge, RejectsWhatIsNotFinite) {
   }
 }
 
-// The correct value at a point of a grid with equal ends is that at this end, whatever the index; other
-// values are rejected. The first random cases of grids contain such a grid.
+// At every point of a grid with equal ends, the correct value is the value at these ends. Other values are
+// rejected. Such a grid is among the first random cases of grids.
 TEST(Judge, KnowsGridsOfEqualEnds) {
   constexpr std::uint64_t kSeed = 1;
   RandomCases cases("grid", kSeed);

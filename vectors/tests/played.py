@@ -46,7 +46,7 @@ def unit(vector):
 
 
 class Evaluator:
-    """Steps of an evaluator of maps. Numbers are Fractions; `form` is the format of the numbers of the map.
+    """The steps of the evaluation of maps. Numbers are Fractions; `form` is the format of the numbers of the map.
 
     If `number` is float and the control values are floats, polynomials are computed in double precision.
     """

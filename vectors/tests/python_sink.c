@@ -7,7 +7,7 @@
 const evalcts_sink* evalcts_sink_open(void) {
   Dl_info python;
   PyObject *module, *address;
-  /* The extension modules of Python look for its functions in the global scope. */
+  /* Extension modules of Python look up its functions in the global scope. */
   if (!dladdr((void*)Py_InitializeEx, &python) ||
       !dlopen(python.dli_fname, RTLD_NOW | RTLD_NOLOAD | RTLD_GLOBAL))
     return NULL;

@@ -26,7 +26,7 @@ from wrong_evaluators import WRONG_EVALUATORS, evaluator_of
 from wrong_state_machines import WRONG_STATE_MACHINES, machine_of
 
 MAX_ORDER, UNIT_COUNT = gl.MAX_EVAL_ORDER, len(UNITS)
-ROWS = 8  # the texture units of which the suite looks at vertices
+ROWS = 8  # the texture units whose coordinates the suite reads at vertices
 ERRORS = {"GL_INVALID_ENUM": 0x500, "GL_INVALID_VALUE": 0x501, "GL_INVALID_OPERATION": 0x502,
           "GL_STACK_OVERFLOW": 0x503, "GL_STACK_UNDERFLOW": 0x504}
 BITS = {"GL_CURRENT_BIT": 0x1, "GL_ENABLE_BIT": 0x2000, "GL_EVAL_BIT": 0x10000, "GL_LIST_BIT": 0x20000,
@@ -54,7 +54,7 @@ class Known:
 
 
 class EvaluatedMap(Map):
-    """A map that is evaluated in double precision, or exactly if that overflows or if arguments of grids are wrong."""
+    """A map that is evaluated in double precision, or exactly after an overflow or if arguments of grids are wrong."""
 
     def directions(self, arguments):
         return arguments
@@ -93,9 +93,9 @@ def _subject():
 
 
 gl.Map = EvaluatedMap
-# Results are rounded when they are handed over.
+# Results are rounded when hand_over() converts them to floats.
 Evaluator.result = lambda self, x: x
-# Computed again and again otherwise, which takes most of the time.
+# Without these caches, most of the time is spent on computing the same values again.
 Evaluator.basis = lru_cache(1000)(Evaluator.basis)
 gl.initial_map = lru_cache(None)(gl.initial_map)
 gl.read_float = gl_arguments.read_float = lru_cache(10**5)(gl.read_float)
@@ -103,7 +103,7 @@ text_of = lru_cache(10**5)(lambda x: float_text(Fraction(x)))
 accepted_answers = lru_cache(10**5)(accepted_answers)
 gl.signature, gl.command_named = lru_cache(1000)(gl.signature), lru_cache(None)(gl.command_named)
 EVALUATOR, MACHINE, REPLACED = _subject()
-# The wrong end of a grid may be so near to the correct one that double precision does not tell them apart.
+# A wrong end of a grid may be so near to the correct one that double precision does not distinguish them.
 IS_EXACT = not REPLACED.keys().isdisjoint(("grid_argument", "evaluate_point"))
 
 
@@ -239,7 +239,7 @@ def issue(name, arguments):
     try:
         answer = machine.issue(name, arguments)
     except (Malformed, ArithmeticError, ValueError):
-        pass  # not modelled, such as arguments that are not finite, or a division by zero of a wrong one
+        pass  # not modelled, such as non-finite arguments, or a division by zero in a wrong evaluator
     if machine.errors and not Play.error:
         Play.error = ERRORS[min(machine.errors)]
     machine.errors = set()
@@ -250,7 +250,7 @@ def issue(name, arguments):
 
 
 def single(x):
-    """Returns a number of a vertex as a float; beyond the greatest one infinity, as ctypes converts it."""
+    """Returns a number of a vertex as a float, or infinity if it is too large, because ctypes does the same."""
     if isinstance(x, str):
         return float.fromhex(x)
     try:
@@ -310,7 +310,7 @@ def written(answer, kind, address):
         if value.kind == "either":
             value = value._replace(kind="float")
         accepted = accepted_answers(value, kind)
-        if accepted is None:  # no text gives the answer
+        if accepted is None:  # the specification leaves the answer open
             array[i] = 0
         elif kind[0] == "f":
             array[i] = min(map(float.fromhex, accepted))
@@ -353,7 +353,7 @@ def queries():
 
 
 def guarded(function):
-    """A rule that ends with an exception ends the process, because ctypes would swallow it."""
+    """Returns the function so that an exception ends the process, because ctypes would ignore it."""
     def guard(*arguments):
         try:
             return function(*arguments)
@@ -391,7 +391,7 @@ def functions():
         yield name, CFUNCTYPE(result, *(C_TYPES[t] for t in types))(guarded(function))
 
 
-FUNCTIONS = list(functions())  # ctypes needs them as long as they may be called
+FUNCTIONS = list(functions())  # keeps them alive, as ctypes requires
 TABLE = (Command * (len(FUNCTIONS) + 1))(*((b"gl" + name.encode(), cast(function, c_void_p))
                                            for name, function in FUNCTIONS))
 RESET = CFUNCTYPE(c_void_p, POINTER(Receiver))(guarded(reset))

@@ -4,11 +4,11 @@
     record_detections.py BUILD_FOLDER [--check] [--jobs N] [NAME...]
 
 `vectors` is the first case of the theme that has to detect it. `suite` is a test of the suite, at quick depth,
-that detects it; null if none does within 90 seconds. Each of them runs as a sink (python_sink.c) through the
-tests that the correct machine passes, until one fails. Tests about requirements of the detecting case come
-first, then cheap ones. With names ("evaluator: NAME", "state machine: NAME") the others keep their entries.
-With --check nothing is written: the recorded tests must pass with the correct machine and fail with the wrong
-one.
+that detects it; null if no test does within 90 seconds. Each wrong evaluator or state machine runs as a sink
+(python_sink.c) through the tests that the correct machine passes, until a test fails. Tests about requirements
+of the detecting case run first, and among equals the fastest. If names ("evaluator: NAME", "state machine:
+NAME") are given, the entries of all others are kept. With --check nothing is written; the recorded tests must
+pass with the correct machine and fail with the wrong one.
 """
 
 import argparse
@@ -29,7 +29,8 @@ HERE = Path(__file__).resolve().parent
 TABLES = {"evaluator": WRONG_EVALUATORS, "state machine": WRONG_STATE_MACHINES}
 ALL = [f"{kind}: {name}" for kind, table in TABLES.items() for name in table]
 SECONDS_OF_ONE = 90
-# Tests of so many vertices that the machine in Python takes minutes are left out, and those that take longer.
+# Tests with so many vertices that the state machine in Python takes minutes are left out, and so are tests that
+# take longer than MOST_SECONDS.
 EXPENSIVE = "CurrentValues.Long*:LongPrimitives.*:*Accuracy.*:*.CopyOnCall*:*.SquareNet*"
 MOST_SECONDS = 10
 NOT_FAILED = "pass", "not-observable", "not-supported"
@@ -86,7 +87,7 @@ class Suite:
             return found
 
     def passed_tests(self):
-        """Returns the tests that the correct machine passes, with their requirements, cheap ones first."""
+        """Returns the tests that the correct machine passes, with their requirements, fastest first."""
         found = self.run("")
         failed = [record["name"] for record in found if record["verdict"] not in NOT_FAILED]
         if failed:
@@ -124,7 +125,7 @@ def write(suite, names, jobs):
         kind, _, wrong = name.partition(": ")
         case = first_detected(kind, TABLES[kind][wrong])
         about = set(case["requirements"]) if case else set()
-        # Sorting keeps the order of cheap tests.
+        # Sorting is stable, so fast tests stay first.
         order = sorted(tests, key=lambda test: not tests[test] & about)
         return {"vectors": case and case["id"], "suite": suite.detects(name, order)}
     with ThreadPoolExecutor(jobs) as pool:

@@ -20,10 +20,9 @@ class Tie {
     weights_.push_back(weight);
   }
 
-  // Returns the values with a change of the last one, whose weight is 1, so that the sum over 2^degree is an
-  // odd multiple of 1/2, plus more / 2^degree. If that is not near a tie, the last value is a small fraction
-  // with the sign of `more` instead, and the others are changed so that the value is a tie except for its
-  // contribution.
+  // Returns the values after a change of the last one, whose weight is 1: the sum over 2^degree becomes an
+  // odd multiple of 1/2, plus more / 2^degree. If the degree is so low that this is not near a tie, the last
+  // value becomes a small fraction with the sign of `more` instead, and the sum of the others becomes a tie.
   Values values(int degree, int more) const {
     const std::int64_t whole = std::int64_t{1} << degree;
     Values values = values_;

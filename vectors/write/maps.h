@@ -21,7 +21,7 @@ inline constexpr Type kTypes[] = {Type::kSingle, Type::kReal};
 int bits_of(Type type);
 // Returns x rounded to the nearest number of the type.
 double rounded(const Rational& x, Type type);
-// The first and last argument of a domain or grid, and the same rounded to the type.
+// The first and last argument of a domain or grid. rounded() returns both rounded to the type.
 using Ends = std::pair<double, double>;
 Ends rounded(const Ends& ends, Type type);
 // Returns a + part * (b - a) rounded to the type.

@@ -24,7 +24,7 @@ struct Problem {
   std::optional<Argument> v = {};
 };
 
-// Make a direction over a domain, and an argument that is no point of a grid.
+// Return a direction with this domain, and an argument that is not a point of a grid.
 Direction along(int order, const Ends& ends = {0, 1});
 Argument at(double u);
 // Returns u1 + i/parts * (u2 - u1) for a random i from 0 to `parts`, rounded to the type.

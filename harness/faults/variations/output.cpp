@@ -187,7 +187,7 @@ bool draws(GLenum mode) {
 void point(GLint i, GLint j) { unvaried.EvalPoint2(i, j); }
 
 // Draws the points, line strips and quads of a mesh in a different order. Each quad is a primitive of mode
-// `kQuads`, QUADS or QUAD_STRIP. QUAD_STRIP keeps the provoking vertex.
+// `kQuads`: QUADS, or QUAD_STRIP, which keeps the provoking vertex.
 template <bool kBackwards, GLenum kQuads>
 void draw_mesh(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   if (!draws(mode) || i2 < i1 || j2 < j1 || i2 - i1 > 1000 || j2 - j1 > 1000)

@@ -20,7 +20,8 @@ void turn(ObservedPrimitive& primitive) {
   for (ObservedVertex& vertex : primitive.vertices) scale(vertex.normal, -1);
 }
 
-// Turns the normals of the primitives that begin while the latest vertex map of surfaces meets the condition.
+// Reverses the normals of the primitives that begin while the latest Map2 of a vertex map meets the
+// condition.
 Rules turned_if(Value condition) {
   return {before(kMap2, kTarget >= GL_MAP2_VERTEX_3, set(kCount, std::move(condition))),
           before(Begin, [](Call& call) { remembered_list().push_back(kCount(call)); }),

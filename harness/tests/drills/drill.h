@@ -1,4 +1,4 @@
-// The mistake that a library of the tests makes, which the environment variable EVALCTS_DRILL names.
+// Selects the deliberate mistake of a test library by the environment variable EVALCTS_DRILL.
 #pragma once
 
 #include <cstdlib>

@@ -1,5 +1,4 @@
-// Parts of providers that put some entry points of their own in front of OSMesa's: its contexts and entry
-// points.
+// The contexts and entry points of OSMesa, for test providers that replace some of its entry points.
 #pragma once
 
 #define GL_GLEXT_PROTOTYPES 1
@@ -23,7 +22,7 @@ template <class Function>
 Function* real(const char* name) {
   return reinterpret_cast<Function*>(address_of(name));
 }
-// OSMesa's own function of this declared name.
+// The function of OSMesa with this name, which must be declared.
 #define REAL(name) osmesa_provider::real<decltype(::name)>(#name)
 
 // A function of the provider that replaces the one of OSMesa.

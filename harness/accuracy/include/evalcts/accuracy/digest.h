@@ -20,9 +20,9 @@ struct DigestRequest {
 
 // Returns the sum, modulo 2^64, of a hash of the index and the bits of each of the first `values` results.
 // The maps are random curves and surfaces of all targets, of orders 1 to 30 and all kinds of data; the
-// arguments lie inside and near the domain. Every other map is evaluated by source.make_other, if there is
-// one. The digest depends only on `values`, `seed` and the results. It
-// is meaningless if `stop` has become true. Throws NotObservable, CannotStart.
+// arguments lie inside and near the domain. Every other map is evaluated by a stream of source.make_other
+// unless that is empty. The digest depends only on `values`, `seed` and the results. It is meaningless if
+// `stop` has become true. Throws NotObservable, CannotStart.
 std::uint64_t digest(const StreamSource& source, const DigestRequest& request, const std::atomic<bool>& stop);
 
 }  // namespace evalcts::accuracy

@@ -17,9 +17,9 @@ struct Input {
   int uorder = 1, vorder = 1;  // vorder 1: a curve, or a surface that is constant in v
   bool two_dimensional = false;
   std::vector<double> points;  // v fastest
-  float u = 0, v = 0;          // if there is a grid, the points are those closest to u and v
+  float u = 0, v = 0;          // with a grid, its points closest to u and v are the argument
   Domain domain = kUnitDomain;
-  int segments = 0;  // if not 0, the argument is a point of the grid of so many segments over the domain
+  int segments = 0;  // segments of the grid over the domain; 0: no grid
 
   reference::Surface surface() const;  // curves too; valid as long as this Input
   reference::Argument argument_u() const { return argument(u, domain[0], domain[1]); }

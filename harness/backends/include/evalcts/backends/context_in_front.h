@@ -9,8 +9,8 @@
 
 namespace evalcts {
 
-// A context that wraps another one, with a table of its own, which is a copy until the constructor of the
-// derived class changes it.
+// A context that wraps another one. Its table is a copy of that context's table, in which the constructor of
+// the derived class replaces commands.
 class ContextInFront : public Context {
  public:
   explicit ContextInFront(std::shared_ptr<Context> inner)

@@ -31,7 +31,7 @@ struct CampaignProgress {
   std::uint64_t in_full = 0;  // programs of which all effects could be observed
   std::uint64_t commands = 0;
   std::uint64_t not_repeated = 0;  // programs that differed only in the shared context
-  double seconds_of_known = 0;     // time for differences that showed no new cause
+  double seconds_of_known = 0;     // time spent on differences without a new cause
 };
 using CampaignEvent =
     std::variant<CampaignStarted, TestStarted, FindingShrank, FindingMade, CampaignProgress>;

@@ -46,7 +46,7 @@ struct SearchResult {
   std::uint64_t not_repeated = 0;         // programs that differed only in a shared context
   std::uint64_t slow = 0;                 // programs that exceeded the time limit, but not when repeated
   double seconds = 0;
-  double seconds_of_known = 0;  // time, in all processes, for differences that showed no new cause
+  double seconds_of_known = 0;  // time of all processes spent on differences without a new cause
   std::vector<Cause> causes;    // in the order of their first programs
   std::string cannot_start;     // the reason if no program was run; otherwise empty
 };

@@ -10,10 +10,10 @@ namespace evalcts::gl {
 // [["Map1f", "GL_MAP1_VERTEX_3", 0.0, 1.0, 3, 2, {"f32": [0.0, 0.5, ...]}], ["EvalCoord1f", 0.25], ...]: a
 // command is the name of its entry point without "gl", followed by its arguments. An enumerant with a known
 // name is written by name, an array that the command reads as {type: values}, an array that it writes as
-// {"out": type, "count": n}, and a null pointer as null. An array that the command reads also has "after":
-// "overwrite", "unmap" or "protect" if it does not stay as it is after the call (AfterCall), and "slot": n if
-// it has one. Throws std::invalid_argument for a case that uses results of earlier commands, arrays of
-// strings, or non-finite values.
+// {"out": type, "count": n}, and a null pointer as null. An array that the command reads also has the
+// member "after": "overwrite", "unmap" or "protect" if its memory changes after the call (AfterCall), and
+// "slot": n if it has a slot. Throws std::invalid_argument for a case that uses results of earlier commands,
+// arrays of strings, or non-finite values.
 nlohmann::json to_json(const Case& script);
 
 // Inverse of to_json(). Throws std::invalid_argument, with a message for the user, if the data is not a case.

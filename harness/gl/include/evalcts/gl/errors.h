@@ -1,4 +1,4 @@
-// Takes the errors of a context. Defined next to the player.
+// Reads and clears the errors of a context. Implemented in player.cpp.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace evalcts::gl {
 
-// Takes the errors that GetError returns until it returns NO_ERROR, at most 16. Must not be called between
-// Begin and End. Returns none if the table has no GetError.
+// Calls GetError until it returns NO_ERROR, at most 16 times, and returns the errors. Must not be called
+// between Begin and End. Returns no errors if the table has no GetError.
 std::vector<GLenum> take_errors(const Table& table);
 
 }  // namespace evalcts::gl

@@ -11,7 +11,7 @@
 //   # version: RANGE          range of GL_VERSION, see version_range.h
 //   # implementation: A, B    names of implementations, see `evalcts list implementations`
 //   # pass: reuse-context     the second pass, over one shared context, instead of the first
-//   # depth: thorough         runs of this depth only
+//   # depth: thorough         runs at this depth only
 //   # extends: BASE           makes the files an overlay
 // NAME-signatures.txt has lines "test name,depth,signature": the failing cases of the test, so that a known
 // failure cannot hide a new one. A signature belongs to its depth and to seed 1. NAME-skips.txt has regular

@@ -86,9 +86,9 @@ class Parameters {
   // deliveries and one other delivery without display lists. Full depth runs all combinations through all
   // deliveries without display lists (but sparing ones as quick depth does); thorough depth runs all
   // deliveries. Besides, one delivery through display lists runs for every ninth test at quick depth and
-  // every third at full depth. A hash of the test's name makes these choices. Quick depth then gets further
-  // tests, until it has, in each suite, every value, every pair of values of two parameters, every evaluation
-  // command and every form of display lists that full depth has.
+  // every third at full depth. A hash of the test's name makes these choices. Further tests are then moved to
+  // quick depth until it has pairwise coverage in each suite: every value, every pair of values of two
+  // parameters, every evaluation command and every form of display lists that full depth has.
   Parameters by(std::vector<gl::Delivery> deliveries) const {
     Parameters delivered = *this;
     delivered.deliveries_ = std::move(deliveries);
