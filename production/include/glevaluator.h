@@ -807,9 +807,9 @@ typedef enum glev_grid_kind {
  *   limits instead of (0,0,0). If all control points of the edge are equal, NORMAL is its limit from inside
  *   the patch, computed in double from derivatives of second order; (0,0,0) if these do not determine the
  *   limit. Let Q be the derivative across the edge, multiplied by w^2 for 4 components as in EvalCoord, and
- *   Q' its derivative along the edge. Each component is within 2^-25 + 2^-30 of the exact limit if |Q' x Q|
- * is at least 2^-12 of the same expression of the largest magnitudes of their control points, for magnitudes
- *   as in EvalCoord. The control points of Q' count as twice those of Q, times the degree.
+ *   Q' its derivative along the edge. Each component is within 2^-25 + 2^-30 of the exact limit if
+ *   |Q' x Q| is at least 2^-12 of the same expression of the largest magnitudes of their control points, for
+ *   magnitudes as in EvalCoord. The control points of Q' count as twice those of Q, times the degree.
  * patch: SCATTERED only; patch numbers of type glev_uint.
  * target: a name from glevGetTargetName; null: the best one.
  * edge_segments: EDGES only, 1 or more. */
@@ -937,9 +937,9 @@ GLEV_API size_t glevGetIndexScratchSize(const glev_indices* indices);
 /* Writes the indices without gaps. Data, vertices and scratch must not overlap; this is not checked.
  * Returns SUCCESS or
  * INVALID_ARGUMENT: a null pointer; a wrong size, mode, type, winding or edge_segments; fewer than 3
- *   columns or rows with edge_segments; a vertex whose number the type cannot hold; vertex_bytes that are 0
- * or more than vertex_stride; 2^32 vertices or more to share. BUFFER_TOO_SMALL: data_size, vertices_size or
- * scratch_size. */
+ *   columns or rows with edge_segments; a vertex whose number the type cannot hold; vertex_bytes that are
+ *   0 or more than vertex_stride; 2^32 vertices or more to share.
+ * BUFFER_TOO_SMALL: data_size, vertices_size or scratch_size. */
 GLEV_API glev_result glevGetIndices(const glev_indices* indices);
 
 #ifdef __cplusplus

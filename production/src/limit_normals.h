@@ -11,8 +11,8 @@
 // most c max|Q_i| and 2 c max|Q_i|. The units of c are 13 n + 4 of the evaluation (bernstein.h), 4 of the
 // binomials and 3 of the differences. As in normal.h, the components of the product have an error of
 // (2 c + 6 u) M for a majorant M, with 2 u for each of the differences of products. For n <= 63 this is below
-// 2^-42 M, so the error of the unit vector before rounding to float is at most 2^-30 if |Q' x Q| >= 2^-12
-// |M|.
+// 2^-42 M, so before rounding to float the error of the unit vector is at most 2^-30 if
+// |Q' x Q| >= 2^-12 |M|.
 #pragma once
 
 #include <array>
