@@ -166,6 +166,9 @@ Input input_from(json data) {
   });
   if (!after.is_null()) input.after = after_call_from(after);
   if (!slot.is_null()) input.slot = slot_from(slot);
+  // The next array of the slot is written into the same memory.
+  if (input.slot >= 0 && (input.after == AfterCall::kUnmap || input.after == AfterCall::kProtect))
+    throw std::invalid_argument("an array with a slot cannot be unmapped or protected");
   return input;
 }
 

@@ -210,7 +210,8 @@ class Distance {
     bool has_automatic_normal;
   };
 
-  // Returns 1 - |cos| of the angle between two normals, or 0 if one has no direction.
+  // Returns 1 - |cos| of the angle between two normals, and little more if they have opposite signs; 0 if one
+  // has no direction.
   static double angle(const float* expected, const std::array<float, 3>& seen) {
     double product = 0, a = 0, b = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -218,8 +219,8 @@ class Distance {
       a += static_cast<double>(expected[i]) * expected[i];
       b += static_cast<double>(seen[i]) * seen[i];
     }
-    const double cosine = std::abs(product) / std::sqrt(a * b);
-    return cosine <= 1 ? 1 - cosine : 0;  // also for NaN
+    const double cosine = std::clamp(product / std::sqrt(a * b), -1.0, 1.0);
+    return std::isnan(cosine) ? 0 : 1 - std::abs(cosine) + 1e-3 * (1 - cosine);
   }
 
   static constexpr double kFar = 1e6, kWeightOfDirection = 1e-3;

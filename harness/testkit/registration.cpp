@@ -87,13 +87,14 @@ TestInfo delivered(const Registered& test, const gl::Delivery& delivery) {
   TestInfo info = test.info;
   info.parameters = test.parameters[delivery.lifted ? 1 : 0];
   info.delivery = delivery.name;
+  info.uses_lists = delivery.lists != gl::Lists::kNone;
   info.name = joined({info.name, info.parameters, info.delivery});
   if (delivery.lifted) {
     const auto suite = lifted_suites().find(info.suite);
     if (suite != lifted_suites().end()) info.suite = suite->second;
     info.requirements = in_two_dimensions(info.requirements);
   }
-  if (delivery.lists != gl::Lists::kNone) info.requirements.emplace_back(requirement_of(delivery.lists));
+  if (info.uses_lists) info.requirements.emplace_back(requirement_of(delivery.lists));
   info.body = [body = info.body, delivery](Test& t) {
     t.deliver_by(delivery);
     body(t);
@@ -135,7 +136,8 @@ void add_missing_pairs(std::vector<TestInfo>& tests) {
         std::find_if(begin, tests.end(), [&](const TestInfo& info) { return info.suite != begin->suite; });
     std::vector<Scheduled> suite;
     for (auto test = begin; test != end; ++test)
-      suite.push_back({test->name, test->from, parts_of(test->parameters), parts_of(test->delivery)});
+      suite.push_back(
+          {test->name, test->from, parts_of(test->parameters), parts_of(test->delivery), test->uses_lists});
     add_missing_pairs(suite);
     for (const Scheduled& test : suite) (begin++)->from = test.from;
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace evalcts {
@@ -55,19 +56,23 @@ bool Schedule::is_cross_checked(Depth depth, std::size_t primitives) const {
 
 void add_missing_pairs(std::vector<Scheduled>& tests) {
   // Maps each pair to the tests of quick and full depth that have it. A single value is represented as a pair
-  // with the empty text.
-  using Pair = std::pair<std::string_view, std::string_view>;
+  // with the empty text. The third element is true if the test uses no display lists.
+  using Pair = std::tuple<std::string_view, std::string_view, bool>;
   std::map<Pair, std::vector<std::size_t>> with_pair;
   std::vector<std::vector<Pair>> pairs(tests.size());
   for (std::size_t i = 0; i < tests.size(); ++i) {
     const std::vector<std::string_view>& values = tests[i].values;
     if (tests[i].from > Depth::kFull) continue;
+    const auto add = [&](std::string_view first, std::string_view second) {
+      pairs[i].emplace_back(std::min(first, second), std::max(first, second), false);
+      if (!tests[i].uses_lists) pairs[i].emplace_back(std::min(first, second), std::max(first, second), true);
+    };
     for (auto second = values.begin(); second != values.end(); ++second) {
-      pairs[i].emplace_back(std::string_view(), *second);
-      for (auto first = values.begin(); first != second; ++first)
-        pairs[i].push_back(std::minmax(*first, *second));
+      add({}, *second);
+      for (auto first = values.begin(); first != second; ++first) add(*first, *second);
     }
-    for (const std::string_view part : tests[i].delivery) pairs[i].emplace_back(std::string_view(), part);
+    for (const std::string_view part : tests[i].delivery)
+      pairs[i].emplace_back(std::string_view(), part, false);
     for (const Pair& pair : pairs[i]) with_pair[pair].push_back(i);
   }
   std::set<Pair> present;

@@ -40,10 +40,12 @@ struct Scheduled {
   Depth from;
   std::vector<std::string_view> values;    // of the parameters
   std::vector<std::string_view> delivery;  // evaluation command and form of display lists, if any
+  bool uses_lists = false;
 };
 // Moves tests of full depth to quick depth, so that together the tests of quick depth have every value, every
 // pair of values of two parameters, every evaluation command and every form of display lists that a test of
-// full depth has. `tests`: all tests of a suite, in a fixed order.
+// full depth has. A test through display lists covers values only if full depth has them in no other way,
+// because libraries may have no lists. `tests`: all tests of a suite, in a fixed order.
 void add_missing_pairs(std::vector<Scheduled>& tests);
 
 }  // namespace evalcts

@@ -196,6 +196,7 @@ TEST(CaseJson, SaysWhatIsWrong) {
                             R"([["EvalCoord1fv", {"after": "unmap"}]])",
                             R"([["EvalCoord1fv", {"f32": [0.5], "f64": [0.5]}]])",
                             R"([["EvalCoord1fv", {"f32": [0.5], "after": "gone"}]])",
+                            R"([["EvalCoord1fv", {"f32": [0.5], "after": "unmap", "slot": 0}]])",
                             R"([["EvalCoord1fv", {"f32": [0.5], "slot": -1}]])",
                             R"([["EvalCoord1fv", {"f32": [0.5], "slot": 70000}]])",
                             R"([["EvalCoord1fv", {"f32": ["x"]}]])",

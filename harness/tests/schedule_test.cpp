@@ -81,6 +81,14 @@ TEST(MissingPairs, QuickTestsCountAndThoroughOnesAreLeftAlone) {
   EXPECT_EQ(depths, (std::vector{Depth::kQuick, Depth::kQuick, Depth::kFull, Depth::kThorough}));
 }
 
+TEST(MissingPairs, TestsThroughListsCoverNoValuesThatOthersHave) {
+  std::vector<Scheduled> tests = {{"a", Depth::kQuick, {"A"}, {"Nested"}, true},
+                                  {"b", Depth::kFull, {"A"}, {}},
+                                  {"c", Depth::kFull, {"B"}, {"Nested"}, true}};
+  add_missing_pairs(tests);
+  for (const Scheduled& each : tests) EXPECT_EQ(each.from, Depth::kQuick) << each.name;
+}
+
 TEST(Schedule, TheDeliveryAsWrittenIsNeverLeftOut) {
   for (int i = 0; i < 100; ++i)
     EXPECT_EQ(

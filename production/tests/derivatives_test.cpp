@@ -90,6 +90,7 @@ class Derivatives : public ContextTest {
       const auto nearest = std::fabs(value.convert_to<double>());
       const double ulp = std::nextafter(nearest, HUGE_VAL) - nearest;
       if (nearest < 0x1p1000) {
+        ASSERT_FALSE(value == 0 && std::signbit(doubles[at])) << where();  // zeros are +0
         ASSERT_LE(abs(to_rational(doubles[at]) - value), to_rational(value == 0 ? 0 : ulp))
             << where() << std::hexfloat << ": " << doubles[at] << ", not " << nearest;
       }

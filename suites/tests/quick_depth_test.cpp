@@ -43,9 +43,13 @@ Texts combined_at(Depth depth) {
   for (const TestInfo& info : all_tests()) {
     if (info.from > depth) continue;
     const std::vector<std::string> values = split(info.parameters);
+    const auto add = [&](const std::string& combined) {
+      all.insert(info.suite + ": " + combined);
+      if (!info.uses_lists) all.insert(info.suite + ": " + combined + " without lists");
+    };
     for (std::size_t i = 0; i < values.size(); ++i) {
-      all.insert(info.suite + ": " + values[i]);
-      for (std::size_t k = 0; k < i; ++k) all.insert(info.suite + ": " + values[k] + " and " + values[i]);
+      add(values[i]);
+      for (std::size_t k = 0; k < i; ++k) add(values[k] + " and " + values[i]);
     }
     for (const std::string& part : split(info.delivery)) all.insert(info.suite + ": " + part);
   }

@@ -3,12 +3,13 @@
 
     record_detections.py BUILD_FOLDER [--check] [--jobs N] [NAME...]
 
-`vectors` is the first case of the theme that has to detect it. `suite` is a test of the suite, at quick depth,
-that detects it; null if no test does within 90 seconds. Each wrong evaluator or state machine runs as a sink
-(python_sink.c) through the tests that the correct machine passes, until a test fails. Tests about requirements
-of the detecting case run first, and among equals the fastest. If names ("evaluator: NAME", "state machine:
-NAME") are given, the entries of all others are kept. With --check nothing is written; the recorded tests must
-pass with the correct machine and fail with the wrong one.
+`vectors` is the first case of the theme that has to detect it. `suite` is a test of the suite that detects it
+with the values of quick depth, which may since have moved to full depth; null if no test does within 90
+seconds. Each wrong evaluator or state machine runs as a sink (python_sink.c) through the tests that the correct
+machine passes, until a test fails. Tests about requirements of the detecting case run first, and among equals
+the fastest. If names ("evaluator: NAME", "state machine: NAME") are given, the entries of all others are kept.
+With --check nothing is written; the recorded tests must pass with the correct machine and fail with the wrong
+one.
 """
 
 import argparse
@@ -109,6 +110,9 @@ def check(suite, names, detections):
     for name in names:
         test = detections[name]["suite"]
         if test is None:
+            if len(names) < len(ALL):
+                wrong += 1
+                print(f"{name}: no test of the suite is recorded")
             continue
         alone = suite.run("", [test])[0]["verdict"]
         if alone != "pass" or suite.detects(name, [test]) != test:

@@ -32,6 +32,7 @@ struct TestInfo {
   Depth from = Depth::kQuick;  // the least depth that runs the test, unless a filter has its exact name
   // The parts of `name` for the parameters and the delivery. Both may be empty.
   std::string parameters = {}, delivery = {};
+  bool uses_lists = false;  // true if the delivery does
 
   std::string full_name() const { return suite + "." + name; }
 };
