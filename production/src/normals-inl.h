@@ -153,7 +153,10 @@ struct Positions {
 
 HWY_INLINE void store_normals(const Half (&normal)[3], float* to) {
 #if HWY_TARGET == HWY_SCALAR
-  for (int k = 0; k < 3; ++k) to[k] = hn::GetLane(normal[k]);
+  for (int k = 0; k < 3; ++k) {
+    const float component = hn::GetLane(normal[k]);
+    std::memcpy(to + k, &component, sizeof component);  // the caller's memory need not be aligned
+  }
 #else
   hn::StoreInterleaved3(normal[0], normal[1], normal[2], kHalves, to);
 #endif
