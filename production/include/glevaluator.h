@@ -661,7 +661,9 @@ GLEV_API size_t glevGetPlanComponents(const glev_plan* plan, glev_attribute attr
  *   largest magnitude of that component of a control point, is between 2^-80 and 2^80. Otherwise, outside the
  *   domain and on its boundary the result is correctly rounded. So patches that share the control points of
  *   an edge meet there without a crack, whatever their orders, directions, domains and numbers of segments.
- * Automatic normals, derivatives and double results are the same in both. */
+ *   Float results of derivatives are those of maps, too: their control points are differences of those of the
+ *   vertex map, times n / (u2 - u1) or m / (v2 - v1) for each order.
+ * Automatic normals and double results are the same in both. */
 typedef enum glev_precision { GLEV_CORRECTLY_ROUNDED = 0, GLEV_FAST = 1 } glev_precision;
 
 /* Destination of one attribute: element i is `components` values at data + i*stride bytes; in a mesh of two

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "batch.h"
+#include "derivatives.h"
 #include "environment.h"
 #include "kernels.h"
 #include "normal.h"
@@ -59,39 +60,35 @@ void evaluate_normals(const glev_plan& plan, const Output& output, const U& u, c
   });
 }
 
-template <class U, class V>
-void evaluate_derivative(const glev_plan& plan, int number, const Output& output, const U& u, const V& v) {
-  const glev::DerivativeMap& map = plan.derivative(number);
-  const glev::Surface& net = map.net;
-  std::array<double, glev::kMaxOrder * 4> room;
-  // The curve along u at the last v. It is kept because the next v is often the same.
-  GridArgument last_v{};
-  glev::Curve curve;
-  double growth_v = HUGE_VAL;
-  bool has_curve = false;
-  for_each(output, u, v, [&](const GridArgument& at_u, const GridArgument& at_v) {
-    std::array<double, 4> values{};
-    if (net.components == 0) return values;
-    if (!has_curve || last_v.index != at_v.index || last_v.grid != at_v.grid) {
-      const glev::Parameter in_v = locate(net.domain[1], at_v);
-      curve = curve_at(net, in_v, room.data());
-      growth_v = in_v.is_sure ? glev::growth_of(in_v, net.degree[1]) : HUGE_VAL;
-      last_v = at_v;
-      has_curve = true;
+// Evaluates a derivative without kernels.
+template <class Real, class U, class V>
+void evaluate_derivative(const glev_plan& plan, const glev::Derivative& derivative, const Output& output,
+                         const U& u, const V& v) {
+  for_each(output, u, v, [](const GridArgument&, const GridArgument&) { return std::array<double, 4>{}; });
+  const glev::Surface& surface = plan.surface(Attribute::kVertex);
+  if (glev::is_zero(surface, derivative)) return;
+  glev::DerivativeNet net(plan, derivative);
+  for (int first = 0, count = 0; first < surface.components; first += count) {
+    count = net.load(first);
+    for (std::size_t j = 0; j < output.stream.rows; ++j) {
+      for (std::size_t i = 0; i < output.stream.columns; ++i) {
+        std::array<Real, 4> values;
+        net.move_to(v(i, j));
+        net.evaluate_at(u(i), values.data());
+        std::memcpy(output.address_of(i, j) + static_cast<std::size_t>(first) * sizeof(Real), values.data(),
+                    static_cast<std::size_t>(count) * sizeof(Real));
+      }
     }
-    const glev::Parameter in_u = locate(net.domain[0], at_u);
-    evaluate(curve, in_u, values.data());
-    const double growth = in_u.is_sure ? growth_v * glev::growth_of(in_u, net.degree[0]) : HUGE_VAL;
-    for (int k = 0; k < net.components; ++k) {
-      const double error = map.error[k] == 0 ? 0 : growth <= 0x1p300 ? map.error[k] * growth : HUGE_VAL;
-      const auto resolve = [&]<class Real>(Real) {
-        return glev::resolve_derivative<Real>(plan.map(Attribute::kVertex), glev::kDerivatives[number], k,
-                                              at_u, at_v, values[k] * map.factor, error);
-      };
-      values[k] = output.is_double ? resolve(double{}) : resolve(float{});
-    }
-    return values;
-  });
+  }
+}
+
+// Replaces the component that maps do not have, which is 1 in other attributes, by that of derivatives.
+void clear_last_component(const Output& output) {
+  const std::size_t size = output.stream.element / 4;
+  for (std::size_t j = 0; j < output.stream.rows; ++j) {
+    for (std::size_t i = 0; i < output.stream.columns; ++i)
+      std::memset(output.address_of(i, j) + 3 * size, 0, size);
+  }
 }
 
 // Evaluates point by point. `v` is null for curves.
@@ -119,15 +116,27 @@ void evaluate_all(const glev_plan& plan, const Outputs& outputs, const U& u, con
     if (!output.is_wanted) continue;
     const glev::Destination to = {output.data, output.stream.stride, output.stream.row_stride,
                                   output.components};
+    const auto evaluate_map = [&](const glev::PreparedMap& map) {
+      if (!output.is_double) {
+        evaluate(map, to);
+      } else if (!doubles(map, to)) {
+        evaluate_in_double(map, output, u, v);
+      }
+    };
     if (o >= kFirstDerivative) {
-      evaluate_derivative(plan, o - kFirstDerivative, output, u, v);
+      const glev::Derivative& derivative = glev::kDerivatives[static_cast<std::size_t>(o - kFirstDerivative)];
+      if (const glev::DerivativeMap own(plan, derivative); own.map() != nullptr) {
+        evaluate_map(*own.map());
+        if (output.components == 4 && own.map()->surface.components < 4) clear_last_component(output);
+      } else if (output.is_double) {
+        evaluate_derivative<double>(plan, derivative, output, u, v);
+      } else {
+        evaluate_derivative<float>(plan, derivative, output, u, v);
+      }
     } else if (o == static_cast<int>(Attribute::kNormal) && plan.automatic_normals()) {
       if (output.is_double || !normals(to)) evaluate_normals(plan, output, u, v);
-    } else if (output.is_double) {
-      const glev::PreparedMap& map = plan.map(static_cast<Attribute>(o));
-      if (!doubles(map, to)) evaluate_in_double(map, output, u, v);
     } else {
-      evaluate(plan.map(static_cast<Attribute>(o)), to);
+      evaluate_map(plan.map(static_cast<Attribute>(o)));
     }
   }
 }

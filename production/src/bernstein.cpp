@@ -1,6 +1,7 @@
 // Polynomials in Bernstein form in double, by Horner's rule in a ratio of at most 1.
 #include "bernstein.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -95,14 +96,14 @@ void evaluate_curves(const double* first, int components, int count, int degree,
 void scale_by_binomials(const double* points, std::array<int, 2> order, int components, double* scaled) {
   const std::uint64_t* const row_u = binomial_row(order[0] - 1);
   const std::uint64_t* const row_v = binomial_row(order[1] - 1);
-  for (int i = 0; i < order[0]; ++i) {
+  // The binomials of v, once for each value of a row.
+  std::array<double, kMaxOrder * 4> factors;
+  const int row = order[1] * components;
+  for (int j = 0; j < order[1]; ++j)
+    std::fill_n(factors.begin() + j * components, components, static_cast<double>(row_v[j]));
+  for (int i = 0; i < order[0]; ++i, points += row, scaled += row) {
     const auto in_u = static_cast<double>(row_u[i]);
-    for (int j = 0; j < order[1]; ++j) {
-      const auto in_v = static_cast<double>(row_v[j]);
-      for (int k = 0; k < components; ++k) {
-        *scaled++ = in_u * (in_v * *points++);
-      }
-    }
+    for (int k = 0; k < row; ++k) scaled[k] = in_u * (factors[static_cast<std::size_t>(k)] * points[k]);
   }
 }
 

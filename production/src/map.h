@@ -22,6 +22,11 @@ struct MapDirection {
 template <class Real>
 void copy_points(int components, const MapDirection& u, const MapDirection& v, const Real* points,
                  double* out) {
+  if (v.stride == components && u.stride == v.order * components) {
+    const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(u.order) * u.stride;
+    for (std::ptrdiff_t k = 0; k < count; ++k) out[k] = points[k];
+    return;
+  }
   for (std::ptrdiff_t i = 0; i < u.order; ++i) {
     for (std::ptrdiff_t j = 0; j < v.order; ++j) {
       for (int k = 0; k < components; ++k) *out++ = points[i * u.stride + j * v.stride + k];

@@ -1,9 +1,11 @@
-// Makes plans: selects the maps that have precedence, prepares them, and computes the nets of derivatives.
+// Makes plans: selects the maps that have precedence, prepares them, and computes the nets of automatic
+// normals.
 #include "plan.h"
 
 #include <algorithm>
-#include <cmath>
 #include <new>
+
+#include "derivatives.h"
 
 namespace {
 
@@ -31,63 +33,7 @@ std::size_t centred_values_of(const Map& map) {
 // Returns the size of an array of values, with padding that vectors may read.
 std::size_t bytes_of(std::size_t values) { return round_up(sizeof(double) * (values + 3)); }
 
-// Returns the orders of the net of a derivative; 0 or less if the derivative is zero everywhere.
-std::array<int, 2> derivative_order(const Map& map, const Derivative& derivative) {
-  return {map.order(0) - derivative[0], map.order(1) - derivative[1]};
-}
-
-std::size_t values_of_derivative(const Map& map, int slot, const Derivative& derivative) {
-  const auto [columns, rows] = derivative_order(map, derivative);
-  return columns < 1 || rows < 1 ? 0 : values_of({columns, rows}, map.components(slot));
-}
-
-// Computes the control points of a derivative without its factor, and the largest sum of the magnitudes of
-// the differences of first order, for each component; NaN counts as infinite.
-std::array<double, 4> differences_of(const double* points, std::array<int, 2> order, int components,
-                                     const Derivative& derivative, double* result) {
-  const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(order[1]) * components;
-  const std::ptrdiff_t first = derivative[0] > 0 ? row : components,
-                       second = derivative[1] > 0 ? components : row;
-  const bool is_second = derivative[0] + derivative[1] == 2;
-  std::array<double, 4> largest{};
-  for (int i = 0; i < order[0] - derivative[0]; ++i) {
-    for (int j = 0; j < order[1] - derivative[1]; ++j) {
-      for (int k = 0; k < components; ++k) {
-        const double* const own = points + i * row + j * components + k;
-        const double near = own[first] - own[0], far = is_second ? own[first + second] - own[second] : 0;
-        const double magnitude = std::fabs(near) + std::fabs(far);
-        largest[k] = std::isnan(magnitude) ? HUGE_VAL : std::max(largest[k], magnitude);
-        *result++ = is_second ? far - near : near;
-      }
-    }
-  }
-  return largest;
-}
-
-// Computes the factor and the error bound of a derivative. The rounding errors, in units of 2^-53 times the
-// largest sum of differences, are 13 (n + m) + 8 of the evaluation, 3 of the differences, 4 of the binomials,
-// and 6 of the factor and its product; see bernstein.h.
-void bound_derivative(const std::array<int, 2>& degree, const Derivative& derivative,
-                      const std::array<double, 4>& largest, glev::DerivativeMap* map) {
-  map->factor = 1;
-  bool is_ordinary = true;
-  for (const std::size_t d : {0, 1}) {
-    const glev::Domain& domain = map->net.domain[d];
-    double width = 1;
-    int count = 1;
-    for (int k = 0; k < derivative[d]; ++k) count *= degree[d] - k, width *= domain.u2 - domain.u1;
-    map->factor *= count / width;
-    is_ordinary = is_ordinary && (degree[d] == 0 || glev::is_ordinary(domain));
-  }
-  const double size = std::fabs(map->factor);
-  is_ordinary = is_ordinary && size >= 0x1p-300 && size <= 0x1p300;
-  const auto [n, m] = map->net.degree;
-  for (std::size_t k = 0; k < largest.size(); ++k) {
-    const bool has_bound = is_ordinary && largest[k] >= 0x1p-300 && largest[k] <= 0x1p300;
-    const double units = (13 * (n + m) + 24) * (1 + 0x1p-20);
-    map->error[k] = largest[k] == 0 ? 0 : has_bound ? units * 0x1p-53 * largest[k] * size : HUGE_VAL;
-  }
-}
+constexpr std::array<Derivative, 2> kTangents = {kDerivatives[0], kDerivatives[1]};
 
 // The slots that a plan evaluates, -1 for attributes without a map.
 struct Winners {
@@ -97,15 +43,18 @@ struct Winners {
     vertex_slot = winners[static_cast<std::size_t>(Attribute::kVertex)];
     automatic_normals = source.automatic_normals && vertex_slot >= 0;
     if (automatic_normals) winners[static_cast<std::size_t>(Attribute::kNormal)] = -1;
-    if (vertex_slot >= 0 && automatic_normals) derivatives = glev::kTangents;
-    if (vertex_slot >= 0 && source.derivatives) derivatives = static_cast<int>(glev::kDerivatives.size());
+    derivatives = source.derivatives && vertex_slot >= 0;
   }
 
   std::array<int, kAttributes> winners;
   int vertex_slot;
-  bool automatic_normals;
-  int derivatives = 0;  // number of derivatives
+  bool automatic_normals, derivatives;
 };
+
+// Returns the number of values of the control points of a tangent.
+std::size_t values_of_tangent(const Map& map, int slot, const Derivative& tangent) {
+  return values_of({map.order(0) - tangent[0], map.order(1) - tangent[1]}, map.components(slot));
+}
 
 }  // namespace
 
@@ -118,9 +67,12 @@ std::size_t glev_plan::bytes_for(const Source& source) {
     bytes += 2 * bytes_of(values_of({map.order(0), map.order(1)}, map.components(slot)));
     bytes += bytes_of(centred_values_of(map));
   }
-  for (int number = 0; number < all.derivatives; ++number)
-    bytes +=
-        bytes_of(values_of_derivative(source.maps[all.vertex_slot], all.vertex_slot, kDerivatives[number]));
+  if (all.vertex_slot < 0) return bytes;
+  const Map& map = source.maps[all.vertex_slot];
+  if (all.derivatives)
+    bytes += bytes_of(values_of({map.order(0), map.order(1)}, map.components(all.vertex_slot)));
+  for (const Derivative& tangent : kTangents)
+    bytes += all.automatic_normals ? bytes_of(values_of_tangent(map, all.vertex_slot, tangent)) : 0;
   return bytes;
 }
 
@@ -168,26 +120,30 @@ glev_plan* glev_plan::create_at(void* memory, std::size_t bytes, const Allocator
                                                       : source.kernels->direct_bicubic;
     }
   }
+  if (vertex_slot < 0) return plan;
+  const Map& map = source.maps[vertex_slot];
+  const std::array<int, 2> order = {map.order(0), map.order(1)};
+  const int components = map.components(vertex_slot);
+  const double* const points = map.points(vertex_slot);
+  if (derivatives) {
+    double* const copy = take(values_of(order, components));
+    std::copy_n(points, values_of(order, components), copy);
+    plan->points_ = copy;
+  }
+  if (!automatic_normals) return plan;
   glev::NormalMajorants largest{};
-  for (int number = 0; number < derivatives; ++number) {
-    const Map& map = source.maps[vertex_slot];
-    const Derivative& derivative = kDerivatives[number];
-    const std::array<int, 2> order = derivative_order(map, derivative);
-    if (order[0] < 1 || order[1] < 1) continue;
-    const int components = map.components(vertex_slot);
-    double* const net = take(values_of(order, components));
-    const std::array<double, 4> own =
-        differences_of(map.points(vertex_slot), {map.order(0), map.order(1)}, components, derivative, net);
-    if (number < glev::kTangents) largest[glev::kTangentU + number] = own;
-    glev::scale_by_binomials(net, order, components, net);
-    glev::DerivativeMap& result = plan->derivatives_[number];
-    result.net = {{order[0] - 1, order[1] - 1}, components, {map.domain(0), map.domain(1)}, net};
-    bound_derivative({map.order(0) - 1, map.order(1) - 1}, derivative, own, &result);
+  for (const std::size_t d : {0, 1}) {
+    const Derivative& tangent = kTangents[d];
+    const std::array<int, 2> own = {order[0] - tangent[0], order[1] - tangent[1]};
+    if (own[d] < 1) continue;
+    double* const net = take(values_of(own, components));
+    largest[glev::kTangentU + d] =
+        glev::differences_of(points, order, components, tangent, 0, components, net);
+    glev::scale_by_binomials(net, own, components, net);
+    plan->tangents_[d] = {{own[0] - 1, own[1] - 1}, components, {map.domain(0), map.domain(1)}, net};
   }
-  if (automatic_normals) {
-    for (std::size_t k = 0; k < 4; ++k) largest[glev::kPoint][k] = vertices.component[k].largest;
-    plan->normal_bounds_ = glev::bound_normals(vertices.surface, largest);
-  }
+  for (std::size_t k = 0; k < 4; ++k) largest[glev::kPoint][k] = vertices.component[k].largest;
+  plan->normal_bounds_ = glev::bound_normals(vertices.surface, largest);
   return plan;
 }
 

@@ -15,24 +15,6 @@
 #include "prepared_map.h"
 #include "target.h"
 
-namespace glev {
-
-// The derivatives of the vertex map, in the order of the attributes from TANGENT_U on.
-inline constexpr std::array<Derivative, 5> kDerivatives = {{{1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
-inline constexpr int kTangents = 2;
-
-// A derivative of the vertex map: `factor` times a surface whose control points are differences of control
-// points. The surface has no components if the derivative is zero everywhere.
-struct DerivativeMap {
-  Surface net;
-  double factor = 0;
-  // Inside the domain, |value - V| is at most this for each component, for values in double. Infinity if
-  // there is no bound.
-  std::array<double, 4> error{};
-};
-
-}  // namespace glev
-
 // A plan of one dimension. One-dimensional maps are surfaces of degree 0 in v.
 struct glev_plan {
  public:
@@ -43,7 +25,7 @@ struct glev_plan {
     std::span<const bool, glev::kSlots> enabled;
     std::array<glev::Grid, 2> grid;  // u, v
     bool automatic_normals;          // if there is a vertex map
-    bool derivatives;                // if there is a vertex map; automatic normals imply tangents
+    bool derivatives;                // if there is a vertex map
     const glev::Kernels* kernels;
   };
 
@@ -78,12 +60,13 @@ struct glev_plan {
   const glev::DirectMap& direct_map() const { return direct_map_; }
   // Returns true if normals are computed from the vertex map. The plan then has no normal map.
   bool automatic_normals() const { return automatic_normals_; }
-  // Returns a derivative of the vertex map, by its number in kDerivatives, if the plan has it.
-  const glev::DerivativeMap& derivative(int number) const { return derivatives_[number]; }
-  // Returns the net of a derivative of first order.
-  const glev::Surface& tangent(int direction) const { return derivatives_[direction].net; }
+  // Returns the surface of the derivative by a normalised coordinate, without its factor, if the plan has
+  // automatic normals.
+  const glev::Surface& tangent(int direction) const { return tangents_[direction]; }
   // Returns the bounds on the errors of automatic normals.
   const glev::NormalBounds& normal_bounds() const { return normal_bounds_; }
+  // Returns the control points of the vertex map, v fastest, if the plan has derivatives; otherwise null.
+  const double* points() const { return points_; }
   // Returns the number of components of derivatives; 0 if there are none.
   std::size_t derivative_components() const {
     return dimension_ == 2 ? components(glev::Attribute::kVertex) : 0;
@@ -114,7 +97,8 @@ struct glev_plan {
   glev::DirectMap direct_map_;
   glev::EvaluatesDirectly direct_ = nullptr;
   bool automatic_normals_ = false, has_vertices_only_ = false;
-  std::array<glev::DerivativeMap, glev::kDerivatives.size()> derivatives_;
+  const double* points_ = nullptr;
+  std::array<glev::Surface, 2> tangents_;
   glev::NormalBounds normal_bounds_;
 };
 

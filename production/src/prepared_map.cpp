@@ -17,6 +17,18 @@
 namespace glev {
 namespace {
 
+constexpr std::uint64_t kSign = std::uint64_t{1} << 63, kFraction = (std::uint64_t{1} << 52) - 1,
+                        kInfinity = ~kSign & ~kFraction;
+
+// Returns the exponent that frexp() gives, of a normal number; -1022 or 1025 for others.
+int exponent_of(double x) {
+  return static_cast<int>((std::bit_cast<std::uint64_t>(x) & ~kSign) >> 52) - 1022;
+}
+// Returns 2^exponent, which must be a normal number.
+double power_of_two(int exponent) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+}
+
 bool is_finite(const Domain& domain) { return std::isfinite(domain.u1) && std::isfinite(domain.u2); }
 
 double unit_of(std::array<int, 2> order, const std::array<Domain, 2>& domain, double largest) {
@@ -31,9 +43,26 @@ double unit_of(std::array<int, 2> order, const std::array<Domain, 2>& domain, do
 double invert_width(const Domain& domain) {
   if (two_sum(domain.u1, domain.u2).low != 0) return 0;
   const DoubleDouble width = two_sum(domain.u2, -domain.u1);
-  int exponent = 0;
-  const double fraction = std::frexp(width.high, &exponent);
-  return std::fabs(fraction) == 0.5 && width.low == 0 && std::abs(exponent) < 500 ? 1 / width.high : 0;
+  const bool is_power = (std::bit_cast<std::uint64_t>(width.high) & kFraction) == 0;
+  return is_power && width.low == 0 && std::abs(exponent_of(width.high)) < 500 ? 1 / width.high : 0;
+}
+
+// Computes the largest magnitude of each component. NaN counts as infinite.
+template <int kComponents>
+void find_largest(const double* points, std::ptrdiff_t count, PreparedMap& map) {
+  // Magnitudes are ordered as their bits are.
+  std::array<std::uint64_t, kComponents> largest{}, second{};
+  const auto take = [](std::uint64_t& largest_of, double point) {
+    largest_of = std::max(largest_of, std::bit_cast<std::uint64_t>(point) & ~kSign);
+  };
+  for (std::ptrdiff_t i = 1; i < count; i += 2, points += 2 * kComponents) {
+    for (std::size_t k = 0; k < kComponents; ++k)
+      take(largest[k], points[k]), take(second[k], points[kComponents + k]);
+  }
+  for (std::size_t k = 0; k < kComponents; ++k) {
+    if (count % 2 != 0) take(largest[k], points[k]);
+    map.component[k].largest = std::bit_cast<double>(std::min(std::max(largest[k], second[k]), kInfinity));
+  }
 }
 
 bool is_direct(const PreparedMap& map) {
@@ -95,9 +124,7 @@ void centre(const double* points, std::array<int, 2> order, int components, doub
 // Returns true if centre() does not round: the points are below 2^e and multiples of 2^(e-45), and the
 // coefficients have at most 6 more low bits and 2 more high bits.
 bool is_centred_exactly(const double* points, std::ptrdiff_t count, int components, double largest) {
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  const double scale = std::ldexp(1, 45 - exponent);
+  const double scale = power_of_two(45 - exponent_of(largest));
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     constexpr double kWhole = 0x1.8p52;
     const double point = points[i * components] * scale, whole = point + kWhole;
@@ -129,16 +156,14 @@ void bound_centred(PreparedMap& map, const double* points, std::ptrdiff_t count,
     const bool is_exact = is_centred_exactly(points + k, count, map.surface.components, component.largest);
     units = centred_units(n, m, sum / component.largest, is_exact);
     if (is_exact && component.largest <= 0x1p120 && component.largest >= 0x1p-600) {
-      int exponent = 0, high = 0;
-      std::frexp(component.largest, &exponent);
+      const int exponent = exponent_of(component.largest);
       map.centred_sum[k] = sum * (1 + 0x1p-40);  // the sum may be rounded
-      std::frexp(map.centred_sum[k], &high);
-      const double scale = std::ldexp(1, 51 - exponent);
+      const double scale = power_of_two(51 - exponent);
       std::int64_t all = 0;
       for (std::ptrdiff_t i = 0; i < count; ++i)
         all |= static_cast<std::int64_t>(map.centred[4 * i + k] * scale);
       const int low = exponent - 51 + (all == 0 ? 0 : std::countr_zero(static_cast<std::uint64_t>(all)));
-      map.centred_bits[k] = high - low;
+      map.centred_bits[k] = exponent_of(map.centred_sum[k]) - low;
     }
   }
   map.centred_test.error[k] = error_bound(component, units, 1);
@@ -168,16 +193,14 @@ void lower_degree(int n, int lower, const double* points, std::ptrdiff_t step, d
 std::array<int, 2> reduce_component(const PreparedMap& map, const double* points, int k, double* reduced) {
   const auto [n, m] = map.surface.degree;
   const int components = map.surface.components, count = (n + 1) * (m + 1);
-  bool is_constant = true;
-  for (int i = 0; i < count; ++i) {
-    reduced[i] = points[i * components];
-    is_constant = is_constant && reduced[i] == reduced[0];
-  }
-  if (is_constant) {
-    reduced[0] += 0.0;
+  int same = 1;
+  while (same < count && points[same * components] == points[0]) ++same;
+  if (same == count) {
+    reduced[0] = points[0] + 0.0;
     return {1, 1};
   }
   if (map.centred_bits[k] < kManyBits) {
+    for (int i = 0; i < count; ++i) reduced[i] = points[i * components];
     int lowest_u = 0, lowest_v = 0;
     const double* own = map.centred + k;
     for (int j = 0; j <= m; ++j) {
@@ -215,15 +238,12 @@ PreparedMap prepare_map(const double* points, std::array<int, 2> order, int comp
     map.centred = centred;
     for (int k = 0; k < components; ++k) map.centred_test.error[k] = HUGE_VAL;
   }
+  constexpr std::array kFindLargest = {find_largest<1>, find_largest<2>, find_largest<3>, find_largest<4>};
+  kFindLargest[static_cast<std::size_t>(components - 1)](points, count, map);
   for (int k = 0; k < components; ++k) {
     PreparedComponent& component = map.component[k];
     component.unit = HUGE_VAL;
-    bool all_finite = true;
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-      const double point = points[i * components + k];
-      all_finite = all_finite && std::isfinite(point);
-      component.largest = std::max(component.largest, std::fabs(point));
-    }
+    bool all_finite = std::isfinite(component.largest);
     for (int d : {0, 1}) all_finite = all_finite && (order[d] == 1 || is_finite(domain[d]));
     if (!all_finite) continue;
 

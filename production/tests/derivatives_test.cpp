@@ -134,6 +134,29 @@ class Derivatives : public ContextTest {
     }
   }
 
+  // Returns the largest magnitude of component k of the control points of a derivative.
+  static double largest_point(const Patch& patch, const DerivativeRow& row, std::size_t k) {
+    std::array<int, 2> order = patch.order;
+    std::vector<double> net;
+    for (std::size_t i = k; i < patch.points.size(); i += kComponents) net.push_back(patch.points[i]);
+    for (const std::size_t d : {0, 1}) {
+      for (int time = 0; time < row.order[d] && order[d] > 0; ++time) {
+        std::vector<double> next;
+        const double factor = (order[d] - 1) / (patch.domain[d].u2 - patch.domain[d].u1);
+        const std::size_t step = d == 0 ? static_cast<std::size_t>(order[1]) : 1;
+        for (std::size_t i = 0; i < net.size(); ++i) {
+          const auto index = static_cast<int>(d == 0 ? i / step : i % static_cast<std::size_t>(order[1]));
+          if (index + 1 < order[d]) next.push_back(factor * (net[i + step] - net[i]));
+        }
+        --order[d];
+        net = next;
+      }
+    }
+    double largest = 0;
+    for (const double point : net) largest = std::max(largest, std::fabs(point));
+    return largest;
+  }
+
   Patch choose_patch(int most_order) {
     Patch patch;
     patch.order = {chance_.whole(1, most_order), chance_.whole(1, most_order)};
@@ -207,10 +230,86 @@ TEST_F(Derivatives, InExtremeDomainsAreRight) {
 }
 
 TEST_F(Derivatives, OfHighOrderAreRight) {
-  Patch patch = choose_patch(1);
-  patch.order = {64, 3};
+  for (const std::array<int, 2> order : {std::array{64, 3}, std::array{17, 16}}) {
+    Patch patch = choose_patch(1);
+    patch.order = order;
+    fill(patch, [&] { return chance_.between(-2, 2); });
+    expect_right_everywhere(patch);
+  }
+}
+
+// There is no room for all components at a time.
+TEST_F(Derivatives, OfTheLargestNetsAreRight) {
+  for (const std::array<int, 2> order : {std::array{40, 41}, std::array{64, 64}}) {
+    Patch patch = {order, {Domain{0, 1}, Domain{0, 1}}, {}};
+    fill(patch, [&] { return chance_.between(-2, 2); });
+    define(patch);
+    const Plan plan(gl, 2);
+    const std::vector<double> u = {chance_.next_double()}, v = {0.25};
+    for (const DerivativeRow& row : {kDerivativeRows[0], kDerivativeRows[3]})
+      expect_right(patch, row, {glev::argument_at(u[0])}, {glev::argument_at(v[0])},
+                   evaluate_scattered(plan, row.attribute, u, v),
+                   evaluate_scattered<double>(plan, row.attribute, u, v));
+  }
+}
+
+TEST_F(Derivatives, ComponentsThatTheMapDoesNotHaveAreZero) {
+  Patch patch = {{3, 3}, {Domain{0, 1}, Domain{0, 1}}, {}};
   fill(patch, [&] { return chance_.between(-2, 2); });
-  expect_right_everywhere(patch);
+  for (const double last : {1.0, 0x1p-60}) {  // the differences with the last number are not doubles
+    patch.points.back() = last;
+    define(patch);
+    const Plan plan(gl, 2);
+    for (const DerivativeRow& row : kDerivativeRows) {
+      const float at[] = {0.25F, 0.5F, 0.75F};
+      float results[3][4];
+      std::fill_n(&results[0][0], 12, 7.0F);
+      glev_output output = {};
+      output.size = sizeof output, output.data = results, output.data_size = sizeof results;
+      output.stride = sizeof results[0], output.components = 4;
+      const glev_attribute_output wanted = {row.attribute, &output};
+      glev_batch batch = {};
+      batch.size = sizeof batch, batch.count = 3, batch.type = GLEV_FLOAT;
+      batch.u = batch.v = {at, sizeof at, sizeof at[0]};
+      batch.outputs = &wanted, batch.output_count = 1;
+      ASSERT_EQ(glevEvaluate(plan, &batch), GLEV_SUCCESS);
+      for (const auto& result : results) EXPECT_EQ(result[3], 0) << row.attribute;
+    }
+  }
+}
+
+// The bound of FAST holds with the control points of the derivative.
+TEST_F(Derivatives, FastKeepsItsBound) {
+  double worst = 0;
+  for (int k = 0; k < 20 && !HasFailure(); ++k) {
+    Patch patch = choose_patch(6);
+    patch.domain = {chance_.one_of({Domain{0, 1}, Domain{0.5, 0}, Domain{-4, 4}}), Domain{0, 1}};
+    fill(patch, [&] { return chance_.between(-2, 2); });
+    define(patch);
+    const Grid grid_u = {patch.domain[0].u1, patch.domain[0].u2, 23}, grid_v = {0, 1, 1000};
+    glevMapGrid2d(gl, 23, grid_u.u1, grid_u.u2, 1000, 0, 1);
+    const Range range = {0, 23, 300, 302};
+    const Plan plan(gl, 2);
+    for (const DerivativeRow& row : kDerivativeRows) {
+      const std::vector<float> got = evaluate_grid(plan, row.attribute, range, GLEV_FAST);
+      const auto [n, m] = patch.order;
+      const std::array<int, 2> degree = {n - 1 - row.order[0], m - 1 - row.order[1]};
+      const double units = 6 * std::max(degree[0] + degree[1], 0) + 12;
+      std::size_t at = 0;
+      for (int j = range.j1; j <= range.j2; ++j) {
+        for (int i = range.i1; i <= range.i2; ++i) {
+          for (std::size_t c = 0; c < kComponents; ++c) {
+            const Rational value = exact(patch, row, c, {grid_u, i}, {grid_v, j});
+            const auto error = abs(to_rational(got[at++]) - value).convert_to<double>();
+            const double largest = largest_point(patch, row, c);
+            worst = std::max(worst, largest == 0 ? error * HUGE_VAL : error / (units * 0x1p-24 * largest));
+          }
+        }
+      }
+    }
+  }
+  EXPECT_LE(worst, 1);
+  EXPECT_GT(worst, 0.01);  // results are not correctly rounded
 }
 
 }  // namespace
