@@ -189,7 +189,7 @@ std::size_t scratch_of(const glev_plan& plan, std::size_t columns) {
   return bytes + kCacheLine;
 }
 
-void evaluate_arguments(const glev_plan& plan, const Input& u, const Input* v, std::size_t count,
+void evaluate_arguments(const glev_plan& plan, const Input& u, const Input* v, std::size_t count, bool fast,
                         const Outputs& outputs) {
   evaluate_all(
       plan, outputs, [&](std::size_t i) { return argument_at(u[i]); },
@@ -199,7 +199,7 @@ void evaluate_arguments(const glev_plan& plan, const Input& u, const Input* v, s
         if (count <= kFew) {
           evaluate_points(plan, map, u, v, count, to);
         } else if (v != nullptr) {
-          plan.kernels().surface(map, u, *v, count, to);
+          plan.kernels().surface(map, u, *v, count, fast, to);
         } else {
           plan.kernels().curve(map, u, count, to);
         }
@@ -268,7 +268,8 @@ glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
 
   const glev::Input u = {inputs[0].begin, inputs[0].stride, is_double},
                     v = {inputs[1].begin, inputs[1].stride, is_double};
-  glev::evaluate_arguments(*plan, u, has_v ? &v : nullptr, batch.count, outputs);
+  glev::evaluate_arguments(*plan, u, has_v ? &v : nullptr, batch.count, batch.precision == GLEV_FAST,
+                           outputs);
   return GLEV_SUCCESS;
 }
 

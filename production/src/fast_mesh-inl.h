@@ -23,16 +23,8 @@ namespace glev::HWY_NAMESPACE {
 using Floats = hn::CappedTag<float, 16>;
 constexpr Floats kFloats;
 constexpr std::size_t kFloatLanes = hn::MaxLanes(kFloats);
+static_assert(kFloatLanes == kStep);
 constexpr std::size_t kFloatStep = kUnroll * kFloatLanes;
-
-template <int kComponents>
-HWY_INLINE void store_floats(const hn::Vec<Floats> (&values)[kComponents], float* to) {
-  if constexpr (kComponents == 1) hn::StoreU(values[0], kFloats, to);
-  if constexpr (kComponents == 2) hn::StoreInterleaved2(values[0], values[1], kFloats, to);
-  if constexpr (kComponents == 3) hn::StoreInterleaved3(values[0], values[1], values[2], kFloats, to);
-  if constexpr (kComponents == 4)
-    hn::StoreInterleaved4(values[0], values[1], values[2], values[3], kFloats, to);
-}
 
 // Computes the weights of a fast mesh along u. Those of each i are `padded` floats apart.
 HWY_NOINLINE inline void compute_fast_weights(const Domain& domain, const MeshRange& range, int degree,
@@ -166,14 +158,7 @@ template <int kComponents>
 bool evaluate_fast_inside(const PreparedMap& map, const MeshRange& range, const Destination& to,
                           double* scratch) {
   const auto [n, m] = map.surface.degree;
-  for (int k = 0; k < kComponents; ++k) {
-    const double largest = map.component[k].largest;
-    if (map.component[k].kind == PreparedComponent::Kind::kUnclaimed) return false;
-    if (largest == 0) continue;
-    // Without a unit there is no bound, because arguments in such a domain overflow or underflow.
-    const bool has_bound = std::isfinite(map.component[k].unit);
-    if (!has_bound || !(largest >= 0x1p-80 && largest <= 0x1p80)) return false;
-  }
+  if (!has_fast_bound(map)) return false;
   if (map.centred != nullptr && has_few_segments(range, m)) return false;
   const Domain &domain_u = map.surface.domain[0], &domain_v = map.surface.domain[1];
   const std::int64_t i2 = range.last_column(), j2 = range.last_row();
@@ -223,14 +208,14 @@ bool evaluate_fast_inside(const PreparedMap& map, const MeshRange& range, const 
       }
       if (HWY_LIKELY(packed && c + kFloatStep <= range.columns)) {
         for (std::size_t part = 0; part < kUnroll; ++part) {
-          store_floats<kComponents>(
+          interleave<kComponents>(
               value[part], reinterpret_cast<float*>(data + c * to.stride) + part * kFloatLanes * kComponents);
         }
         continue;
       }
       alignas(64) float values[kFloatStep * kComponents];
       for (std::size_t part = 0; part < kUnroll; ++part)
-        store_floats<kComponents>(value[part], values + part * kFloatLanes * kComponents);
+        interleave<kComponents>(value[part], values + part * kFloatLanes * kComponents);
       scatter<kComponents>(values, std::min(kFloatStep, range.columns - c), to, data + c * to.stride);
     }
   }

@@ -23,6 +23,7 @@
 #include "doubles-inl.h"
 #include "enclosure-inl.h"
 #include "fast_mesh-inl.h"
+#include "low_surfaces-inl.h"
 #include "mesh-inl.h"
 #include "normals-inl.h"
 #include "point-inl.h"
@@ -45,11 +46,24 @@ void evaluate_curve(const PreparedMap& map, const Input& u, std::size_t count, c
   kOf[map.surface.components - 1](map, u, count, to);
 }
 
-void evaluate_surface(const PreparedMap& map, const Input& u, const Input& v, std::size_t count,
+template <int kComponents>
+void evaluate_surfaces_of(const PreparedMap& map, const Input& u, const Input& v, std::size_t count,
+                          bool fast, const Destination& to) {
+  // The instruction sets before these convert too slowly.
+  constexpr bool kHasFast = HWY_NATIVE_FMA || HWY_TARGET == HWY_SSE4;
+  const bool is_bicubic = map.surface.degree == std::array{3, 3};
+  const auto evaluate = kHasFast && is_bicubic && fast && has_fast_bound(map)
+                            ? evaluate_fast_bicubic_surfaces<kComponents>
+                        : is_bicubic ? evaluate_bicubic_surfaces<kComponents>
+                                     : evaluate_surfaces<kComponents>;
+  evaluate(map, u, v, count, to);
+}
+
+void evaluate_surface(const PreparedMap& map, const Input& u, const Input& v, std::size_t count, bool fast,
                       const Destination& to) {
-  constexpr decltype(&evaluate_surfaces<1>) kOf[] = {evaluate_surfaces<1>, evaluate_surfaces<2>,
-                                                     evaluate_surfaces<3>, evaluate_surfaces<4>};
-  kOf[map.surface.components - 1](map, u, v, count, to);
+  constexpr decltype(&evaluate_surfaces_of<1>) kOf[] = {evaluate_surfaces_of<1>, evaluate_surfaces_of<2>,
+                                                        evaluate_surfaces_of<3>, evaluate_surfaces_of<4>};
+  kOf[map.surface.components - 1](map, u, v, count, fast, to);
 }
 
 void evaluate_mesh(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,

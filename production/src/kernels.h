@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include <glevaluator.h>
@@ -49,6 +50,19 @@ inline bool has_few_segments(const MeshRange& range, int m) {
   return static_cast<std::int64_t>(range.u.segments) * (m == 0 ? 1 : range.v.segments) < kFewestSegments;
 }
 
+// Returns false if the control points or the domain are so extreme that GLEV_FAST has no bound.
+inline bool has_fast_bound(const PreparedMap& map) {
+  for (int k = 0; k < map.surface.components; ++k) {
+    const double largest = map.component[k].largest;
+    if (map.component[k].kind == PreparedComponent::Kind::kUnclaimed) return false;
+    if (largest == 0) continue;
+    // Without a unit there is no bound, because arguments in such a domain overflow or underflow.
+    const bool has_bound = std::isfinite(map.component[k].unit);
+    if (!has_bound || !(largest >= 0x1p-80 && largest <= 0x1p80)) return false;
+  }
+  return true;
+}
+
 // At most kPatchLanes patches of the same degrees, 1 to kMaxCentredDegree in u and 0 to kMaxCentredDegree in
 // v, which are evaluated at the same arguments, one patch in each lane.
 inline constexpr std::size_t kPatchLanes = 8;
@@ -74,7 +88,7 @@ struct PatchBlock {
 // `position` is then undefined.
 using EvaluatesDirectly = bool (*)(const glev_plan& plan, double u, double v, float* position);
 
-// The kernels of an instruction set. All results of maps are correctly rounded, except those of fast meshes.
+// The kernels of an instruction set. All results of maps are correctly rounded, unless `fast` is set.
 // They require the default floating-point environment.
 struct Kernels {
   const char* name;
@@ -84,7 +98,7 @@ struct Kernels {
   EvaluatesDirectly direct, direct_cubic_curve, direct_bicubic;
   // Evaluate curves and surfaces at many arguments.
   void (*curve)(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to);
-  void (*surface)(const PreparedMap& map, const Input& u, const Input& v, std::size_t count,
+  void (*surface)(const PreparedMap& map, const Input& u, const Input& v, std::size_t count, bool fast,
                   const Destination& to);
   // Evaluates a mesh. `scratch`: mesh_scratch() bytes, aligned to a cache line.
   void (*mesh)(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,

@@ -465,7 +465,7 @@ void evaluate_grids(const glev_patches& patches, const glev_patch_grid& grid, co
       }
       for (std::size_t j = 0; j < shape.rows; ++j) {
         const glev::Input v = {inputs.v.begin + j * inputs.v.stride, 0, is_double};
-        glev::evaluate_arguments(plan, u, patches.vorder > 1 ? &v : nullptr, shape.columns,
+        glev::evaluate_arguments(plan, u, patches.vorder > 1 ? &v : nullptr, shape.columns, false,
                                  parts_of(own, [&](const Output& output) { return output.row(j); }));
       }
       write_limit_normals(
@@ -487,7 +487,7 @@ void evaluate_scattered(const glev_patches& patches, const glev_patch_grid& grid
                       v = {inputs.v.begin + begin * inputs.v.stride, inputs.v.stride, is_double};
     const Outputs own =
         parts_of(outputs, [&](const Output& output) { return output.columns(begin, end - begin); });
-    glev::evaluate_arguments(plan, u, patches.vorder > 1 ? &v : nullptr, end - begin, own);
+    glev::evaluate_arguments(plan, u, patches.vorder > 1 ? &v : nullptr, end - begin, false, own);
     write_limit_normals(
         patches, grid, plans, own[kNormal], end - begin, 1,
         [&](std::size_t i) { return glev::argument_at(u[i]); },

@@ -40,6 +40,19 @@ HWY_NOINLINE void scatter(const float* values, std::size_t count, const Destinat
   }
 }
 
+// Stores kStep points without padding.
+template <int kComponents>
+HWY_INLINE void interleave(const Whole (&value)[kComponents], float* to) {
+#if HWY_TARGET == HWY_SCALAR
+  for (int k = 0; k < kComponents; ++k) to[k] = hn::GetLane(value[k]);
+#else
+  if constexpr (kComponents == 1) hn::StoreU(value[0], kWhole, to);
+  if constexpr (kComponents == 2) hn::StoreInterleaved2(value[0], value[1], kWhole, to);
+  if constexpr (kComponents == 3) hn::StoreInterleaved3(value[0], value[1], value[2], kWhole, to);
+  if constexpr (kComponents == 4) hn::StoreInterleaved4(value[0], value[1], value[2], value[3], kWhole, to);
+#endif
+}
+
 // Rounds and writes the results of a map. NaN is undecided.
 template <int kComponents>
 class Writer {
@@ -74,10 +87,10 @@ class Writer {
   HWY_INLINE void write(const Rounded& rounded, std::size_t begin, std::size_t count,
                         const Resolver& resolve) const {
     if (HWY_LIKELY(is_packed_ && count == kStep)) {
-      interleave(rounded, reinterpret_cast<float*>(data_ + begin * to_.stride));
+      interleave<kComponents>(rounded.value, reinterpret_cast<float*>(data_ + begin * to_.stride));
     } else {
       alignas(64) float values[kStep * kComponents];
-      interleave(rounded, values);
+      interleave<kComponents>(rounded.value, values);
       scatter<kComponents>(values, count, to_, data_ + begin * to_.stride);
     }
     auto settled = rounded.settled[0];
@@ -90,18 +103,6 @@ class Writer {
   }
 
  private:
-  static HWY_INLINE void interleave(const Rounded& rounded, float* to) {
-#if HWY_TARGET == HWY_SCALAR
-    for (int k = 0; k < kComponents; ++k) to[k] = hn::GetLane(rounded.value[k]);
-#else
-    const auto& value = rounded.value;
-    if constexpr (kComponents == 1) hn::StoreU(value[0], kWhole, to);
-    if constexpr (kComponents == 2) hn::StoreInterleaved2(value[0], value[1], kWhole, to);
-    if constexpr (kComponents == 3) hn::StoreInterleaved3(value[0], value[1], value[2], kWhole, to);
-    if constexpr (kComponents == 4) hn::StoreInterleaved4(value[0], value[1], value[2], value[3], kWhole, to);
-#endif
-  }
-
   template <class Resolver>
   HWY_NOINLINE void repair(const std::uint8_t (&settled)[kComponents][8], std::size_t begin,
                            std::size_t count, const Resolver& resolve) const {

@@ -123,6 +123,52 @@ TEST_F(Precision, FastMeshesKeepTheirBound) {
   EXPECT_GT(worst, 0.01);  // the mesh is not correctly rounded
 }
 
+// Points on the boundary and outside are correctly rounded. All 40 arguments are in one block of vectors with
+// some of these, or in the last block, which is not full.
+TEST_F(Precision, FastScatteredPointsKeepTheirBound) {
+  double worst = 0;
+  const auto test = [&]<class Real>(Real, int k) {
+    const Domain domain = chance_.one_of({Domain{0, 1}, Domain{1, 0}, Domain{-0.3, 0.9}, Domain{-2, 6}});
+    GivenNet net = {{4, 4}, {domain, Domain{0, 1}}, {}};
+    for (int i = 0; i < 16; ++i) {
+      net.points.push_back(4 * chance_.next_double() - 2);
+      if (k % 3 == 1) net.points.back() = i % 2 == 0 ? 1 : -1;
+      if (k % 3 == 2) net.points.back() = std::ldexp(net.points.back() / 4, chance_.one_of({80, 79, 20}));
+    }
+    define(net);
+    const Plan plan(gl, 2);
+    std::vector<Real> u, v;
+    for (int i = 0; i < 40; ++i) {
+      const auto choose = [&](const Domain& of) {
+        const double t = chance_.one_of({chance_.next_double(), chance_.next_double(), 0x1p-45,
+                                         i < 20 ? 0.5 : 1.0, i < 20 ? 0.25 : 0.0, i < 20 ? 0.75 : 1.25});
+        return static_cast<Real>(t == 1 ? of.u2 : of.u1 + t * (of.u2 - of.u1));
+      };
+      u.push_back(choose(domain)), v.push_back(choose(Domain{0, 1}));
+    }
+    const Floats got = evaluate_scattered(plan, GLEV_ATTRIBUTE_TEXCOORD, u, v, GLEV_FAST),
+                 rounded = evaluate_scattered(plan, GLEV_ATTRIBUTE_TEXCOORD, u, v);
+    double largest = 0;
+    for (const double point : net.points) largest = std::max(largest, std::fabs(point));
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const auto is_inside = [](const Domain& of, double at) {
+        return std::min(of.u1, of.u2) < at && at < std::max(of.u1, of.u2);
+      };
+      const GridArgument at_u = glev::argument_at(u[i]), at_v = glev::argument_at(v[i]);
+      if (!is_inside(domain, u[i]) || !is_inside({0, 1}, v[i])) {
+        EXPECT_EQ(std::bit_cast<std::uint32_t>(got[i]), std::bit_cast<std::uint32_t>(rounded[i]))
+            << show(net, at_u, at_v);
+        continue;
+      }
+      const Rational error = abs(to_rational(got[i]) - net.value_at(net.points, at_u, at_v));
+      worst = std::max(worst, error.convert_to<double>() / (48 * 0x1p-24 * largest));
+    }
+  };
+  for (int k = 0; k < 60; ++k) test(float{}, k), test(double{}, k);
+  EXPECT_LE(worst, 1);
+  EXPECT_GT(worst, 0.02);  // results are not correctly rounded
+}
+
 // If the bound would not hold, results are correctly rounded.
 TEST_F(Precision, FastIsCorrectlyRoundedOutsideTheDomainAndForExtremeMaps) {
   const auto expect_rounded = [&](const GivenNet& net, const Grid& u, const Grid& v, const Range& range) {
