@@ -105,15 +105,16 @@ void evaluate_points(const glev_plan& plan, const glev::PreparedMap& map, const 
   }
 }
 
-// Computes all outputs. `evaluate` computes float results of maps; `normals` and `doubles` compute automatic
-// normals as floats and double results of maps if they support these, and otherwise return false.
-template <class U, class V, class Evaluate, class Normals, class Doubles>
-void evaluate_all(const glev_plan& plan, const Outputs& outputs, const U& u, const V& v,
-                  const Evaluate& evaluate, const Normals& normals, const Doubles& doubles) {
+// Computes all outputs that are left. `evaluate` computes float results of maps; `normals` and `doubles`
+// compute automatic normals as floats and double results of maps if they support these, and otherwise return
+// false.
+template <class IsLeft, class U, class V, class Evaluate, class Normals, class Doubles>
+void evaluate_all(const glev_plan& plan, const Outputs& outputs, const IsLeft& is_left, const U& u,
+                  const V& v, const Evaluate& evaluate, const Normals& normals, const Doubles& doubles) {
   const glev::DefaultEnvironment environment;
   for (int o = 0; o < kOutputs; ++o) {
     const Output& output = outputs[o];
-    if (!output.is_wanted) continue;
+    if (!output.is_wanted || !is_left(output)) continue;
     const glev::Destination to = {output.data, output.stream.stride, output.stream.row_stride,
                                   output.components};
     const auto evaluate_map = [&](const glev::PreparedMap& map) {
@@ -192,7 +193,7 @@ std::size_t scratch_of(const glev_plan& plan, std::size_t columns) {
 void evaluate_arguments(const glev_plan& plan, const Input& u, const Input* v, std::size_t count, bool fast,
                         const Outputs& outputs) {
   evaluate_all(
-      plan, outputs, [&](std::size_t i) { return argument_at(u[i]); },
+      plan, outputs, [](const Output&) { return true; }, [&](std::size_t i) { return argument_at(u[i]); },
       [&](std::size_t i, std::size_t) { return v != nullptr ? argument_at((*v)[i]) : GridArgument{}; },
       [&](const PreparedMap& map, const Destination& to) {
         constexpr std::size_t kFew = 2;  // too few points for the set-up of vectors
@@ -210,19 +211,22 @@ void evaluate_arguments(const glev_plan& plan, const Input& u, const Input* v, s
       });
 }
 
-void evaluate_range(const glev_plan& plan, const MeshRange& range, bool fast, Outputs outputs,
+void evaluate_range(const glev_plan& plan, const MeshRange& range, bool fast, const Outputs& outputs,
                     std::byte* scratch) {
   std::byte* const aligned = align(scratch);
   const auto normals = plan.kernels().normals;
-  Output &vertex = outputs[static_cast<int>(Attribute::kVertex)],
-         &normal = outputs[static_cast<int>(Attribute::kNormal)];
-  if (plan.automatic_normals() && are_records(plan, vertex, normal)) {
+  const Output &vertex = outputs[static_cast<int>(Attribute::kVertex)],
+               &normal = outputs[static_cast<int>(Attribute::kNormal)];
+  const bool has_records = plan.automatic_normals() && are_records(plan, vertex, normal);
+  if (has_records) {
     const DefaultEnvironment environment;
     normals(plan, range, {normal.data, normal.stream.stride, normal.stream.row_stride, 3}, true, aligned);
-    vertex.is_wanted = normal.is_wanted = false;
   }
+  const auto is_left = [&](const Output& output) {
+    return !has_records || (&output != &vertex && &output != &normal);
+  };
   evaluate_all(
-      plan, outputs, [&](std::size_t i) { return range.u_of(i); },
+      plan, outputs, is_left, [&](std::size_t i) { return range.u_of(i); },
       [&](std::size_t, std::size_t j) { return range.v_of(j); },
       [&](const PreparedMap& map, const Destination& to) {
         plan.kernels().mesh(map, range, fast, to, aligned);
@@ -255,7 +259,7 @@ glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
 
   const auto stream_of = [&](const glev_input& input) {
     const std::size_t element = is_double ? sizeof(double) : sizeof(float);
-    return Stream{static_cast<const std::byte*>(input.data), batch.count, 1, input.stride, 0, element};
+    return Stream{static_cast<const std::byte*>(input.data), batch.count, 1, input.stride, 0, element, 1, 0};
   };
   std::array<Stream, 2> inputs = {stream_of(batch.u)};
   if (!inputs[0].fits_into(batch.u.data_size)) return GLEV_ERROR_BUFFER_TOO_SMALL;

@@ -21,7 +21,7 @@ std::size_t scratch_of(const glev_plan& plan, std::size_t columns);
 void evaluate_arguments(const glev_plan& plan, const Input& u, const Input* v, std::size_t count, bool fast,
                         const Outputs& outputs);
 
-void evaluate_range(const glev_plan& plan, const MeshRange& range, bool fast, Outputs outputs,
+void evaluate_range(const glev_plan& plan, const MeshRange& range, bool fast, const Outputs& outputs,
                     std::byte* scratch);
 
 }  // namespace glev

@@ -15,9 +15,8 @@ namespace glev {
 // A layout in memory: patches * rows * columns > 0 elements of `element` bytes. Consecutive elements are
 // `stride` bytes apart, rows `row_stride` and patches `patch_stride`.
 struct Stream {
-  const std::byte* begin = nullptr;
-  std::size_t columns = 0, rows = 1, stride = 0, row_stride = 0, element = 0;
-  std::size_t patches = 1, patch_stride = 0;
+  const std::byte* begin;
+  std::size_t columns, rows, stride, row_stride, element, patches, patch_stride;
 
   // Returns true if the elements fit into `bytes` bytes and into the address space.
   bool fits_into(std::size_t bytes) const {
@@ -26,9 +25,9 @@ struct Stream {
     std::size_t left = room - element;
     for (const auto [count, step] :
          {Level{columns, stride}, Level{rows, row_stride}, Level{patches, patch_stride}}) {
-      if (step == 0) continue;
-      if (count - 1 > left / step) return false;
-      left -= (count - 1) * step;
+      std::size_t distance;
+      if (__builtin_mul_overflow(count - 1, step, &distance) || distance > left) return false;
+      left -= distance;
     }
     return true;
   }
@@ -82,7 +81,7 @@ inline bool share_bytes(const Stream& a, const Stream& b) {
 
 // Returns the layout of scratch memory, limited to the address space.
 inline Stream claim(void* memory, std::size_t bytes) {
-  Stream claimed = {static_cast<std::byte*>(memory), 1, 1, 1, 0, bytes};
+  Stream claimed = {static_cast<std::byte*>(memory), 1, 1, 1, 0, bytes, 1, 0};
   if (!claimed.fits_into(SIZE_MAX)) claimed.element = UINTPTR_MAX - claimed.first_byte();
   return claimed;
 }
@@ -92,11 +91,13 @@ inline Stream claim(void* memory, std::size_t bytes) {
 constexpr int kFirstDerivative = kAttributes, kOutputs = kAttributes + 5;
 static_assert(kFirstDerivative == GLEV_ATTRIBUTE_TANGENT_U && kOutputs == GLEV_ATTRIBUTE_SECOND_VV + 1);
 
+// If it is not wanted, the other members have no values, because small batches would spend much of their time
+// there.
 struct Output {
-  bool is_wanted = false, is_double = false;
-  int components = 0;
-  std::byte* data = nullptr;
-  std::size_t bytes = 0;
+  bool is_wanted = false, is_double;
+  int components;
+  std::byte* data;
+  std::size_t bytes;
   Stream stream;
 
   std::byte* address_of(std::size_t column, std::size_t row) const {
@@ -104,19 +105,22 @@ struct Output {
   }
   // Return the elements of one patch, or of one row of a patch.
   Output patch(std::size_t number) const {
+    if (!is_wanted) return {};
     Output part = *this;
-    if (is_wanted) part.data += number * stream.patch_stride;
+    part.data += number * stream.patch_stride;
     part.stream.patches = 1;
     return part;
   }
   Output row(std::size_t number) const {
+    if (!is_wanted) return {};
     Output part = *this;
-    if (is_wanted) part.data += number * stream.row_stride;
+    part.data += number * stream.row_stride;
     part.stream.rows = 1;
     return part;
   }
   // Returns `columns` * `rows` consecutive elements of a single row as a mesh.
   Output mesh(std::size_t first, std::size_t columns, std::size_t rows) const {
+    if (!is_wanted) return {};
     Output part = this->columns(first, columns);
     part.stream.rows = rows;
     part.stream.row_stride = columns * stream.stride;
@@ -124,8 +128,9 @@ struct Output {
   }
   // Returns `count` elements of a single row.
   Output columns(std::size_t first, std::size_t count) const {
+    if (!is_wanted) return {};
     Output part = *this;
-    if (is_wanted) part.data += first * stream.stride;
+    part.data += first * stream.stride;
     part.stream.columns = count;
     return part;
   }

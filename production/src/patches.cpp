@@ -175,13 +175,13 @@ glev::Shape shape_of(const glev_patches& patches, const glev_patch_grid& grid) {
 
 glev_result locate_input(const glev_input& input, std::size_t count, std::size_t element, Stream* stream) {
   if (input.data == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
-  *stream = {static_cast<const std::byte*>(input.data), count, 1, input.stride, 0, element};
+  *stream = {static_cast<const std::byte*>(input.data), count, 1, input.stride, 0, element, 1, 0};
   return stream->fits_into(input.data_size) ? GLEV_SUCCESS : GLEV_ERROR_BUFFER_TOO_SMALL;
 }
 
 // The layouts of all memory that is read.
 struct Inputs {
-  Stream points, u, v, patch;
+  Stream points{}, u{}, v{}, patch{};
 
   std::size_t patch_of(std::size_t i) const {
     glev_uint number;
@@ -566,7 +566,7 @@ glev_result glevCreatePlanFromMap(const glev_map_info* given, glev_plan** plan) 
   const glev::Kernels* kernels = glev::find_kernels(info.instruction_set);
   if (kernels == nullptr || !glev::read_allocator(info.allocator, &allocator))
     return GLEV_ERROR_INVALID_ARGUMENT;
-  Stream points;
+  Stream points{};
   const glev_result result = locate_points(patches, &points);
   if (result != GLEV_SUCCESS) return result;
 

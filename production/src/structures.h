@@ -38,6 +38,10 @@ template <class Struct>
 bool read_struct(const Struct* given, Struct* copy) {
   static_assert(kFirstSize<Struct> != 0);
   if (given == nullptr || given->size < kFirstSize<Struct>) return false;
+  if (given->size == sizeof(Struct)) {  // the usual case, with a size that is known to the compiler
+    std::memcpy(copy, given, sizeof(Struct));
+    return true;
+  }
   const auto* bytes = reinterpret_cast<const unsigned char*>(given);
   for (std::size_t i = sizeof(Struct); i < given->size; ++i) {
     if (bytes[i] != 0) return false;
