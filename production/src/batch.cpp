@@ -100,8 +100,9 @@ void evaluate_points(const glev_plan& plan, const glev::PreparedMap& map, const 
     plan.kernels().point(map, glev::argument_at(u[i]), at_v, values.data());
     for (std::size_t k = static_cast<std::size_t>(map.surface.components); k < 4; ++k)
       values[k] = k == 3 ? 1 : 0;
-    std::memcpy(to.data + i * to.stride, values.data(),
-                static_cast<std::size_t>(to.components) * sizeof(float));
+    // One at a time, as they were written: to load several at once would have to wait for the stores.
+    for (std::size_t k = 0; k < static_cast<std::size_t>(to.components); ++k)
+      std::memcpy(to.data + i * to.stride + k * sizeof(float), &values[k], sizeof(float));
   }
 }
 

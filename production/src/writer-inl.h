@@ -6,7 +6,6 @@
 #define GLEVALUATOR_WRITER_INL_H_
 #endif
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -33,10 +32,12 @@ HWY_NOINLINE void scatter(const float* values, std::size_t count, const Destinat
   if constexpr (kComponents == 3) {
     if (count % 4 == 0 && to.components == 3) return copy_triples(values, count, to.stride, data);
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    std::array<float, 4> element = {0, 0, 0, 1};
-    std::memcpy(element.data(), values + i * kComponents, kComponents * sizeof(float));
-    std::memcpy(data + i * to.stride, element.data(), to.components * sizeof(float));
+  for (std::size_t i = 0; i < count; ++i, data += to.stride) {
+    std::memcpy(data, values + i * kComponents, kComponents * sizeof(float));
+    for (int k = kComponents; k < to.components; ++k) {
+      const float missing = k == 3 ? 1 : 0;
+      std::memcpy(data + k * sizeof(float), &missing, sizeof missing);
+    }
   }
 }
 
