@@ -31,7 +31,9 @@ template <int kDegree>
 struct CentredRow {
   double power[4 * (kDegree + 1) + kLanes], high[4 + kLanes];
 
-  HWY_INLINE void set(const PreparedMap& map, const PreparedMap::Test& test, const GridArgument& v) {
+  // `bits_of_columns`: the largest number of fractional bits of x^degree; kManyBits if x or y are not dyadic.
+  HWY_INLINE void set(const PreparedMap& map, const PreparedMap::Test& test, const GridArgument& v,
+                      int bits_of_columns) {
     constexpr int kValues = 4 * (kDegree + 1);
     const int m = map.surface.degree[1];
     // The y of a curve does not matter.
@@ -46,11 +48,13 @@ struct CentredRow {
       }
       hn::StoreU(sum, kDoubles, power + first);
     }
-    // At y = -1, 0 and 1 nothing is rounded, so coefficients that are zero are exactly zero.
-    const bool may_vanish = y_of_row == 0 || std::fabs(y_of_row) == 1;
+    // At y = -1, 0 and 1 no coefficient is rounded. Ties and zeros are frequent there.
+    const bool is_exact = y_of_row == 0 || std::fabs(y_of_row) == 1;
     for (int k = 0; k < 4; ++k) {
       double error = test.error[k];
-      if (may_vanish && error != 0 && map.centred_bits[k] <= kExactBits) {
+      if (is_exact && error != 0 && map.centred_bits[k] + bits_of_columns <= kExactBits) {
+        error = 0;
+      } else if (is_exact && error != 0 && map.centred_bits[k] <= kExactBits) {
         bool vanishes = true;
         for (int i = 0; i <= kDegree; ++i) vanishes = vanishes && power[4 * i + k] == 0;
         if (vanishes) error = 0;
@@ -135,9 +139,13 @@ void evaluate_centred_rows(const PreparedMap& map, const PreparedMap::Test& test
   HWY_ALIGN float values[kComponents * kColumns];
   HWY_ALIGN std::uint32_t known[kZeros ? kComponents * kColumns : 1];  // 0 for zeros, else all bits
   CentredRow<kDegree> row[kRows];
+  const bool has_rows = map.surface.degree[1] != 0;
+  const bool is_dyadic = has_rows && bits_of_places(map.surface.domain[1], range.v) != kManyBits;
+  const int bits_of_columns =
+      is_dyadic ? kDegree * bits_of_places(map.surface.domain[0], range.u) : kManyBits;
   for (std::size_t r0 = 0; r0 < range.rows; r0 += kRows) {
     const std::size_t rows = std::min(kRows, range.rows - r0);
-    for (std::size_t r = 0; r < rows; ++r) row[r].set(map, test, range.v_of(r0 + r));
+    for (std::size_t r = 0; r < rows; ++r) row[r].set(map, test, range.v_of(r0 + r), bits_of_columns);
     for (std::size_t c0 = 0; c0 < range.columns; c0 += kColumns) {
       const std::size_t columns = std::min(kColumns, range.columns - c0), count = columns * kComponents;
       sequence.repeat(x + c0, columns, places);
