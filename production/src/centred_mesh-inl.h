@@ -95,12 +95,6 @@ HWY_INLINE bool is_zero(Half value) {
   return hn::AllTrue(kBits, hn::Eq(hn::BitCast(kBits, value), hn::Zero(kBits)));
 }
 
-HWY_INLINE void clear_zeros(const std::uint32_t* known, Half* low, Half* high) {
-  const Half mask = hn::BitCast(kHalves, hn::LoadU(kBits, known));
-  *low = hn::And(*low, mask);
-  *high = hn::And(*high, mask);
-}
-
 // The components that are zero along the lines x = -1, 0 and 1, as bits.
 struct ZeroLines {
   explicit ZeroLines(const PreparedMap& map) {
@@ -137,7 +131,7 @@ void evaluate_centred_rows(const PreparedMap& map, const PreparedMap::Test& test
   const Values sequence;
   HWY_ALIGN double places[kComponents * kColumns];
   HWY_ALIGN float values[kComponents * kColumns];
-  HWY_ALIGN std::uint32_t known[kZeros ? kComponents * kColumns : 1];  // 0 for zeros, else all bits
+  HWY_ALIGN std::uint32_t unknown[kZeros ? kComponents * kColumns : 1];  // 0 for zeros, else all bits
   CentredRow<kDegree> row[kRows];
   const bool has_rows = map.surface.degree[1] != 0;
   const bool is_dyadic = has_rows && bits_of_places(map.surface.domain[1], range.v) != kManyBits;
@@ -149,16 +143,24 @@ void evaluate_centred_rows(const PreparedMap& map, const PreparedMap::Test& test
     for (std::size_t c0 = 0; c0 < range.columns; c0 += kColumns) {
       const std::size_t columns = std::min(kColumns, range.columns - c0), count = columns * kComponents;
       sequence.repeat(x + c0, columns, places);
+      std::size_t zero_at[3 * kComponents], zeros = 0;
       if constexpr (kZeros) {
-        const ZeroLines zeros(map);
-        std::memset(known, 0xFF, sizeof known);
+        const ZeroLines lines(map);
+        std::memset(unknown, 0xFF, sizeof unknown);
         for (std::size_t c = 0; c < columns; ++c) {
-          const unsigned of = zeros.of(x[c0 + c]);
+          const unsigned of = lines.of(x[c0 + c]);
           for (int k = 0; of != 0 && k < kComponents; ++k) {
-            if ((of >> k & 1) != 0) known[c * kComponents + static_cast<std::size_t>(k)] = 0;
+            if ((of >> k & 1) != 0) zero_at[zeros++] = c * kComponents + static_cast<std::size_t>(k);
           }
         }
+        for (std::size_t zero = 0; zero < zeros; ++zero) unknown[zero_at[zero]] = 0;
       }
+      // Returns the bits in which the ends of intervals differ. Those around known zeros do not count.
+      const auto difference_of = [&](Half low, Half high, std::size_t begin) HWY_ATTR {
+        const Half bits = hn::Xor(low, high);
+        if constexpr (!kZeros) return bits;
+        return hn::And(bits, hn::BitCast(kHalves, hn::LoadU(kBits, unknown + begin)));
+      };
       for (std::size_t r = 0; r < rows; ++r) {
         const CentredCurve<kComponents, kDegree, kExact> curve(row[r], sequence);
         std::byte* const data = to.data + (r0 + r) * to.row_stride + c0 * to.stride;
@@ -168,16 +170,14 @@ void evaluate_centred_rows(const PreparedMap& map, const PreparedMap::Test& test
             count, out, [&](std::size_t begin, std::size_t part, float* vector) HWY_ATTR {
               Half low, high;
               curve.evaluate(hn::Load(kDoubles, places + begin), part, &low, &high);
-              if constexpr (kZeros) clear_zeros(known + begin, &low, &high);
-              if constexpr (!kExact) open = hn::Or(open, hn::Xor(low, high));
+              if constexpr (!kExact) open = hn::Or(open, difference_of(low, high, begin));
               hn::StoreU(high, kHalves, vector);
             });
         // Undecided lanes are rare (one in some strips), so a strip is checked once, at its end.
         for (std::size_t begin = is_zero(open) ? count : 0; begin < count; begin += kLanes) {
           Half low, high;
           curve.evaluate(hn::Load(kDoubles, places + begin), begin / kLanes % Values::kPeriod, &low, &high);
-          if constexpr (kZeros) clear_zeros(known + begin, &low, &high);
-          const Half bits = hn::Xor(low, high);
+          const Half bits = difference_of(low, high, begin);
           if (HWY_LIKELY(is_zero(bits))) continue;
           std::uint32_t is_open[kLanes];
           hn::StoreU(hn::BitCast(kBits, bits), kBits, is_open);
@@ -188,6 +188,7 @@ void evaluate_centred_rows(const PreparedMap& map, const PreparedMap::Test& test
             std::memcpy(out + i, &result, sizeof result);  // the caller's memory need not be aligned
           }
         }
+        for (std::size_t zero = 0; zero < zeros; ++zero) std::memset(out + zero_at[zero], 0, sizeof(float));
         if (out == values) scatter<kComponents>(values, columns, to, data);
       }
     }
