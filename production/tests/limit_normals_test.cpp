@@ -43,7 +43,7 @@ TEST_F(LimitNormals, AreThoseNextToTheEdge) {
     std::vector<unsigned char> points(net.bytes());
     net.write(points.data());
     const glev_patches patches = net.describe(points.data());
-    const auto [u1, u2, v1, v2] = net.domain;
+    const double u1 = net.domain[0], u2 = net.domain[1], v1 = net.domain[2], v2 = net.domain[3];
     // Five points on the edge, or next to it.
     const auto normals_at = [&](double off, bool limits, bool are_doubles) {
       std::vector<double> u, v, results(15);
@@ -186,7 +186,7 @@ struct Limit {
 Limit exact_limit(const Net& net, int direction, bool is_last, const Wide& t) {
   const auto components = static_cast<std::size_t>(net.components);
   const int other = 1 - direction;
-  const auto [n, m] = net.order;
+  const int n = net.order[0], m = net.order[1];
   std::array<Wide, 4> p = {0, 0, 0, 1}, across{}, mixed{};
   std::array<double, 4> largest_p = {0, 0, 0, 1}, largest{};
   for (std::size_t k = 0; k < components; ++k) {
