@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <functional>
 
-#include <evalcts/backends/refused_queries.h>
+#include <evalcts/backends/rejected_queries.h>
 #include <evalcts/gl/errors.h>
 #include <evalcts/gl/player.h>
 #include <evalcts/gl/tokens.h>
@@ -234,7 +234,7 @@ ImplementationInfo inquire(Implementation& implementation) {
   require_an_effect(table, info.library.empty() ? "the library" : info.library, info.version);
   context.reset();
   info.shares_state = state_survives_context(implementation);
-  info.refused_queries = find_refused_queries(implementation);
+  info.rejected_queries = find_rejected_queries(implementation);
   return info;
 }
 

@@ -15,29 +15,29 @@ std::vector<T> written_values(const gl::Trace& trace, gl::Ref query) {
   return values;
 }
 
-void expect_answer(CheckedTrace& played, const gl::Trace& expected, gl::Ref query) {
+void expect_answer(CheckedTrace& checked, const gl::Trace& expected, gl::Ref query) {
   switch (expected.type(query)) {
     case gl::Scalar::kI32:
-      return played.expect_values(query, written_values<GLint>(expected, query));
+      return checked.expect_values(query, written_values<GLint>(expected, query));
     case gl::Scalar::kU8:
-      return played.expect_values(query, written_values<GLubyte>(expected, query));
+      return checked.expect_values(query, written_values<GLubyte>(expected, query));
     case gl::Scalar::kF32:
-      return played.expect_values_near(query, written_values<GLfloat>(expected, query), kTolerance);
+      return checked.expect_values_near(query, written_values<GLfloat>(expected, query), kTolerance);
     default:
-      return played.expect_values_near(query, written_values<GLdouble>(expected, query), kTolerance);
+      return checked.expect_values_near(query, written_values<GLdouble>(expected, query), kTolerance);
   }
 }
 
 void expect_answers(Test& t, const gl::Case& program, const gl::Trace& expected) {
-  CheckedTrace played = t.play(program);
+  CheckedTrace checked = t.play(program);
   for (int i = 0; i < static_cast<int>(program.commands().size()); ++i) {
     const gl::Ref command{i};
     if (program.commands()[static_cast<std::size_t>(i)].entry == gl::EntryPoint::GetError) {
-      played.expect_error(command, {expected.error(command)});
+      checked.expect_error(command, {expected.error(command)});
     } else if (expected.has_output(command)) {
-      expect_answer(played, expected, command);
+      expect_answer(checked, expected, command);
     } else {
-      played.expect_result(command, expected.result(command));
+      checked.expect_result(command, expected.result(command));
     }
   }
 }

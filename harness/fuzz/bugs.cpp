@@ -95,7 +95,8 @@ class BugSearch {
     }
     // Cases that draw very much take long and come last, because smaller cases have often shown their cause
     // by then.
-    std::ranges::stable_partition(cases, [](const FailingCase& each) { return !draws_very_much(each); });
+    std::stable_partition(cases.begin(), cases.end(),
+                          [](const FailingCase& each) { return !draws_very_much(each); });
     reduce(cases);
     // A library that reads out of bounds may crash or not, depending on the contents of memory, so cases
     // whose process died get a second attempt.

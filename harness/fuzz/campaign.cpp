@@ -54,11 +54,11 @@ gl::Case without_orders_above(const gl::Case& program, int limit) {
   return left;
 }
 
-class Player {
+class CampaignRunner {
  public:
   using Report = std::function<void(const CampaignEvent&)>;
 
-  Player(const Subject& subject, const Campaign& campaign, const Report& report)
+  CampaignRunner(const Subject& subject, const Campaign& campaign, const Report& report)
       : subject_(subject),
         campaign_(campaign),
         report_(report),
@@ -69,15 +69,15 @@ class Player {
         reducer_(subject, shared_.get(), campaign.known, campaign.most_attempts,
                  {.alive = [this] { report_progress_now_and_then(); },
                   .is_over = [this] { return is_over(kGrace); },
-                  .takes_off = [this](const gl::Case& candidate) { return takes_off(candidate); },
-                  .landed = [this] { landed(); },
+                  .try_start = [this](const gl::Case& candidate) { return try_start(candidate); },
+                  .finish = [this] { finish(); },
                   .smaller = [this](const Finding& finding) { report_(FindingShrank{finding}); }}) {}
 
-  void play() {
+  void run() {
     report_(CampaignStarted{max_order_});
     for (std::uint32_t number = campaign_.first; goes_on(); number += campaign_.step) {
       report_(TestStarted{fmt::format("program {}", number)});
-      play(number);
+      run(number);
       report_progress_now_and_then();
     }
     report_progress();
@@ -100,7 +100,7 @@ class Player {
     reported_ = Clock::now();
   }
 
-  void play(std::uint32_t number) {
+  void run(std::uint32_t number) {
     auto [program, specified] = random_specified_program(subject_.seed, number, campaign_.length, max_order_);
     ++programs_;
     gl::Case left = with_what_exists(subject_.info, table_, program);
@@ -149,10 +149,10 @@ class Player {
   // difference. Returns nothing if there is no such finding or its program shows no such difference.
   std::optional<Finding> minimal_of(const std::string& cause) {
     const KnownFinding* const known = known_finding(cause);
-    if (!known || !exists(known->program) || !takes_off(known->program)) return {};
+    if (!known || !exists(known->program) || !try_start(known->program)) return {};
     std::optional<Finding> minimal =
         judge_program(subject_, known->program, specify(known->program, max_order_)).finding;
-    landed();
+    finish();
     if (!minimal || minimal->cause != cause) return {};
     confirmed_.insert(cause);
     return minimal;
@@ -170,10 +170,10 @@ class Player {
     for (std::size_t count = 1; count <= kMostHistory && !found; count *= 2) {
       const gl::Case joint = shared_->behind(count);
       const std::optional<Specified> of_joint = specify_if_defined(joint, max_order_);
-      if (of_joint && !joint.commands().empty() && takes_off(joint))
+      if (of_joint && !joint.commands().empty() && try_start(joint))
         found = judge_program(subject_, joint, *of_joint).finding;
     }
-    landed();
+    finish();
     not_repeated_ += !found;
     shared_->renew();  // its state may differ from a fresh context in a way that no command restores
     return found;
@@ -181,14 +181,14 @@ class Player {
 
   // Writes the candidate to the in-flight file before it runs. Returns false if the library has died
   // in it before.
-  bool takes_off(const gl::Case& candidate) const {
+  bool try_start(const gl::Case& candidate) const {
     if (campaign_.in_flight.empty()) return true;
     const std::string text = gl::to_text(candidate);
     if (std::ranges::count(campaign_.deadly, text) > 0) return false;
     std::ofstream(campaign_.in_flight) << text;
     return true;
   }
-  void landed() const {
+  void finish() const {
     if (!campaign_.in_flight.empty()) std::ofstream(campaign_.in_flight).flush();
   }
 
@@ -209,9 +209,9 @@ class Player {
 
 }  // namespace
 
-void play(const Subject& subject, const Campaign& campaign,
-          const std::function<void(const CampaignEvent&)>& report) {
-  Player(subject, campaign, report).play();
+void run_campaign(const Subject& subject, const Campaign& campaign,
+                  const std::function<void(const CampaignEvent&)>& report) {
+  CampaignRunner(subject, campaign, report).run();
 }
 
 }  // namespace evalcts::fuzz

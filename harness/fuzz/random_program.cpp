@@ -194,7 +194,7 @@ class ProgramWriter {
         if (has_.meshes) mesh();
         return;
       case 7:
-        if (has_.errors) refused();
+        if (has_.errors) add_rejected();
         return;
       case 8:
         if (has_.queries) query();
@@ -413,7 +413,7 @@ class ProgramWriter {
   }
 
   // Issues a command with one mistake, and GetError.
-  void refused() {
+  void add_rejected() {
     const std::vector<GLfloat> points(64, 0.5f);
     const GLenum target1 = map1_target(), target2 = map2_target();
     const int k1 = gl::components_of(target1), k2 = gl::components_of(target2);
@@ -585,7 +585,7 @@ class ProgramWriter {
             call(kFirstList + static_cast<GLuint>(dice_.below(static_cast<int>(name - kFirstList))));
           break;
         case 7:
-          if (has_.errors_in_lists) refused();
+          if (has_.errors_in_lists) add_rejected();
           break;
         default:
           primitive(2);

@@ -42,7 +42,7 @@ std::optional<Finding> Reducer::difference_of(const gl::Case& candidate, const s
       with_what_exists(subject_.info, table_, candidate).commands().size() < candidate.commands().size())
     return {};
   const std::optional<Specified> of_candidate = specify_if_defined(candidate, max_order_);
-  if (!of_candidate || (hooks_.takes_off && !hooks_.takes_off(candidate))) return {};
+  if (!of_candidate || (hooks_.try_start && !hooks_.try_start(candidate))) return {};
   std::optional<Finding> found = judge(candidate, *of_candidate).finding;
   return found && kind_of(found->failure.what) == wanted ? std::move(found) : std::nullopt;
 }
@@ -73,7 +73,7 @@ std::optional<Finding> Reducer::recognise(const gl::Case& program, const Finding
       program, kind, [&](const std::string& known, const gl::Case& form, const Specified& of_form) {
         return reduced_to(known, form, of_form, still).has_value();
       });
-  if (hooks_.landed) hooks_.landed();
+  if (hooks_.finish) hooks_.finish();
   if (!cause) return {};
   recognised->cause = *cause;
   return recognised;
@@ -101,8 +101,8 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful,
                          })
         .has_value();
   };
-  const auto landed = [&] {
-    if (hooks_.landed) hooks_.landed();
+  const auto finish = [&] {
+    if (hooks_.finish) hooks_.finish();
     return finding;
   };
   // Most differences have a known cause, so the commands of known causes are tried first. The shared context
@@ -131,7 +131,7 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful,
     known = is_known(false);
     wanted = kind;
   }
-  if (known) return landed();
+  if (known) return finish();
   const auto smaller = [&](const gl::Case&) {
     if (hooks_.smaller) hooks_.smaller(finding);
   };
@@ -159,7 +159,7 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful,
   shrink(shown, still, most, smaller);
   if (!outside) shows_outside(gl::with_explicit_vertices(gl::Case(finding.program)));
   causes_.push_back(finding.cause);
-  return landed();
+  return finish();
 }
 
 }  // namespace evalcts::fuzz

@@ -19,8 +19,8 @@ class Reducer {
     std::function<bool()> is_over = {};  // returns true if the time is over; no more programs are run then
     // Called before a program runs. If it returns false, the program is not run, for example because the
     // library has died in it before.
-    std::function<bool(const gl::Case&)> takes_off = {};
-    std::function<void()> landed = {};                         // called after the last program of a reduction
+    std::function<bool(const gl::Case&)> try_start = {};
+    std::function<void()> finish = {};                         // called after the last program of a reduction
     std::function<void(const Finding& finding)> smaller = {};  // called with the smallest program so far
   };
 

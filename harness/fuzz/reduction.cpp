@@ -46,7 +46,7 @@ class CaseReducer {
         reducer_(subject, shared_.get(), known_causes(), kMostAttempts,
                  {.alive = [this] { report_now_and_then(); },
                   .is_over = [this] { return is_over(); },
-                  .takes_off = [this](const gl::Case& candidate) { return keeps_its_grid(candidate); }}) {}
+                  .try_start = [this](const gl::Case& candidate) { return keeps_its_grid(candidate); }}) {}
 
   Reduction reduce(const FailingCase& failing) {
     is_large_ = false;

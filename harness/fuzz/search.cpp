@@ -65,7 +65,7 @@ class Searcher {
     std::unique_ptr<SuiteChild> child;
     std::uint32_t first = 0;
     std::optional<std::uint32_t> programs;
-    CampaignProgress played;          // the latest totals of the child
+    CampaignProgress totals;          // the latest totals of the child
     std::optional<Finding> smaller;   // the smallest program so far of the current reduction
     std::vector<std::string> deadly;  // programs of this reduction in which the library has died
   };
@@ -162,13 +162,13 @@ class Searcher {
     } else if (const auto* made = std::get_if<FindingMade>(&event)) {
       found(fmt::format("program {}", made->number), made->finding);
     } else if (const auto* now = std::get_if<CampaignProgress>(&event)) {
-      found_.programs += now->programs - lane.played.programs;
-      found_.commands += now->commands - lane.played.commands;
-      found_.judged += now->judged - lane.played.judged;
-      found_.in_full += now->in_full - lane.played.in_full;
-      found_.not_repeated += now->not_repeated - lane.played.not_repeated;
-      found_.seconds_of_known += now->seconds_of_known - lane.played.seconds_of_known;
-      lane.played = *now;
+      found_.programs += now->programs - lane.totals.programs;
+      found_.commands += now->commands - lane.totals.commands;
+      found_.judged += now->judged - lane.totals.judged;
+      found_.in_full += now->in_full - lane.totals.in_full;
+      found_.not_repeated += now->not_repeated - lane.totals.not_repeated;
+      found_.seconds_of_known += now->seconds_of_known - lane.totals.seconds_of_known;
+      lane.totals = *now;
     }
   }
 
@@ -200,11 +200,11 @@ class Searcher {
       // The child died during the reduction of another difference, so this reduction is repeated.
       std::vector<std::string> deadly = number == last.first ? last.deadly : std::vector<std::string>();
       deadly.push_back(in_flight);
-      found_.programs += done - 1 - last.played.programs;
+      found_.programs += done - 1 - last.totals.programs;
       return start(k, number, left_behind(done - 1), std::move(deadly));
     }
     if (last.smaller) found(fmt::format("program {}", number), *last.smaller);
-    found_.programs += done - last.played.programs;
+    found_.programs += done - last.totals.programs;
     start(k, number + static_cast<std::uint32_t>(request_.jobs), left_behind(done));
   }
 

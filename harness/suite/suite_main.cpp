@@ -21,7 +21,7 @@
 #include <sstream>
 
 #include <evalcts/backends/gl_environment.h>
-#include <evalcts/backends/refused_queries.h>
+#include <evalcts/backends/rejected_queries.h>
 #include <evalcts/backends/reused_context.h>
 #include <evalcts/fuzz/campaign.h>
 #include <evalcts/fuzz/events.h>
@@ -353,7 +353,7 @@ int run_programs(const Program& program) {
     fuzz::Campaign campaign = program.options.campaign;
     campaign.known = fuzz::parse_list(read_file(program.options.known));
     campaign.deadly = fuzz::parse_list(read_file(program.options.deadly));
-    fuzz::play(program.subject, campaign, report);
+    fuzz::run_campaign(program.subject, campaign, report);
     return 0;
   }
   const std::string text = read_file(program.options.replay);
@@ -445,9 +445,9 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
       if (!options.answer.empty()) answer(options, cannot_start_text(exception.what()));
       throw;
     }
-    if (!program.subject.info.refused_queries.empty())
+    if (!program.subject.info.rejected_queries.empty())
       program.implementation =
-          without_queries(std::move(program.implementation), program.subject.info.refused_queries);
+          without_queries(std::move(program.implementation), program.subject.info.rejected_queries);
     program.subject.implementation = program.implementation.get();
     program.subject.depth = depth;
     program.subject.seed = options.seed;

@@ -120,7 +120,7 @@ void CheckedTrace::require_answer(gl::Ref query) const {
       asked.entry != gl::EntryPoint::GetFloatv && asked.entry != gl::EntryPoint::GetDoublev)
     return;
   const auto name = static_cast<GLenum>(std::get<std::int64_t>(asked.arguments.at(0)));
-  if (test_.gl().refused_queries.contains(name))
+  if (test_.gl().rejected_queries.contains(name))
     throw NotObservable(fmt::format("the query of {} is rejected", gl::token_name(name)));
 }
 

@@ -340,13 +340,15 @@ CampaignResult run_campaign(Implementation& implementation, std::uint32_t progra
   Captures captures(implementation, subject.info, nullptr);
   subject.captures = &captures;
   CampaignResult result;
-  fuzz::play(subject, {.programs = programs, .length = 60, .known = known}, [&](const CampaignEvent& event) {
-    if (const auto* made = std::get_if<FindingMade>(&event)) result.findings.push_back(made->finding);
-    if (const auto* progress = std::get_if<CampaignProgress>(&event)) {
-      result.programs = progress->programs;
-      result.commands = progress->commands;
-    }
-  });
+  fuzz::run_campaign(subject, {.programs = programs, .length = 60, .known = known},
+                     [&](const CampaignEvent& event) {
+                       if (const auto* made = std::get_if<FindingMade>(&event))
+                         result.findings.push_back(made->finding);
+                       if (const auto* progress = std::get_if<CampaignProgress>(&event)) {
+                         result.programs = progress->programs;
+                         result.commands = progress->commands;
+                       }
+                     });
   return result;
 }
 

@@ -122,8 +122,8 @@ struct ImplementationInfo {
   GLint max_eval_order = 0;  // 0: not answered
   GLint texture_units = 1;
   std::set<std::string> extensions;
-  std::set<GLenum> refused_queries;  // see refused_queries.h
-  bool shares_state = false;         // state that one context sets is visible in the next one
+  std::set<GLenum> rejected_queries;  // see rejected_queries.h
+  bool shares_state = false;          // state that one context sets is visible in the next one
   bool has_get_mapdv = true, has_get_doublev = true;  // false: these queries are missing
   std::optional<Declaration> declaration;             // set for an implementation that is not a GL
   bool no_error = false;  // a no-error context (KHR_no_error): errors are undefined behaviour

@@ -39,8 +39,8 @@ using CampaignEvent =
 // Runs the campaign and reports events: first CampaignStarted, then TestStarted before each program, and
 // CampaignProgress every half second and at the end. Commands that the implementation does not provide are
 // left out of the programs.
-void play(const Subject& subject, const Campaign& campaign,
-          const std::function<void(const CampaignEvent& event)>& report);
+void run_campaign(const Subject& subject, const Campaign& campaign,
+                  const std::function<void(const CampaignEvent& event)>& report);
 
 // Returns the event as one line, which ends with a newline.
 std::string to_line(const CampaignEvent& event);

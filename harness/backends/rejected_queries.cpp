@@ -1,6 +1,6 @@
 // Finds the rejected queries in a fresh context, and wraps an implementation so that its Get commands ignore
 // them outside of Begin and End.
-#include <evalcts/backends/refused_queries.h>
+#include <evalcts/backends/rejected_queries.h>
 
 #include <utility>
 
@@ -80,18 +80,18 @@ class Filtered final : public ImplementationInFront {
 
 }  // namespace
 
-std::set<GLenum> find_refused_queries(Implementation& implementation) {
+std::set<GLenum> find_rejected_queries(Implementation& implementation) {
   const std::unique_ptr<Context> context = implementation.create_context();
   const gl::Table& table = context->table();
   if (!table.GetFloatv || !table.GetError) return {};
   gl::take_errors(table);
-  std::set<GLenum> refused;
+  std::set<GLenum> rejected;
   for (const GLenum name : kQueried) {
     GLfloat values[16] = {};
     table.GetFloatv(name, values);
-    if (!gl::take_errors(table).empty()) refused.insert(name);
+    if (!gl::take_errors(table).empty()) rejected.insert(name);
   }
-  return refused;
+  return rejected;
 }
 
 std::unique_ptr<Implementation> without_queries(std::unique_ptr<Implementation> inner,

@@ -11,7 +11,7 @@ namespace evalcts {
 
 // Returns the names for which GetFloatv raises an error in a fresh context, among MAX_EVAL_ORDER and the
 // names of state outside evaluators that tests query.
-std::set<GLenum> find_refused_queries(Implementation& implementation);
+std::set<GLenum> find_rejected_queries(Implementation& implementation);
 
 // Wraps an implementation so that outside Begin and End, GetBooleanv, GetIntegerv, GetFloatv and GetDoublev
 // of one of the names do nothing. At most one such implementation may exist at a time.
