@@ -104,7 +104,7 @@ class VariationTrial {
   }
 
   static std::string unobserved_part(const TestRecord& record) {
-    return record.unobserved.empty() ? record.message : fmt::format("no {} is shown", record.unobserved);
+    return record.unobserved.empty() ? record.message : "without " + record.unobserved;
   }
 
   // True if the test decides a requirement that the fault (or variation) violates.
