@@ -131,6 +131,7 @@ CheckedTrace Test::play(const gl::Case& written) {
     const std::string captured = fmt::format("{}", fmt::join(names, ", "));
     if (script.is_control())
       throw NotObservable(fmt::format("pipeline: '{}' leaves {} behind", script.identity(), captured));
+    control_.require_no_such_error(script, left_over);
     Failure failure;
     failure.case_identity = script.identity();
     failure.message = "spurious error: left behind after the last command: " + captured;
@@ -235,6 +236,8 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
   const std::size_t room = most_vertices_of(prediction) + 8;
   const std::vector<Look> looks = look_at(script, prediction, required, room);
   const auto& [capture, topology, observation] = looks.front();  // the other captures agree
+  if (observation.error_observed && observation.error != GL_NO_ERROR && observation.error != prediction.error)
+    control_.require_no_such_error(script, {observation.error});
   JudgeOptions options = options_for(script, *capture, required);
   if (measured && prediction.vertex_count() <= kMostMeasured) options.measured = required;
   const auto judged = [&, &topology = topology](const Observation& seen) {
@@ -415,9 +418,6 @@ void Test::run(const std::function<void(Test&)>& body) {
     if (delivery_.lists != gl::Lists::kNone && !other_lists_ && !subject_.reproduction)
       blame_list_or_commands(body);
   }
-  if (record_.verdict == Verdict::kPass && cases_ == 0) {
-    record_.verdict = Verdict::kInternalError;
-    record_.message = "the test ran no case";
   std::vector<std::string> unobserved;
   if (unobserved_) unobserved.push_back(describe(unobserved_));
   unobserved.insert(unobserved.end(), missing_.begin(), missing_.end());
