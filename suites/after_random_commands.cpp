@@ -148,7 +148,7 @@ EVALCTS_TEST(AfterRandomCommands, Refuses, kMust, "EV-MAP1-ERR-NOEFFECT", "EV-MA
   after_random_commands(t, [&](const gl::Case& past) {
     CheckedCase c(t, past);
     const std::vector<gl::Ref> before = c.query_everything();
-    for (const bool doubles : {false, true}) {
+    for (const auto& [name, doubles] : existing_forms(t)) {
       Map curve = random_map(t, GL_MAP1_VERTEX_3, 4), net = random_map(t, GL_MAP2_VERTEX_4, {2, 2});
       curve.ustride = 2;
       define(c, curve, doubles);

@@ -15,7 +15,7 @@ void CheckedCase::expect_error(GLenum one, GLenum other) {
 }
 
 void CheckedCase::expect_map(const Map& map, bool doubles) {
-  doubles = doubles && t_.gl().has_get_mapdv;
+  doubles = doubles && can_call(gl::EntryPoint::GetMapdv);
   const MapQuery query = query_map(*this, map.target, t_.max_order(), doubles);
   expect([=](CheckedTrace& checked) { evalcts::expect_map(checked, query, map, doubles); });
 }

@@ -18,6 +18,10 @@ class CheckedCase : public gl::Case {
   // Begins with these commands, and with their identity.
   CheckedCase(Test& t, gl::Case commands) : gl::Case(std::move(commands)), t_(t) {}
 
+  // See Test.
+  bool can_call(gl::EntryPoint command) { return t_.can_call(command); }
+  bool can_query_grid(GLenum name) { return t_.can_query_grid(name); }
+
   // Failures of the checks that are recorded after this call violate these requirements, see Test::decide.
   void decide(std::vector<RequirementId> requirements) {
     expect([&t = t_, requirements = std::move(requirements)](CheckedTrace&) { t.decide(requirements); });
@@ -30,8 +34,8 @@ class CheckedCase : public gl::Case {
   // Records IsEnabled and expects its answer.
   void expect_enabled(GLenum cap, bool on) { expect_result(IsEnabled(cap), on); }
   // Records queries of the whole map, or of its orders (one, or two for a two-dimensional target), and
-  // expects these answers. Queries floats in place of doubles if GetMapdv is missing, which other tests
-  // report.
+  // expects these answers. Queries floats in place of doubles if GetMapdv is missing, which is recorded as
+  // not observed.
   void expect_map(const Map& map, bool doubles = false);
   void expect_orders(GLenum target, const std::vector<GLint>& orders);
   // Records the queries of evalcts::query_everything(); expect_unchanged() expects the same answers as

@@ -88,7 +88,7 @@ EVALCTS_TEST(Pipeline, DebugMessages, kQuality, "EV-PIPE-DEBUG")
       answers(t, gl::control("Enable"), {{"Enable of nothing", [](gl::Case& c) { c.Enable(GL_POINTS); }}});
   if (control.all[0].error != GL_INVALID_ENUM || !control.all[0].is_reported())
     throw NotObservable("pipeline: the debug context has no message for the error of another command");
-  const std::vector<NamedCalls> commands = mistakes();
+  const std::vector<NamedCalls> commands = existing_calls(t, mistakes());
   Answers evaluators = answers(t, "errors of evaluators", commands);
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const Answer& answer = evaluators.all[i];

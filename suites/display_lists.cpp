@@ -211,9 +211,9 @@ void expect_listed(Test& t, const std::string& identity, const Map& map, bool do
 
 EVALCTS_TEST(DisplayLists, PointsReadWhileCompiling, kMust, "EV-DL-POINTS-COPIED", combine(kTreatments))
 (Test& t, const Treatment& treatment) {
-  for (const TargetForm& form : target_forms(kCurves))
+  for (const TargetForm& form : existing_target_forms(t, kCurves))
     expect_listed(t, form.name, random_map(t, form.target, 5, 6), form.doubles, treatment.after);
-  for (const TargetForm& form : target_forms(kSurfaces))
+  for (const TargetForm& form : existing_target_forms(t, kSurfaces))
     expect_listed(t, form.name, random_map(t, form.target, {3, 4}, kLayouts[3]), form.doubles,
                   treatment.after);
 };

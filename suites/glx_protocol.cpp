@@ -178,7 +178,7 @@ EVALCTS_TEST(GlxProtocol, Queries, kMust, "EV-GLX-SINGLES", combine(queries()))
 
 EVALCTS_TEST(GlxProtocol, PointsOfMap1, kMust, "EV-GLX-MAP1-PACK", combine(gl::kMap1Targets))
 (Test& t, GLenum target) {
-  for (const Form& form : kForms)
+  for (const Form& form : existing_forms(t, {kCurves}))
     for (const int padding : {0, 3}) {
       const Map map = over(random_map(t, target, 4, gl::components_of(target) + padding), {5, -2.25});
       expect_sent(t, fmt::format("Map1{}, stride k+{}", form.name, padding),
@@ -188,7 +188,7 @@ EVALCTS_TEST(GlxProtocol, PointsOfMap1, kMust, "EV-GLX-MAP1-PACK", combine(gl::k
 
 EVALCTS_TEST(GlxProtocol, PointsOfMap2, kMust, "EV-GLX-MAP2-PACK", combine(gl::kMap2Targets))
 (Test& t, GLenum target) {
-  for (const Form& form : kForms)
+  for (const Form& form : existing_forms(t, {kSurfaces}))
     for (const Layout& layout : kLayouts)
       for (const Orders& orders : {Orders{2, 3}, {3, 2}, {4, 1}}) {
         const Map map = over(random_map(t, target, orders, layout), {5, -2.25}, {-1, 0.5});
@@ -201,7 +201,7 @@ EVALCTS_TEST(GlxProtocol, PointsOfMap2, kMust, "EV-GLX-MAP2-PACK", combine(gl::k
 EVALCTS_TEST(GlxProtocol, LargeMaps, kMust, "EV-GLX-LARGE")
 (Test& t) {
   const int most = t.max_order();
-  for (const Form& form : kForms)
+  for (const Form& form : existing_forms(t))
     for (const int padding : {0, 1}) {  // clients may send points without padding directly from the array
       const auto room = kRoom + static_cast<std::size_t>(most * most) * 4 * sizeof(double) * 2;
       const Map curve = random_map(t, GL_MAP1_VERTEX_4, most, 4 + padding);

@@ -152,7 +152,7 @@ EVALCTS_TEST_PAIR(Map1State.LeavesMap2Alone, Map2State.LeavesTheRestAlone, kMust
                   decide("EV-MAP1-VS-MAP2/1-D", "EV-MAP1-VS-MAP2/2-D"),
                   decide("EV-MAP1-REPLACE", "EV-MAP2-REPLACE"), by(list_deliveries()))
 (Test& t, bool two) {
-  for (const Form& form : kForms) {
+  for (const Form& form : existing_forms(t, {two})) {
     CheckedCase c(t, fmt::format("all nine defined, {} form", form.name));
     if (two)
       for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, 3));
@@ -256,7 +256,7 @@ EVALCTS_TEST(Map1State, SmallestStride, kMust, "EV-MAP1-STRIDE-MIN", kEachTarget
 
 EVALCTS_TEST(Map1State, CopyOnCall, kMust, "EV-MAP1-COPY", combine(kTreatments).by(list_deliveries()))
 (Test& t, const Treatment& treatment) {
-  for (const TargetForm& form : target_forms(kCurves))
+  for (const TargetForm& form : existing_target_forms(t, kCurves))
     for (const int order : {1, 4, t.max_order()})
       for (const int stride : {gl::components_of(form.target), 5}) {
         const Map map = random_map(t, form.target, order, stride);
@@ -272,7 +272,7 @@ EVALCTS_TEST(Map1State, CopyOnCallEvaluated, kMust, "EV-MAP1-COPY",
   for (const GLenum target : visible_targets(kCurves)) {
     gl::Case c(label(target) + ", both forms");
     enable_visibly(c, target);
-    for (const Form& form : kForms)
+    for (const Form& form : existing_forms(t, {kCurves}))
       for (const int order : {1, 4, t.max_order()})
         for (const int stride : {gl::components_of(target), 5}) {
           define(c, random_map(t, target, order, stride), form.doubles, treatment.after);
@@ -408,14 +408,14 @@ EVALCTS_TEST(Map2State, StridesCountValues, kMust, "EV-MAP2-STRIDE-UNITS", kEach
 (Test& t, GLenum target) {
   CheckedCase c(t, "the same integers in both forms");
   for (const auto& [ustride, vstride] : {std::pair{24, 6}, {6, 24}, {7, 50}, {5, 5}})
-    for (const Form& form : kForms)
+    for (const Form& form : existing_forms(t, {kSurfaces}))
       expect_defined(c, random_map(t, target, {4, 3}, ustride, vstride), form.doubles);
   c.check();
 };
 
 EVALCTS_TEST(Map2State, CopyOnCall, kMust, "EV-MAP2-COPY", combine(kTreatments).by(list_deliveries()))
 (Test& t, const Treatment& treatment) {
-  for (const TargetForm& form : target_forms(kSurfaces)) {
+  for (const TargetForm& form : existing_target_forms(t, kSurfaces)) {
     CheckedCase c(t, form.name);
     const int max = t.max_order();
     for (const Layout& layout : kLayouts)
@@ -429,7 +429,7 @@ EVALCTS_TEST(Map2State, CopyOnCall, kMust, "EV-MAP2-COPY", combine(kTreatments).
 EVALCTS_TEST(Map2State, CopiesOfAll, kMust, "EV-MAP2-COPY", combine(kTreatments).by(list_deliveries()))
 (Test& t, const Treatment& treatment) {
   const std::vector<Map> maps = nine_maps(t, kSurfaces);
-  for (const Form& form : kForms) {
+  for (const Form& form : existing_forms(t, {kSurfaces})) {
     gl::Case c(fmt::format("all nine, form {}", form.name));
     for (const Map& map : maps) define(c, map, form.doubles, treatment.after);
     expect_maps(t, c, maps, form.doubles);

@@ -32,6 +32,34 @@ double random_between(Test& t, const Interval& interval) {
 
 }  // namespace
 
+std::optional<gl::EntryPoint> missing_command(Test& t, const gl::Case& commands) {
+  std::optional<gl::EntryPoint> missing;
+  for (const gl::Command& command : commands.commands())
+    if (!t.can_call(command.entry)) missing = command.entry;
+  return missing;
+}
+
+std::vector<Form> existing_forms(Test& t, std::initializer_list<bool> dimensions) {
+  return existing(t, kForms, [&](gl::Case& c, const Form& form) {
+    for (const bool two : dimensions)
+      define(c, two ? make_map2(GL_MAP2_INDEX, 1, 1, {1}) : make_map1(GL_MAP1_INDEX, {1}), form.doubles);
+  });
+}
+
+std::vector<TargetForm> existing_target_forms(Test& t, bool two) {
+  const std::vector<Form> forms = existing_forms(t, {two});
+  std::vector<TargetForm> all = target_forms(two);
+  std::erase_if(all, [&](const TargetForm& each) {
+    return std::ranges::none_of(forms, [&](const Form& form) { return form.doubles == each.doubles; });
+  });
+  return all;
+}
+
+std::vector<Getter> existing_getters(Test& t) {
+  return existing(t, kGetters,
+                  [](gl::Case& c, const Getter& getter) { getter.get(c, GL_MAP1_VERTEX_3, GL_ORDER, 1); });
+}
+
 std::vector<TargetForm> make_target_forms(std::span<const GLenum> targets) {
   std::vector<TargetForm> all;
   for (const GLenum target : targets)
@@ -262,14 +290,14 @@ std::vector<gl::Ref> query_everything(Test& t, gl::Case& c) {
   const auto query_maps = [&](std::span<const GLenum> targets) {
     for (const GLenum target : targets) {
       queries.IsEnabled(target);
-      query_map(queries, target, t.max_order(), t.gl().has_get_mapdv);
+      query_map(queries, target, t.max_order(), t.gl().has(gl::EntryPoint::GetMapdv));
     }
   };
   query_maps(gl::kMap1Targets);
   queries.IsEnabled(GL_AUTO_NORMAL);
   const auto query_grid = [&](GLenum name, std::size_t count) {
-    t.gl().has_get_doublev ? queries.GetDoublev(name, gl::out<GLdouble>(count))
-                           : queries.GetFloatv(name, gl::out<GLfloat>(count));
+    t.gl().has(gl::EntryPoint::GetDoublev) ? queries.GetDoublev(name, gl::out<GLdouble>(count))
+                                           : queries.GetFloatv(name, gl::out<GLfloat>(count));
   };
   query_grid(GL_MAP1_GRID_DOMAIN, 2);
   queries.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));

@@ -5,10 +5,13 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <ranges>
 #include <span>
 #include <string>
 #include <vector>
 
+#include <evalcts/gl/player.h>
 #include <evalcts/gl/targets.h>
 #include "fixtures.h"
 
@@ -131,6 +134,30 @@ struct Form {
 };
 inline constexpr Form kForms[] = {{"f", false}, {"d", true}};
 
+// Returns a command of the case that the implementation lacks, if any; see Test::can_call.
+std::optional<gl::EntryPoint> missing_command(Test& t, const gl::Case& commands);
+
+// Returns the elements of `all` whose commands the implementation has; `append` appends the commands of an
+// element to a case. The others are recorded as not observed. Throws gl::MissingEntryPoint if none is left.
+template <class Range, class Append>
+auto existing(Test& t, const Range& all, const Append& append) {
+  std::vector<std::ranges::range_value_t<Range>> left;
+  std::optional<gl::EntryPoint> missing;
+  for (const auto& each : all) {
+    gl::Case commands;
+    append(commands, each);
+    if (const auto command = missing_command(t, commands))
+      missing = command;
+    else
+      left.push_back(each);
+  }
+  if (left.empty() && missing) throw gl::MissingEntryPoint(*missing);
+  return left;
+}
+
+// Returns the forms of Map that the implementation has, in all of these dimensions.
+std::vector<Form> existing_forms(Test& t, std::initializer_list<bool> dimensions = {kCurves, kSurfaces});
+
 // A change to the memory of the points after the call.
 struct Treatment {
   const char* name;
@@ -153,6 +180,8 @@ std::vector<GLenum> without_index(std::span<const GLenum> targets);
 const std::vector<TargetForm>& target_forms(bool two);
 const std::vector<TargetForm>& visible_target_forms(bool two);
 const std::vector<GLenum>& visible_targets(bool two);
+// target_forms() in the forms that the implementation has.
+std::vector<TargetForm> existing_target_forms(Test& t, bool two);
 
 // Appends Map1f, Map1d, Map2f or Map2d. `after`: what happens to the memory of the points after the call.
 gl::Ref define(gl::Case& c, const Map& map, bool doubles = false, gl::AfterCall after = gl::AfterCall::kKeep);
@@ -234,6 +263,8 @@ inline constexpr Getter kGetters[] = {
     {"GetMapiv", [](gl::Case& c, GLenum target, GLenum query, std::size_t room) {
        return c.GetMapiv(target, query, gl::out<GLint>(room));
      }}};
+// Returns the forms of GetMap that the implementation has.
+std::vector<Getter> existing_getters(Test& t);
 
 // Queries of the orders, the domain and the points of one map, through GetMapiv and GetMapfv or GetMapdv.
 struct MapQuery {

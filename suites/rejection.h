@@ -18,6 +18,12 @@ struct NamedCalls {
   Calls issue;
 };
 
+// Returns the commands of `all` that the implementation has.
+template <class T>
+std::vector<T> existing_calls(Test& t, const std::vector<T>& all) {
+  return existing(t, all, [](gl::Case& c, const T& each) { each.issue(c); });
+}
+
 // The commands that define maps and grids and draw meshes, in all forms: none is allowed between Begin and
 // End, and outside each has an effect.
 std::vector<NamedCalls> forbidden_in_primitives();

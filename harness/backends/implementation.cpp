@@ -229,12 +229,14 @@ ImplementationInfo inquire(Implementation& implementation) {
                   (integer_of(GL_CONTEXT_FLAGS, 0) & GL_CONTEXT_FLAG_NO_ERROR_BIT) != 0;
   gl::take_errors(table);
 
-  info.has_get_mapdv = table.GetMapdv != nullptr;
-  info.has_get_doublev = table.GetDoublev != nullptr;
+  for (std::size_t i = 0; i < gl::kEntryPointCount; ++i)
+    if (const auto command = static_cast<gl::EntryPoint>(i); !gl::has(table, command))
+      info.missing.insert(command);
   require_an_effect(table, info.library.empty() ? "the library" : info.library, info.version);
   context.reset();
   info.shares_state = state_survives_context(implementation);
-  info.rejected_queries = find_rejected_queries(implementation);
+  info.rejected_queries = find_rejected_queries(implementation, kOtherQueries);
+  info.refused_grid_queries = find_rejected_queries(implementation, kGridQueries);
   return info;
 }
 

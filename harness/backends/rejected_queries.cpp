@@ -10,19 +10,6 @@
 namespace evalcts {
 namespace {
 
-constexpr GLenum kQueried[] = {GL_MAX_EVAL_ORDER,     GL_CURRENT_COLOR,
-                               GL_CURRENT_NORMAL,     GL_CURRENT_TEXTURE_COORDS,
-                               GL_CURRENT_INDEX,      GL_CURRENT_SECONDARY_COLOR,
-                               GL_CURRENT_FOG_COORD,  GL_CURRENT_RASTER_POSITION,
-                               GL_EDGE_FLAG,          GL_ACTIVE_TEXTURE,
-                               GL_COLOR_CLEAR_VALUE,  GL_LIST_BASE,
-                               GL_LIST_INDEX,         GL_LIST_MODE,
-                               GL_MATRIX_MODE,        GL_RENDER_MODE,
-                               GL_ATTRIB_STACK_DEPTH, GL_MAX_ATTRIB_STACK_DEPTH,
-                               GL_MAX_LIST_NESTING,   GL_SHADE_MODEL,
-                               GL_POINT_SIZE,         GL_LINE_WIDTH,
-                               GL_FOG_MODE,           GL_VIEWPORT};
-
 // The state of the filter, which is global because the commands have no other argument.
 struct Filter {
   static inline gl::Table inner;
@@ -80,13 +67,13 @@ class Filtered final : public ImplementationInFront {
 
 }  // namespace
 
-std::set<GLenum> find_rejected_queries(Implementation& implementation) {
+std::set<GLenum> find_rejected_queries(Implementation& implementation, std::span<const GLenum> names) {
   const std::unique_ptr<Context> context = implementation.create_context();
   const gl::Table& table = context->table();
   if (!table.GetFloatv || !table.GetError) return {};
   gl::take_errors(table);
   std::set<GLenum> rejected;
-  for (const GLenum name : kQueried) {
+  for (const GLenum name : names) {
     GLfloat values[16] = {};
     table.GetFloatv(name, values);
     if (!gl::take_errors(table).empty()) rejected.insert(name);

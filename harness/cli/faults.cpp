@@ -32,10 +32,10 @@ struct FaultsOptions {
 
 namespace fs = std::filesystem;
 
-// Faults of different kinds that occur in real evaluators. `--legal` requires that they are detected behind
-// each variation.
+// Faults of different kinds that occur in real evaluators, and that tests of quick depth detect. `--legal`
+// requires that they are detected behind each variation.
 constexpr const char* kTypicalFaults =
-    "OrderZeroTaken:DegreeAnswered:StrideInOneByte:SinglePointReadLate:ReversedDomainSorted:"
+    "OrderZeroTaken:OrdersExchangedInFloats:StrideInOneByte:SinglePointReadLate:ReversedDomainSorted:"
     "SymmetricDomainTakenForUnit:ReversedVSorted:WideNetsTransposed:ColorWaitsForEnd:"
     "CurveMeshAfterDisableOfItsMap";
 

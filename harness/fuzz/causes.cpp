@@ -161,7 +161,8 @@ std::optional<gl::Case> reduced_to(const std::string& cause, const gl::Case& pro
 }
 
 std::vector<gl::Case> controls_without_evaluators(const gl::Case& program) {
-  std::vector<gl::Case> controls = {gl::with_explicit_vertices(program), gl::with_explicit_commands(program)};
+  std::vector<gl::Case> controls = {gl::with_explicit_vertices(program), gl::with_explicit_commands(program),
+                                    gl::with_explicit_commands(program, {}, gl::Arguments::kArray)};
   if (gl::uses_lists(program)) controls.push_back(gl::with_calls_of_no_list(program));
   return controls;
 }

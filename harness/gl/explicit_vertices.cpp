@@ -13,8 +13,9 @@ namespace evalcts::gl {
 namespace {
 
 // Issues an explicit vertex whose position depends on the number.
-void vertex(Case& c, int number) {
-  c.Vertex3f(0.0625f * static_cast<float>(number % 16), 0.03125f * static_cast<float>(number % 32), 0.25f);
+void vertex(Case& c, int number, Arguments arguments = Arguments::kScalars) {
+  const float x = 0.0625f * static_cast<float>(number % 16), y = 0.03125f * static_cast<float>(number % 32);
+  arguments == Arguments::kArray ? c.Vertex3fv(std::vector<float>{x, y, 0.25f}) : c.Vertex3f(x, y, 0.25f);
 }
 
 constexpr std::int64_t kMostIndices = 16;
@@ -39,22 +40,27 @@ class EnabledMaps {
 
   // Issues the attributes of the enabled maps of the dimension. Returns true if one of the maps generates
   // vertices.
-  bool issue_attributes(Case& c, int dimension) const {
+  bool issue_attributes(Case& c, int dimension, Arguments arguments) const {
     const auto is_enabled = [&](GLenum of_one, GLenum of_two) {
       return caps_.contains(dimension == 1 ? of_one : of_two);
     };
-    if (is_enabled(GL_MAP1_INDEX, GL_MAP2_INDEX)) c.Indexf(1);
-    if (is_enabled(GL_MAP1_COLOR_4, GL_MAP2_COLOR_4)) c.Color4f(0.25f, 0.5f, 0.75f, 1);
+    const bool in_array = arguments == Arguments::kArray;
+    const std::vector<float> color = {0.25f, 0.5f, 0.75f, 1}, normal = {0, 1, 0},
+                             texture = {0.25f, 0.5f, 0.75f, 2};
+    if (is_enabled(GL_MAP1_INDEX, GL_MAP2_INDEX)) in_array ? c.Indexfv(std::vector<float>{1}) : c.Indexf(1);
+    if (is_enabled(GL_MAP1_COLOR_4, GL_MAP2_COLOR_4))
+      in_array ? c.Color4fv(color) : c.Color4f(color[0], color[1], color[2], color[3]);
     if (is_enabled(GL_MAP1_NORMAL, GL_MAP2_NORMAL) || (dimension == 2 && caps_.contains(GL_AUTO_NORMAL)))
-      c.Normal3f(0, 1, 0);
+      in_array ? c.Normal3fv(normal) : c.Normal3f(normal[0], normal[1], normal[2]);
+    const float s = texture[0], t = texture[1], r = texture[2], q = texture[3];
     if (is_enabled(GL_MAP1_TEXTURE_COORD_4, GL_MAP2_TEXTURE_COORD_4)) {
-      c.TexCoord4f(0.25f, 0.5f, 0.75f, 2);
+      in_array ? c.TexCoord4fv(texture) : c.TexCoord4f(s, t, r, q);
     } else if (is_enabled(GL_MAP1_TEXTURE_COORD_3, GL_MAP2_TEXTURE_COORD_3)) {
-      c.TexCoord3f(0.25f, 0.5f, 0.75f);
+      in_array ? c.TexCoord3fv(texture) : c.TexCoord3f(s, t, r);
     } else if (is_enabled(GL_MAP1_TEXTURE_COORD_2, GL_MAP2_TEXTURE_COORD_2)) {
-      c.TexCoord2f(0.25f, 0.5f);
+      in_array ? c.TexCoord2fv(texture) : c.TexCoord2f(s, t);
     } else if (is_enabled(GL_MAP1_TEXTURE_COORD_1, GL_MAP2_TEXTURE_COORD_1)) {
-      c.TexCoord1f(0.25f);
+      in_array ? c.TexCoord1fv(texture) : c.TexCoord1f(s);
     }
     return is_enabled(GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_3) || is_enabled(GL_MAP1_VERTEX_4, GL_MAP2_VERTEX_4);
   }
@@ -108,9 +114,12 @@ class MeshOfVertices {
   int number_;
 };
 
-bool is_of_evaluators(GLenum cap) {
-  const bool is_attribute_map = cap >= GL_MAP1_VERTEX_ATTRIB0_4_NV && cap <= GL_MAP2_VERTEX_ATTRIB15_4_NV;
-  return cap == GL_AUTO_NORMAL || components_of(cap) > 0 || is_attribute_map;
+bool is_of_evaluators(GLenum name) {
+  for (const GLenum other : {GL_AUTO_NORMAL, GL_MAX_EVAL_ORDER, GL_MAP1_GRID_DOMAIN, GL_MAP1_GRID_SEGMENTS,
+                             GL_MAP2_GRID_DOMAIN, GL_MAP2_GRID_SEGMENTS})
+    if (name == other) return true;
+  const bool is_attribute_map = name >= GL_MAP1_VERTEX_ATTRIB0_4_NV && name <= GL_MAP2_VERTEX_ATTRIB15_4_NV;
+  return components_of(name) > 0 || is_attribute_map;
 }
 
 // True if the command defines, enables or queries maps or grids.
@@ -118,9 +127,13 @@ bool is_about_maps(const Command& command) {
   const std::string_view name = name_of(command.entry);
   for (const char* prefix : {"glMap1", "glMap2", "glMapGrid", "glGetMap"})
     if (name.starts_with(prefix)) return true;
-  if (name != "glEnable" && name != "glDisable" && name != "glIsEnabled") return false;
-  const auto* cap = std::get_if<std::int64_t>(&command.arguments.at(0));
-  return cap && is_of_evaluators(static_cast<GLenum>(*cap));
+  for (const char* of_state : {"glEnable", "glDisable", "glIsEnabled", "glGetBooleanv", "glGetIntegerv",
+                               "glGetFloatv", "glGetDoublev"})
+    if (name == of_state) {
+      const auto* state = std::get_if<std::int64_t>(&command.arguments.at(0));
+      return state && is_of_evaluators(static_cast<GLenum>(*state));
+    }
+  return false;
 }
 
 // Alternately enables and disables the capability, if there is one.
@@ -187,14 +200,14 @@ Case with_explicit_vertices(const Case& script, IdleCapability idle) {
       [](Case& c, const Command& mesh, int number) { MeshOfVertices(c, number, mesh, GL_QUAD_STRIP); });
 }
 
-Case with_explicit_commands(const Case& script, IdleCapability idle) {
+Case with_explicit_commands(const Case& script, IdleCapability idle, Arguments arguments) {
   EnabledMaps maps;
   return with_replaced(
       script, idle, [&](const Command& command) { maps.follow(command); },
       [&](Case& c, const Command& command, int number) {
         const std::string_view name = name_of(command.entry);
         const int dimension = name.starts_with("glEvalCoord1") || name == "glEvalPoint1" ? 1 : 2;
-        if (maps.issue_attributes(c, dimension)) vertex(c, number);
+        if (maps.issue_attributes(c, dimension, arguments)) vertex(c, number, arguments);
       },
       [](Case& c, const Command& mesh, int number) { MeshOfVertices(c, number, mesh, GL_TRIANGLE_STRIP); });
 }

@@ -2,6 +2,8 @@
 // prediction.
 #include <evalcts/testkit/explicit_control.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <memory>
@@ -64,13 +66,34 @@ void ExplicitControl::require_explicit_vertices(const std::string& what) {
                         found->message);
 }
 
+void ExplicitControl::require_no_such_error(const gl::Case& script, const std::vector<GLenum>& errors) const {
+  const auto evaluates = [](const gl::Command& command) {
+    return gl::name_of(command.entry).starts_with("glEval");
+  };
+  if (subject_.reproduction || std::ranges::none_of(script.commands(), evaluates)) return;
+  for (const gl::Case& control : {gl::with_explicit_vertices(script), gl::with_explicit_commands(script)}) {
+    try {
+      const gl::Trace trace = subject_.implementation->create_context()->play(control);
+      for (const GLenum error : trace.left_over_errors())
+        if (std::ranges::count(errors, error) > 0)
+          throw NotObservable(
+              fmt::format("pipeline: explicit commands instead of evaluations leave {} behind as well",
+                          gl::error_name(error)));
+    } catch (const gl::MissingEntryPoint&) {
+      // As in run_controls().
+    }
+  }
+}
+
 void ExplicitControl::run_controls(const Observed& observed) {
   wrong_.clear();
   const gl::IdleCapability idle = idle_capability(*subject_.implementation);
-  for (const auto control : {gl::with_explicit_vertices, gl::with_explicit_commands}) {
+  for (const gl::Case& control :
+       {gl::with_explicit_vertices(observed.script, idle), gl::with_explicit_commands(observed.script, idle),
+        gl::with_explicit_commands(observed.script, idle, gl::Arguments::kArray)}) {
     std::optional<Seen> seen;
     try {
-      seen = observe_control(control(observed.script, idle), *observed.capture, observed.judged);
+      seen = observe_control(control, *observed.capture, observed.judged);
     } catch (const gl::MissingEntryPoint&) {
       // A sink need not support explicit commands. It has no further pipeline that could be at fault.
     }

@@ -67,6 +67,18 @@ void Test::require_initial_state() const {
     throw NotObservable("all contexts have one state, which is restored by calls");
 }
 
+bool Test::can_call(gl::EntryPoint command) {
+  if (gl().has(command)) return true;
+  missing_.insert(fmt::format("{} (missing)", gl::name_of(command)));
+  return false;
+}
+
+bool Test::can_query_grid(GLenum name) {
+  if (!gl().refused_grid_queries.contains(name)) return true;
+  missing_.insert(fmt::format("{} (the query is rejected)", gl::token_name(name)));
+  return false;
+}
+
 std::vector<gl::Ref> Test::append_optional(gl::Case& c, const gl::Case& optional) {
   std::vector<gl::Ref> places;
   for (const gl::Command& command : optional.commands()) {
@@ -119,6 +131,7 @@ CheckedTrace Test::play(const gl::Case& written) {
     const std::string captured = fmt::format("{}", fmt::join(names, ", "));
     if (script.is_control())
       throw NotObservable(fmt::format("pipeline: '{}' leaves {} behind", script.identity(), captured));
+    control_.require_no_such_error(script, left_over);
     Failure failure;
     failure.case_identity = script.identity();
     failure.message = "spurious error: left behind after the last command: " + captured;
@@ -223,6 +236,8 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
   const std::size_t room = most_vertices_of(prediction) + 8;
   const std::vector<Look> looks = look_at(script, prediction, required, room);
   const auto& [capture, topology, observation] = looks.front();  // the other captures agree
+  if (observation.error_observed && observation.error != GL_NO_ERROR && observation.error != prediction.error)
+    control_.require_no_such_error(script, {observation.error});
   JudgeOptions options = options_for(script, *capture, required);
   if (measured && prediction.vertex_count() <= kMostMeasured) options.measured = required;
   const auto judged = [&, &topology = topology](const Observation& seen) {
@@ -403,16 +418,20 @@ void Test::run(const std::function<void(Test&)>& body) {
     if (delivery_.lists != gl::Lists::kNone && !other_lists_ && !subject_.reproduction)
       blame_list_or_commands(body);
   }
+  std::vector<std::string> unobserved;
+  if (unobserved_) unobserved.push_back(describe(unobserved_));
+  unobserved.insert(unobserved.end(), missing_.begin(), missing_.end());
+  record_.unobserved = fmt::format("{}", fmt::join(unobserved, ", "));
   if (record_.verdict == Verdict::kPass && cases_ == 0) {
-    record_.verdict = Verdict::kInternalError;
-    record_.message = "the test ran no case";
+    const bool none_can_run = !missing_.empty();
+    record_.verdict = none_can_run ? Verdict::kNotObservable : Verdict::kInternalError;
+    record_.message = none_can_run ? record_.unobserved : "the test ran no case";
   }
   if (record_.verdict == Verdict::kPass && delivery_.lists != gl::Lists::kNone && !lists_used_) {
     record_.verdict = Verdict::kInternalError;
     record_.message = "no case of the test has a command that goes into a display list";
   }
   std::sort(record_.mismatches.begin(), record_.mismatches.end());
-  if (unobserved_) record_.unobserved = describe(unobserved_);
   record_.cases = cases_;
   record_.failed_cases = failed_cases_;
 }

@@ -29,6 +29,9 @@ gl::Case in_lists(GLenum mode = GL_POINTS) {
   return gl::through_lists(evaluated(mode), gl::Lists::kCompiled).script;
 }
 
+// Vertices alone, with attributes, and with attributes from arrays.
+constexpr int kControls = 3;
+
 void lose_positions(Observation& seen, const gl::Case&) { seen.primitives[0].vertices[1].position[0] = 99; }
 void lose_colors(Observation& seen, const gl::Case&) { seen.primitives[0].vertices[1].color = {}; }
 
@@ -81,7 +84,7 @@ class ExplicitControlTest : public testing::Test {
 };
 
 TEST_F(ExplicitControlTest, ListsThatKeepExplicitVerticesAreNotTheCause) {
-  EXPECT_EQ(controls(in_lists(), SyntheticCapture(traits())), 2);  // vertices alone, and with attributes
+  EXPECT_EQ(controls(in_lists(), SyntheticCapture(traits())), kControls);
 }
 
 TEST_F(ExplicitControlTest, ListsThatLoseExplicitVerticesAre) {
@@ -103,7 +106,7 @@ TEST_F(ExplicitControlTest, ListsThatLoseExplicitVerticesAre) {
 
 TEST_F(ExplicitControlTest, AttributesThatAreNotJudgedDoNotMatterButPositionsAlwaysDo) {
   const SyntheticCapture without_color(traits(), lose_colors), out_of_place(traits(), lose_positions);
-  EXPECT_EQ(controls(in_lists(), without_color, kPosition), 2);
+  EXPECT_EQ(controls(in_lists(), without_color, kPosition), kControls);
   EXPECT_THROW(controls(in_lists(), without_color, kColor), NotObservable);
   EXPECT_THROW(controls(in_lists(), out_of_place, kColor), NotObservable);
 }
@@ -111,14 +114,28 @@ TEST_F(ExplicitControlTest, AttributesThatAreNotJudgedDoNotMatterButPositionsAlw
 // A pipeline that loses colours is not the root cause of wrong normals.
 TEST_F(ExplicitControlTest, OtherAttributesDoNotExplainAFailure) {
   const SyntheticCapture without_color(traits(), lose_colors);
-  EXPECT_EQ(controls(evaluated(), without_color, kAllAttributes, "normal.x of vertex 1"), 2);
+  EXPECT_EQ(controls(evaluated(), without_color, kAllAttributes, "normal.x of vertex 1"), kControls);
   EXPECT_THROW(controls(evaluated(), without_color, kAllAttributes, "color.R of vertex 1"), NotObservable);
   const SyntheticCapture out_of_place(traits(), lose_positions);
   EXPECT_THROW(controls(evaluated(), out_of_place, kAllAttributes, "color.R of vertex 1"), NotObservable);
 }
 
+// gl4es loses TexCoord2fv, but not TexCoord2f.
+TEST_F(ExplicitControlTest, PipelineMayLoseAttributesFromArraysOnly) {
+  const SyntheticCapture loses_arrays(traits(), [](Observation& seen, const gl::Case& control) {
+    for (const gl::Command& command : control.commands())
+      if (command.entry == gl::EntryPoint::Color4fv) lose_colors(seen, control);
+  });
+  gl::Case c = evaluated();
+  EXPECT_EQ(controls(c, loses_arrays), kControls);
+  gl::Case colored("a curve with colours");
+  colored.Enable(GL_MAP1_COLOR_4);
+  colored.append(c);
+  EXPECT_THROW(controls(colored, loses_arrays, kAllAttributes, "color.R of vertex 1"), NotObservable);
+}
+
 TEST_F(ExplicitControlTest, CasesWithoutListsHaveOneAsWell) {
-  EXPECT_EQ(controls(evaluated(), SyntheticCapture(traits())), 2);
+  EXPECT_EQ(controls(evaluated(), SyntheticCapture(traits())), kControls);
   EXPECT_THROW(controls(evaluated(), SyntheticCapture(traits(), lose_positions)), NotObservable);
 }
 
@@ -148,7 +165,7 @@ TEST_F(ExplicitControlTest, LinesAreTakenApartAsTheCaptureDoesIt) {
   const SyntheticCapture backwards(traits(), [](Observation& seen, const gl::Case&) {
     for (ObservedPrimitive& primitive : seen.primitives) std::ranges::reverse(primitive.vertices);
   });
-  EXPECT_EQ(controls(in_lists(GL_LINES), backwards), 3);  // the third one learns the topology
+  EXPECT_EQ(controls(in_lists(GL_LINES), backwards), kControls + 1);  // the further one learns the topology
 }
 
 // Returns the capability whose Enable and Disable replace Map1f and Enable in the control; 0 if
@@ -175,8 +192,43 @@ TEST_F(ExplicitControlTest, StateThatTheLibraryKnowsIsChanged) {
   const SyntheticCapture capture(traits(), [&](Observation&, const gl::Case& control) {
     changed = std::max(changed, changed_in(control));
   });
-  EXPECT_EQ(controls(evaluated(), capture), 2);
+  EXPECT_EQ(controls(evaluated(), capture), kControls);
   EXPECT_EQ(changed, 0u);
+}
+
+// An implementation whose End always raises an error, and whose other commands do nothing.
+class FailsAtEnd final : public Implementation {
+ public:
+  std::string name() const override { return "fails at End"; }
+  std::unique_ptr<Context> create_context() override { return std::make_unique<OfEnd>(); }
+
+ private:
+  static inline GLenum error = GL_NO_ERROR;
+  class OfEnd final : public Context {
+   public:
+    OfEnd() {
+      table_.Begin = [](GLenum) {};
+      table_.End = [] { error = GL_INVALID_OPERATION; };
+      table_.Vertex3f = [](GLfloat, GLfloat, GLfloat) {};
+      table_.Color4f = [](GLfloat, GLfloat, GLfloat, GLfloat) {};
+      table_.GetError = [] { return std::exchange(error, static_cast<GLenum>(GL_NO_ERROR)); };
+    }
+    const gl::Table& table() const override { return table_; }
+
+   private:
+    gl::Table table_{};
+  };
+};
+
+TEST_F(ExplicitControlTest, ErrorThatExplicitVerticesRaiseAsWellIsNotThatOfEvaluators) {
+  FailsAtEnd implementation;
+  subject_.implementation = &implementation;
+  EXPECT_THROW(control_.require_no_such_error(evaluated(), {GL_INVALID_OPERATION}), NotObservable);
+  EXPECT_NO_THROW(control_.require_no_such_error(evaluated(), {GL_INVALID_ENUM}));
+  gl::Case nothing_evaluated("a primitive");
+  nothing_evaluated.Begin(GL_POINTS);
+  nothing_evaluated.End();
+  EXPECT_NO_THROW(control_.require_no_such_error(nothing_evaluated, {GL_INVALID_OPERATION}));
 }
 
 TEST_F(ExplicitControlTest, LostAttributesAreThoseOfExplicitVertices) {

@@ -114,6 +114,7 @@ TEST(ExplicitVertices, StandWithoutCommandsOfEvaluators) {
   c.PushAttrib(GL_EVAL_BIT | GL_ENABLE_BIT);
   c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, std::vector<GLfloat>{0, 0, 0, 1, 1, 1});
   c.MapGrid1f(4, 0, 1);
+  c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, out<GLint>(1));
   c.Enable(GL_LIGHTING);
   c.Enable(GL_MAP1_VERTEX_3);
   c.Enable(GL_AUTO_NORMAL);
@@ -131,12 +132,12 @@ TEST(ExplicitVertices, StandWithoutCommandsOfEvaluators) {
   EXPECT_EQ(lines[1], "glEnable(GL_LIGHTING);");
   EXPECT_EQ(lines[4], "glDisable(GL_FOG);");
   Lines with_changes = calls_of(with_explicit_vertices(c, GL_COLOR_LOGIC_OP));
-  ASSERT_EQ(with_changes.size(), 14u);
+  ASSERT_EQ(with_changes.size(), 15u);
   EXPECT_EQ(with_changes[1], "glEnable(GL_COLOR_LOGIC_OP);");
   EXPECT_EQ(with_changes[2], "glDisable(GL_COLOR_LOGIC_OP);");
   EXPECT_EQ(std::erase_if(with_changes,
                           [](const std::string& line) { return line.find("LOGIC_OP") != std::string::npos; }),
-            8u);
+            9u);
   EXPECT_EQ(with_changes, lines);
 }
 
@@ -152,6 +153,8 @@ TEST(ExplicitCommands, GiveTheAttributesOfTheEnabledMaps) {
   c.End();
   EXPECT_EQ(names_of(with_explicit_commands(c)),
             (Lines{"Begin", "Color4f", "Vertex3f", "Normal3f", "TexCoord2f", "End"}));
+  EXPECT_EQ(names_of(with_explicit_commands(c, {}, Arguments::kArray)),
+            (Lines{"Begin", "Color4fv", "Vertex3fv", "Normal3fv", "TexCoord2fv", "End"}));
 }
 
 // The texture map with the most coordinates has precedence.

@@ -92,6 +92,25 @@ TEST_F(Faults, VariationWithoutColoursPassesInPart) {
       << tried.detections.at(0).reason;
 }
 
+TEST_F(Faults, ReasonWhyAFaultCannotBeVisibleIsStated) {
+  const TriedVariation tried =
+      try_variation(scratch_, "PositionOnly", {}, {"Ordering.EvaluatesInOrder", "AfterRandomCommands."},
+                    fault("ColorWaitsForEnd", {"EV-BE-ORDER"}));
+  EXPECT_TRUE(tried.is_good()) << as_markdown({tried});
+  EXPECT_EQ(tried.detections.at(0).outcome, DetectionBehind::Outcome::kNotVisible);
+  EXPECT_TRUE(tried.detections.at(0).reason.starts_with("explicit vertices wait")) << as_markdown({tried});
+}
+
+// Tests of both forms of Map judge the floats, and name the doubles as not observed.
+TEST_F(Faults, FaultIsDetectedInTheFormThatExists) {
+  const TriedVariation tried = try_variation(scratch_, "NoDoubles", {}, {"GetMap2.OrderDomainAndPoints"},
+                                             fault("OrdersExchangedInFloats", {"EV-GETMAP-ORDER2"}));
+  EXPECT_TRUE(tried.is_good()) << as_markdown({tried});
+  EXPECT_GT(tried.passed, 0u);
+  EXPECT_EQ(tried.passed, tried.passed_in_part);
+  EXPECT_EQ(tried.detections.at(0).outcome, DetectionBehind::Outcome::kDetected) << as_markdown({tried});
+}
+
 // Only positions are observed, so the tests pass only in part, but positions show the fault.
 TEST_F(Faults, FaultIsDetectedInThePartThatIsSeen) {
   const TriedVariation tried = try_variation(scratch_, "PositionOnly", {}, {"Map1Values.Domain"},

@@ -1,6 +1,8 @@
 // Tests the violated requirements of failing tests.
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include <evalcts/capture/capture.h>
 #include <evalcts/results/test_record.h>
 #include <evalcts/testkit/test.h>
@@ -128,6 +130,75 @@ TEST(Violated, ListsAreBlamedOnlyIfTheirCommandsAreRightWithoutOne) {
             Ids{"EV-DL-EXECUTE"});
   EXPECT_EQ(in_lists(gl::Lists::kExecuted, wrong_in_lists<GL_COMPILE_AND_EXECUTE>, "EV-DL-COMPEXEC").blamed(),
             Ids{"EV-DL-COMPEXEC"});
+}
+
+// --- Missing commands ------------------------------------------------------------------------------------
+
+void without_doubles(gl::Table& table) { table.Map1d = nullptr; }
+void without_grid_queries(gl::Table& table) {
+  static GLenum error = GL_NO_ERROR;
+  table.GetFloatv = [](GLenum name, GLfloat* values) {
+    if (name == GL_MAP1_GRID_DOMAIN)
+      error = GL_INVALID_ENUM;
+    else
+      Altered::original.GetFloatv(name, values);
+  };
+  table.GetError = [] {
+    const GLenum own = std::exchange(error, static_cast<GLenum>(GL_NO_ERROR));
+    return own == GL_NO_ERROR ? Altered::original.GetError() : own;
+  };
+}
+
+TEST(MissingCommands, TestThatDoesWithoutOnePassesInPart) {
+  const Body body = [](evalcts::Test& t) {
+    EXPECT_TRUE(t.can_call(gl::EntryPoint::Map1f));
+    EXPECT_FALSE(t.can_call(gl::EntryPoint::Map1d));
+    EXPECT_FALSE(t.can_call(gl::EntryPoint::Map1d));
+    t.expect_emission(curve(), kPosition);
+  };
+  const TestRecord record = record_of(without_doubles, {"EV-A"}, body);
+  EXPECT_EQ(record.verdict, Verdict::kPass) << record.message;
+  EXPECT_EQ(record.unobserved, "glMap1d (missing)");
+}
+
+TEST(MissingCommands, TestThatDoesNotNeedThemPassesInFull) {
+  const TestRecord record = record_of(without_doubles, {"EV-A"}, [](evalcts::Test& t) {
+    EXPECT_TRUE(t.can_call(gl::EntryPoint::Map1f));
+    t.expect_emission(curve(), kPosition);
+  });
+  EXPECT_EQ(record.verdict, Verdict::kPass) << record.message;
+  EXPECT_EQ(record.unobserved, "");
+}
+
+TEST(MissingCommands, TestOfNothingElseIsNotObservable) {
+  const TestRecord record = record_of(without_doubles, {"EV-A"}, [](evalcts::Test& t) {
+    if (t.can_call(gl::EntryPoint::Map1d)) t.expect_emission(curve(), kPosition);
+  });
+  EXPECT_EQ(record.verdict, Verdict::kNotObservable);
+  EXPECT_EQ(record.message, "glMap1d (missing)");
+}
+
+TEST(MissingCommands, FailureInTheRestIsAFailure) {
+  const auto alter = [](gl::Table& table) {
+    without_doubles(table);
+    evaluation_elsewhere(table);
+  };
+  const TestRecord record = record_of(alter, {"EV-A"}, [](evalcts::Test& t) {
+    EXPECT_FALSE(t.can_call(gl::EntryPoint::Map1d));
+    t.expect_emission(curve(), kPosition);
+  });
+  EXPECT_EQ(record.verdict, Verdict::kFail);
+  EXPECT_EQ(record.unobserved, "glMap1d (missing)");
+}
+
+TEST(MissingCommands, RejectedQueriesOfGridsCountAsMissing) {
+  const TestRecord record = record_of(without_grid_queries, {"EV-A"}, [](evalcts::Test& t) {
+    EXPECT_TRUE(t.can_query_grid(GL_MAP1_GRID_SEGMENTS));
+    EXPECT_FALSE(t.can_query_grid(GL_MAP1_GRID_DOMAIN));
+    t.expect_emission(curve(), kPosition);
+  });
+  EXPECT_EQ(record.verdict, Verdict::kPass) << record.message;
+  EXPECT_EQ(record.unobserved, "GL_MAP1_GRID_DOMAIN (the query is rejected)");
 }
 
 }  // namespace

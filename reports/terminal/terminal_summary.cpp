@@ -226,12 +226,11 @@ void write_head(Screen& screen, const RunResult& record) {
   }
   screen.list(count(record.total(), "test"), counts);
 
-  std::map<std::string, std::size_t> unobserved;  // number of passes by the attributes that are not observed
+  std::map<std::string, std::size_t> unobserved;  // number of passes by what they do not cover
   for (const TestRecord& test : record.tests)
     if (test.verdict == Verdict::kPass && !test.unobserved.empty()) ++unobserved[test.unobserved];
-  for (const auto& [attributes, tests] : unobserved)
-    screen.line(fmt::format("  {} of these passes without {}: no capture shows it", tests, attributes),
-                Colour::kYellow);
+  for (const auto& [what, tests] : unobserved)
+    screen.line(fmt::format("  {} of these passes without {}: not observed", tests, what), Colour::kYellow);
 }
 
 // Writes one line for all crashes with the same innermost frames, and one about the commands that other tests

@@ -169,6 +169,21 @@ TEST(Terminal, FitsTheScreen) {
             terminal_of(large_record(), nullptr, false, false));
 }
 
+// A pass that does not cover all parts of its test says so in each report.
+TEST(Terminal, PassesInPart) {
+  json record = large_record();
+  record["tests"] = {{{"name", "Theme.Both"},
+                      {"requirements", {"EV-A"}},
+                      {"verdict", "pass"},
+                      {"unobserved", "glMap1d (missing)"}},
+                     {{"name", "Theme.One"}, {"requirements", {"EV-A"}}, {"verdict", "pass"}}};
+  EXPECT_NE(terminal_of(record, nullptr, false, false)
+                .find("  1 of these passes without glMap1d (missing): not observed\n"),
+            std::string::npos)
+      << terminal_of(record, nullptr, false, false);
+  EXPECT_NE(html_of({record}, nullptr).find("not observed: glMap1d (missing)"), std::string::npos);
+}
+
 TEST(Terminal, OneLineWhereThatIsWanted) {
   EXPECT_EQ(terminal_line_of(read_sample("results-reference.json"), false),
             "reference: nothing unexpected\n");

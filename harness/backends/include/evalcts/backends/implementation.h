@@ -122,10 +122,10 @@ struct ImplementationInfo {
   GLint max_eval_order = 0;  // 0: not answered
   GLint texture_units = 1;
   std::set<std::string> extensions;
-  std::set<GLenum> rejected_queries;  // see rejected_queries.h
-  bool shares_state = false;          // state that one context sets is visible in the next one
-  bool has_get_mapdv = true, has_get_doublev = true;  // false: these queries are missing
-  std::optional<Declaration> declaration;             // set for an implementation that is not a GL
+  std::set<GLenum> rejected_queries, refused_grid_queries;  // see rejected_queries.h
+  bool shares_state = false;               // state that one context sets is visible in the next one
+  std::set<gl::EntryPoint> missing;        // the commands that it does not have
+  std::optional<Declaration> declaration;  // set for an implementation that is not a GL
   bool no_error = false;  // a no-error context (KHR_no_error): errors are undefined behaviour
 
   // Returns the largest order that must be accepted: MAX_EVAL_ORDER up to 64, or 8 if the implementation
@@ -134,6 +134,8 @@ struct ImplementationInfo {
 
   // Returns 10 * major + minor.
   int version_number() const { return 10 * major + minor; }
+
+  bool has(gl::EntryPoint command) const { return !missing.contains(command); }
 
   bool at_least(int wanted_major, int wanted_minor) const {
     return major > wanted_major || (major == wanted_major && minor >= wanted_minor);

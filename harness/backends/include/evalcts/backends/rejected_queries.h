@@ -4,14 +4,30 @@
 
 #include <memory>
 #include <set>
+#include <span>
 
 #include <evalcts/backends/implementation.h>
 
 namespace evalcts {
 
-// Returns the names for which GetFloatv raises an error in a fresh context, among MAX_EVAL_ORDER and the
-// names of state outside evaluators that tests query.
-std::set<GLenum> find_rejected_queries(Implementation& implementation);
+// The state of grids, and other state that tests query: MAX_EVAL_ORDER and state outside evaluators.
+inline constexpr GLenum kGridQueries[] = {GL_MAP1_GRID_DOMAIN, GL_MAP1_GRID_SEGMENTS, GL_MAP2_GRID_DOMAIN,
+                                          GL_MAP2_GRID_SEGMENTS};
+inline constexpr GLenum kOtherQueries[] = {GL_MAX_EVAL_ORDER,     GL_CURRENT_COLOR,
+                                           GL_CURRENT_NORMAL,     GL_CURRENT_TEXTURE_COORDS,
+                                           GL_CURRENT_INDEX,      GL_CURRENT_SECONDARY_COLOR,
+                                           GL_CURRENT_FOG_COORD,  GL_CURRENT_RASTER_POSITION,
+                                           GL_EDGE_FLAG,          GL_ACTIVE_TEXTURE,
+                                           GL_COLOR_CLEAR_VALUE,  GL_LIST_BASE,
+                                           GL_LIST_INDEX,         GL_LIST_MODE,
+                                           GL_MATRIX_MODE,        GL_RENDER_MODE,
+                                           GL_ATTRIB_STACK_DEPTH, GL_MAX_ATTRIB_STACK_DEPTH,
+                                           GL_MAX_LIST_NESTING,   GL_SHADE_MODEL,
+                                           GL_POINT_SIZE,         GL_LINE_WIDTH,
+                                           GL_FOG_MODE,           GL_VIEWPORT};
+
+// Returns those of the names for which GetFloatv raises an error in a fresh context.
+std::set<GLenum> find_rejected_queries(Implementation& implementation, std::span<const GLenum> names);
 
 // Wraps an implementation so that outside Begin and End, GetBooleanv, GetIntegerv, GetFloatv and GetDoublev
 // of one of the names do nothing. At most one such implementation may exist at a time.

@@ -19,11 +19,15 @@ using IdleCapability = std::optional<GLenum>;
 // Begin and End by the primitives of its definition (GL 1.0 5.1), with at most 16 vertices in each direction.
 Case with_explicit_vertices(const Case& script, IdleCapability idle = {});
 
+// The form of the commands: Color4f or Color4fv. In a defective pipeline, only one of them may work.
+enum class Arguments { kScalars, kArray };
+
 // Returns the case with each evaluation replaced by the commands into which many implementations translate
 // it: the attributes that the enabled maps of its dimension generate, then a vertex if one of these maps
 // generates vertices. Each filled mesh is replaced by triangle strips. The enabled maps follow from Enable,
 // Disable, PushAttrib and PopAttrib in the order in which they are written, inside display lists as well.
-Case with_explicit_commands(const Case& script, IdleCapability idle = {});
+Case with_explicit_commands(const Case& script, IdleCapability idle = {},
+                            Arguments arguments = Arguments::kScalars);
 
 // Returns the case with each EvalCoord and EvalPoint replaced by a CallList of a list that does not exist,
 // and each EvalMesh replaced by a POINTS primitive that contains such a call. These commands, like

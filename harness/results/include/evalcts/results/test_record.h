@@ -103,9 +103,11 @@ struct TestRecord {
   std::vector<std::string> mismatches;  // sorted identities of all mismatches, "case: what"
   std::vector<Failure> failures;        // the first few, in full
   std::string capture;                  // the first capture that was used; empty if none was
-  std::string unobserved;               // attributes that the test is about, but no capture shows
-  std::vector<std::string> left_out;    // optional commands that the test omitted because they crash
-  std::optional<Crash> crash;           // for a crash, if the process could report it
+  // Parts that the test is about, but did not observe, because no capture shows these attributes or these
+  // commands are missing: "colour, normal, glMap1d (missing)". The verdict does not cover them.
+  std::string unobserved;
+  std::vector<std::string> left_out;  // optional commands that the test omitted because they crash
+  std::optional<Crash> crash;         // for a crash, if the process could report it
   std::optional<Accuracy> accuracy;
   std::map<std::string, std::string> readings;  // the implementation's reading of ambiguous passages, by ID
 

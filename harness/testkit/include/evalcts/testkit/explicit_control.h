@@ -29,6 +29,10 @@ class ExplicitControl {
   // pipeline loses them.
   Attributes lost_attributes(const gl::Case& script, const Capture& capture) const;
 
+  // Must be called when the case leaves these errors behind. Throws NotObservable if it contains evaluations,
+  // and leaves one of the errors behind with explicit commands in their place as well.
+  void require_no_such_error(const gl::Case& script, const std::vector<GLenum>& errors) const;
+
   // Must be called when the observed case, if there is one, has failed in `what` ("color.R of vertex 3").
   // Throws NotObservable if the controls fail in the same attribute, in positions, or in the number of
   // vertices. If `what` names no attribute, any mismatch of the controls counts. The controls of a case run

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include <evalcts/gl/case.h>
 #include <evalcts/gl/check.h>
 #include <evalcts/gl/delivery.h>
+#include <evalcts/gl/table.h>
 #include <evalcts/gl/tokens.h>
 #include <evalcts/judge/judge.h>
 #include <evalcts/results/test_record.h>
@@ -80,6 +82,13 @@ class Test {
   // polygons of a mesh in any order, so that an implementation with another order fails only in the tests of
   // this order.
   void judge_order_of_meshes() { judges_order_of_meshes_ = true; }
+
+  // Returns true if the implementation has the command. If it is missing, records it as not observed, so that
+  // a pass covers only the rest of the test. For tests that use several forms of a command and can judge each
+  // without the others.
+  bool can_call(gl::EntryPoint command);
+  // The same for the query of a grid by Get, which an implementation may reject.
+  bool can_query_grid(GLenum name);
 
   // Appends optional commands, except those that crash the implementation, which are noted in the record.
   // Returns the position of each command; -1 if it was left out. No command may use the result of another.
@@ -167,6 +176,8 @@ class Test {
   bool lists_used_ = false;
   ExplicitControl control_;
   Attributes unobserved_ = 0;  // required attributes that no capture shows
+  // What can_call() and can_query_grid() found missing: "glMap1d (missing)".
+  std::set<std::string> missing_;
   std::uint64_t cases_ = 0, failed_cases_ = 0, last_failed_case_ = 0;
   std::mt19937 random_;
 };
