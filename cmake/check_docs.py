@@ -34,9 +34,18 @@ NOT_RUN = {
     "Slurm": "needs a cluster",
     "last run": "needs a failure of the last run",
     "vectors.check": "takes a minute: the test vectors.check runs it",
+    "vectors.lint": "takes seconds: the test vectors.lint runs it",
+    "vectors write": "overwrites the checkout's files; the same command with another folder is run",
     "CI services": "needs the environment of a CI service",
     "release": "makes a commit and a tag",
     "virgl": "needs a server, and takes twenty minutes",
+}
+# Examples of docs/help that are not run: patterns of their beginnings, and keys of NOT_RUN.
+NOT_RUN_EXAMPLES = {
+    "evalcts faults": "faults",
+    "evalcts (reproduce|bugs)": "last run",
+    "evalcts vectors lint$": "vectors.lint",
+    "evalcts vectors write$": "vectors write",
 }
 NEEDS = {
     "osmesa": lambda machine: "osmesa" in machine.available,
@@ -131,8 +140,9 @@ def examples_of(page):
     for number, line in enumerate(page.read_text().splitlines(), 1):
         if example := re.match(r"  \$ (evalcts .*)", line):
             markers = {"exit code": "any"}
-            if re.match(r"evalcts (faults|reproduce|bugs)", example[1]):
-                markers["not run"] = "faults" if "faults" in example[1] else "last run"
+            reason = next((reason for start, reason in NOT_RUN_EXAMPLES.items() if re.match(start, example[1])), None)
+            if reason:
+                markers["not run"] = reason
             found.append(Block(page, number, markers, "sh", example[1] + "\n"))
     return found
 

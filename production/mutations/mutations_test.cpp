@@ -33,11 +33,11 @@ std::vector<Mutation> mutations_with_test() {
 }
 
 // Returns the exit status of the tests of the library with a mutation; 124 after two minutes, because
-// mutations may loop.
+// mutations may loop. The first failed assertion ends the tests.
 int status_of(int mutation, const std::string& filter) {
   const std::string command =
       "GLEV_MUTATION=" + std::to_string(mutation) +
-      " timeout 120 '" MUTATED_TESTS "' --gtest_fail_fast --gtest_brief=1 '--gtest_filter=" + filter +
+      " timeout 120 '" MUTATED_TESTS "' --gtest_fail_fast --gtest_throw_on_failure --gtest_brief=1 '--gtest_filter=" + filter +
       "' > /dev/null 2>&1";
   const int status = std::system(command.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -114,7 +114,7 @@ TEST_F(OrdinaryData, QuadraticsGivenAsCubics) {
 // Evaluates symmetric and antisymmetric nets of short decimals and dyadic numbers with few segments, on every
 // instruction set. Whole rows are zeros or ties.
 TEST_F(OrdinaryData, BicubicModelsOnDyadicGrids) {
-  constexpr std::size_t kComponents = 3;
+  constexpr std::size_t kPointSize = 3;
   Chance chance;
   for (std::size_t t = 0; const char* target = glevGetTargetName(t); ++t) {
     const glev_context_info info = {sizeof info, nullptr, target};
@@ -122,12 +122,12 @@ TEST_F(OrdinaryData, BicubicModelsOnDyadicGrids) {
     ASSERT_EQ(glevCreateContext(&info, &other), GLEV_SUCCESS);
     for (int round = 0; round < 60; ++round) {
       const int n = chance.whole(2, 4), m = chance.whole(1, 4);
-      std::vector<float> points(static_cast<std::size_t>(n * m) * kComponents);
-      for (std::size_t k = 0; k < kComponents; ++k) {
+      std::vector<float> points(static_cast<std::size_t>(n * m) * kPointSize);
+      for (std::size_t k = 0; k < kPointSize; ++k) {
         const float unit = chance.one_of({0.1F, 0.01F, 0x1p-4F, 0x1p-22F}),
                     sign = chance.one_of({0.0F, 1.0F, -1.0F});
         const auto at = [&](int i, int j) -> float& {
-          return points[static_cast<std::size_t>(i * m + j) * kComponents + k];
+          return points[static_cast<std::size_t>(i * m + j) * kPointSize + k];
         };
         for (int i = 0; i < n; ++i) {
           for (int j = 0; j < m; ++j) {
@@ -144,14 +144,14 @@ TEST_F(OrdinaryData, BicubicModelsOnDyadicGrids) {
       glevMapGrid2f(other, segments, 0, 1, 4, 0, 1);
       const Plan plan(other, 2);
       const Floats mesh = evaluate_grid(plan, GLEV_ATTRIBUTE_VERTEX, {0, segments, 0, 4});
-      for (std::size_t k = 0; k < kComponents; ++k) {
+      for (std::size_t k = 0; k < kPointSize; ++k) {
         std::vector<double> exact;
-        for (std::size_t i = k; i < points.size(); i += kComponents) exact.push_back(points[i]);
+        for (std::size_t i = k; i < points.size(); i += kPointSize) exact.push_back(points[i]);
         for (int j = 0; j <= 4; ++j) {
           for (int i = 0; i <= segments; ++i) {
             const float right =
                 nearest_float(exact_value(exact, {n, m}, Rational(i, segments), Rational(j, 4)));
-            const float got = mesh[static_cast<std::size_t>(j * (segments + 1) + i) * kComponents + k];
+            const float got = mesh[static_cast<std::size_t>(j * (segments + 1) + i) * kPointSize + k];
             ASSERT_EQ(std::bit_cast<std::uint32_t>(got), std::bit_cast<std::uint32_t>(right))
                 << target << ", orders " << n << " x " << m << ", " << segments << " segments, " << i << ", "
                 << j;

@@ -78,25 +78,28 @@ class Direction:
 
     def weights(self, degree):
         """The values of the Bernstein polynomials of the degree: that of the map, or one less for its derivative."""
-        return self._weights("exact", self.t, self.s, degree)
+        return self._once(("exact", degree), lambda: Weights(self.t, self.s, degree))
 
     def widened_weights(self, degree, single):
         """The same at T and S in place of t and s."""
-        tau = self.tau(single)
-        t = (1 + 8 * EPS) * abs(self.t) + tau
-        s = (1 + 8 * EPS) * abs(self.s) + 8 * EPS * abs(self.t) + tau
-        return self._weights(single, t, s, degree)
+        return self._once(("widened", degree, single), lambda: Weights(*self._widened(single), degree))
 
-    def _weights(self, key, a, b, degree):
-        if (key, degree) not in self._known:
-            self._known[key, degree] = Weights(a, b, degree)
-        return self._known[key, degree]
+    def _widened(self, single):
+        tau = self.tau(single)
+        return ((1 + 8 * EPS) * abs(self.t) + tau,
+                (1 + 8 * EPS) * abs(self.s) + 8 * EPS * abs(self.t) + tau)
+
+    def _once(self, key, compute):
+        """Returns compute(), which is called only once for each key, because all components of a map ask for the same."""
+        if key not in self._known:
+            self._known[key] = compute()
+        return self._known[key]
 
     def growth(self, degree):
-        return (abs(self.t) + abs(self.s))**degree
+        return self._once(("growth", degree), lambda: (abs(self.t) + abs(self.s))**degree)
 
     def reach(self, degree):
-        return max(1, abs(self.t), abs(self.s))**degree
+        return self._once(("reach", degree), lambda: max(1, abs(self.t), abs(self.s))**degree)
 
 
 # The v direction of a curve: one control point, nothing rounded.
@@ -109,8 +112,8 @@ def error_bound(net, u, v, degrees, single, more_operations=0):
     k = n * m + 5 * (n + m) + 4 + (not single) + more_operations
     x = k * EPS
     widened = net.weighed(u.widened_weights(n, single), v.widened_weights(m, single))
-    plain = net.weighed(u.weights(n).magnitudes(), v.weights(m).magnitudes())
-    underflow = k * LEAST_NORMAL * u.reach(n) * v.reach(m) * net.binomial_sum()
+    plain = net.weighed(u.weights(n).magnitudes, v.weights(m).magnitudes)
+    underflow = k * LEAST_NORMAL * u.reach(n) * v.reach(m) * net.binomial_sum
     return (1 + x + x * x) * widened - plain + underflow
 
 
@@ -145,21 +148,21 @@ class Component:
 
     @cached_property
     def magnitude(self):
-        weights = (d.weights(n).magnitudes() for d, n in zip((self.u, self.v), self.degrees))
-        return self.net.magnitudes().weighed(*weights)
+        weights = (d.weights(n).magnitudes for d, n in zip((self.u, self.v), self.degrees))
+        return self.net.magnitudes.weighed(*weights)
 
     @cached_property
     def judged(self):
-        return applies(self.net.greatest(), self.u, self.v, self.limit)
+        return applies(self.net.greatest, self.u, self.v, self.limit)
 
     @cached_property
     def needs_gl_2(self):
         """True if the rule applies from GL 2.0 on only, because earlier versions guarantee less for texture coordinates."""
-        return self.texture and self.judged and not applies(self.net.greatest(), self.u, self.v, COLOR_RANGE)
+        return self.texture and self.judged and not applies(self.net.greatest, self.u, self.v, COLOR_RANGE)
 
     @cached_property
     def error(self):
-        return error_bound(self.net.magnitudes(), self.u, self.v, self.degrees, self.single)
+        return error_bound(self.net.magnitudes, self.u, self.v, self.degrees, self.single)
 
     def interval(self):
         """The least and the greatest finite binary32 accepted; None if the rule does not apply."""

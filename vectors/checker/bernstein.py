@@ -5,7 +5,13 @@ Everything is taken over a common denominator: reducing each term would cost far
 """
 
 from fractions import Fraction
+from functools import cache, cached_property
 from math import comb, lcm
+
+
+@cache
+def binomials(n):
+    return [comb(n, i) for i in range(n + 1)]
 
 
 class Weights:
@@ -18,9 +24,10 @@ class Weights:
         for _ in range(n):
             ups.append(ups[-1] * a)
             downs.append(downs[-1] * b)
-        self.numerators = [comb(n, i) * ups[i] * downs[n - i] for i in range(n + 1)]
+        self.numerators = [binomial * up * down for binomial, up, down in zip(binomials(n), ups, reversed(downs))]
         self.denominator = q**n
 
+    @cached_property
     def magnitudes(self):
         """The weights of |a| and |b|."""
         other = object.__new__(Weights)
@@ -45,6 +52,7 @@ class Net:
         net.rows, net.denominator = rows, denominator
         return net
 
+    @cached_property
     def magnitudes(self):
         return Net.of([[abs(x) for x in row] for row in self.rows], self.denominator)
 
@@ -58,6 +66,7 @@ class Net:
         rows = [[combine(y, x) for y, x in zip(row[1:], row)] for row in self.rows]
         return Net.of(rows, self.denominator)
 
+    @cached_property
     def greatest(self):
         """The greatest magnitude."""
         return Fraction(max(abs(x) for row in self.rows for x in row), self.denominator)
@@ -69,11 +78,12 @@ class Net:
             total += weight * sum(w * x for w, x in zip(v.numerators, row))
         return Fraction(total, u.denominator * v.denominator * self.denominator)
 
+    @cached_property
     def binomial_sum(self):
         """SUM C(n,i) * C(m,j) * max(1, |R_ij|)."""
-        n, m = len(self.rows) - 1, len(self.rows[0]) - 1
-        total = sum(comb(n, i) * comb(m, j) * max(self.denominator, abs(x))
-                    for i, row in enumerate(self.rows) for j, x in enumerate(row))
+        in_u, in_v = binomials(len(self.rows) - 1), binomials(len(self.rows[0]) - 1)
+        total = sum(a * sum(b * max(self.denominator, abs(x)) for b, x in zip(in_v, row))
+                    for a, row in zip(in_u, self.rows))
         return Fraction(total, self.denominator)
 
 

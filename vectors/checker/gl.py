@@ -5,6 +5,7 @@ there are none. Numbers that are only stored stay texts, because texts keep the 
 """
 
 from copy import deepcopy
+from functools import cache, lru_cache
 from inspect import signature
 from typing import NamedTuple
 
@@ -31,6 +32,7 @@ class Value(NamedTuple):
     value: object
 
 
+@cache
 def initial_map(dimension, target, size):
     """Returns the initial map of a target: order 1, one point, domain [0, 1]."""
     if target.endswith("NORMAL"):
@@ -40,6 +42,12 @@ def initial_map(dimension, target, size):
     else:
         point = [ZERO, ZERO, ZERO, ONE][:size]
     return StoredMap(dimension, target, [ZERO, ONE] * dimension, [[point]], "f", is_initial=True)
+
+
+@lru_cache(1 << 14)
+def grid_point(segments, first, last, index):
+    """Returns the Grid of texts. The points of a mesh share these objects."""
+    return Grid(segments, read_float(first, FORMATS["d"]), read_float(last, FORMATS["d"]), index)
 
 
 class StoredMap:
@@ -119,7 +127,7 @@ class Context:
     def execute(self, command, form, arguments):
         effect = getattr(self, command.method)
         try:
-            signature(effect).bind(form, *arguments)
+            _signature(effect.__func__).bind(self, form, *arguments)
         except TypeError:
             raise Malformed(f"wrong number of arguments: {show(arguments)}") from None
         codes = getattr(self, command.method + "_errors", lambda *_: set())(form, *arguments)
@@ -280,10 +288,7 @@ class Context:
         self.evaluate_point(dimension, [integer(i) for i in indices])
 
     def evaluate_point(self, dimension, indices):
-        def exact(text):
-            return read_float(text, FORMATS["d"])
-        self.evaluate(dimension, [Grid(n, exact(first), exact(last), i)
-                                  for (n, first, last), i in zip(self.grids[dimension], indices)])
+        self.evaluate(dimension, [grid_point(*grid, i) for grid, i in zip(self.grids[dimension], indices)])
 
     def eval_mesh_errors(self, form, mode, *indices):
         allowed = dict(list(MESH_MODES.items())[:1 + int(form[0])])
@@ -490,6 +495,9 @@ class Context:
 class OpenList:
     def __init__(self, name, mode):
         self.name, self.mode, self.commands = name, mode, []
+
+
+_signature = cache(signature)  # signature() takes longer than most commands
 
 
 def _few(first, beyond):

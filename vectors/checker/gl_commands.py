@@ -1,6 +1,7 @@
 """The GL commands that are known here, by name."""
 
 import re
+from functools import cache
 from typing import NamedTuple
 
 from .number import Malformed, show
@@ -55,8 +56,13 @@ COMMANDS = _commands(
 
 
 def command_named(name):
-    for command in COMMANDS:
-        match = isinstance(name, str) and command.pattern.fullmatch(name)
-        if match:
-            return command, match.groups()
-    raise Malformed(f"command {show(name)} is not known here")
+    found = _find(name) if isinstance(name, str) else None
+    if found is None:
+        raise Malformed(f"command {show(name)} is not known here")
+    return found
+
+
+@cache
+def _find(name):
+    matches = ((command, command.pattern.fullmatch(name)) for command in COMMANDS)
+    return next(((command, match.groups()) for command, match in matches if match), None)

@@ -21,13 +21,19 @@ class Map:
         self.dimension, self.target, self.domain, self.points = dimension, target, domain, points
         self.size = TARGETS[dimension][target]
         self.orders = (len(points), len(points[0]))[:dimension]
+        self._directions = {}
 
     def directions(self, arguments):
         """Returns the Directions of u and v. `arguments`: a Fraction or a Grid for each dimension of the map."""
-        ends = zip(self.domain[::2], self.domain[1::2])
-        found = [Direction(first, last, argument, order - 1)
-                 for (first, last), argument, order in zip(ends, arguments, self.orders)]
+        found = [self._direction(d, argument) for d, argument in zip(range(self.dimension), arguments)]
         return found if self.dimension == 2 else [*found, POINT]
+
+    def _direction(self, d, argument):
+        """Returns the Direction of u (d = 0) or v. It is kept, because the points of a mesh share their arguments."""
+        if (d, argument) not in self._directions:
+            first, last = self.domain[2 * d:2 * d + 2]
+            self._directions[d, argument] = Direction(first, last, argument, self.orders[d] - 1)
+        return self._directions[d, argument]
 
     def nets(self):
         return [[[point[c] for point in row] for row in self.points] for c in range(self.size)]

@@ -94,7 +94,7 @@ class Normal:
 
     def judged(self):
         """True if the rule applies and the error bound is small enough compared with the normal."""
-        greatest = max(c.net.greatest() for c in self.components)
+        greatest = max(c.net.greatest for c in self.components)
         if not applies(greatest, self.u, self.v) or not self._w:
             return False
         if self.rational and 2 * self.components[3].error >= abs(self._w):

@@ -7,6 +7,7 @@ in C's hexadecimal form; where the sign of a zero matters its text is kept inste
 import re
 import sys
 from fractions import Fraction
+from functools import cache, lru_cache
 from math import gcd, isqrt
 from typing import NamedTuple
 
@@ -30,13 +31,21 @@ class Format(NamedTuple):
         """Returns the exponent of the last place of numbers in [2^exponent, 2^(exponent + 1))."""
         return max(exponent, self.least) - self.precision + 1
 
+    @cache
     def limit(self):
         """The greatest finite number."""
         return Fraction(2)**(self.greatest + 1) - Fraction(2)**(self.greatest + 1 - self.precision)
 
     def holds(self, x):
         """True if the finite x is a number of this format."""
-        return x == 0 or (abs(x) <= self.limit() and (x / power(self.quantum(exponent(x)))).denominator == 1)
+        if x == 0:
+            return True
+        q = self.quantum(exponent(x))
+        if q < 0:
+            is_multiple = (1 << -q) % x.denominator == 0
+        else:
+            is_multiple = x.denominator == 1 and x.numerator % (1 << q) == 0
+        return is_multiple and abs(x) <= self.limit()
 
 
 BINARY32 = Format("binary32", 24, -126, 127)
@@ -48,6 +57,7 @@ _RATIONAL = re.compile(r"(0|-?[1-9][0-9]*)/([1-9][0-9]*)")
 _ZEROS = ("0x0p+0", "-0x0p+0")
 
 
+@cache
 def power(e):
     """2^e."""
     return Fraction(1 << e) if e >= 0 else Fraction(1, 1 << -e)
@@ -82,19 +92,29 @@ def float_text(x, negative_zero=False):
     """The finite floating-point number x in hexadecimal form."""
     if x == 0:
         return _ZEROS[negative_zero]
-    e = exponent(x)
-    significand = abs(x) / power(e) - 1
-    bits = significand.denominator.bit_length() - 1
+    return _hexadecimal(abs(x.numerator), 1 - x.denominator.bit_length(), x < 0)
+
+
+def _hexadecimal(n, e, is_negative):
+    """Returns the text of n * 2^e, or of its opposite."""
+    bits = n.bit_length() - 1
     digits = -(-bits // 4)
-    fraction = f".{int(significand * 16**digits):0{digits}x}" if digits else ""
-    return f"{'-' if x < 0 else ''}0x1{fraction}p{e:+d}"
+    fraction = f"{(n << 4 * digits - bits) - (1 << 4 * digits):0{digits}x}".rstrip("0") if digits else ""
+    return f"{'-' if is_negative else ''}0x1{'.' if fraction else ''}{fraction}p{e + bits:+d}"
 
 
 def read_float(text, form):
     """The value of a finite floating-point number in its one permitted form."""
+    if not isinstance(text, str):
+        raise Malformed(f"{show(text)} is not a finite hexadecimal number in canonical form")
+    return _read_float(text, form)
+
+
+@lru_cache(1 << 16)
+def _read_float(text, form):
     if text in _ZEROS:
         return Fraction(0)
-    match = isinstance(text, str) and _HEXADECIMAL.fullmatch(text)
+    match = _HEXADECIMAL.fullmatch(text)
     if not match or match[3] + match[4] == "-0":
         raise Malformed(f"{show(text)} is not a finite hexadecimal number in canonical form")
     if len(match[4]) > 5:
@@ -119,14 +139,21 @@ def nearest(x, form):
     if x == 0:
         return _ZEROS[0]
     q = form.quantum(exponent(x))
-    n, rest = divmod(abs(x.numerator) * power(-q).numerator, x.denominator * power(q).numerator)
-    half = 2 * rest - x.denominator * power(q).numerator
-    if half > 0 or (half == 0 and n % 2 == 1):
+    n, rest, divisor = _divided(x, q)
+    if 2 * rest > divisor or (2 * rest == divisor and n % 2 == 1):
         n += 1
-    magnitude = n * power(q)
-    if magnitude > form.limit():
+    if n == 0:
+        return _ZEROS[x < 0]
+    if n.bit_length() + q > form.greatest + 1:
         return "-inf" if x < 0 else "inf"
-    return float_text(-magnitude if x < 0 else magnitude, negative_zero=x < 0)
+    return _hexadecimal(n, q, x < 0)
+
+
+def _divided(x, q):
+    """Returns the quotient of |x| and 2^q, the rest, and the number that the rest is below. Integers, which are faster."""
+    n, d = abs(x.numerator), x.denominator
+    n, d = (n, d << q) if q >= 0 else (n << -q, d)
+    return *divmod(n, d), d
 
 
 def nearest_bits(x):
@@ -138,9 +165,7 @@ def nearest_bits(x):
     if (n < d << e) if e >= 0 else (n << -e < d):
         e -= 1
     e = max(e, BINARY32.least)
-    place = e - 23
-    above, below = (n, d << place) if place >= 0 else (n << -place, d)
-    m, rest = divmod(above, below)
+    m, rest, below = _divided(x, e - 23)
     if 2 * rest > below or (2 * rest == below and m % 2 == 1):
         m += 1
     # The leading bit of a normal significand adds 1 to the exponent, a carry another.

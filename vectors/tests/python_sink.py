@@ -14,7 +14,7 @@ from functools import lru_cache
 from math import copysign
 
 from played import Evaluator, Machine
-from checker import gl, gl_arguments
+from checker import gl
 from checker.gl import Value
 from checker.gl_commands import command_named
 from checker.gl_names import (ALL_MAPS, COMPILE_MODES, FLAGS, LIST_TYPES, MAP_QUERIES, MAPS, MESH_MODES, MODES,
@@ -97,11 +97,8 @@ gl.Map = EvaluatedMap
 Evaluator.result = lambda self, x: x
 # Without these caches, most of the time is spent on computing the same values again.
 Evaluator.basis = lru_cache(1000)(Evaluator.basis)
-gl.initial_map = lru_cache(None)(gl.initial_map)
-gl.read_float = gl_arguments.read_float = lru_cache(10**5)(gl.read_float)
 text_of = lru_cache(10**5)(lambda x: float_text(Fraction(x)))
 accepted_answers = lru_cache(10**5)(accepted_answers)
-gl.signature, gl.command_named = lru_cache(1000)(gl.signature), lru_cache(None)(gl.command_named)
 EVALUATOR, MACHINE, REPLACED = _subject()
 # A wrong end of a grid may be so near to the correct one that double precision does not distinguish them.
 IS_EXACT = not REPLACED.keys().isdisjoint(("grid_argument", "evaluate_point"))

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Configures production/ alone: by the commands of its README, and as a part of projects that include it by
-# add_subdirectory and by FetchContent. Highway is compiled for one instruction set, which takes a fraction of the time.
+# add_subdirectory and by FetchContent. Compilation takes a fraction of the time for one instruction set and without
+# optimization; the projects that include it compile the sources in groups, and the README's commands each file by itself.
 # alone.sh ROOT WORK
 set -euo pipefail
 root=$1 work=$2
 fail() { echo "$*" >&2; exit 1; }
 quietly() { "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2; fail "fails: $*"; }; }
-export CXXFLAGS=-DHWY_COMPILE_ONLY_STATIC CMAKE_GENERATOR=Ninja
+export CXXFLAGS=-DHWY_COMPILE_ONLY_STATIC CMAKE_GENERATOR=Ninja CMAKE_BUILD_TYPE=None
 
 rm -rf "$work"
 mkdir -p "$work"
@@ -40,7 +41,7 @@ foreach(library glevaluator glevaluator_shared)
 endforeach()
 install(TARGETS with_glevaluator)
 END
-  quietly cmake -S "$work/$1" -B "$work/$1/build"
+  quietly cmake -S "$work/$1" -B "$work/$1/build" -DCMAKE_UNITY_BUILD=ON
   quietly cmake --build "$work/$1/build"
   for library in glevaluator glevaluator_shared; do "$work/$1/build/with_$library" || fail "$1: $library does not work"; done
   quietly cmake --install "$work/$1/build" --prefix "$work/$1/installed"
