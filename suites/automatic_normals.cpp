@@ -281,7 +281,27 @@ EVALCTS_TEST(AutomaticNormals, OrderPairs, kMust, "EV-AUTON-CURVED", by(gl::surf
   t.expect_emission(c, kNormal);
 };
 
-// GL 1.0 requires the analytic normal, to the accuracy of the operations.
+EVALCTS_TEST(AutomaticNormals, LargeOrders, kMust, "EV-AUTON-CURVED", by(gl::surface_deliveries()))
+(Test& t) {
+  gl::Case c = with_current_values("orders above 8, near the middle of nets around the origin");
+  c.Enable(GL_AUTO_NORMAL);
+  const int max = t.max_order();
+  for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}) {
+    c.Enable(target);
+    for (const auto& [uorder, vorder] : {Orders{9, 9}, {12, 17}, {20, 20}, {30, 30}, {max, 8}}) {
+      if (uorder > max || vorder > max) continue;
+      // Elsewhere, or farther from the origin, the errors of the values would exceed the differences of
+      // control points, and any normal would be accepted.
+      define(c, surface(target, uorder, vorder, [u = uorder, v = vorder](int i, int j) {
+               return std::array<double, 4>{i - (u - 1) / 2.0, j - (v - 1) / 2.0, (i * j % 3 - 1) / 16.0, 1};
+             }));
+      evaluate_all(c, std::vector<At>{{0.5, 0.5}, {0.53125, 0.46875}});
+    }
+  }
+  t.expect_emission(c, kNormal);
+};
+
+// GL 1.0 requires the analytic normal. It is judged to single precision.
 EVALCTS_TEST(AutomaticNormals, Analytic, kQuality, "EV-AUTON-METHOD",
              combine(kPolynomial).by(gl::list_deliveries()))
 (Test& t, const Patch& patch) { expect_normals(t, "the analytic normal", {patch.map()}); };

@@ -154,9 +154,9 @@ class VertexJudge {
   }
 
   // Judges an automatic normal. Any method is allowed (EV-AUTON-METHOD); agreement with the analytic method,
-  // which GL 1.0 required, is quality. With a vertex shader, the normal is not normalised. Then only its
-  // direction is judged, because its length depends on the variables of the derivatives (U-AUTON-MAGN),
-  // except over [0,1].
+  // which GL 1.0 required, to single precision is quality. With a vertex shader, the normal is not
+  // normalised. Then only its direction is judged, because its length depends on the variables of the
+  // derivatives (U-AUTON-MAGN), except over [0,1].
   void automatic_normal(const reference::AutomaticNormal& normal, const std::array<float, 3>& got) {
     Accuracy& accuracy = judgement_.accuracy;
     const int range = reference::guaranteed_range(normal.map->target, options_.version);
@@ -168,9 +168,9 @@ class VertexJudge {
     const reference::Map::Direction &u = normal.map->u, &v = normal.map->v;
     // The readings of the derivatives agree if both directions are reversed (U-AUTON-REVSIGN).
     const bool either_sign = (u.first > u.last) != (v.first > v.last);
-    const Rational bound =
-        *acceptance->bound +
-        (options_.level == Level::kQuality ? Rational(0) : reference::normal_method_allowance());
+    const Rational bound = options_.level == Level::kQuality
+                               ? reference::normal_quality_bound(*acceptance->bound)
+                               : *acceptance->bound + reference::normal_method_allowance();
     const bool with_shader = observation_.attributes & kShaderNormal;
     const bool accepted = with_shader ? reference::direction_is_within(got, acceptance->m, bound, either_sign)
                                       : reference::is_within(got, acceptance->m, bound, either_sign);

@@ -254,4 +254,6 @@ NormalAcceptance normal_acceptance(VertexSurface surface, const Argument& u, con
 
 Rational normal_method_allowance() { return Rational(2) / 1000; }
 
+Rational normal_quality_bound(const Rational& bound) { return bound * Rational::power_of_two(-7); }
+
 }  // namespace evalcts::reference

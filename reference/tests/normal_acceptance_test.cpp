@@ -149,6 +149,10 @@ TEST(NormalAcceptance, AllowsAnyMethodTwoInAThousand) {
   EXPECT_EQ(normal_method_allowance(), Rational(1) / 500);
 }
 
+TEST(NormalAcceptance, HasABoundOfSinglePrecision) {
+  EXPECT_EQ(normal_quality_bound(Rational(1) / 1000), Rational(1) / 128000);
+}
+
 // Returns a unit square at z = 5 with the given w.
 template <std::size_t kSize>
 Patch square(double scale = 1, double w = 1) {

@@ -39,8 +39,9 @@ class File:
         for name, expected in (("format", "evalcts-vectors-1"), ("schemaVersion", "1.1")):
             if found[name] != expected:
                 raise Malformed(f"{name} {show(found[name])} is not {expected}")
-        if not re.fullmatch("[1-9][0-9]*", str(found["generatorVersion"])):
-            raise Malformed(f"generatorVersion {show(found['generatorVersion'])} is not a number")
+        version = found["generatorVersion"]
+        if not isinstance(version, str) or not re.fullmatch("[1-9][0-9]*", version):
+            raise Malformed(f"generatorVersion {show(version)} is not the text of a number")
         if found["kind"] not in KINDS:
             raise Malformed(f"kind {show(found['kind'])} is not a known one")
         if not isinstance(found["cases"], list):

@@ -4,11 +4,14 @@
 #include <reference/rounding.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 
+#include "lint/numbers.h"
 #include "value_case.h"
 
 namespace evalcts::vectors {
@@ -59,6 +62,7 @@ Claim is_near_tie(Type type, int bits) {
 
 // Returns true if (x/w, y/w) has the distance 1 from the origin.
 bool is_on_circle(const ValueCase& c) {
+  if (c.values.size() != 4) return false;
   const Rational &x = c.values[0], &y = c.values[1], &w = c.values[3];
   return abs(x * x + y * y - w * w) <= power(-20) * w * w;
 }
@@ -101,6 +105,139 @@ Claim all_w(bool (*holds)(double w)) {
       if (!holds(c.map.points[i])) return false;
     return true;
   };
+}
+
+bool has_four_components(const ValueCase& c) { return c.map.components() == 4; }
+
+bool has_varying_w(const ValueCase& c) {
+  const std::vector<double>& points = c.map.points;
+  for (std::size_t i = 7; i < points.size(); i += 4)
+    if (points[i] != points[3]) return true;
+  return false;
+}
+
+double point(const ValueCase& c, int i, int j, int component) {
+  return c.map.points[static_cast<std::size_t>((i * c.map.v.order + j) * c.map.components() + component)];
+}
+
+using HoldsAt = std::function<bool(int i, int j, int component)>;
+
+// Returns true if the condition holds for each component of all R_ij with i < rows and j < columns.
+bool all_of_net(const ValueCase& c, int rows, int columns, const HoldsAt& holds) {
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j)
+      for (int component = 0; component < c.map.components(); ++component)
+        if (!holds(i, j, component)) return false;
+  return true;
+}
+
+bool is_bilinear(const ValueCase& c) {
+  const int n = c.map.u.order, m = c.map.v.order;
+  const auto p = [&](int i, int j, int k) { return Rational(point(c, i, j, k)); };
+  return all_of_net(c, n - 2, m,
+                    [&](int i, int j, int k) { return p(i, j, k) + p(i + 2, j, k) == 2 * p(i + 1, j, k); }) &&
+         all_of_net(c, n, m - 2,
+                    [&](int i, int j, int k) { return p(i, j, k) + p(i, j + 2, k) == 2 * p(i, j + 1, k); });
+}
+
+bool is_separable(const ValueCase& c) {
+  const int n = c.map.u.order, m = c.map.v.order;
+  return all_of_net(c, n, m, [&](int i, int j, int k) { return point(c, i, j, k) == point(c, 0, j, k); }) ||
+         all_of_net(c, n, m, [&](int i, int j, int k) { return point(c, i, j, k) == point(c, i, 0, k); });
+}
+
+// Returns true if rows 0 and 1, or the points of row 0, are equal, and there is no normal at u1 only.
+bool has_normal_away_from_row(const ValueCase& c, bool is_row_doubled) {
+  if (c.map.u.order == 1) return false;
+  const bool is_equal = all_of_net(c, 1, c.map.v.order, [&](int, int j, int k) {
+    return point(c, 0, j, k) == (is_row_doubled ? point(c, 1, j, k) : point(c, 0, 0, k));
+  });
+  return is_equal && c.entry["normal"].is_null() == c.directions[0].t.is_zero();
+}
+
+int significant_bits(double x) {
+  int exponent = 0, bits = 0;
+  for (double rest = std::frexp(x, &exponent); rest != 0; ++bits) rest = 2 * rest - std::trunc(2 * rest);
+  return bits;
+}
+
+// Claims that some control value has all bits of its type but 2 and the arguments have all but 13, because
+// the last bits of random numbers may be 0.
+bool has_all_bits(const ValueCase& c) {
+  return std::ranges::any_of(c.map.points,
+                             [&](double x) { return significant_bits(x) >= bits_of(c.type) - 2; }) &&
+         std::ranges::all_of(c.directions, [&](const ValueDirection& d) {
+           return !d.argument.is_grid() && significant_bits(d.argument.coordinate()) >= bits_of(c.type) - 13;
+         });
+}
+
+// --- Claims about normals
+
+using Vector = std::array<Rational, 3>;
+
+Vector vector_of(const json& fractions) {
+  return {rational(fractions[0]), rational(fractions[1]), rational(fractions[2])};
+}
+Rational dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// Returns true if all control points lie in a plane that is perpendicular to m.
+bool is_plane(const ValueCase& c) {
+  const json& m = c.entry["m"];
+  if (m.is_null()) return false;
+  const Vector normal = vector_of(m);
+  const auto k = static_cast<std::size_t>(c.map.components());
+  const std::vector<double>& points = c.map.points;
+  for (std::size_t i = 0; i < points.size(); i += k) {
+    Vector side;
+    for (std::size_t d = 0; d < 3; ++d)
+      side[d] = k == 4 ? Rational(points[i + d]) * points[3] - Rational(points[d]) * points[i + 3]
+                       : Rational(points[i + d]) - Rational(points[d]);
+    if (!dot(normal, side).is_zero()) return false;
+  }
+  return true;
+}
+
+// Returns true if the map is the surface z = x*y.
+bool is_saddle(const ValueCase& c) {
+  if (c.map.components() != 3) return false;
+  for (std::size_t i = 0; i < c.map.points.size(); i += 3)
+    if (c.map.points[i] * c.map.points[i + 1] != c.map.points[i + 2]) return false;
+  return is_bilinear(c);
+}
+
+// Claims that the normal has the direction of the first `count` components of the point, up to its rounded
+// weights, or that there is none at the end of v, the pole.
+Claim is_radial(int count) {
+  return [=](const ValueCase& c) {
+    const json& m = c.entry["m"];
+    if (c.entry["normal"].is_null()) return c.directions[1].t == 1;
+    const auto map = std::make_shared<const Map>(c.map);
+    Vector away;
+    for (int d = 0; d < count; ++d)
+      away[static_cast<std::size_t>(d)] = exact(reference::Component(
+          reference::Sample{map, d, c.directions[0].argument, c.directions[1].argument}));
+    const Vector normal = vector_of(m);
+    const Rational along = dot(normal, away), squares = dot(normal, normal) * dot(away, away);
+    return along > 0 && along * along >= (Rational(1) - power(-40)) * squares;
+  };
+}
+
+// Returns the squares of the lengths of the derivatives of a surface without w.
+std::pair<Rational, Rational> squares_of_derivatives(const ValueCase& c) {
+  const Vector a = vector_of(c.entry["derivatives"]["u"]), b = vector_of(c.entry["derivatives"]["v"]);
+  return {dot(a, a), dot(b, b)};
+}
+
+bool has_nearly_parallel_derivatives(const ValueCase& c) {
+  if (c.entry["m"].is_null()) return false;
+  const auto [u, v] = squares_of_derivatives(c);
+  const Vector m = vector_of(c.entry["m"]);
+  return 25 * dot(m, m) <= u * v;  // the sine of the angle is at most 1/5
+}
+
+bool has_derivatives_of_different_length(const ValueCase& c) {
+  const auto [u, v] = squares_of_derivatives(c);
+  return u >= 49 * v || v >= 49 * u;
 }
 
 std::vector<double> numbers_of(const ValueCase& c) {
@@ -170,6 +307,7 @@ const std::map<std::string, Claim>& claims() {
       {"hardest", is_near_tie(Type::kSingle, 18)},
       {"cancel-zero", some_value([](const auto& x, const auto& size) { return x.is_zero() && size > 0; })},
       {"cancel-nearly", some_value([](const auto& x, const auto& size) { return 2 * abs(x) <= size; })},
+      {"roots", some_value([](const auto& x, const auto& size) { return abs(x) <= power(-25) * size; })},
       {"overflow", some_value([](const auto& x, const auto&) {
          return abs(x) >= Rational(std::numeric_limits<float>::max());
        })},
@@ -188,6 +326,10 @@ const std::map<std::string, Claim>& claims() {
       {"tiny-double", all_points([](double x) { return std::abs(x) < 0x1p-148; })},
       {"wide", [](const ValueCase& c) { return spans(c, 16); }},
       {"constant", has_equal_points},
+      {"map2_eval.separable", is_separable},
+      {"map2_eval.bilinear", is_bilinear},
+      {"full-precision", has_all_bits},
+      {"weights", has_four_components},
       {"linear", is_line},
       {"map1_eval.one-point", is_unit},
       {"map2_eval.one-point", is_unit},
@@ -229,6 +371,7 @@ const std::map<std::string, Claim>& claims() {
       {"map2_eval.high-order", some_order(9)},
       {"auto_normal.high-order", some_order(6)},
       {"high-order-targets", some_order(31)},
+      {"map2_eval.every-order", [](const ValueCase& c) { return std::min(c.map.u.order, c.map.v.order) <= 4; }},
       {"map2_eval.highest-order", all_orders(33)},
       {"auto_normal.highest-order", all_orders(12)},
 
@@ -266,6 +409,26 @@ const std::map<std::string, Claim>& claims() {
 
       {"auto_normal.one-point", [=](const ValueCase& c) { return no_normal(c) && has_equal_points(c); }},
       {"collapsed-to-a-line", no_normal},
+      {"collapsed-edge", [](const ValueCase& c) { return has_normal_away_from_row(c, false); }},
+      {"corner-without-derivative", [](const ValueCase& c) { return has_normal_away_from_row(c, true); }},
+      {"plane", is_plane},
+      {"rational-plane", [](const ValueCase& c) { return has_varying_w(c) && is_plane(c); }},
+      {"curved", [](const ValueCase& c) { return !is_plane(c); }},
+      {"saddle", is_saddle},
+      {"auto_normal.cylinder", is_radial(2)},
+      {"sphere", is_radial(3)},
+      {"nearly-parallel", has_nearly_parallel_derivatives},
+      {"stretched", has_derivatives_of_different_length},
+      {"size", [](const ValueCase& c) {
+         const double largest = std::ranges::max(c.map.points, {}, [](double x) { return std::abs(x); });
+         return std::abs(largest) < 0x1p-4 || std::abs(largest) > 0x1p6;
+       }},
+      {"auto_normal.offset", [](const ValueCase& c) {
+         return all_of_net(c, c.map.u.order, c.map.v.order,
+                           [&](int i, int j, int k) { return k == 2 || point(c, i, j, k) >= 1; });
+       }},
+      {"auto_normal.weights", all_w([](double w) { return w >= 0x1p-4 && w <= 4; })},
+      {"either-w", has_varying_w},
       {"zero-w", [](const ValueCase& c) { return c.entry["m"].is_null(); }},
       {"negative-w", all_w([](double w) { return w < 0; })},
       {"constant-w", all_w([](double w) { return w == 2; })},

@@ -134,7 +134,7 @@ std::optional<std::vector<Estimate>> estimate(const Problem& problem) {
   return estimates;
 }
 
-std::optional<std::array<double, 3>> estimate_normal(const Problem& problem) {
+std::optional<NormalEstimate> estimate_normal(const Problem& problem) {
   const auto place = place_of(problem);
   const Map& map = problem.map;
   if (!place || map.u.order == 1 || map.v.order == 1) return std::nullopt;
@@ -167,8 +167,10 @@ std::optional<std::array<double, 3>> estimate_normal(const Problem& problem) {
   }
   const Real length = std::sqrt(square);
   if (!(error < 0x1p-20L * length)) return std::nullopt;
-  return std::array{static_cast<double>(m[0] / length), static_cast<double>(m[1] / length),
-                    static_cast<double>(m[2] / length)};
+  const auto component = [&](std::size_t c) { return static_cast<double>(m[c] / length); };
+  // The last term covers the rounding to double.
+  return NormalEstimate{{component(0), component(1), component(2)},
+                        static_cast<double>(4 * error / length + 0x1p-50L)};
 }
 
 }  // namespace evalcts::vectors

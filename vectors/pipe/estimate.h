@@ -21,7 +21,13 @@ struct Estimate {
 // argument from an end of the domain too much.
 std::optional<std::vector<Estimate>> estimate(const Problem& problem);
 
-// Returns the unit normal, accurate to 2^-18 in each component, or nothing if this accuracy is not certain.
-std::optional<std::array<double, 3>> estimate_normal(const Problem& problem);
+// A unit normal, each component of which is accurate to `error`.
+struct NormalEstimate {
+  std::array<double, 3> normal;
+  double error;
+};
+
+// Returns the unit normal with an error of at most 2^-18, or nothing if this accuracy is not certain.
+std::optional<NormalEstimate> estimate_normal(const Problem& problem);
 
 }  // namespace evalcts::vectors

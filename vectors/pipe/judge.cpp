@@ -1,9 +1,11 @@
 // Judges the answers of another program: answers to shipped cases by their stored results, answers to random
 // cases by estimates or, if these do not decide, by exact arithmetic.
 #include <fmt/format.h>
+#include <reference/normal.h>
 #include <reference/rounding.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -38,26 +40,50 @@ std::string wrong_values(const json& components, const std::vector<double>& got)
 // components to which normals are compared is negligible.
 constexpr double kMethodAllowance = 2e-3, kRounding = 0x1p-50;
 
-std::string wrong_normal(const json& entry, const std::vector<double>& got) {
-  const json &normal = entry["normal"], &accept = entry["accept"];
-  if (normal.is_null() || accept.is_null()) return {};
-  const double bound = number(accept["bound"]) + kMethodAllowance + kRounding;
-  const auto is_within = [&](double sign) {
-    for (std::size_t c = 0; c < 3; ++c)
-      if (!(std::abs(got[c] - sign * number(normal[c]["double"])) <= bound)) return false;
-    return true;
+// Returns the largest error of a component of a normal, of either sign if the case allows it; infinity if
+// one is NaN.
+double error_of_normal(const std::vector<double>& got, const std::array<double, 3>& normal,
+                       bool either_sign) {
+  const auto error_of = [&](double sign) {
+    double largest = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double error = std::abs(got[c] - sign * normal[c]);
+      if (std::isnan(error)) return std::numeric_limits<double>::infinity();
+      largest = std::max(largest, error);
+    }
+    return largest;
   };
-  if (is_within(1) || (accept["either_sign"] && is_within(-1))) return {};
-  return fmt::format("({}, {}, {}) is not within {} of ({}, {}, {})", got[0], got[1], got[2], bound,
-                     number(normal[0]["double"]), number(normal[1]["double"]), number(normal[2]["double"]));
+  return either_sign ? std::min(error_of(1), error_of(-1)) : error_of(1);
+}
+
+std::array<double, 3> normal_of(const json& entry) {
+  const json& normal = entry["normal"];
+  return {number(normal[0]["double"]), number(normal[1]["double"]), number(normal[2]["double"])};
+}
+
+double error_of_normal(const std::vector<double>& got, const json& entry) {
+  return error_of_normal(got, normal_of(entry), entry["accept"]["either_sign"]);
+}
+
+std::string wrong_normal(const json& entry, const std::vector<double>& got) {
+  const json& accept = entry["accept"];
+  if (entry["normal"].is_null() || accept.is_null()) return {};
+  const double bound = number(accept["bound"]) + kMethodAllowance + kRounding;
+  if (error_of_normal(got, entry) <= bound) return {};
+  const auto [x, y, z] = normal_of(entry);
+  return fmt::format("({}, {}, {}) is not within {} of ({}, {}, {})", got[0], got[1], got[2], bound, x, y, z);
 }
 
 // --- Quality
 
 constexpr const char* kNormalTarget = "GL_AUTO_NORMAL";
-// The bound of single precision for normals, as a fraction of the bound of the accuracy rule: about the ratio
-// of 2^-24 and eps = 10738 * 2^-30, times a factor.
-constexpr double kSingleNormal = 0x1p-7;
+// The least bound of the accuracy rule for normals, 10*eps.
+constexpr double kLeastNormalBound = 10 * 0x1p-30 * 10738;
+
+// Returns the error of a normal as a multiple of the bound of single precision.
+double multiple_of(double error, double bound) {
+  return error / reference::normal_quality_bound(reference::Rational(bound)).to_double();
+}
 
 // Returns the bound of single precision for values: 2^-24 * 2(n + 2) times the magnitude, but at least times
 // the least normal number. `degrees`: n, for surfaces n + m.
@@ -93,17 +119,12 @@ void assess(const json& entry, const std::vector<double>& got, Score& score) {
 }
 
 void assess_normal(const json& entry, const std::vector<double>& got, Score& score) {
-  const json &normal = entry["normal"], &accept = entry["accept"];
-  if (normal.is_null() || accept.is_null() || as_text(entry["map"]["type"]) != "f" || entry["u"].is_object())
+  const json& accept = entry["accept"];
+  if (entry["normal"].is_null() || accept.is_null() || as_text(entry["map"]["type"]) != "f" ||
+      entry["u"].is_object())
     return;
-  const auto error = [&](double sign) {
-    double largest = 0;
-    for (std::size_t c = 0; c < 3; ++c)
-      largest = std::max(largest, std::abs(got[c] - sign * number(normal[c]["double"])));
-    return largest;
-  };
-  const double least = accept["either_sign"] ? std::min(error(1), error(-1)) : error(1);
-  score.quality[kNormalTarget].add(least / (kSingleNormal * number(accept["bound"])), entry["id"]);
+  score.quality[kNormalTarget].add(multiple_of(error_of_normal(got, entry), number(accept["bound"])),
+                                   entry["id"]);
 }
 
 void measure(const json& entry, const std::vector<double>& got, Score& score) {
@@ -202,23 +223,25 @@ bool accepts_surely(const Problem& problem, const std::vector<double>& got, cons
   return true;
 }
 
-// The same for a normal. It is accepted if its error is within the method allowance alone.
-bool accepts_normal_surely(const Problem& problem, const std::vector<double>& got) {
-  const auto normal = estimate_normal(problem);
-  if (!normal || got.size() != 3) return false;
+// The same for a normal. It is accepted if its error is within the method allowance alone, and as good as
+// single precision if it is within the part of that bound that does not depend on the case.
+bool accepts_normal_surely(const Problem& problem, const std::vector<double>& got, const std::string& id,
+                           Score& score) {
+  const auto estimate = estimate_normal(problem);
+  if (!estimate || got.size() != 3) return false;
   const Map& map = problem.map;
   const bool either_sign = (map.u.first > map.u.last) != (map.v.first > map.v.last);
-  const auto is_within = [&](double sign) {
-    for (std::size_t c = 0; c < 3; ++c)
-      if (!(std::abs(got[c] - sign * (*normal)[c]) <= kMethodAllowance)) return false;
-    return true;
-  };
-  return is_within(1) || (either_sign && is_within(-1));
+  const double error = error_of_normal(got, estimate->normal, either_sign);
+  if (problem.type != Type::kSingle || problem.u.is_grid()) return error <= kMethodAllowance;
+  const double multiple = multiple_of(error + estimate->error, kLeastNormalBound);
+  if (!(multiple <= 1)) return false;
+  score.quality[kNormalTarget].add(multiple, id);
+  return true;
 }
 
 std::string judge_random_case(const RandomCases& cases, const std::vector<double>& got, Score& score) {
   const Problem& problem = cases.problem();
-  const bool is_sure = cases.is_normal() ? accepts_normal_surely(problem, got)
+  const bool is_sure = cases.is_normal() ? accepts_normal_surely(problem, got, cases.id(), score)
                                          : accepts_surely(problem, got, cases.id(), score);
   if (is_sure) return {};
   nlohmann::json entry = cases.is_normal() ? normal_case(problem) : value_case(problem);
@@ -258,7 +281,7 @@ std::string quality_in_words(const std::vector<Score>& scores) {
       continue;
     }
     const std::string largest = std::isinf(quality.largest)
-                                    ? std::string("a corner is not its control point")
+                                    ? std::string("a corner is not its control point or a result not finite")
                                     : fmt::format("{:.3g} times the bound", quality.largest);
     worse += fmt::format("{} {} ({} of {} values; {} in {})", worse.empty() ? "; not for" : ",", target,
                          quality.worse, quality.values, largest, quality.id);

@@ -68,10 +68,9 @@ def main():
         gl.glDispatchCompute(len(asked), 1, 1)
         gl.glMemoryBarrier(0x200)  # GL_BUFFER_UPDATE_BARRIER_BIT
         pointer = gl.glMapBufferRange(0x90D2, ctypes.c_ssize_t(0), ctypes.c_ssize_t(16 * len(asked)), 1)
-        results = (ctypes.c_float * (4 * len(asked))).from_address(pointer) if asked else []
-        for i, (_, name, _, k, *_) in enumerate(asked):
-            print(name, *(x.hex() for x in results[4 * i:4 * i + int(k)]))
-        print(*(f"{name} skip\n" for kind, name, *_ in lines if "normal" in kind), sep="", end="")
+        results = iter((ctypes.c_float * 4 * len(asked)).from_address(pointer) if asked else [])
+        for kind, name, _, k, *_ in lines:
+            print(name, *(["skip"] if "normal" in kind else (x.hex() for x in next(results)[:int(k)])))
         for name in buffers:
             gl.glDeleteBuffers(1, ctypes.byref(name))
 

@@ -497,6 +497,7 @@ class WholeFiles(unittest.TestCase):
                    ("GL_MAP1_VERTEX_4", "GL_MAP2_VERTEX_4"), ("GL_MAP1_VERTEX_4", "GL_MAP1_VERTEX_5"),
                    ('"f"', '"x"'), ('"f"', '["f"]'), ('"f"', "null"),
                    ("evalcts-vectors-1", "evalcts-vectors-2"), ('"1.1"', '"1.0"'), ('"1"', '"x"'),
+                   ('"generatorVersion": "1"', '"generatorVersion": 1'),
                    ('"numberOfTests": 2', '"numberOfTests": 3'), ('"numberOfTests": 2, ', ""),
                    ('"level": "must", ', ""), ('"since": "1.0", ', ""), ("map1_eval", "map3_eval"),
                    ('["EV-MAP1-BEZIER"]', "[]"), ('["EV-MAP1-BEZIER"]', '["a", "a"]'),

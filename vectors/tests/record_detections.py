@@ -3,23 +3,25 @@
 
     record_detections.py BUILD_FOLDER [--check] [--jobs N] [NAME...]
 
-`vectors` is the first case of the theme that has to detect it. `suite` is a test of the suite that detects it
-with the values of quick depth, which may since have moved to full depth; null if no test does within 90
-seconds. Each wrong evaluator or state machine runs as a sink (python_sink.c) through the tests that the correct
-machine passes, until a test fails. Tests about requirements of the detecting case run first, and among equals
-the fastest. If names ("evaluator: NAME", "state machine: NAME") are given, the entries of all others are kept.
-With --check nothing is written; the recorded tests must pass with the correct machine and fail with the wrong
-one.
+`vectors` is the first case of the theme that has to detect it. `suite` is a test of quick depth that detects it,
+otherwise the recorded test of another depth, or null; then `reason`, written by hand, says why. Each wrong
+evaluator or state machine runs as a sink (python_sink.c) through the tests, the likely ones first, until one
+fails that the correct machine passes. If names ("evaluator: NAME", "state machine: NAME") are given, the entries
+of all others are kept. With --check nothing is written: all recorded tests must exist, and those of the names
+must pass with the correct machine and fail with the wrong one.
 """
 
 import argparse
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
+from functools import lru_cache
 from pathlib import Path
 
 from mutation_test import RECORD, first_detected
@@ -29,11 +31,12 @@ from wrong_state_machines import WRONG_STATE_MACHINES
 HERE = Path(__file__).resolve().parent
 TABLES = {"evaluator": WRONG_EVALUATORS, "state machine": WRONG_STATE_MACHINES}
 ALL = [f"{kind}: {name}" for kind, table in TABLES.items() for name in table]
-SECONDS_OF_ONE = 90
-# Tests with so many vertices that the state machine in Python takes minutes are left out, and so are tests that
-# take longer than MOST_SECONDS.
-EXPENSIVE = "CurrentValues.Long*:LongPrimitives.*:*Accuracy.*:*.CopyOnCall*:*.SquareNet*"
-MOST_SECONDS = 10
+# Tests that take the state machine in Python many seconds, because they have many vertices or many large nets.
+EXPENSIVE = re.compile(r"CurrentValues\.Long|LongPrimitives\.|.*Accuracy\.|.*\.CopyOnCall|.*\.SquareNet|"
+                       r"Map2State\.(EveryOrder|IndependentLarge|Layouts|LargeStrides)")
+# GoogleTest keeps the tests of a suite together, so only batches of tests run in the wanted order.
+FIRST_BATCH, GROWTH = 6, 5
+SECONDS_OF_BATCH = 1200
 NOT_FAILED = "pass", "not-observable", "not-supported"
 CANNOT_RUN = 77
 
@@ -56,82 +59,126 @@ class Suite:
     def __init__(self, program, sink):
         self.program, self.sink = program, sink
 
-    def run(self, wrong, tests=None, until_failure=False):
-        """Runs tests with a wrong evaluator or state machine ("": the correct one). Returns their records."""
+    @lru_cache(None)
+    def listed(self, depth=None):
+        """Returns the requirements of each test of one depth, or of all."""
+        text = subprocess.run([self.program, "--list"], capture_output=True, check=True).stdout
+        return {test["name"]: set(test["requirements"]) for test in json.loads(text)["tests"]
+                if depth in (None, test["from"])}
+
+    def run(self, wrong, tests):
+        """Runs tests with a wrong evaluator or state machine ("": the correct one) until one fails.
+
+        Returns their names and verdicts; a test in flight at the time limit has none.
+        """
         with tempfile.TemporaryDirectory() as folder:
             records, names = Path(folder) / "records", Path(folder) / "names"
             records.touch()
+            names.write_text("\n".join(tests) + "\n")
             command = [self.program, "--library", self.sink, "--depth", "quick", "--records", records,
-                       "--gtest_brief=1", f"--gtest_filter=-{EXPENSIVE}"]
-            if tests is not None:
-                names.write_text("\n".join(tests) + "\n")
-                command += ["--tests", names]
-            if until_failure:
-                command.append("--gtest_fail_fast")
+                       "--tests", names, "--gtest_brief=1", "--gtest_fail_fast"]
             environment = {**os.environ, "EVALCTS_WRONG": wrong, "PYTHONPATH": str(HERE),
                            "PYTHONDONTWRITEBYTECODE": "1"}
             try:
                 subprocess.run(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                               timeout=SECONDS_OF_ONE if until_failure else None, check=False)
+                               timeout=SECONDS_OF_BATCH, check=False)
                 is_complete = True
             except subprocess.TimeoutExpired:
                 is_complete = False
-            found, in_flight = [], None
+            found, in_flight = {}, None
             for event in map(json.loads, records.read_text().splitlines()):
                 if event["event"] == "start":
                     in_flight = event["name"]
                 elif event["event"] == "result":
-                    found.append(event["record"])
+                    found[event["record"]["name"]] = event["record"]["verdict"]
                     in_flight = None
             if in_flight and is_complete:
-                found.append({"name": in_flight, "verdict": "crash"})
+                found[in_flight] = "crash"
             return found
 
-    def passed_tests(self):
-        """Returns the tests that the correct machine passes, with their requirements, fastest first."""
-        found = self.run("")
-        failed = [record["name"] for record in found if record["verdict"] not in NOT_FAILED]
-        if failed:
-            raise SystemExit(f"the correct machine fails {' '.join(failed)}")
-        passed = [record for record in found
-                  if record["verdict"] == "pass" and record["seconds"] <= MOST_SECONDS]
-        return {record["name"]: set(record["requirements"])
-                for record in sorted(passed, key=lambda record: record["seconds"])}
+    @lru_cache(None)
+    def is_passed(self, test):
+        """Returns true if the correct machine passes the test."""
+        return self.run("", [test]) == {test: "pass"}
 
     def detects(self, wrong, tests):
-        """Returns the first test that fails, or None."""
-        found = self.run(wrong, tests, until_failure=True)
-        return next((record["name"] for record in found if record["verdict"] not in NOT_FAILED), None)
+        """Returns the first test that fails although the correct machine passes it, or None."""
+        size = FIRST_BATCH
+        while tests:
+            found = self.run(wrong, tests[:size])
+            failed = next((name for name, verdict in found.items() if verdict not in NOT_FAILED), None)
+            if failed and self.is_passed(failed):
+                return failed
+            # After a failure that does not count, the tests that have not run yet are still to be run.
+            tests = [test for test in tests[:size] if failed and test not in found] + tests[size:]
+            size *= GROWTH
+        return None
+
+
+def family_of(name):
+    """Returns the name of the test without its parameters."""
+    return name.partition("/")[0]
+
+
+def in_order(suite, about, recorded):
+    """Returns the tests of quick depth and the recorded one, the likely ones first.
+
+    These are the recorded test if it belongs to quick depth, the same test with other parameters, tests about one
+    of the requirements, and the recorded test of another depth. Among equals, all tests with their first
+    parameters precede those with their second ones.
+    """
+    tests, counts = suite.listed("quick"), Counter()
+
+    def likelihood(name):
+        family = family_of(name)
+        if name == recorded:
+            kind = 0 if name in tests else 3
+        elif recorded and family == family_of(recorded):
+            kind = 1
+        else:
+            kind = 2 if tests[name] & about else 4
+        counts[kind, family] += 1
+        return kind, counts[kind, family]
+    names = [name for name in tests if not EXPENSIVE.match(name)]
+    if recorded in suite.listed() and recorded not in names:
+        names.append(recorded)
+    return sorted(names, key=likelihood)
 
 
 def check(suite, names, detections):
-    """Runs the recorded tests again. Returns the number of those that do not detect what they detected."""
+    """Runs the recorded tests again. Returns the number of entries that are not true."""
+    existing = suite.listed()
     wrong = 0
-    for name in names:
-        test = detections[name]["suite"]
+    for name, entry in detections.items():
+        test = entry["suite"]
+        complaint = None
         if test is None:
-            if len(names) < len(ALL):
-                wrong += 1
-                print(f"{name}: no test of the suite is recorded")
-            continue
-        alone = suite.run("", [test])[0]["verdict"]
-        if alone != "pass" or suite.detects(name, [test]) != test:
+            complaint = not entry.get("reason") and "no test of the suite is recorded, and no reason"
+        elif test not in existing:
+            complaint = f"{test} does not exist"
+        elif name in names and not suite.is_passed(test):
+            complaint = f"the correct machine does not pass {test}"
+        elif name in names and suite.detects(name, [test]) != test:
+            complaint = f"{test} does not detect it"
+        if complaint:
             wrong += 1
-            print(f"{name}: {test} does not detect it (correct machine: {alone})")
+            print(f"{name}: {complaint}", flush=True)
     return wrong
 
 
 def write(suite, names, jobs):
     detections = json.loads(RECORD.read_text()) if RECORD.exists() else {}
-    tests = suite.passed_tests()
 
     def entry_of(name):
         kind, _, wrong = name.partition(": ")
         case = first_detected(kind, TABLES[kind][wrong])
         about = set(case["requirements"]) if case else set()
-        # Sorting is stable, so fast tests stay first.
-        order = sorted(tests, key=lambda test: not tests[test] & about)
-        return {"vectors": case and case["id"], "suite": suite.detects(name, order)}
+        old = detections.get(name, {})
+        test = suite.detects(name, in_order(suite, about, old.get("suite")))
+        entry = {"vectors": case and case["id"], "suite": test}
+        if test is None:
+            entry["reason"] = old.get("reason", "")
+        return entry
     with ThreadPoolExecutor(jobs) as pool:
         for name, entry in zip(names, pool.map(entry_of, names)):
             detections[name] = entry

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include <evalcts/results/hash.h>
 #include <evalcts/results/json.h>
 #include <evalcts/results/json_schema.h>
 #include <evalcts/vectors/lint.h>
@@ -47,6 +48,39 @@ TEST_P(Shipped, FollowsTheSchema) {
   auto spoiled = file;
   spoiled["cases"][0]["more"] = 1;
   EXPECT_NE(parsed.complaint(spoiled), "");
+}
+
+// INTERPRETING.md promises another generatorVersion if a case changes.
+TEST(ShippedCases, ChangeWithTheGeneratorVersion) {
+  std::string version, cases;
+  for (const std::string& kind : kinds()) {
+    const std::string text = content_of(fs::path(VECTORS_FOLDER) / (kind + ".json"));
+    const std::size_t begin = text.find("\"cases\": [");
+    version = nlohmann::json::parse(text.substr(0, begin) + "\"cases\": []}")["generatorVersion"];
+    cases += text.substr(begin);
+  }
+  EXPECT_EQ(version, "2");
+  EXPECT_EQ(fnv1a<std::uint64_t>(cases), 7043893288970833446u)
+      << "increment kGeneratorVersion (write/document.cpp) if the cases have changed";
+}
+
+// The cases of map2_eval.transposed are pairs of the same surface with u and v exchanged.
+TEST(ShippedCases, AreTransposedInPairs) {
+  const auto file = nlohmann::json::parse(content_of(fs::path(VECTORS_FOLDER) / "map2_eval.json"));
+  std::vector<nlohmann::json> cases;
+  for (const auto& entry : file["cases"])
+    if (as_text(entry["flags"][0]) == "transposed") cases.push_back(entry);
+  ASSERT_EQ(cases.size() % 2, 0u);
+  for (std::size_t i = 0; i < cases.size(); i += 2) {
+    const auto &one = cases[i], &other = cases[i + 1];
+    const auto &points = one["map"]["points"], &turned = other["map"]["points"];
+    EXPECT_EQ(one["u"], other["v"]);
+    EXPECT_EQ(one["v"], other["u"]);
+    EXPECT_EQ(one["components"], other["components"]) << one["id"];
+    ASSERT_EQ(points[0].size(), turned.size()) << one["id"];
+    for (std::size_t j = 0; j < points.size(); ++j)
+      for (std::size_t k = 0; k < turned.size(); ++k) EXPECT_EQ(points[j][k], turned[k][j]) << one["id"];
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Shipped, testing::ValuesIn(kinds()),

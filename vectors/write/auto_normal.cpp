@@ -191,7 +191,8 @@ void rational(Document& document) {
        [](Dice& dice, int, int) { return -static_cast<double>(dice.between(1, 64)) / 16; }},
       {"constant-w", "w is 2 everywhere: the normals of a surface of three components",
        [](Dice&, int, int) { return 2.0; }},
-      {"either-w", "w of either sign", [](Dice& dice, int, int) { return simple(dice); }}};
+      {"either-w", "w from -8 to 8, nearly always of either sign",
+       [](Dice& dice, int, int) { return simple(dice); }}};
   for (const auto& [name, meaning, weight] : kKinds) {
     Theme theme(document, name, meaning, {"EV-AUTON-RATIONAL"});
     Dice& dice = theme.dice();
@@ -240,9 +241,10 @@ void degenerate(Document& document) {
               requirements);
   Theme edges(document, "collapsed-edge",
               "an edge whose control points are equal: no normal on it, a normal near it", requirements);
-  Theme folds(document, "corner-without-derivative",
-              "neighbouring control points equal at a corner: the analytic normal is undefined there",
-              requirements);
+  Theme folds(
+      document, "corner-without-derivative",
+      "the first two rows of control points equal: the analytic normal is undefined at u1, and only there",
+      requirements);
   for (int i = 0; i < 12; ++i) {
     const Type type = kTypes[i % 2];
     const double x = full(points.dice(), type);
@@ -272,7 +274,7 @@ void degenerate(Document& document) {
 }
 
 void extreme(Document& document) {
-  Theme sizes(document, "size", "the same surface very small and very large: the normal does not change",
+  Theme sizes(document, "size", "surfaces very small and very large: normals have length 1",
               {"EV-AUTON-UNIT", "EV-NUM-RANGE-POS"});
   constexpr int kExponents[] = {-140, -100, -60, -20, -14, -7, 7, 10, 14, 20, 28, 60, 100};
   for (const int exponent : kExponents)
@@ -309,7 +311,8 @@ void extreme(Document& document) {
     stretched.add(inside_case(dice, map, kTypes[i % 2]));
   }
 
-  Theme offset(document, "offset", "a small surface far from the origin, whose differences cancel",
+  Theme offset(document, "offset",
+               "surfaces whose x and y are moved by 1 to 2^19, so that differences cancel more and more",
                {"EV-AUTON-METHOD", "EV-AUTON-CURVED"});
   for (int i = 0; i < 20; ++i) {
     Dice& dice = offset.dice();

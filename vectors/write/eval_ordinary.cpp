@@ -255,7 +255,7 @@ void high_orders(Document& document) {
 }
 
 void highest_orders(Document& document) {
-  Theme both(document, "highest-order", "orders from 40 to 64 in both directions at once",
+  Theme both(document, "highest-order", "orders from 33 to 64 in both directions at once",
              {"EV-MAP2-BEZIER", "EV-MAP2-ORDER-ALL"});
   constexpr std::pair<int, int> kOrders[] = {{64, 64}, {40, 40}, {64, 33}, {35, 64}};
   for (std::size_t i = 0; i < 4; ++i)

@@ -78,9 +78,13 @@ NormalAcceptance normal_acceptance(VertexSurface surface, const Argument& u, con
                                    int range = kFullRange);
 
 // Returns the allowance that is added to the bound of m/|m|, because GL 1.1 and later leave the method of
-// computing normals open (EV-AUTON-METHOD, U-AUTON-METHOD). A must is judged with the sum, an interpretation
-// with the bound alone. The allowance for m is this value times |m|.
+// computing normals open (EV-AUTON-METHOD, U-AUTON-METHOD). All levels but quality are judged with the sum.
+// The allowance for m is this value times |m|.
 Rational normal_method_allowance();
+
+// Returns 2^-7 of the bound of m/|m|, with which quality is judged: the bound is for operations accurate to
+// one part in 10^5, good single precision is about 2^7 times as accurate.
+Rational normal_quality_bound(const Rational& bound);
 
 // Returns true if each component of `got` lies within `bound` of that of m/|m|, which judges the length as
 // well. `either_sign`: -m/|m| is accepted, too, for all components at once (U-AUTON-REVSIGN). Infinity and
