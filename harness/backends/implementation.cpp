@@ -236,7 +236,7 @@ ImplementationInfo inquire(Implementation& implementation) {
   context.reset();
   info.shares_state = state_survives_context(implementation);
   info.rejected_queries = find_rejected_queries(implementation, kOtherQueries);
-  info.refused_grid_queries = find_rejected_queries(implementation, kGridQueries);
+  info.rejected_grid_queries = find_rejected_queries(implementation, kGridQueries);
   return info;
 }
 

@@ -74,7 +74,7 @@ bool Test::can_call(gl::EntryPoint command) {
 }
 
 bool Test::can_query_grid(GLenum name) {
-  if (!gl().refused_grid_queries.contains(name)) return true;
+  if (!gl().rejected_grid_queries.contains(name)) return true;
   missing_.insert(fmt::format("{} (the query is rejected)", gl::token_name(name)));
   return false;
 }

@@ -122,7 +122,7 @@ struct ImplementationInfo {
   GLint max_eval_order = 0;  // 0: not answered
   GLint texture_units = 1;
   std::set<std::string> extensions;
-  std::set<GLenum> rejected_queries, refused_grid_queries;  // see rejected_queries.h
+  std::set<GLenum> rejected_queries, rejected_grid_queries;  // see rejected_queries.h
   bool shares_state = false;               // state that one context sets is visible in the next one
   std::set<gl::EntryPoint> missing;        // the commands that it does not have
   std::optional<Declaration> declaration;  // set for an implementation that is not a GL
