@@ -38,15 +38,19 @@ class EnabledMaps {
     }
   }
 
-  // Issues the attributes of the enabled maps of the dimension. Returns true if one of the maps generates
-  // vertices.
-  bool issue_attributes(Case& c, int dimension, Arguments arguments) const {
+  // Issues the attributes of the enabled maps of the dimension, with values that depend on the number.
+  // Returns true if one of the maps generates vertices.
+  bool issue_attributes(Case& c, int dimension, int number, Arguments arguments) const {
     const auto is_enabled = [&](GLenum of_one, GLenum of_two) {
       return caps_.contains(dimension == 1 ? of_one : of_two);
     };
     const bool in_array = arguments == Arguments::kArray;
-    const std::vector<float> color = {0.25f, 0.5f, 0.75f, 1}, normal = {0, 1, 0},
-                             texture = {0.25f, 0.5f, 0.75f, 2};
+    // Different values for consecutive vertices: a pipeline may give all vertices the values of the last one.
+    const float change = 0.0625f * static_cast<float>(number % 8);
+    const std::vector<float> color = {0.25f + change, 0.5f, 0.75f - change, 1},
+                             texture = {0.25f + change, 0.5f - change, 0.75f, 2};
+    std::vector<float> normal = {0, 0, 0};
+    normal[static_cast<std::size_t>(number % 3)] = 1;
     if (is_enabled(GL_MAP1_INDEX, GL_MAP2_INDEX)) in_array ? c.Indexfv(std::vector<float>{1}) : c.Indexf(1);
     if (is_enabled(GL_MAP1_COLOR_4, GL_MAP2_COLOR_4))
       in_array ? c.Color4fv(color) : c.Color4f(color[0], color[1], color[2], color[3]);
@@ -207,7 +211,7 @@ Case with_explicit_commands(const Case& script, IdleCapability idle, Arguments a
       [&](Case& c, const Command& command, int number) {
         const std::string_view name = name_of(command.entry);
         const int dimension = name.starts_with("glEvalCoord1") || name == "glEvalPoint1" ? 1 : 2;
-        if (maps.issue_attributes(c, dimension, arguments)) vertex(c, number, arguments);
+        if (maps.issue_attributes(c, dimension, number, arguments)) vertex(c, number, arguments);
       },
       [](Case& c, const Command& mesh, int number) { MeshOfVertices(c, number, mesh, GL_TRIANGLE_STRIP); });
 }

@@ -157,6 +157,16 @@ TEST(ExplicitCommands, GiveTheAttributesOfTheEnabledMaps) {
             (Lines{"Begin", "Color4fv", "Vertex3fv", "Normal3fv", "TexCoord2fv", "End"}));
 }
 
+TEST(ExplicitCommands, ConsecutiveVerticesHaveDifferentAttributes) {
+  Case c("curve");
+  for (const GLenum target : {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_2}) c.Enable(target);
+  c.EvalCoord1f(0.5f);
+  c.EvalCoord1f(1);
+  const Lines calls = calls_of(with_explicit_commands(c));
+  ASSERT_EQ(calls.size(), 6u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NE(calls[i], calls[i + 3]);
+}
+
 // The texture map with the most coordinates has precedence.
 TEST(ExplicitCommands, FollowDisableAndTheAttributeStack) {
   Case c("stack");
