@@ -26,10 +26,12 @@ JsonSchema::JsonSchema(const json& text) : parsed_(std::make_unique<Parsed>()) {
 JsonSchema::~JsonSchema() = default;
 
 std::string JsonSchema::complaint(const json& value) const {
+  // It keeps the compiled regular expressions, whose compilation takes most of the time of a validation.
+  thread_local valijson::Validator validator;
   valijson::ValidationResults results;
   // Without results the validator stops at the first violation and describes none.
-  if (valijson::Validator().validate(parsed_->schema, NlohmannJsonAdapter(value), nullptr)) return {};
-  valijson::Validator().validate(parsed_->schema, NlohmannJsonAdapter(value), &results);
+  if (validator.validate(parsed_->schema, NlohmannJsonAdapter(value), nullptr)) return {};
+  validator.validate(parsed_->schema, NlohmannJsonAdapter(value), &results);
   valijson::ValidationResults::Error error;
   if (!results.popError(error)) return ": not valid";
   // The innermost violation comes first. Its context is "<root>", "[map]", "[points]", "[0]"; from

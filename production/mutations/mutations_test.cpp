@@ -37,8 +37,9 @@ std::vector<Mutation> mutations_with_test() {
 int status_of(int mutation, const std::string& filter) {
   const std::string command =
       "GLEV_MUTATION=" + std::to_string(mutation) +
-      " timeout 120 '" MUTATED_TESTS "' --gtest_fail_fast --gtest_throw_on_failure --gtest_brief=1 '--gtest_filter=" + filter +
-      "' > /dev/null 2>&1";
+      " timeout 120 '" MUTATED_TESTS
+      "' --gtest_fail_fast --gtest_throw_on_failure --gtest_brief=1 '--gtest_filter=" +
+      filter + "' > /dev/null 2>&1";
   const int status = std::system(command.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }

@@ -9,7 +9,7 @@
 #endif
 // SSSE3 and AVX3_DL add no operations that the kernels use. Vectors of scalable size cannot be elements of
 // arrays.
-#define HWY_DISABLED_TARGETS                                                                     \
+#define HWY_DISABLED_TARGETS                                                             \
   (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | \
    (GLEV_OMITTED_TARGETS))
 
