@@ -211,9 +211,11 @@ TEST(JudgeNormals, DemandUnitLengthWithoutAShader) {
 }
 
 TEST(JudgeNormals, AllowAnyMethodUnlessQualityIsAsked) {
-  const Plane plane(false, kUnitNormal, {0.0015f, 0, 0.9999989f});
-  EXPECT_EQ(plane.mismatches(), 0u);
-  EXPECT_EQ(plane.mismatches({.level = Level::kQuality}), 1u);
+  for (const float error : {0.0015f, 0.00005f, 1e-7f}) {
+    const Plane plane(false, kUnitNormal, {error, 0, std::sqrt(1 - error * error)});
+    EXPECT_EQ(plane.mismatches(), 0u);
+    EXPECT_EQ(plane.mismatches({.level = Level::kQuality}), error > 1e-6f ? 1u : 0u) << error;
+  }
 }
 
 TEST(JudgeNormals, HaveAnyLengthWithAShaderUnlessAsked) {

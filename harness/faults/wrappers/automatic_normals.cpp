@@ -151,8 +151,8 @@ EVALCTS_RULES(NormalsPackedInBytes, production, kMust, "EV-AUTON-METHOD EV-AUTON
               "generated normals are packed in 7 bits a component",
               change_vertices([](ObservedVertex& vertex) { round_normal(vertex, 63); }));
 EVALCTS_RULES(NormalsInCoarseSteps, production, kQuality, "EV-AUTON-METHOD",
-              "components of generated normals are rounded to multiples of 1/150",
-              change_vertices([](ObservedVertex& vertex) { round_normal(vertex, 150); }));
+              "components of generated normals are rounded to multiples of 1/2000",
+              change_vertices([](ObservedVertex& vertex) { round_normal(vertex, 2000); }));
 
 // --- Through the pipeline. The control, with explicit vertices, does not enable AUTO_NORMAL. --------------
 
