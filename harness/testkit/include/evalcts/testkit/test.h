@@ -176,7 +176,7 @@ class Test {
   bool lists_used_ = false;
   ExplicitControl control_;
   Attributes unobserved_ = 0;  // required attributes that no capture shows
-  // What can_call() and can_query_grid() found missing: "glMap1d (missing)".
+  // The commands and queries that can_call() and can_query_grid() found missing: "glMap1d (missing)".
   std::set<std::string> missing_;
   std::uint64_t cases_ = 0, failed_cases_ = 0, last_failed_case_ = 0;
   std::mt19937 random_;
