@@ -2,9 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
+#include "bernstein.h"
 #include "enclosure.h"
+#include "parameter.h"
 #include "prepared_map.h"
+#include "target.h"
 
 struct glev_plan;
 
