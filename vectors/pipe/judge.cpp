@@ -30,8 +30,8 @@ std::string wrong_values(const json& components, const std::vector<double>& got)
     if (accept.is_null()) continue;
     if (got[c] >= number(accept[0]) && got[c] <= number(accept[1])) continue;
     return fmt::format("component {}: {} ({}) is not between {} and {}; nearest is {}", c, got[c],
-                       hexadecimal(got[c]), accept[0].get<std::string>(), accept[1].get<std::string>(),
-                       components[c]["float"].get<std::string>());
+                       evalcts::hexadecimal(got[c]), accept[0].get<std::string>(),
+                       accept[1].get<std::string>(), components[c]["float"].get<std::string>());
   }
   return {};
 }
