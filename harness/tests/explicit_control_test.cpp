@@ -134,6 +134,17 @@ TEST_F(ExplicitControlTest, PipelineMayLoseAttributesFromArraysOnly) {
   EXPECT_THROW(controls(colored, loses_arrays, kAllAttributes, "color.R of vertex 1"), NotObservable);
 }
 
+// Arrays for each of 40,000 vertices would exceed the number of mappings of a process.
+TEST_F(ExplicitControlTest, LongPrimitivesHaveNoArrays) {
+  gl::Case c("many points");
+  c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, std::vector<GLfloat>{0, 0, 0, 1, 1, 0});
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Begin(GL_POINTS);
+  for (int i = 0; i < 2500; ++i) c.EvalCoord1f(static_cast<float>(i) / 2500);
+  c.End();
+  EXPECT_EQ(controls(c, SyntheticCapture(traits())), kControls - 1);
+}
+
 TEST_F(ExplicitControlTest, CasesWithoutListsHaveOneAsWell) {
   EXPECT_EQ(controls(evaluated(), SyntheticCapture(traits())), kControls);
   EXPECT_THROW(controls(evaluated(), SyntheticCapture(traits(), lose_positions)), NotObservable);
