@@ -80,7 +80,7 @@ void ExplicitControl::require_no_such_error(const gl::Case& script, const std::v
               fmt::format("pipeline: explicit commands instead of evaluations leave {} behind as well",
                           gl::error_name(error)));
     } catch (const gl::MissingEntryPoint&) {
-      // As in run_controls().
+      // A sink need not support explicit commands, as in run_controls().
     }
   }
 }
