@@ -180,7 +180,7 @@ std::vector<GLenum> without_index(std::span<const GLenum> targets);
 const std::vector<TargetForm>& target_forms(bool two);
 const std::vector<TargetForm>& visible_target_forms(bool two);
 const std::vector<GLenum>& visible_targets(bool two);
-// target_forms() in the forms that the implementation has.
+// Returns those of target_forms() whose form of Map the implementation has.
 std::vector<TargetForm> existing_target_forms(Test& t, bool two);
 
 // Appends Map1f, Map1d, Map2f or Map2d. `after`: what happens to the memory of the points after the call.

@@ -18,8 +18,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
-// Evaluates correctly rounded surfaces by Horner's rule in x = t - s of both directions. Arguments outside the
-// domain are undecided.
+// Evaluates correctly rounded surfaces by Horner's rule in x = t - s of both directions. Arguments outside
+// the domain are undecided.
 template <int kComponents>
 void evaluate_bicubic_surfaces(const PreparedMap& map, const Input& input_u, const Input& input_v,
                                std::size_t count, const Destination& to) {
