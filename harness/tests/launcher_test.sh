@@ -529,13 +529,19 @@ says "<program><ulp><--sweep>"
 
 scenario "test: stages, ctest's words, summary"
 install_all
-evalcts test -- -R Value
+evalcts test
 exits 0
-calls_are "configure release;build release;ctest --preset release --no-tests=ignore -R Value in a tree;\
-configure asan-ubsan;build asan-ubsan;ctest --preset asan-ubsan --no-tests=ignore -R Value in a tree;"
+calls_are "configure release;build release;ctest --preset release in a tree;\
+configure asan-ubsan;build asan-evaluator;ctest --preset asan-evaluator in a tree;"
 check "ctest is heard" test "$(grep -c "^100% tests passed, 0 tests failed out of 2" <<<"$output")" = 2
 check "release passed" grep -qE "^release +passed +[0-9]+ s$" <<<"$output"
-check "asan-ubsan passed" grep -qE "^asan-ubsan +passed +[0-9]+ s$" <<<"$output"
+check "asan-evaluator passed" grep -qE "^asan-evaluator +passed +[0-9]+ s$" <<<"$output"
+
+scenario "test: arguments for ctest"
+install_all
+evalcts test -- -R Value
+exits 0
+calls_are "configure release;build release;ctest --preset release --no-tests=ignore -R Value in a tree;"
 
 scenario "test: installs for its stages"
 evalcts test --preset debug
@@ -550,12 +556,12 @@ touch "$machine/failing-release"
 evalcts test
 exits 1
 check "release failed" grep -qE "^release +FAILED" <<<"$output"
-check "asan-ubsan passed" grep -qE "^asan-ubsan +passed" <<<"$output"
+check "asan-evaluator passed" grep -qE "^asan-evaluator +passed" <<<"$output"
 touch "$machine/no-build-release"
 evalcts test
 exits 3
 check "release did not build" grep -qE "^release +did not build" <<<"$output"
-check "asan-ubsan passed" grep -qE "^asan-ubsan +passed" <<<"$output"
+check "asan-evaluator passed" grep -qE "^asan-evaluator +passed" <<<"$output"
 
 scenario "test: stages that are tests in a build of another name"
 install_all
