@@ -347,6 +347,49 @@ EVALCTS_TEST(AttributeStack, NestedGroups, kMust, "EV-ATTRIB-NEST", "EV-ATTRIB-E
   c.check();
 };
 
+// Throws NotObservable if PopAttrib does not undo such changes to the size of points either.
+void require_undone_behind(Test& t, GLbitfield inner) {
+  gl::Case c(gl::control("the size of points"));
+  c.PointSize(2);
+  c.PushAttrib(GL_POINT_BIT);
+  c.PushAttrib(inner);
+  c.PointSize(3);
+  c.PopAttrib();
+  c.PopAttrib();
+  const gl::Ref size = c.GetFloatv(GL_POINT_SIZE, gl::out<GLfloat>(1));
+  try {
+    if (t.play(c).trace().values<GLfloat>(size).front() != 2)
+      throw NotObservable(
+          "pipeline: behind a nested PushAttrib of another group, changes to the size of "
+          "points are not undone either");
+  } catch (const gl::MissingEntryPoint&) {
+    // A sink need not have other state.
+  }
+}
+
+// What is set behind a nested push of another group is undone when the outer level is popped.
+EVALCTS_TEST(AttributeStack, NestedBehindOtherGroups, kMust, "EV-ATTRIB-NEST",
+             combine((std::vector<Named<GLbitfield>>{
+                         {"CURRENT_BIT", GL_CURRENT_BIT}, {"LIGHTING_BIT", GL_LIGHTING_BIT}, {"NO_BIT", 0}}))
+                 .by(in_lists()))
+(Test& t, const Named<GLbitfield>& inner) {
+  require_undone_behind(t, inner.value);
+  for (const GLbitfield outer : {GL_EVAL_BIT, GL_ENABLE_BIT}) {
+    CheckedCase c(t, outer == GL_EVAL_BIT ? "in EVAL_BIT" : "in ENABLE_BIT");
+    set(c, kBefore);
+    c.PushAttrib(outer);
+    c.PushAttrib(inner.value);
+    set(c, kAfter);
+    c.PopAttrib();
+    expect_all(c, kAfter);
+    c.PopAttrib();
+    expect_enables(c, kBefore);
+    if (outer == GL_EVAL_BIT || enable_bit_has_auto_normal(t)) expect_auto_normal(c, kBefore);
+    expect_grids(c, outer == GL_EVAL_BIT ? kBefore : kAfter);
+    c.check();
+  }
+};
+
 // Sixteen levels, the minimum depth of the stack.
 EVALCTS_TEST(AttributeStack, NestedDeeply, kMust, "EV-ATTRIB-NEST")
 (Test& t) {

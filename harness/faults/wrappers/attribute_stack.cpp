@@ -133,6 +133,12 @@ EVALCTS_RULES(InnerPopRestoresOuterEnables, production, kMust, "EV-ATTRIB-NEST",
               after(PopAttrib, !kListMode && kLevel > 1 && kHasNeither,
                     switch_to(GL_AUTO_NORMAL, remembered(kLevel - 1))));
 
+EVALCTS_RULES(
+    ChangesBehindInnerLevelStay, production, kMust, "EV-ATTRIB-NEST",
+    "a grid that is set behind a nested level of another group stays when the outer level is popped",
+    after(MapGrid1f, kListMode == 0 && kLevel > 1 && kHasNeither, set(kFlag, 1)),
+    not_restored(grid1_state(), kFlag && (kLevelMask & GL_EVAL_BIT) != 0));
+
 // --- Contexts ----------------------------------------------------------------------------------------------
 
 EVALCTS_RULES(NewContextInheritsGrid, production, kMust, "EV-CTX-FRESH",
