@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <type_traits>
@@ -26,7 +27,7 @@ float changed(float x) {
 // A map that was defined with changed control points, with the original points.
 struct Changed {
   GLfloat u1, u2, v1, v2;
-  GLint uorder, vorder;
+  GLint ustride, vstride, uorder, vorder;
   std::vector<GLfloat> points;  // packed, v fastest
 };
 std::map<GLenum, Changed> changed_maps;
@@ -39,13 +40,25 @@ bool is_target(GLenum target, bool two) {
          (two && is_two_dimensional(target));
 }
 
+// Returns the place of each packed value in the array of the definition.
+std::vector<std::ptrdiff_t> places(GLenum target, const Changed& map) {
+  std::vector<std::ptrdiff_t> places;
+  for (std::ptrdiff_t i = 0; i < map.uorder; ++i)
+    for (std::ptrdiff_t j = 0; j < map.vorder; ++j)
+      for (int c = 0; c < gl::components_of(target); ++c)
+        places.push_back(i * map.ustride + j * map.vstride + c);
+  return places;
+}
+
 void issue(GLenum target, const Changed& map, const std::vector<GLfloat>& points) {
-  const int k = gl::components_of(target);
+  const std::vector<std::ptrdiff_t> to = places(target, map);
+  std::vector<GLfloat> array(static_cast<std::size_t>(std::ranges::max(to)) + 1);
+  for (std::size_t i = 0; i < to.size(); ++i) array[static_cast<std::size_t>(to[i])] = points[i];
   if (is_two_dimensional(target))
-    unvaried.Map2f(target, map.u1, map.u2, map.vorder * k, map.uorder, map.v1, map.v2, k, map.vorder,
-                   points.data());
+    unvaried.Map2f(target, map.u1, map.u2, map.ustride, map.uorder, map.v1, map.v2, map.vstride, map.vorder,
+                   array.data());
   else
-    unvaried.Map1f(target, map.u1, map.u2, k, map.uorder, points.data());
+    unvaried.Map1f(target, map.u1, map.u2, map.ustride, map.uorder, array.data());
 }
 
 // True if the definition of a map takes effect at once. Other definitions are rejected or compiled
@@ -62,7 +75,9 @@ bool are_valid(double u1, double u2, GLint stride, GLint order, GLenum target) {
   return u1 != u2 && stride >= gl::components_of(target) && order >= 1 && order <= kMaxOrder;
 }
 
-void define(GLenum target, const Changed& map) {
+// `given`: the array with the original points.
+void define(GLenum target, Changed map, const GLfloat* given) {
+  for (const std::ptrdiff_t place : places(target, map)) map.points.push_back(given[place]);
   std::vector<GLfloat> points(map.points.size());
   std::ranges::transform(map.points, points.begin(), changed);
   issue(target, map, points);
@@ -82,11 +97,15 @@ void take_back() {
   if (unvaried.ActiveTexture) unvaried.ActiveTexture(static_cast<GLenum>(unit));
 }
 
+// Takes the change out of the answer to a query of control points.
 template <class T>
 void answer_as_given(GLenum target, GLenum query, T* values) {
   const auto found = changed_maps.find(target);
   if (query != GL_COEFF || remembered.inside || found == changed_maps.end()) return;
-  std::ranges::transform(found->second.points, values, [](float x) {
+  std::vector<GLfloat> answer(found->second.points.size());
+  unvaried.GetMapfv(target, query, answer.data());
+  std::ranges::transform(answer, values, [](float answered) {
+    const float x = changed(answered);
     if constexpr (std::is_same_v<T, GLint>)
       return static_cast<GLint>(std::clamp(std::floor(static_cast<double>(x) + 0.5), -0x1p31, 0x1p31 - 1));
     else
@@ -99,23 +118,13 @@ EVALCTS_VARIATION(OtherArithmetic, "production",
   changed_maps.clear();
   v.gl.Map1f = [](GLenum t, GLfloat u1, GLfloat u2, GLint s, GLint o, const GLfloat* p) {
     if (!is_defined(t, false, are_valid(u1, u2, s, o, t))) return unvaried.Map1f(t, u1, u2, s, o, p);
-    Changed map{u1, u2, 0, 1, o, 1, {}};
-    for (GLint i = 0; i < o; ++i)
-      map.points.insert(map.points.end(), p + std::ptrdiff_t{i} * s,
-                        p + std::ptrdiff_t{i} * s + gl::components_of(t));
-    define(t, map);
+    define(t, {u1, u2, 0, 1, s, 0, o, 1, {}}, p);
   };
   v.gl.Map2f = [](GLenum t, GLfloat u1, GLfloat u2, GLint us, GLint uo, GLfloat v1, GLfloat v2, GLint vs,
                   GLint vo, const GLfloat* p) {
     if (!is_defined(t, true, are_valid(u1, u2, us, uo, t) && are_valid(v1, v2, vs, vo, t)))
       return unvaried.Map2f(t, u1, u2, us, uo, v1, v2, vs, vo, p);
-    Changed map{u1, u2, v1, v2, uo, vo, {}};
-    for (GLint i = 0; i < uo; ++i)
-      for (GLint j = 0; j < vo; ++j) {
-        const GLfloat* const point = p + std::ptrdiff_t{i} * us + std::ptrdiff_t{j} * vs;
-        map.points.insert(map.points.end(), point, point + gl::components_of(t));
-      }
-    define(t, map);
+    define(t, {u1, u2, v1, v2, us, vs, uo, vo, {}}, p);
   };
   v.gl.Map1d = [](GLenum t, GLdouble u1, GLdouble u2, GLint s, GLint o, const GLdouble* p) {
     if (is_defined(t, false, are_valid(u1, u2, s, o, t))) changed_maps.erase(t);
