@@ -82,7 +82,7 @@ bool Test::can_query_grid(GLenum name) {
 std::vector<gl::Ref> Test::append_optional(gl::Case& c, const gl::Case& optional) {
   std::vector<gl::Ref> places;
   for (const gl::Command& command : optional.commands()) {
-    // What a sink does not declare is not supported.
+    // Commands that a sink does not declare are not supported.
     if (!gl().declaration && !can_call(command.entry)) {
       places.emplace_back();
       continue;
