@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include <evalcts/testkit/registration.h>
 
@@ -144,8 +145,8 @@ bool are_quad(std::span<const RecordedVertex> triangles, const Corners& quad) {
 }
 
 // Returns the index of the first wrong primitive, or the number of primitives that were recorded or expected,
-// whichever is less, if all of these are right. The primitives of EvalMesh2 may come in any order, which
-// other tests judge.
+// whichever is less, if all of these are right. The primitives of EvalMesh2 may come in any order and its
+// lines in either direction, which other tests judge.
 std::size_t first_wrong(const Recording& recording, const Drawing& drawing) {
   std::vector<Corners> left = primitives_in_order(drawing);
   const bool any_order = drawing.two && drawing.predicted.has_meshes();
@@ -157,7 +158,9 @@ std::size_t first_wrong(const Recording& recording, const Drawing& drawing) {
     const std::span<const RecordedVertex> seen(&v[i * each], each);
     const auto last = any_order ? left.end() : left.begin() + 1;
     const auto found = std::find_if(left.begin(), last, [&](const Corners& expected) {
-      return quads ? are_quad(seen, expected) : std::ranges::equal(seen, expected, alike);
+      if (quads) return are_quad(seen, expected);
+      return std::ranges::equal(seen, expected, alike) ||
+             (any_order && std::ranges::equal(seen, std::views::reverse(expected), alike));
     });
     if (found == last) return i;
     left.erase(found);

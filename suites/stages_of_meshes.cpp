@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 
 #include <evalcts/testkit/registration.h>
@@ -37,32 +38,36 @@ void require_each_effect(const Picture& control, std::size_t drawings) {
     require_an_effect(control.parts[i].values, control.parts[i % drawings].values);
 }
 
-// Throws NotObservable unless the texture coordinates of explicit points are transformed by the texture
-// matrix.
+// Throws NotObservable unless the texture coordinates of explicit points and line strips are transformed by
+// the texture matrix, once: NVIDIA's driver (580) does it twice for explicit lines in feedback mode.
 void require_transformed_texture(const Stage& stage, const Drawing& drawing, const Part& control) {
-  if (stage.texture_matrix.empty() || drawing.primitive != GL_POINTS) return;
-  std::vector<std::array<double, 4>> known;
+  if (stage.texture_matrix.empty() || drawing.primitive == GL_QUAD_STRIP) return;
+  const auto transformed = [&](const reference::Vertex& vertex) {
+    std::vector<double> coordinates(4);
+    for (std::size_t row = 0; row < 4; ++row)
+      for (std::size_t column = 0; column < 4; ++column)
+        coordinates[row] += static_cast<double>(stage.texture_matrix[4 * column + row]) *
+                            static_cast<double>(reference::rounded(vertex.texture_coordinate[0][column]));
+    return coordinates;
+  };
+  // Each point has one vertex, and each segment of a strip has two.
+  std::vector<std::vector<double>> known;
+  const std::size_t size = drawing.primitive == GL_POINTS ? 1 : 2;
   for (const reference::Primitive& primitive : drawing.predicted.primitives)
-    for (const reference::Vertex& vertex : primitive.vertices) {
-      std::array<double, 4>& transformed = known.emplace_back();
-      for (std::size_t row = 0; row < 4; ++row)
-        for (std::size_t column = 0; column < 4; ++column)
-          transformed[row] += static_cast<double>(stage.texture_matrix[4 * column + row]) *
-                              static_cast<double>(reference::rounded(vertex.texture_coordinate[0][column]));
-    }
-  const std::vector<FeedbackPrimitive> points = primitives_of(control);
-  if (points.size() != known.size())
+    for (std::size_t i = 0; i + size <= primitive.vertices.size(); ++i)
+      for (std::size_t j = 0; j < size; ++j) known.push_back(transformed(primitive.vertices[i + j]));
+  std::vector<std::vector<double>> seen;
+  for (const FeedbackPrimitive& primitive : primitives_of(control))
+    for (const auto& vertex : primitive.vertices) seen.emplace_back(vertex.begin() + 8, vertex.end());
+  if (seen.size() != known.size())
     throw NotObservable(
-        fmt::format("pipeline: {} explicit points come back as {}", known.size(), points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::array<double, 12>& vertex = points[i].vertices.at(0);
-    const std::vector<double> seen(vertex.begin() + 8, vertex.end());
-    if (!alike(seen, {known[i].begin(), known[i].end()}))
+        fmt::format("pipeline: {} explicit vertices come back as {}", known.size(), seen.size()));
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (!alike(seen[i], known[i]))
       throw NotObservable(
-          fmt::format("pipeline: with the texture matrix '{}' explicit point {} has the texture "
+          fmt::format("pipeline: with the texture matrix '{}' explicit vertex {} of {} has the texture "
                       "coordinates ({}), expected ({})",
-                      stage.name, i, fmt::join(seen, ", "), fmt::join(known[i], ", ")));
-  }
+                      stage.name, i, drawing.name, fmt::join(seen[i], ", "), fmt::join(known[i], ", ")));
 }
 
 // Expects the drawings in all stages to be like explicit ones in feedback. Throws NotObservable.
@@ -246,12 +251,16 @@ gl::Case fog(GLint mode) {
   return state;
 }
 
-// Returns the pixels of the vertices of the curve or of the patch.
-std::vector<Area> vertex_pixels(bool two) {
+// Returns pixels of the points of the curve or of the patch, or pixels of their rows of lines beside these
+// points: the last pixel of a line is not drawn, and which one that is depends on the direction, which other
+// tests judge.
+std::vector<Area> fogged_pixels(const Drawing& drawing) {
+  const bool lines = drawing.primitive == GL_LINE_STRIP;
   std::vector<Area> areas;
   for (int i = 0; i <= kColumns; ++i) {
-    if (!two) areas.push_back({kLeft + kWidth * i, kCurveRow});
-    for (int j = 0; two && j <= kRows; ++j) areas.push_back({kLeft + kWidth * i, kBottom + kHeight * j});
+    const int x = kLeft + kWidth * i + (!lines ? 0 : i < kColumns ? 1 : -1);
+    if (!drawing.two) areas.push_back({x, kCurveRow});
+    for (int j = 0; drawing.two && j <= kRows; ++j) areas.push_back({x, kBottom + kHeight * j});
   }
   return areas;
 }
@@ -262,7 +271,7 @@ void expect_fog(Test& t, const std::vector<Stage>& stages) {
   std::vector<Drawing> drawings = meshes(t, GL_POINTS);
   for (Drawing& drawing : meshes(t, GL_LINE_STRIP)) drawings.push_back(std::move(drawing));
   for (const Drawing& drawing : drawings) {
-    const std::vector<Area> areas = vertex_pixels(drawing.two);
+    const std::vector<Area> areas = fogged_pixels(drawing);
     const Picture control =
         pixels(t, gl::control("explicit vertices, " + drawing.name), staged(stages, {drawing}, false), areas);
     const auto values = [&](std::size_t stage) {
@@ -303,7 +312,26 @@ EVALCTS_TEST(Pipeline, FogByCoordinate, kMust, "EV-PIPE-FOG")
 
 // --- Flat shading ----------------------------------------------------------------------------------------
 
-// Flat-shaded segments have the colour of their second vertex near both ends.
+// Returns true if each segment of the mesh runs in the direction of an explicit one, or if feedback does not
+// show it.
+bool lines_run_as_specified(Test& t, const Drawing& drawing) {
+  try {
+    const Picture control = feedback(t, gl::control("directions of explicit lines"), {}, drawing.vertices);
+    const Picture seen = feedback(t, "directions of evaluated lines", {}, drawing.evaluated);
+    const std::vector<FeedbackPrimitive> known = primitives_of(control.parts[0]);
+    return std::ranges::all_of(primitives_of(seen.parts[0]), [&](const FeedbackPrimitive& line) {
+      return std::ranges::any_of(known, [&](const FeedbackPrimitive& other) {
+        const auto same = [](const auto& a, const auto& b) { return alike({a[0], a[1]}, {b[0], b[1]}); };
+        return std::ranges::equal(line.vertices, other.vertices, same);
+      });
+    });
+  } catch (const NotObservable&) {
+    return true;
+  }
+}
+
+// Flat-shaded segments have the colour of their second vertex near both ends. A mesh whose lines run in
+// other directions is not judged: its segments have other second vertices, and other tests judge that.
 EVALCTS_TEST(Pipeline, FlatLines, kMust, "EV-PIPE-FLATLINE")
 (Test& t) {
   gl::Case state;
@@ -330,7 +358,12 @@ EVALCTS_TEST(Pipeline, FlatLines, kMust, "EV-PIPE-FLATLINE")
     for (std::size_t i = 0; i < colors.size(); ++i)
       if (!alike(control.parts[i].values, {colors[i].begin(), colors[i].end()}))
         throw NotObservable("pipeline: explicit segments do not have the colour of their second vertices");
-    expect_like_explicit(pixels(t, "evaluated, " + drawing.name, state, drawing.evaluated, areas), control);
+    Picture picture = pixels(t, "evaluated, " + drawing.name, state, drawing.evaluated, areas);
+    const bool same = std::ranges::equal(
+        picture.parts, control.parts, [](const Part& a, const Part& b) { return alike(a.values, b.values); });
+    if (!same && drawing.two && !lines_run_as_specified(t, drawing))
+      throw NotObservable("the lines of EvalMesh2 run in other directions and have other second vertices");
+    expect_like_explicit(std::move(picture), control);
   }
 };
 

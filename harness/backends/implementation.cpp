@@ -3,8 +3,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
 #include <functional>
 
 #include <evalcts/backends/rejected_queries.h>
@@ -19,20 +24,40 @@ namespace evalcts {
 
 namespace {
 
+// An interface that makes contexts, and functions of which a library that has it exports one.
+struct Interface {
+  const char* name;
+  std::vector<const char*> functions;
+};
+const Interface kOSMesa = {"osmesa", {"OSMesaCreateContextExt", "OSMesaCreateContext"}};
+const Interface kEgl = {"egl", {"eglGetDisplay"}};
+const Interface kGlx = {"glx", {"glXCreateNewContext"}};
+
+bool has_interface(const SharedLibrary& library, const Interface& interface) {
+  return std::ranges::any_of(interface.functions,
+                             [&](const char* function) { return library.exported(function) != nullptr; });
+}
+
+// Contexts that --context names. `interface`: the interface that makes them; null if the library under test
+// is never asked for it. `make`: makes them with the library; empty: with the system's.
 struct NamedContexts {
   std::string name;
-  std::function<std::unique_ptr<ContextMaker>()> make;
+  const Interface* interface;
+  std::function<std::unique_ptr<ContextMaker>(const std::string& library)> make;
 };
 
 const std::vector<NamedContexts>& named_contexts() {
+  using Library = const std::string&;
   static const std::vector<NamedContexts> kAll = {
-      {"osmesa", [] { return make_osmesa_contexts(""); }},
-      {"egl-surfaceless", [] { return make_egl_contexts("", EglPlatform::kSurfaceless); }},
-      {"egl-device", [] { return make_egl_contexts("", EglPlatform::kDevice); }},
-      {"egl-gles2", [] { return make_gles2_contexts(); }},
-      {"glx", [] { return make_glx_contexts("", GlxRendering::kDirect); }},
-      {"glx-indirect", [] { return make_glx_contexts("", GlxRendering::kIndirect); }},
-      {"none", [] { return make_no_contexts(); }},
+      {"osmesa", &kOSMesa, [](Library library) { return make_osmesa_contexts(library); }},
+      {"egl-surfaceless", &kEgl,
+       [](Library library) { return make_egl_contexts(library, EglPlatform::kSurfaceless); }},
+      {"egl-device", &kEgl, [](Library library) { return make_egl_contexts(library, EglPlatform::kDevice); }},
+      {"egl-gles2", nullptr, [](Library) { return make_gles2_contexts(); }},
+      {"glx", &kGlx, [](Library library) { return make_glx_contexts(library, GlxRendering::kDirect); }},
+      {"glx-indirect", &kGlx,
+       [](Library library) { return make_glx_contexts(library, GlxRendering::kIndirect); }},
+      {"none", nullptr, [](Library) { return make_no_contexts(); }},
   };
   return kAll;
 }
@@ -40,9 +65,8 @@ const std::vector<NamedContexts>& named_contexts() {
 std::string guessed_kind(const std::string& path) {
   const SharedLibrary library(path);
   if (library.exported("evalcts_sink_open")) return "sink";
-  if (library.exported("OSMesaCreateContextExt") || library.exported("OSMesaCreateContext")) return "osmesa";
-  if (library.exported("eglGetDisplay")) return "egl";
-  if (library.exported("glXCreateNewContext")) return "glx";
+  for (const Interface* interface : {&kOSMesa, &kEgl, &kGlx})
+    if (has_interface(library, *interface)) return interface->name;
   if (library.exported("evalcts_provider_open"))
     throw CannotStart(fmt::format("{0} is a provider of contexts: pass it with --context", path));
   throw CannotStart(fmt::format(
@@ -54,6 +78,26 @@ std::string guessed_kind(const std::string& path) {
       fmt::join(context_names(), ", ")));
 }
 
+// Returns true if the library makes contexts of this kind itself. It is loaded in another process, because a
+// layer may have to be loaded once the context below it is current.
+bool makes_its_contexts(const std::string& path, const NamedContexts& contexts) {
+  if (path.empty() || !contexts.interface) return false;
+  const pid_t child = fork();
+  if (child < 0) throw CannotStart(fmt::format("fork: {}", std::strerror(errno)));
+  if (child == 0) {
+    bool has = false;
+    try {
+      has = has_interface(SharedLibrary(path), *contexts.interface);
+    } catch (const CannotStart&) {  // reported when this process loads the library
+    }
+    _exit(has ? EXIT_SUCCESS : EXIT_FAILURE);
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS;
+}
+
 std::unique_ptr<Implementation> open_with_context(const ImplementationOptions& options) {
   if (!options.name.empty()) throw CannotStart("--context replaces --implementation: give only one of them");
   if ((options.context == "none" || options.context == "egl-gles2") && options.library.empty())
@@ -61,7 +105,10 @@ std::unique_ptr<Implementation> open_with_context(const ImplementationOptions& o
         fmt::format("--context {} needs --library, which provides the commands", options.context));
   const auto found = std::find_if(named_contexts().begin(), named_contexts().end(),
                                   [&](const NamedContexts& named) { return named.name == options.context; });
-  if (found != named_contexts().end()) return make_gl_library("library", found->make(), options.library);
+  if (found != named_contexts().end()) {
+    const bool own = makes_its_contexts(options.library, *found);
+    return make_gl_library("library", found->make(own ? options.library : ""), own ? "" : options.library);
+  }
   try {
     return make_gl_library("library", load_provider(options.context), options.library);
   } catch (const CannotStart& error) {

@@ -359,7 +359,7 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
   app.add_option("--library", options->library, "shared library to judge instead of the system's");
   app.add_option("--context", options->context,
                  fmt::format("interface that creates the contexts, instead of that of an implementation: {}, "
-                             "or the path of a provider",
+                             "or the path of a provider. The system's, unless --library has the interface",
                              fmt::join(evalcts::context_names(), ", ")));
   app.add_option(
       "--name", options->label,

@@ -468,7 +468,7 @@ void find_bugs(RunResult& run, const BugRequest& request,
       reductions[test.name] = {test.name, {}, "it depends on what was run before in the same context"};
   }
   run.bugs = bugs_of(run, reductions, max_eval_order);
-  std::size_t tests = 0, named = 0, left = 0, late = 0;
+  std::size_t tests = 0, named = 0, left = 0, late = 0, dead = 0;
   for (const TestRecord& test : run.tests) {
     if (!is_to_be_explained(test)) continue;
     ++tests;
@@ -478,8 +478,10 @@ void find_bugs(RunResult& run, const BugRequest& request,
       continue;
     }
     const bool is_late = found == reductions.end() || found->second.why_not == kOutOfTime;
+    const bool is_dead = !is_late && found->second.why_not == kDiedOnTheWay;
     late += is_late;
-    left += !is_late && !found->second.minimal;
+    dead += is_dead;
+    left += !is_late && !is_dead && !found->second.minimal;
   }
   std::vector<std::string> notes;
   if (named > 0)
@@ -491,6 +493,9 @@ void find_bugs(RunResult& run, const BugRequest& request,
         "{} of {} failing tests could not be reduced to a minimal program and are grouped by requirement, by "
         "what differed and by their family",
         left, tests));
+  if (dead > 0)
+    notes.push_back(fmt::format("for {} of {} {}: they belong to the bugs of tests that fail alike", dead,
+                                tests, kDiedOnTheWay));
   if (late > 0)
     notes.push_back(
         fmt::format("for {} of {} {} (--bug-seconds): they belong to the bugs of tests that fail alike", late,

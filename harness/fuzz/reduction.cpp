@@ -46,7 +46,7 @@ class CaseReducer {
         reducer_(subject, shared_.get(), known_causes(), kMostAttempts,
                  {.alive = [this] { report_now_and_then(); },
                   .is_over = [this] { return is_over(); },
-                  .try_start = [this](const gl::Case& candidate) { return keeps_its_grid(candidate); }}) {}
+                  .try_start = [this](const gl::Case& candidate) { return stays_alike(candidate); }}) {}
 
   Reduction reduce(const FailingCase& failing) {
     is_large_ = false;
@@ -61,7 +61,8 @@ class CaseReducer {
     } catch (const std::invalid_argument& error) {
       return not_reduced(failing, error.what());
     }
-    has_grid_ = has(program, "glMapGrid");
+    keeps_to_grids_ = keeps_to_grids(program);
+    calls_missing_list_ = calls_missing_list(program);
     const bool is_answer = kind_of(failing.what).starts_with("gl");
     const Look look = is_answer ? Look::kAnswers : Look::kVertices;
     std::optional<Finding> found;
@@ -71,7 +72,7 @@ class CaseReducer {
       if (const Finding* const known = known_of_large(program, look)) return {failing.test, *known, ""};
       program = excerpt_of(program, [&](const gl::Case& part) {
         report_now_and_then();
-        if (is_over() || !keeps_its_grid(part)) return false;
+        if (is_over() || !stays_alike(part)) return false;
         std::optional<Finding> of_part = difference_of(part, look);
         if (!of_part) return false;
         found = std::move(of_part);
@@ -127,7 +128,7 @@ class CaseReducer {
       gl::Case part = program;
       for (const std::string& word : words_of(program))
         if (!words.contains(word)) part = without_word(part, word);
-      if (words_of(part) != words || vertices_of(part) == 0 || !keeps_its_grid(part)) continue;
+      if (words_of(part) != words || vertices_of(part) == 0 || !stays_alike(part)) continue;
       report_now_and_then();
       const std::optional<Finding> found = difference_of(part, look);
       if (found && found->cause == cause) return &minimal;
@@ -135,11 +136,30 @@ class CaseReducer {
     return nullptr;
   }
 
-  // Returns false if the candidate draws a mesh or grid point over the initial grid although the case defines
-  // a grid, because the difference may then be another bug.
-  bool keeps_its_grid(const gl::Case& candidate) const {
-    return !has_grid_ || has(candidate, "glMapGrid") ||
-           (!has(candidate, "glEvalMesh") && !has(candidate, "glEvalPoint"));
+  // Returns true if a list is called before it is defined.
+  static bool calls_missing_list(const gl::Case& program) {
+    std::set<std::int64_t> defined;
+    std::int64_t open = 0;
+    return std::ranges::any_of(program.commands(), [&](const gl::Command& command) {
+      if (command.entry == gl::EntryPoint::EndList) defined.insert(open);
+      const auto* const list =
+          command.arguments.empty() ? nullptr : std::get_if<std::int64_t>(&command.arguments[0]);
+      if (list && command.entry == gl::EntryPoint::NewList) open = *list;
+      return list && command.entry == gl::EntryPoint::CallList && !defined.contains(*list);
+    });
+  }
+
+  // Returns false if a mesh or grid point is drawn over an initial grid: no MapGrid has its dimension.
+  static bool keeps_to_grids(const gl::Case& program) {
+    return (has(program, "glMapGrid1") || (!has(program, "glEvalMesh1") && !has(program, "glEvalPoint1"))) &&
+           (has(program, "glMapGrid2") || (!has(program, "glEvalMesh2") && !has(program, "glEvalPoint2")));
+  }
+
+  // Returns false if the candidate does what the case does not do and what has bugs of its own: it draws a
+  // mesh or grid point over the initial grid, or calls a list that does not exist, which crashes Mesa.
+  bool stays_alike(const gl::Case& candidate) const {
+    return (calls_missing_list_ || !calls_missing_list(candidate)) &&
+           (!keeps_to_grids_ || keeps_to_grids(candidate));
   }
 
   void report_now_and_then() {
@@ -192,7 +212,8 @@ class CaseReducer {
   const int max_order_;
   std::unique_ptr<SharedContext> shared_;  // may be null
   Reducer reducer_;
-  bool has_grid_ = false;                   // the current case defines a grid
+  bool keeps_to_grids_ = false;             // see keeps_to_grids(), of the current case
+  bool calls_missing_list_ = false;         // see calls_missing_list(), of the current case
   std::map<std::string, Finding> reduced_;  // by kind of difference and plain form
   std::map<std::string, Finding> by_cause_;
   std::set<std::string> without_answers_;  // causes whose minimal programs give only correct answers

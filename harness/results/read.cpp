@@ -196,6 +196,7 @@ ImplementationRecord read_implementation(const JsonObject& in) {
   out.name = in.text("name");
   out.kind = in.text("kind");
   out.library = in.text("library");
+  out.context_library = in.text("context_library");
   out.vendor = in.text("vendor");
   out.renderer = in.text("renderer");
   out.version = in.text("version");

@@ -174,6 +174,7 @@ json to_json(const ImplementationRecord& implementation) {
   json out = {{"name", implementation.name}};
   set(out, "kind", implementation.kind);
   set(out, "library", implementation.library);
+  set(out, "context_library", implementation.context_library);
   set(out, "vendor", implementation.vendor);
   set(out, "renderer", implementation.renderer);
   set(out, "version", implementation.version);

@@ -188,6 +188,7 @@ Description description_of(const Subject& subject, const ImplementationOptions& 
   ImplementationRecord& implementation = description.implementation;
   implementation.name = info.name;
   implementation.library = info.library;
+  implementation.context_library = subject.implementation->context_library();
   implementation.vendor = info.vendor;
   implementation.renderer = info.renderer;
   implementation.version = info.version;

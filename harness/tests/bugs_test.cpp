@@ -6,15 +6,21 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <set>
 
+#include <evalcts/capture/capture.h>
 #include <evalcts/fuzz/bugs.h>
 #include <evalcts/fuzz/events.h>
 #include <evalcts/fuzz/normal_form.h>
+#include <evalcts/fuzz/reduction.h>
 #include <evalcts/gl/case_json.h>
 #include <evalcts/results/baseline.h>
+#include <evalcts/results/files.h>
 #include <evalcts/results/known_bugs.h>
 #include <evalcts/results/requirements.h>
+#include <evalcts/results/serialization.h>
+#include "altered.h"
 #include "fuzz/legal.h"
 
 namespace evalcts::fuzz {
@@ -301,6 +307,98 @@ TEST(Reductions, GoThroughTheirText) {
   EXPECT_THROW(parse_failing_cases("{]"), std::invalid_argument);
 }
 
+// Reduces the cases on an implementation. `starts` is called before each case.
+std::vector<Reduction> reduced_on(
+    Implementation& implementation, const std::vector<FailingCase>& cases,
+    const std::function<void()>& starts = [] {}) {
+  Subject subject;
+  subject.implementation = &implementation;
+  subject.info = inquire(implementation);
+  Captures captures(implementation, subject.info, nullptr);
+  subject.captures = &captures;
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) / fmt::format("claims-{}", getpid());
+  Claims::create(file, cases.size());
+  Claims claims(file);
+  std::filesystem::remove(file);
+  std::vector<Reduction> reductions;
+  fuzz::reduce(subject, cases, claims, 0, [&](const ReductionEvent& event) {
+    if (std::holds_alternative<TestStarted>(event)) starts();
+    if (const auto* reduction = std::get_if<Reduction>(&event)) reductions.push_back(*reduction);
+  });
+  for (const Reduction& reduction : reductions)
+    EXPECT_TRUE(reduction.minimal) << reduction.test << ": " << reduction.why_not;
+  return reductions;
+}
+
+// A large mesh of a surface belongs to the known cause if its commands alone differ in the same way, and is
+// not reduced.
+TEST(Reductions, OfLargeMeshesStopAtAKnownCause) {
+  static int contexts = 0;
+  Altered altered([](gl::Table& table) {
+    ++contexts;
+    table.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+      Altered::original.EvalMesh2(mode, i1, i2, j1, j2 - 1);  // without the last row
+    };
+  });
+  const auto mesh = [](GLint side) {
+    gl::Case c;
+    c.Map2f(GL_MAP2_VERTEX_3, 0.0f, 1.0f, 6, 2, 0.0f, 1.0f, 3, 2,
+            std::vector<float>{0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0.5f});
+    c.Map2f(GL_MAP2_NORMAL, 0.0f, 1.0f, 3, 1, 0.0f, 1.0f, 3, 1, std::vector<float>{0, 0, 1});
+    c.Enable(GL_MAP2_VERTEX_3);
+    c.Enable(GL_MAP2_NORMAL);
+    c.Color4f(0.5f, 0.25f, 0.75f, 1.0f);
+    c.MapGrid2f(side, 0.0f, 1.0f, side, 0.0f, 1.0f);
+    c.EvalMesh2(GL_POINT, 0, side, 0, side);
+    return gl::to_text(c);
+  };
+  std::vector<int> contexts_before;
+  const std::vector<Reduction> reductions = reduced_on(
+      altered, {{"Small", "position.x of vertex 0", mesh(3)}, {"Large", "position.x of vertex 0", mesh(40)}},
+      [&] { contexts_before.push_back(contexts); });
+  ASSERT_EQ(reductions.size(), 2u);
+  ASSERT_TRUE(reductions[0].minimal && reductions[1].minimal);
+  EXPECT_EQ(reductions[0].minimal->cause, reductions[1].minimal->cause);
+  EXPECT_EQ(gl::to_text(reductions[0].minimal->program), gl::to_text(reductions[1].minimal->program));
+  EXPECT_LE(contexts - contexts_before.at(1), 10) << "the large case was reduced, which took the small one "
+                                                  << contexts_before.at(1) - contexts_before.at(0);
+}
+
+// No candidate calls a list that does not exist, unless the case does: Mesa crashes in such programs.
+TEST(Reductions, DefineTheListsThatTheyCall) {
+  static std::set<GLuint> defined;
+  static int calls_of_missing = 0;
+  Altered altered([](gl::Table& table) {
+    defined.clear();
+    table.NewList = [](GLuint list, GLenum mode) {
+      defined.insert(list);
+      Altered::original.NewList(list, mode);
+    };
+    table.CallList = [](GLuint list) {
+      calls_of_missing += !defined.contains(list);
+      Altered::original.CallList(list);
+      Altered::original.EvalMesh1(GL_POINT, 0, 0);  // a vertex too many
+    };
+  });
+  gl::Case c;
+  c.Map1f(GL_MAP1_VERTEX_3, 0.0f, 1.0f, 3, 2, std::vector<float>{0, 0, 0, 1, 1, 1});
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.MapGrid1f(4, 0.0f, 1.0f);
+  c.NewList(2, GL_COMPILE);
+  c.EvalMesh1(GL_POINT, 0, 4);
+  c.EndList();
+  c.NewList(1, GL_COMPILE);
+  c.EvalMesh1(GL_POINT, 1, 3);
+  c.CallList(2);
+  c.EndList();
+  c.CallList(1);
+  const std::vector<Reduction> reductions =
+      reduced_on(altered, {{"Nested", "position.x of vertex 0", gl::to_text(c)}});
+  EXPECT_EQ(reductions.size(), 1u);
+  EXPECT_EQ(calls_of_missing, 0);
+}
+
 TEST(Legal, ErrorsOfAListThatIsCalledTwiceCanBeAskedFor) {
   const gl::Case program = gl::parse_case(
       R"([["NewList", 1, "GL_COMPILE"], ["Map1f", "GL_MAP1_VERTEX_3", 0, 1, 2, 1, {"f32": [0, 0, 0]}], ["EndList"],
@@ -338,6 +436,23 @@ TEST(KnownBugs, AreNamedByBaselines) {
   }
   EXPECT_TRUE(named.contains("mesa-automatic-normal-order-1"));
   EXPECT_GE(named.size(), 10u);
+}
+
+// The published results of NVIDIA's driver fail the tests that its baseline expects, and each belongs to a
+// bug.
+TEST(PublishedResults, OfNvidiaFailAsTheBaselineExpects) {
+  const RunResult result = parse_run_result(read_file(PUBLISHED "/results-egl-nvidia.json"));
+  std::set<std::string> failed, expected;
+  for (const TestRecord& test : result.tests)
+    if (test.is_bad()) {
+      failed.insert(test.name);
+      EXPECT_TRUE(result.bug_of(test.name)) << test.name;
+    }
+  for (const auto& [test, entry] : BaselineFiles::read(BASELINES, "egl-nvidia").entries)
+    expected.insert(test);
+  EXPECT_EQ(failed, expected);
+  for (const auto& [test, by_depth] : BaselineFiles::read(BASELINES, "egl-nvidia").signatures)
+    EXPECT_TRUE(expected.contains(test)) << test;
 }
 
 TEST(KnownBugs, MistakesAreNamed) {

@@ -64,6 +64,27 @@ TEST_F(GlLibrary, OSMesaContexts) {
   EXPECT_TRUE(contains(outcome.text, "glGetString"));
 }
 
+// Contexts are the library's own if it exports the functions of --context: of a copy of the system's library,
+// everything comes from the copy.
+TEST_F(GlLibrary, ContextsOfTheLibraryItself) {
+  const std::tuple<const char*, const char*, const char*> all[] = {{"osmesa", "osmesa", "libOSMesa.so.8"},
+                                                                   {"egl", "egl-surfaceless", "libEGL.so.1"}};
+  for (const auto& [implementation, context, name] : all) {
+    if (!available(implementation)) continue;
+    SCOPED_TRACE(context);
+    const std::string system = fs::canonical(SharedLibrary(name).path());
+    const std::string copy = fs::canonical(folder_) / name;
+    fs::copy_file(system, copy);
+    const Outcome outcome = run({"--context", context, "--library", copy, "--name", "copy"});
+    expect_judged(outcome, "copy");
+    EXPECT_FALSE(contains(outcome.text, "contexts of "));
+    const json judged = results("copy")["implementation"];
+    EXPECT_EQ(as_text(judged["library"]), copy);
+    EXPECT_FALSE(judged.contains("context_library"));
+    for (const json& file : judged["files"]) EXPECT_NE(fs::canonical(as_text(file)), system);
+  }
+}
+
 // Tests of real libraries that draw without a window system.
 class OffScreenLibraries : public GlLibrary, public testing::WithParamInterface<const char*> {
  protected:
@@ -330,6 +351,8 @@ TEST_F(GlLibrary, LayerOverGles2) {
   const Outcome outcome = with_context("egl-gles2");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_GT(results("library")["summary"].value("pass", 0), 10) << outcome.text;
+  EXPECT_TRUE(contains(outcome.text.substr(0, outcome.text.find('\n')), "contexts of "));
+  EXPECT_TRUE(contains(as_text(results("library")["implementation"]["context_library"]), "libEGL"));
   EXPECT_EQ(with_context("egl-surfaceless").code, 2);  // a context of desktop GL is current
 
   setenv("EVALCTS_DRILL", "terminate", 1);  // the layer terminates the display of the contexts
@@ -422,6 +445,26 @@ TEST_F(GlLibrary, DegradedLibrariesAreJudgedToTheEnd) {
     EXPECT_EQ(result["summary"].contains("crash"), how == std::string("crashes")) << result["summary"];
   }
   unsetenv("EVALCTS_DRILL");
+}
+
+// If one form of GetMap is missing, the tests judge the other forms and name the missing one as not observed.
+TEST_F(GlLibrary, MissingFormsOfGetMapAreNotObserved) {
+  if (!available("osmesa")) GTEST_SKIP() << "no OSMesa here";
+  for (const std::string missing : {"glGetMapiv", "glGetMapfv"}) {
+    SCOPED_TRACE(missing);
+    setenv("EVALCTS_DRILL", missing.c_str(), 1);
+    const Outcome outcome =
+        evalcts({"run", "--context", DEGRADED_PROVIDER, "--name", "degraded", "--output", folder_.string(),
+                 "--depth", "quick", "--filter",
+                 "InitialState.OrderOf*:GetMap2.ChangesNothing:DisplayLists.EveryQueryInAnOpenList/*"});
+    unsetenv("EVALCTS_DRILL");
+    const json result = results("degraded");
+    EXPECT_EQ(result["tests"].size(), 5u) << outcome.text;
+    for (const json& test : result["tests"]) {
+      EXPECT_EQ(as_text(test["verdict"]), "pass") << test;
+      EXPECT_TRUE(contains(test.value("unobserved", ""), missing + " (missing)")) << test;
+    }
+  }
 }
 
 // Evaluators are at fault only if explicit vertices in the same lists are correct. The filter names a test

@@ -19,6 +19,7 @@ data card(const Column& column) {
   out.set("label", column.label);
   data facts = list();
   add_row(facts, "Library", implementation.library);
+  add_row(facts, "Contexts of", implementation.context_library);
   add_row(facts, "Vendor", implementation.vendor);
   add_row(facts, "Renderer", implementation.renderer);
   add_row(facts, "Version", implementation.version);

@@ -84,6 +84,7 @@ std::string requirements_table(const std::vector<RunResult>& results, const Cata
     out += "\n";
   }
 
+  if (columns.size() < 2) return out;
   const std::vector<Row> rows = read_rows(columns);
   out +=
       "\n## Tests that do not have the same verdict everywhere\n\nTests that no implementation fails are "

@@ -47,6 +47,8 @@ std::string about(const Column& column) {
   std::vector<std::string> parts;
   for (const std::string* part : {&implementation.vendor, &implementation.renderer, &implementation.version})
     if (!part->empty()) parts.push_back(markdown_code(*part));
+  if (!implementation.context_library.empty())
+    parts.push_back("contexts of " + markdown_code(implementation.context_library));
   if (!implementation.note.empty()) parts.push_back("**note**: " + markdown_code(implementation.note));
   if (!record.status) parts.emplace_back("**status unknown**");
   if (record.status && !record.is_complete())

@@ -206,6 +206,7 @@ void write_in_full(Screen& screen, const TestRecord& test, const Catalogue& cata
 void write_head(Screen& screen, const RunResult& record) {
   const ImplementationRecord& implementation = record.implementation;
   std::string head = record.heading("(unnamed)");
+  if (!implementation.context_library.empty()) head += ", contexts of " + implementation.context_library;
   std::vector<std::string> parts;
   for (const std::string* part :
        {&implementation.vendor, &implementation.renderer, &implementation.version}) {

@@ -73,6 +73,7 @@ inline nlohmann::json hostile_record() {
           {"implementation",
            {{"name", text},
             {"library", text},
+            {"context_library", text},
             {"vendor", text},
             {"renderer", text},
             {"version", text},

@@ -241,6 +241,26 @@ EVALCTS_VARIATION(PipelineMeshesBackwards, "dropin", "EvalMesh2 begins at the la
   v.gl.EvalMesh2 = draw_mesh<true, GL_QUAD_STRIP>;
 }
 
+// Meshes of one row are left as they are: in deliveries they take the place of other evaluations.
+EVALCTS_VARIATION(PipelineMeshLinesBackwards, "dropin",
+                  "the lines of EvalMesh2 run in the other direction if there are several in both ways",
+                  "EV-MESH2-LINE EV-MESH2-STIPPLE") {
+  v.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    if (!draws(mode) || mode != GL_LINE || i2 <= i1 || j2 <= j1 || i2 - i1 > 1000 || j2 - j1 > 1000)
+      return unvaried.EvalMesh2(mode, i1, i2, j1, j2);
+    for (GLint j = j1; j <= j2; ++j) {
+      unvaried.Begin(GL_LINE_STRIP);
+      for (GLint i = i2; i >= i1; --i) point(i, j);
+      unvaried.End();
+    }
+    for (GLint i = i1; i <= i2; ++i) {
+      unvaried.Begin(GL_LINE_STRIP);
+      for (GLint j = j2; j >= j1; --j) point(i, j);
+      unvaried.End();
+    }
+  };
+}
+
 // --- Single precision
 
 EVALCTS_VARIATION(FloatArguments, "production", "arguments of EvalCoord in double are rounded to float", "") {

@@ -325,6 +325,8 @@ EVALCTS_VARIATION(NoGetDouble, "dropin", "GetDoublev and GetMapdv are missing", 
   v.gl.GetDoublev = nullptr;
   v.gl.GetMapdv = nullptr;
 }
+EVALCTS_VARIATION(NoGetMapiv, "dropin", "GetMapiv is missing", "EV-API-ENTRY") { v.gl.GetMapiv = nullptr; }
+EVALCTS_VARIATION(NoGetMapfv, "dropin", "GetMapfv is missing", "EV-API-ENTRY") { v.gl.GetMapfv = nullptr; }
 EVALCTS_VARIATION(NoColorIndex, "dropin", "the commands of colour-index mode are missing", "") {
   v.gl.Indexf = nullptr;
   v.gl.Indexd = nullptr;

@@ -125,12 +125,6 @@ EVALCTS_RULES(FlatLinesByFirstVertex, osmesa, kMust, "EV-PIPE-FLATLINE",
               "flat segments of LINE meshes have the colour of their first vertices",
               around(kMeshes, kMode == GL_LINE, call(ProvokingVertex, {GL_FIRST_VERTEX_CONVENTION}),
                      call(ProvokingVertex, {GL_LAST_VERTEX_CONVENTION})));
-EVALCTS_RULES(FlatColumnsBackwards, osmesa, kMust, "EV-PIPE-FLATLINE",
-              "flat columns of LINE meshes have the colours of their first vertices, rows are right",
-              instead(EvalMesh2, kMode == GL_LINE,
-                      {kRows,
-                       loop(kColumn, kI1, kI2,
-                            primitive(GL_LINE_STRIP, loop(kRow, kJ2, kJ1, point(kColumn, kRow), -1)))}));
 
 // --- Programs ----------------------------------------------------------------------------------------------
 

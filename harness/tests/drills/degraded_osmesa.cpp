@@ -6,6 +6,7 @@
 //   crashes: every second call of an evaluator crashes
 //   lists: explicit and evaluated vertices in display lists are in wrong places
 //   evaluated: only evaluated vertices in display lists are in wrong places
+//   the name of a command: this command is missing
 #include <climits>
 #include <csignal>
 #include <set>
@@ -76,6 +77,7 @@ bool is_vital(std::string_view command) {
 
 void* get_address(const char* command) {
   const std::string_view name(command);
+  if (is_drill(command)) return nullptr;
   if (is_drill("half") && !is_vital(name)) {
     unsigned sum = 0;
     for (const char c : name) sum = sum * 31 + static_cast<unsigned char>(c);

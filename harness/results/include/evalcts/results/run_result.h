@@ -33,6 +33,7 @@ struct ImplementationRecord {
   std::string name;  // the label given with --name, otherwise the same as `kind`
   std::string kind;  // the name of the implementation in --implementation
   std::string library, vendor, renderer, version, machine;
+  std::string context_library;  // the file that made the contexts; empty: `library`
   std::string note;  // a warning for the reader, for example that another driver than requested was loaded
   std::optional<std::int64_t> max_eval_order;  // the reported value, which may be anything
   std::vector<std::string> files;              // the libraries and drivers that were loaded

@@ -90,7 +90,8 @@ class Test {
   // The same for the query of a grid by Get, which an implementation may reject.
   bool can_query_grid(GLenum name);
 
-  // Appends optional commands, except those that crash the implementation, which are noted in the record.
+  // Appends optional commands, except those that are missing or crash the implementation, which are noted in
+  // the record. Throws NotObservable if none is left.
   // Returns the position of each command; -1 if it was left out. No command may use the result of another.
   std::vector<gl::Ref> append_optional(gl::Case& c, const gl::Case& optional);
 
