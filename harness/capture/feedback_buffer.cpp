@@ -104,7 +104,7 @@ class FeedbackBuffer final : public Capture {
     observation->attributes &= attributes_ | inexact_attributes() | wanted;
     observation->clamped_colors = !unclamp_;
     observation->color_error = color_error_.value_or(0);
-    return *observation;
+    return *std::move(observation);
   }
 
  private:

@@ -64,7 +64,7 @@ class FencedPages {
   }
 
  private:
-  static constexpr std::size_t kFew = 4, kMostKept = 64;
+  static constexpr std::size_t kFew = 4, kMostKept = 512;
 
   explicit FencedPages(std::size_t count) : count_(count) {}
   void map() {

@@ -249,6 +249,13 @@ class VertexJudge {
     const double length = domain.last - domain.first;
     if (!at.is_grid())
       return {(at.coordinate() - domain.first) / length, (domain.last - at.coordinate()) / length};
+    // Almost every grid begins where the domain does. Then nothing cancels in t, and in s only near its end.
+    if (at.first() == domain.first) {
+      const double t = (at.last() - at.first()) *
+                       (static_cast<double>(at.index()) / static_cast<double>(at.segments())) / length;
+      const bool is_end = at.index() == at.segments() && at.last() == domain.last;
+      if (is_end || (t >= 0 && t <= 1 - 0x1p-20)) return {t, 1 - t};
+    }
     const Rational u = at.value(), first(domain.first), last(domain.last);
     return {((u - first) / (last - first)).to_double(), ((last - u) / (last - first)).to_double()};
   }
@@ -265,8 +272,8 @@ class VertexJudge {
   }
 
   // Returns true if an evaluation in double shows that the value is within 2e-5 of the magnitude, half of the
-  // least bound. t and s are accurate to 2^-51, and each polynomial is a sum of products of them without
-  // cancellation if both are positive, so that the error is below 1e-12 of the magnitude.
+  // least bound. The relative error of t and s is below 2^-31, and each polynomial is a sum of products of
+  // them without cancellation if both are positive, so that the error is below 1e-7 of the magnitude.
   static bool plainly_accepted(const Sample& sample, float got) {
     constexpr int kHighestOrder = 8;
     constexpr double kAccepted = 2e-5, kLeast = 1e-200, kMost = 1e200;

@@ -102,7 +102,11 @@ bool Prediction::has_nonpositive_w() const {
 
 Prediction predict(const gl::Case& script, int max_eval_order) {
   reference::Specification specification({.max_eval_order = max_eval_order});
-  const gl::Trace trace = play(known_commands(script), specification);
+  // This saves a copy of the commands of long primitives.
+  const bool all_known = std::ranges::all_of(
+      script.commands(), [](const gl::Command& command) { return gl::has(oracle(), command.entry); });
+  const gl::Trace trace =
+      all_known ? play(script, specification) : play(known_commands(script), specification);
   return prediction_of(specification, trace);
 }
 

@@ -9,7 +9,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <set>
 #include <span>
 
 #include <evalcts/gl/tokens.h>
@@ -113,21 +112,22 @@ gl::Case explicit_primitives(const Prediction& prediction) {
 
 std::optional<Topology> read_topology(const Prediction& prediction, const Observation& observation) {
   Topology topology{shape_of(observation), {}};
-  std::set<std::size_t> seen;
+  const std::size_t count = prediction.vertex_count();
+  std::vector<bool> seen(count);
   for (const ObservedPrimitive& primitive : observation.primitives)
     for (const ObservedVertex& vertex : primitive.vertices) {
       const float number =
           observation.attributes & kPosition ? vertex.position[0] : vertex.texture_coordinate[0][0];
-      if (!(number >= 0) || number >= static_cast<float>(prediction.vertex_count())) return std::nullopt;
+      if (!(number >= 0) || number >= static_cast<float>(count)) return std::nullopt;
       const auto index = static_cast<std::size_t>(number);
       if (static_cast<float>(index) != number) return std::nullopt;
       topology.vertices.push_back(index);
-      seen.insert(index);
+      seen[index] = true;
     }
   std::size_t first = 0;
   for (const reference::Primitive& primitive : prediction.primitives) {
     for (std::size_t i = 0; i < used_vertices(primitive.mode, primitive.vertices.size()); ++i)
-      if (!seen.count(first + i)) return std::nullopt;
+      if (!seen[first + i]) return std::nullopt;
     first += primitive.vertices.size();
   }
   return topology;

@@ -18,7 +18,7 @@ Topology Topologies::find(const Prediction& prediction, const Capture& capture,
   const std::pair key(capture.name(), std::move(drawn));
   if (const auto known = known_.find(key); known != known_.end()) return known->second;
 
-  const Attributes numbered = capture.attributes() & (kPosition | kTextureCoordinate0);
+  const Attributes numbered = capture.attributes() & kPosition ? kPosition : kTextureCoordinate0;
   const Observation control = capture.observe(implementation, explicit_primitives(prediction),
                                               {numbered, most_vertices_of(prediction), kinds});
   std::optional<Topology> topology = read_topology(prediction, control);

@@ -78,6 +78,27 @@ Rational bound(const Problem& p) {
   return (1 + x + x * x) * outer - inner + underflow;
 }
 
+// Returns true if domain and argument satisfy the conditions of must_applies() by a wide margin, and the
+// argument lies in the domain, so that |t| + |s| = 1. False for NaN.
+bool plainly_inside(double u1, double u2, const Argument& u) {
+  const auto ordinary = [](double x) { return x == 0 || (std::abs(x) >= 0x1p-100 && std::abs(x) <= 0x1p50); };
+  const auto inside = [&](double x) { return std::min(u1, u2) <= x && x <= std::max(u1, u2); };
+  return ordinary(u1) && ordinary(u2) && std::abs(u2 - u1) >= 0x1p-50 &&
+         static_cast<float>(u1) != static_cast<float>(u2) && inside(u.first()) && inside(u.last()) &&
+         0 <= u.index() && u.index() <= u.segments();
+}
+
+// Returns true if must() holds by the criterion above, which saves exact arithmetic for almost all values.
+bool plainly_must(const Surface& surface, const Argument& u, const Argument& v, int range) {
+  if (!plainly_inside(surface.u1, surface.u2, u) || !plainly_inside(surface.v1, surface.v2, v)) return false;
+  if (std::max(surface.uorder, surface.vorder) > kMaxOrder) return false;
+  const double most = std::ldexp(1.0, range);
+  for (int i = 0; i < surface.uorder; ++i)
+    for (int j = 0; j < surface.vorder; ++j)
+      if (!(std::abs(surface.points[i * surface.ustride + j * surface.vstride]) <= most)) return false;
+  return surface.uorder > 0 && surface.vorder > 0;
+}
+
 bool must(const Problem& p, int range) {
   if (!p.u.must_applies() || !p.v.must_applies()) return false;
   const Rational growth = p.u.growth() * p.v.growth();
@@ -103,11 +124,11 @@ Rational acceptance_bound(const Surface& surface, const Argument& u, const Argum
 }
 
 bool must_applies(const Curve& curve, const Argument& u, int range) {
-  return must(problem(as_surface(curve), u, no_argument()), range);
+  return must_applies(as_surface(curve), u, no_argument(), range);
 }
 
 bool must_applies(const Surface& surface, const Argument& u, const Argument& v, int range) {
-  return must(problem(surface, u, v), range);
+  return plainly_must(surface, u, v, range) || must(problem(surface, u, v), range);
 }
 
 Rational quality_bound(int degree, const Rational& magnitude) {

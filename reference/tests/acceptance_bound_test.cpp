@@ -122,11 +122,15 @@ TEST(Acceptance, HoldsEverythingAboutAValue) {
   EXPECT_EQ(reference::acceptance(surface, u, u).quality_bound, acceptance.quality_bound);
 }
 
-// Returns must_applies() for a line over [u1, u2] with control values `first` and `last`.
+// Returns must_applies() for a line over [u1, u2] with control values `first` and `last`. acceptance(), which
+// decides all conditions in exact arithmetic, must agree.
 bool must_of_line(double u1, double u2, const Argument& u, double first = 1, double last = 1,
                   int range = kFullRange) {
   const double points[] = {first, last};
-  const bool of_curve = must_applies(Curve{points, 1, 2, u1, u2}, u, range);
+  const Curve curve{points, 1, 2, u1, u2};
+  const bool of_curve = must_applies(curve, u, range);
+  EXPECT_EQ(reference::acceptance(curve, u, range).must_applies, of_curve)
+      << u1 << ' ' << u2 << ' ' << u.first() << ' ' << u.last() << ' ' << first;
   // A surface that is the same line along v must give the same result.
   const Surface surface{points, 1, 1, 1, 2, 0, 1, u1, u2};
   EXPECT_EQ(must_applies(surface, Argument::coordinate(0), u, range), of_curve);
@@ -180,9 +184,24 @@ TEST(MustApplies, OnlyToInputsWithinSinglePrecision) {
   EXPECT_FALSE(constant(Argument::grid(0, 1, 0, 0x1p128)));
   EXPECT_FALSE(constant(Argument::grid(0, 1, -0x1p127, 0x1p127)));
   EXPECT_FALSE(constant(Argument::grid(16, 2, 0, 0x1p126)));
+  EXPECT_FALSE(constant(Argument::grid(-2, 1, 0, 0x1p127)));
   // The ends coincide in single precision (U-DOUBLE-CLOSE).
   EXPECT_FALSE(must_of_line(1, 1 + 0x1p-40, Argument::coordinate(1)));
   EXPECT_TRUE(must_of_line(1, 1 + 0x1p-23, Argument::coordinate(1)));
+}
+
+TEST(MustApplies, ByTheExactConditions) {
+  const double values[] = {0, -0.0, 1, 1 + 0x1p-40, -2, 0x1p-60, 0x1p-127, 0x1p40, 0x1p61, -0x1p127};
+  for (const double u1 : values)
+    for (const double u2 : values) {
+      if (u1 == u2) continue;
+      for (const double a : values)
+        for (const double control : {1.0, 0x1p32, 0x1.8p32}) {
+          must_of_line(u1, u2, Argument::coordinate(a), control, -1);
+          for (const std::int64_t i : {-1, 0, 2, 3, 4})
+            must_of_line(u1, u2, Argument::grid(i, 3, a, u2), 1, control);
+        }
+    }
 }
 
 TEST(QuotientBound, CoversTheWorstQuotient) {
@@ -207,6 +226,10 @@ TEST(Acceptance, RefusesWhatHasNoValue) {
   const double one = 1;
   EXPECT_THROW(must_applies(Curve{&one, 1, 1, 2, 2}, Argument::coordinate(0)), std::domain_error);
   EXPECT_THROW(acceptance(Curve{&one, 1, 1, 0, 1}, Argument::coordinate(nan)), std::domain_error);
+  EXPECT_THROW(must_applies(Curve{&nan, 1, 1, 0, 1}, Argument::coordinate(0)), std::domain_error);
+  EXPECT_THROW(must_applies(Curve{&one, 1, 1, 0, 1}, Argument::coordinate(nan)), std::domain_error);
+  EXPECT_THROW(must_applies(Curve{&one, 1, 1, 0, 1}, Argument::grid(0, 1, 0, nan)), std::domain_error);
+  EXPECT_THROW(must_applies(Curve{&one, 1, 0, 0, 1}, Argument::coordinate(0)), std::invalid_argument);
   EXPECT_THROW(acceptance(Curve{&one, 1, 0, 0, 1}, Argument::coordinate(0)), std::invalid_argument);
 }
 
