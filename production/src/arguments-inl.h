@@ -32,8 +32,10 @@ struct Place {
   HWY_INLINE Vector t_of(Vector u) const { return divide_by_width(hn::Sub(u, u1)); }
   HWY_INLINE Vector s_of(Vector u) const { return divide_by_width(hn::Sub(u2, u)); }
 
-  // Returns t - s. Requires has_inverse; the inverse is a power of two, so the result is rounded only once.
-  HWY_INLINE Vector x_of(Vector u) const { return hn::MulSub(u, scale, middle); }
+  // Returns t - s. An inverse is a power of two, so with it the result is rounded only once.
+  HWY_INLINE Vector x_of(Vector u) const {
+    return has_inverse ? hn::MulSub(u, scale, middle) : hn::Sub(t_of(u), s_of(u));
+  }
 
   // Returns the number of roundings of t and s.
   int roundings() const { return has_inverse ? 1 : 3; }
@@ -42,16 +44,38 @@ struct Place {
   bool has_inverse;  // the inverse of the width is exact
 };
 
-// Loads kStep arguments from `begin` on. If `count` < kStep, the last argument is repeated.
-HWY_INLINE void fetch(const Input& input, std::size_t begin, std::size_t count, double* arguments) {
-  if (!input.is_double && input.stride == sizeof(float) && count == kStep) {
-    const auto* floats = reinterpret_cast<const float*>(input.data) + begin;
-    for (std::size_t i = 0; i < kStep; i += kLanes)
-      hn::Store(hn::PromoteTo(kDoubles, hn::LoadU(kHalves, floats + i)), kDoubles, arguments + i);
-    return;
+// The `count` arguments of a call in one direction.
+class Arguments {
+ public:
+  Arguments(const Input& input, std::size_t count)
+      : input_(input), count_(count), is_packed_(!input.is_double && input.stride == sizeof(float)) {}
+
+  // Loads kStep arguments from `begin` on. After the end, the last one is repeated.
+  HWY_INLINE void load(std::size_t begin, Vector (&arguments)[kUnroll]) const {
+    if (HWY_LIKELY(is_packed_ && begin + kStep <= count_)) {
+      for (std::size_t part = 0; part < kUnroll; ++part) arguments[part] = packed(begin + part * kLanes);
+    } else {
+      for (std::size_t part = 0; part < kUnroll; ++part) arguments[part] = part_at(begin + part * kLanes);
+    }
   }
-  for (std::size_t i = 0; i < kStep; ++i) arguments[i] = input[begin + std::min(i, count - 1)];
-}
+
+ private:
+  HWY_INLINE Vector packed(std::size_t begin) const {
+    const auto* const floats = reinterpret_cast<const float*>(input_.data) + begin;
+    return hn::PromoteTo(kDoubles, hn::LoadU(kHalves, floats));
+  }
+  HWY_INLINE Vector part_at(std::size_t begin) const {
+    if (is_packed_ && begin + kLanes <= count_) return packed(begin);
+    if (begin >= count_) return hn::Set(kDoubles, input_[count_ - 1]);
+    alignas(64) double arguments[kLanes];
+    for (std::size_t i = 0; i < kLanes; ++i) arguments[i] = input_[std::min(begin + i, count_ - 1)];
+    return hn::Load(kDoubles, arguments);
+  }
+
+  Input input_;
+  std::size_t count_;
+  bool is_packed_;
+};
 
 // Returns t inside the domain, otherwise NaN.
 HWY_INLINE Vector nan_outside(Vector t, Vector s) {

@@ -17,8 +17,8 @@
 
 namespace {
 
-using glev::Attribute, glev::GridArgument, glev::kAttributes, glev::kCacheLine, glev::kOutputs,
-    glev::kFirstDerivative, glev::Output, glev::Outputs, glev::Stream;
+using glev::Attribute, glev::GridArgument, glev::kAttributes, glev::kCacheLine, glev::kFirstDerivative,
+    glev::Output, glev::Outputs, glev::Stream;
 
 // ---- Evaluation without kernels
 
@@ -94,10 +94,13 @@ void clear_last_component(const Output& output) {
 // Evaluates point by point. `v` is null for curves.
 void evaluate_points(const glev_plan& plan, const glev::PreparedMap& map, const glev::Input& u,
                      const glev::Input* v, std::size_t count, const glev::Destination& to) {
+  const bool is_vertex = &map == &plan.map(Attribute::kVertex);
+  const glev::EvaluatesDirectly direct = is_vertex ? plan.direct() : nullptr;
   for (std::size_t i = 0; i < count; ++i) {
     std::array<float, 4> values;
-    const GridArgument at_v = glev::argument_at(v == nullptr ? 0 : (*v)[i]);
-    plan.kernels().point(map, glev::argument_at(u[i]), at_v, values.data());
+    const double at_u = u[i], at_v = v == nullptr ? 0 : (*v)[i];
+    if (direct == nullptr || !direct(plan, at_u, at_v, values.data()))
+      plan.kernels().point(map, glev::argument_at(at_u), glev::argument_at(at_v), values.data());
     for (std::size_t k = static_cast<std::size_t>(map.surface.components); k < 4; ++k)
       values[k] = k == 3 ? 1 : 0;
     // One at a time, as they were written: to load several at once would have to wait for the stores.
@@ -113,9 +116,9 @@ template <class IsLeft, class U, class V, class Evaluate, class Normals, class D
 void evaluate_all(const glev_plan& plan, const Outputs& outputs, const IsLeft& is_left, const U& u,
                   const V& v, const Evaluate& evaluate, const Normals& normals, const Doubles& doubles) {
   const glev::DefaultEnvironment environment;
-  for (int o = 0; o < kOutputs; ++o) {
+  for (const unsigned o : outputs.wanted) {
     const Output& output = outputs[o];
-    if (!output.is_wanted || !is_left(output)) continue;
+    if (!is_left(output)) continue;
     const glev::Destination to = {output.data, output.stream.stride, output.stream.row_stride,
                                   output.components};
     const auto evaluate_map = [&](const glev::PreparedMap& map) {
@@ -126,7 +129,7 @@ void evaluate_all(const glev_plan& plan, const Outputs& outputs, const IsLeft& i
       }
     };
     if (o >= kFirstDerivative) {
-      const glev::Derivative& derivative = glev::kDerivatives[static_cast<std::size_t>(o - kFirstDerivative)];
+      const glev::Derivative& derivative = glev::kDerivatives[o - kFirstDerivative];
       if (const glev::DerivativeMap own(plan, derivative); own.map() != nullptr) {
         evaluate_map(*own.map());
         if (output.components == 4 && own.map()->surface.components < 4) clear_last_component(output);
@@ -135,12 +138,17 @@ void evaluate_all(const glev_plan& plan, const Outputs& outputs, const IsLeft& i
       } else {
         evaluate_derivative<float>(plan, derivative, output, u, v);
       }
-    } else if (o == static_cast<int>(Attribute::kNormal) && plan.automatic_normals()) {
+    } else if (o == static_cast<unsigned>(Attribute::kNormal) && plan.automatic_normals()) {
       if (output.is_double || !normals(to)) evaluate_normals(plan, output, u, v);
     } else {
       evaluate_map(plan.map(static_cast<Attribute>(o)));
     }
   }
+}
+
+// Returns a function that returns the number of components of an attribute of the plan.
+auto components_of(const glev_plan& plan) {
+  return [&plan](unsigned o) { return glevGetPlanComponents(&plan, static_cast<glev_attribute>(o)); };
 }
 
 // ---- Meshes
@@ -157,11 +165,13 @@ bool read_mesh(const glev_plan* plan, const glev_mesh* given, glev_mesh* mesh) {
   return plan->dimension() == 2 || (mesh->j1 == 0 && mesh->j2 == 0);
 }
 
-// Returns true if each normal directly follows its vertex, both as three floats.
-bool are_records(const glev_plan& plan, const Output& vertex, const Output& normal) {
-  const auto are_triples = [](const Output& output) {
-    return output.is_wanted && !output.is_double && output.components == 3;
-  };
+// Returns true if both are wanted, and each normal directly follows its vertex, both as three floats.
+bool are_records(const glev_plan& plan, const Outputs& outputs) {
+  constexpr auto kVertex = static_cast<unsigned>(Attribute::kVertex),
+                 kNormal = static_cast<unsigned>(Attribute::kNormal);
+  if (!outputs.wanted.contains(kVertex) || !outputs.wanted.contains(kNormal)) return false;
+  const Output &vertex = outputs[kVertex], &normal = outputs[kNormal];
+  const auto are_triples = [](const Output& output) { return !output.is_double && output.components == 3; };
   return are_triples(vertex) && are_triples(normal) && plan.components(Attribute::kVertex) == 3 &&
          normal.data == vertex.data + 3 * sizeof(float) && normal.stream.stride == vertex.stream.stride &&
          normal.stream.row_stride == vertex.stream.row_stride;
@@ -170,13 +180,6 @@ bool are_records(const glev_plan& plan, const Output& vertex, const Output& norm
 }  // namespace
 
 namespace glev {
-
-std::array<std::size_t, kOutputs> components_of(const glev_plan& plan) {
-  std::array<std::size_t, kOutputs> components;
-  for (std::size_t o = 0; o < components.size(); ++o)
-    components[o] = glevGetPlanComponents(&plan, static_cast<glev_attribute>(o));
-  return components;
-}
 
 std::size_t scratch_of(const glev_plan& plan, std::size_t columns) {
   std::size_t bytes = 0;
@@ -216,9 +219,9 @@ void evaluate_range(const glev_plan& plan, const MeshRange& range, bool fast, co
                     std::byte* scratch) {
   std::byte* const aligned = align(scratch);
   const auto normals = plan.kernels().normals;
-  const Output &vertex = outputs[static_cast<int>(Attribute::kVertex)],
-               &normal = outputs[static_cast<int>(Attribute::kNormal)];
-  const bool has_records = plan.automatic_normals() && are_records(plan, vertex, normal);
+  const Output &vertex = outputs[static_cast<unsigned>(Attribute::kVertex)],
+               &normal = outputs[static_cast<unsigned>(Attribute::kNormal)];
+  const bool has_records = plan.automatic_normals() && are_records(plan, outputs);
   if (has_records) {
     const DefaultEnvironment environment;
     normals(plan, range, {normal.data, normal.stream.stride, normal.stream.row_stride, 3}, true, aligned);
@@ -244,8 +247,10 @@ void evaluate_range(const glev_plan& plan, const MeshRange& range, bool fast, co
 }  // namespace glev
 
 glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
-  glev_batch batch;
-  if (plan == nullptr || !glev::read_struct(given, &batch)) return GLEV_ERROR_INVALID_ARGUMENT;
+  glev_batch room;
+  const glev_batch* const view = glev::view_struct(given, &room);
+  if (plan == nullptr || view == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
+  const glev_batch& batch = *view;
   if (batch.type != GLEV_FLOAT && batch.type != GLEV_DOUBLE) return GLEV_ERROR_INVALID_ARGUMENT;
   if (!glev::is_precision(batch.precision)) return GLEV_ERROR_INVALID_ARGUMENT;
   const bool has_v = plan->dimension() == 2, is_double = batch.type == GLEV_DOUBLE;
@@ -254,15 +259,17 @@ glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
   if (!has_v && (batch.v.data != nullptr || batch.v.data_size != 0 || batch.v.stride != 0))
     return GLEV_ERROR_INVALID_ARGUMENT;
   Outputs outputs;
-  const glev_result result = glev::read_outputs(glev::components_of(*plan), batch.outputs, batch.output_count,
-                                                {batch.count}, &outputs);
+  const glev_result result =
+      glev::read_outputs(components_of(*plan), batch.outputs, batch.output_count, {batch.count}, &outputs);
   if (result != GLEV_SUCCESS || batch.count == 0) return result;
 
   const auto stream_of = [&](const glev_input& input) {
     const std::size_t element = is_double ? sizeof(double) : sizeof(float);
     return Stream{static_cast<const std::byte*>(input.data), batch.count, 1, input.stride, 0, element, 1, 0};
   };
-  std::array<Stream, 2> inputs = {stream_of(batch.u)};
+  std::array<Stream, 2> inputs;
+  inputs[0] = stream_of(batch.u);
+  inputs[1].columns = 0;
   if (!inputs[0].fits_into(batch.u.data_size)) return GLEV_ERROR_BUFFER_TOO_SMALL;
   if (has_v) {
     inputs[1] = stream_of(batch.v);
@@ -290,7 +297,7 @@ glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
   const std::size_t columns = count_of(mesh.i1, mesh.i2), rows = count_of(mesh.j1, mesh.j2);
   if (mesh.scratch == nullptr && mesh.scratch_size != 0) return GLEV_ERROR_INVALID_ARGUMENT;
   Outputs outputs;
-  const glev_result result = glev::read_outputs(glev::components_of(*plan), mesh.outputs, mesh.output_count,
+  const glev_result result = glev::read_outputs(components_of(*plan), mesh.outputs, mesh.output_count,
                                                 {columns, rows, 1, has_rows}, &outputs);
   if (result != GLEV_SUCCESS || columns == 0 || rows == 0) return result;
 

@@ -11,9 +11,6 @@
 
 namespace glev {
 
-// Returns the number of components of each attribute of a plan.
-std::array<std::size_t, kOutputs> components_of(const glev_plan& plan);
-
 // Returns the bytes of scratch memory, of any alignment, that a mesh of `columns` columns needs.
 std::size_t scratch_of(const glev_plan& plan, std::size_t columns);
 

@@ -35,22 +35,12 @@ void evaluate_low_curves(const PreparedMap& map, const Input& input, std::size_t
   const double* const centred = map.centred;
   const Writer<kComponents> writer(map.centred_test, to, to.data);
   const Vector one = hn::Set(kDoubles, 1), nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
-  const bool is_packed = !input.is_double && input.stride == sizeof(float) && place.has_inverse;
+  const Arguments arguments(input, count);
   for (std::size_t begin = 0; begin < count; begin += kStep) {
     const std::size_t part_count = std::min(kStep, count - begin);
     Vector x[kUnroll];
-    if (HWY_LIKELY(is_packed && part_count == kStep)) {
-      const auto* const floats = reinterpret_cast<const float*>(input.data) + begin;
-      for (std::size_t part = 0; part < kUnroll; ++part)
-        x[part] = place.x_of(hn::PromoteTo(kDoubles, hn::LoadU(kHalves, floats + part * kLanes)));
-    } else {
-      alignas(64) double arguments[kStep];
-      fetch(input, begin, part_count, arguments);
-      for (std::size_t part = 0; part < kUnroll; ++part) {
-        const Vector u = hn::Load(kDoubles, arguments + part * kLanes);
-        x[part] = hn::Sub(place.t_of(u), place.s_of(u));
-      }
-    }
+    arguments.load(begin, x);
+    for (std::size_t part = 0; part < kUnroll; ++part) x[part] = place.x_of(x[part]);
     Vector farthest = hn::Abs(x[0]);
     for (std::size_t part = 1; part < kUnroll; ++part) farthest = hn::Max(farthest, hn::Abs(x[part]));
     if (HWY_UNLIKELY(!hn::AllTrue(kDoubles, hn::Le(farthest, one)))) {
@@ -83,15 +73,14 @@ void evaluate_high_curves(const PreparedMap& map, const Input& input, std::size_
   // If s >= least, s^degree and (t/s)^degree are between 2^-800 and 2^800.
   const Vector least = hn::Set(kDoubles, std::exp2(-800.0 / degree));
   const Vector nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
+  const Arguments arguments(input, count);
   for (std::size_t begin = 0; begin < count; begin += kStep) {
     const std::size_t part_count = std::min(kStep, count - begin);
-    alignas(64) double arguments[kStep];
-    fetch(input, begin, part_count, arguments);
-    Vector value[kUnroll][kComponents], ratio[kUnroll], power[kUnroll];
+    Vector u[kUnroll], value[kUnroll][kComponents], ratio[kUnroll], power[kUnroll];
+    arguments.load(begin, u);
     const double* point = points + degree * kComponents;
     for (std::size_t part = 0; part < kUnroll; ++part) {
-      const Vector u = hn::Load(kDoubles, arguments + part * kLanes);
-      const Vector s = place.s_of(u), t = nan_outside(place.t_of(u), s);
+      const Vector s = place.s_of(u[part]), t = nan_outside(place.t_of(u[part]), s);
       ratio[part] = hn::Div(t, hn::IfThenElse(hn::Ge(s, least), s, nan));
       power[part] = raise_to_power(s, degree);
       for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Set(kDoubles, point[k]);

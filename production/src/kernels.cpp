@@ -41,8 +41,8 @@ void evaluate_mesh_of(const PreparedMap& map, const MeshRange& range, bool fast,
 }
 
 void evaluate_curve(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to) {
-  constexpr decltype(&evaluate_curves<1>) kOf[] = {evaluate_curves<1>, evaluate_curves<2>, evaluate_curves<3>,
-                                                   evaluate_curves<4>};
+  static constexpr decltype(&evaluate_curves<1>) kOf[] = {evaluate_curves<1>, evaluate_curves<2>,
+                                                          evaluate_curves<3>, evaluate_curves<4>};
   kOf[map.surface.components - 1](map, u, count, to);
 }
 
@@ -101,17 +101,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace glev {
-
-double Input::operator[](std::size_t i) const {
-  if (is_double) {
-    double argument;
-    std::memcpy(&argument, data + i * stride, sizeof argument);
-    return argument;
-  }
-  float argument;
-  std::memcpy(&argument, data + i * stride, sizeof argument);
-  return argument;
-}
 
 std::size_t mesh_scratch(int degree, std::size_t columns) {
   constexpr std::size_t kWidest = 64;  // a multiple of the step of every instruction set

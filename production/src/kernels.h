@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 #include <glevaluator.h>
 
@@ -18,7 +19,16 @@ struct Input {
   std::size_t stride;
   bool is_double;
 
-  double operator[](std::size_t i) const;
+  double operator[](std::size_t i) const {
+    if (is_double) {
+      double argument;
+      std::memcpy(&argument, data + i * stride, sizeof argument);
+      return argument;
+    }
+    float argument;
+    std::memcpy(&argument, data + i * stride, sizeof argument);
+    return argument;
+  }
 };
 
 // An array of results: element i is `components` floats at data + i * stride bytes; in meshes of two

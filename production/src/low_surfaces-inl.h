@@ -28,26 +28,31 @@ void evaluate_bicubic_surfaces(const PreparedMap& map, const Input& input_u, con
   const double* const centred = map.centred;
   const Writer<kComponents> writer(map.centred_test, to, to.data);
   const Vector one = hn::Set(kDoubles, 1), nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
+  const Arguments arguments_u(input_u, count), arguments_v(input_v, count);
   for (std::size_t begin = 0; begin < count; begin += kStep) {
     const std::size_t part_count = std::min(kStep, count - begin);
-    alignas(64) double arguments_u[kStep], arguments_v[kStep];
-    fetch(input_u, begin, part_count, arguments_u);
-    fetch(input_v, begin, part_count, arguments_v);
-    Vector value[kUnroll][kComponents];
+    Vector x[kUnroll], y[kUnroll], value[kUnroll][kComponents];
+    arguments_u.load(begin, x);
+    arguments_v.load(begin, y);
     for (std::size_t part = 0; part < kUnroll; ++part) {
-      const auto place_of = [&](const Place& place, const double* arguments) HWY_ATTR {
-        const Vector u = hn::Load(kDoubles, arguments + part * kLanes);
-        const Vector x = place.has_inverse ? place.x_of(u) : hn::Sub(place.t_of(u), place.s_of(u));
-        return hn::IfThenElse(hn::Le(hn::Abs(x), one), x, nan);
+      const auto place_of = [&](const Place& place, Vector argument) HWY_ATTR {
+        const Vector at = place.x_of(argument);
+        return hn::IfThenElse(hn::Le(hn::Abs(at), one), at, nan);
       };
-      const Vector x = place_of(place_u, arguments_u), y = place_of(place_v, arguments_v);
-      for (int k = 0; k < kComponents; ++k) {
-        for (int j = kDegree; j >= 0; --j) {
-          const double* const row = centred + kRow * j + k;
-          Vector sum = hn::Set(kDoubles, row[4 * kDegree]);
-          for (int i = kDegree - 1; i >= 0; --i) sum = hn::MulAdd(sum, x, hn::Set(kDoubles, row[4 * i]));
-          value[part][k] = j == kDegree ? sum : hn::MulAdd(value[part][k], y, sum);
+      x[part] = place_of(place_u, x[part]);
+      y[part] = place_of(place_v, y[part]);
+    }
+    for (int k = 0; k < kComponents; ++k) {
+      for (int j = kDegree; j >= 0; --j) {
+        const double* const row = centred + kRow * j + k;
+        Vector sum[kUnroll];
+        for (int i = kDegree; i >= 0; --i) {
+          const Vector next = hn::Set(kDoubles, row[4 * i]);
+          for (std::size_t part = 0; part < kUnroll; ++part)
+            sum[part] = i == kDegree ? next : hn::MulAdd(sum[part], x[part], next);
         }
+        for (std::size_t part = 0; part < kUnroll; ++part)
+          value[part][k] = j == kDegree ? sum[part] : hn::MulAdd(value[part][k], y[part], sum[part]);
       }
     }
     writer.write(writer.round(value), begin, part_count, [&](std::size_t i, int k) {
@@ -76,13 +81,12 @@ struct FastPlace {
       const Whole u = hn::LoadU(kWhole, reinterpret_cast<const float*>(input.data) + begin);
       s = hn::Mul(hn::Sub(last, u), inverse), t = hn::Mul(hn::Sub(u, first), inverse);
     } else {
-      alignas(64) double arguments[kStep];
-      fetch(input, begin, count, arguments);
+      Vector u[kUnroll];
+      Arguments(input, begin + count).load(begin, u);
       Half parts_s[kUnroll], parts_t[kUnroll];
       for (std::size_t part = 0; part < kUnroll; ++part) {
-        const Vector u = hn::Load(kDoubles, arguments + part * kLanes);
-        parts_s[part] = hn::DemoteTo(kHalves, place.s_of(u));
-        parts_t[part] = hn::DemoteTo(kHalves, place.t_of(u));
+        parts_s[part] = hn::DemoteTo(kHalves, place.s_of(u[part]));
+        parts_t[part] = hn::DemoteTo(kHalves, place.t_of(u[part]));
       }
       s = join(parts_s), t = join(parts_t);
     }

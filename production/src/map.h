@@ -1,6 +1,7 @@
 // The specification of one map, which Map1 and Map2 set and GetMap returns.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -17,6 +18,22 @@ struct MapDirection {
   glev_int order = 1;
 };
 
+// Copies control points of any strides; see copy_points().
+template <int kComponents, class Real>
+void copy_spread_points(const MapDirection& u, const MapDirection& v, const Real* points, double* out) {
+  // Adjacent values of i together, because they share cache lines if the stride of v is the larger one.
+  constexpr std::ptrdiff_t kTogether = 4;
+  for (std::ptrdiff_t first = 0; first < u.order; first += kTogether) {
+    const std::ptrdiff_t end = std::min<std::ptrdiff_t>(first + kTogether, u.order);
+    for (std::ptrdiff_t j = 0; j < v.order; ++j) {
+      for (std::ptrdiff_t i = first; i < end; ++i) {
+        const Real* const point = points + i * u.stride + j * v.stride;
+        for (int k = 0; k < kComponents; ++k) out[(i * v.order + j) * kComponents + k] = point[k];
+      }
+    }
+  }
+}
+
 // Copies the control points without padding, v fastest. Point (i, j) begins i * u.stride + j * v.stride
 // values after `points`. Floats become doubles of the same value.
 template <class Real>
@@ -27,11 +44,9 @@ void copy_points(int components, const MapDirection& u, const MapDirection& v, c
     for (std::ptrdiff_t k = 0; k < count; ++k) out[k] = points[k];
     return;
   }
-  for (std::ptrdiff_t i = 0; i < u.order; ++i) {
-    for (std::ptrdiff_t j = 0; j < v.order; ++j) {
-      for (int k = 0; k < components; ++k) *out++ = points[i * u.stride + j * v.stride + k];
-    }
-  }
+  static constexpr std::array kOf = {copy_spread_points<1, Real>, copy_spread_points<2, Real>,
+                                     copy_spread_points<3, Real>, copy_spread_points<4, Real>};
+  kOf[static_cast<std::size_t>(components - 1)](u, v, points, out);
 }
 
 class Map {

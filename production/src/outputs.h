@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -23,13 +24,13 @@ struct Stream {
     const std::size_t room = std::min<std::size_t>(bytes, UINTPTR_MAX - first_byte());
     if (element > room) return false;
     std::size_t left = room - element;
-    for (const auto [count, step] :
-         {Level{columns, stride}, Level{rows, row_stride}, Level{patches, patch_stride}}) {
+    const auto take = [&left](std::size_t count, std::size_t step) {
       std::size_t distance;
       if (__builtin_mul_overflow(count - 1, step, &distance) || distance > left) return false;
       left -= distance;
-    }
-    return true;
+      return true;
+    };
+    return take(columns, stride) && take(rows, row_stride) && take(patches, patch_stride);
   }
   // The functions below require fits_into(), after which nothing overflows.
   std::uintptr_t first_byte() const { return reinterpret_cast<std::uintptr_t>(begin); }
@@ -37,11 +38,6 @@ struct Stream {
   std::uintptr_t past_last_byte() const {
     return first_byte() + (patches - 1) * patch_stride + bytes_of_patch();
   }
-
- private:
-  struct Level {
-    std::size_t count, step;
-  };
 };
 
 // Returns true if two rows share bytes. They have the strides and columns of `first` and are `offset` bytes
@@ -91,10 +87,8 @@ inline Stream claim(void* memory, std::size_t bytes) {
 constexpr int kFirstDerivative = kAttributes, kOutputs = kAttributes + 5;
 static_assert(kFirstDerivative == GLEV_ATTRIBUTE_TANGENT_U && kOutputs == GLEV_ATTRIBUTE_SECOND_VV + 1);
 
-// If it is not wanted, the other members have no values, because small batches would spend much of their time
-// there.
 struct Output {
-  bool is_wanted = false, is_double;
+  bool is_double;
   int components;
   std::byte* data;
   std::size_t bytes;
@@ -105,14 +99,12 @@ struct Output {
   }
   // Return the elements of one patch, or of one row of a patch.
   Output patch(std::size_t number) const {
-    if (!is_wanted) return {};
     Output part = *this;
     part.data += number * stream.patch_stride;
     part.stream.patches = 1;
     return part;
   }
   Output row(std::size_t number) const {
-    if (!is_wanted) return {};
     Output part = *this;
     part.data += number * stream.row_stride;
     part.stream.rows = 1;
@@ -120,7 +112,6 @@ struct Output {
   }
   // Returns `columns` * `rows` consecutive elements of a single row as a mesh.
   Output mesh(std::size_t first, std::size_t columns, std::size_t rows) const {
-    if (!is_wanted) return {};
     Output part = this->columns(first, columns);
     part.stream.rows = rows;
     part.stream.row_stride = columns * stream.stride;
@@ -128,7 +119,6 @@ struct Output {
   }
   // Returns `count` elements of a single row.
   Output columns(std::size_t first, std::size_t count) const {
-    if (!is_wanted) return {};
     Output part = *this;
     part.data += first * stream.stride;
     part.stream.columns = count;
@@ -136,7 +126,42 @@ struct Output {
   }
 };
 
-using Outputs = std::array<Output, kOutputs>;
+// A set of attributes, in ascending order.
+class AttributeSet {
+ public:
+  class Iterator {
+   public:
+    explicit Iterator(unsigned left) : left_(left) {}
+    unsigned operator*() const { return static_cast<unsigned>(std::countr_zero(left_)); }
+    Iterator& operator++() {
+      left_ &= left_ - 1;
+      return *this;
+    }
+    bool operator==(const Iterator&) const = default;
+
+   private:
+    unsigned left_;
+  };
+
+  void insert(unsigned attribute) { bits_ |= 1U << attribute; }
+  bool contains(unsigned attribute) const { return (bits_ >> attribute & 1) != 0; }
+  bool is_only(unsigned attribute) const { return bits_ == 1U << attribute; }
+  bool has_derivatives() const { return bits_ >> kFirstDerivative != 0; }
+  Iterator begin() const { return Iterator(bits_); }
+  Iterator end() const { return Iterator(0); }
+
+ private:
+  unsigned bits_ = 0;
+};
+
+// The outputs of all attributes. Those that are not wanted have no values, because small batches would spend
+// much of their time there.
+struct Outputs {
+  AttributeSet wanted;
+  std::array<Output, kOutputs> all;
+
+  const Output& operator[](unsigned attribute) const { return all[attribute]; }
+};
 
 // The numbers of elements of outputs.
 struct Shape {
@@ -148,8 +173,10 @@ struct Shape {
 
 inline glev_result read_output(const glev_output* given, const Shape& shape, std::size_t map_components,
                                std::size_t most_components, Output* output) {
-  glev_output copy;
-  if (!read_struct(given, &copy)) return GLEV_ERROR_INVALID_ARGUMENT;
+  glev_output room;
+  const glev_output* const view = view_struct(given, &room);
+  if (view == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
+  const glev_output& copy = *view;
   if (map_components == 0) return GLEV_ERROR_NO_MAP;
   if (copy.components < map_components || copy.components > most_components)
     return GLEV_ERROR_INVALID_ARGUMENT;
@@ -173,7 +200,7 @@ inline glev_result read_output(const glev_output* given, const Shape& shape, std
     stream.patch_stride = copy.patch_stride != 0 ? copy.patch_stride : shape.rows * stream.row_stride;
     if (stream.patch_stride < stream.bytes_of_patch()) return GLEV_ERROR_INVALID_ARGUMENT;
   }
-  *output = {true, is_double, static_cast<int>(copy.components), data, copy.data_size, stream};
+  *output = {is_double, static_cast<int>(copy.components), data, copy.data_size, stream};
   return GLEV_SUCCESS;
 }
 
@@ -191,20 +218,21 @@ inline bool is_precision(const glev_precision& precision) {
   return number_of(precision) == GLEV_CORRECTLY_ROUNDED || number_of(precision) == GLEV_FAST;
 }
 
-// Reads and checks outputs, except for memory. `map_components`: number of components of each attribute, 0 if
-// there is no map.
-inline glev_result read_outputs(const std::array<std::size_t, kOutputs>& map_components,
-                                const glev_attribute_output* given, std::size_t count, const Shape& shape,
-                                Outputs* outputs) {
+// Reads and checks outputs, except for memory. components_of(o) returns the number of components of attribute
+// `o`, 0 if there is no map.
+template <class ComponentsOf>
+glev_result read_outputs(const ComponentsOf& components_of, const glev_attribute_output* given,
+                         std::size_t count, const Shape& shape, Outputs* outputs) {
   if (given == nullptr && count != 0) return GLEV_ERROR_INVALID_ARGUMENT;
   for (std::size_t i = 0; i < count; ++i) {
     const unsigned o = number_of(given[i].attribute);
     // Attributes must not repeat, so at most kOutputs are accepted.
-    if (o >= kOutputs || (*outputs)[o].is_wanted) return GLEV_ERROR_INVALID_ARGUMENT;
+    if (o >= kOutputs || outputs->wanted.contains(o)) return GLEV_ERROR_INVALID_ARGUMENT;
     const bool is_normal = o == static_cast<unsigned>(Attribute::kNormal);
     const glev_result result =
-        read_output(given[i].output, shape, map_components[o], is_normal ? 3 : 4, &(*outputs)[o]);
+        read_output(given[i].output, shape, components_of(o), is_normal ? 3 : 4, &outputs->all[o]);
     if (result != GLEV_SUCCESS) return result;
+    outputs->wanted.insert(o);
   }
   return GLEV_SUCCESS;
 }
@@ -213,17 +241,15 @@ inline glev_result read_outputs(const std::array<std::size_t, kOutputs>& map_com
 // or written.
 template <std::size_t kOthers>
 glev_result check_memory(const Outputs& outputs, const std::array<Stream, kOthers>& others) {
-  for (const Output& output : outputs) {
-    if (output.is_wanted && !output.stream.fits_into(output.bytes)) return GLEV_ERROR_BUFFER_TOO_SMALL;
+  for (const unsigned o : outputs.wanted) {
+    if (!outputs[o].stream.fits_into(outputs[o].bytes)) return GLEV_ERROR_BUFFER_TOO_SMALL;
   }
-  for (int a = 0; a < kOutputs; ++a) {
-    if (!outputs[a].is_wanted) continue;
+  for (const unsigned a : outputs.wanted) {
     for (const Stream& other : others) {
       if (other.columns != 0 && share_bytes(other, outputs[a].stream)) return GLEV_ERROR_OVERLAP;
     }
-    for (int b = 0; b < a; ++b) {
-      if (outputs[b].is_wanted && share_bytes(outputs[b].stream, outputs[a].stream))
-        return GLEV_ERROR_OVERLAP;
+    for (const unsigned b : outputs.wanted) {
+      if (b < a && share_bytes(outputs[b].stream, outputs[a].stream)) return GLEV_ERROR_OVERLAP;
     }
   }
   return GLEV_SUCCESS;

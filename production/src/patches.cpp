@@ -24,7 +24,8 @@ using glev::Attribute, glev::kAttributes, glev::Output, glev::Outputs, glev::Str
 // Plans in scratch memory are not destroyed.
 static_assert(std::is_trivially_destructible_v<glev_plan>);
 
-constexpr int kVertex = static_cast<int>(Attribute::kVertex), kNormal = static_cast<int>(Attribute::kNormal);
+constexpr auto kVertex = static_cast<unsigned>(Attribute::kVertex),
+               kNormal = static_cast<unsigned>(Attribute::kNormal);
 
 // ---- Control points
 
@@ -207,12 +208,9 @@ glev_result locate_inputs(const glev_patches& patches, const glev_patch_grid& gr
 
 // ---- Evaluation
 
-std::array<std::size_t, glev::kOutputs> components_of(const glev_patches& patches) {
-  std::array<std::size_t, glev::kOutputs> components{};
-  components[kVertex] = patches.components;
-  for (int o = glev::kFirstDerivative; o < glev::kOutputs; ++o) components[o] = patches.components;
-  components[kNormal] = patches.components >= 3 ? 3 : 0;
-  return components;
+std::size_t components_of(const glev_patches& patches, unsigned attribute) {
+  if (attribute == kNormal) return patches.components >= 3 ? 3 : 0;
+  return attribute == kVertex || attribute >= glev::kFirstDerivative ? patches.components : 0;
 }
 
 // Makes plans of patches, one at a time, in memory of the caller.
@@ -280,10 +278,8 @@ class SideBySide {
              const glev::MeshRange& range, const glev::Kernels* kernels, const Outputs& outputs,
              std::byte* memory)
       : patches_(patches), inputs_(inputs), kernels_(kernels), vertex_(outputs[kVertex]) {
-    if (has_edges(grid) || !has_low_degree(patches) || !vertex_.is_wanted || vertex_.is_double) return;
-    for (int o = 0; o < glev::kOutputs; ++o) {
-      if (o != kVertex && outputs[o].is_wanted) return;
-    }
+    if (has_edges(grid) || !has_low_degree(patches)) return;
+    if (!outputs.wanted.is_only(kVertex) || vertex_.is_double) return;
     if (range.columns > kMostPoints / range.rows || !has_ordinary_domain(patches)) return;
     // With GLEV_FAST, larger meshes must have the bits of the fast kernels.
     const bool is_fast = grid.precision == GLEV_FAST && grid.kind == GLEV_GRID_UNIFORM;
@@ -390,16 +386,18 @@ std::size_t scratch_for(const glev_patches& patches, const glev_patch_grid& grid
 template <class Part>
 Outputs parts_of(const Outputs& outputs, const Part& part) {
   Outputs parts;
-  for (std::size_t o = 0; o < parts.size(); ++o) parts[o] = part(outputs[o]);
+  parts.wanted = outputs.wanted;
+  for (const unsigned o : outputs.wanted) parts.all[o] = part(outputs[o]);
   return parts;
 }
 
 // Replaces normals on edges that are a single point by their limits. u(i) and v(i, j) return the arguments.
 template <class U, class V>
 void write_limit_normals(const glev_patches& patches, const glev_patch_grid& grid, const PatchPlans& plans,
-                         const Output& normal, std::size_t columns, std::size_t rows, const U& u,
+                         const Outputs& outputs, std::size_t columns, std::size_t rows, const U& u,
                          const V& v) {
-  if (grid.limit_normals == GLEV_FALSE || !normal.is_wanted) return;
+  if (grid.limit_normals == GLEV_FALSE || !outputs.wanted.contains(kNormal)) return;
+  const Output& normal = outputs[kNormal];
   const glev::LimitNormals limits(plans.net(), static_cast<int>(patches.components), order_of(patches),
                                   domain_of(patches));
   if (!limits.has_edges()) return;
@@ -420,8 +418,7 @@ void evaluate_mesh(const glev_patches& patches, const glev_patch_grid& grid, con
                    const PatchPlans& plans, const glev::MeshRange& range, const Outputs& outputs) {
   glev::evaluate_range(plan, range, grid.precision == GLEV_FAST, outputs, plans.scratch());
   write_limit_normals(
-      patches, grid, plans, outputs[kNormal], range.columns, range.rows,
-      [&](std::size_t i) { return range.u_of(i); },
+      patches, grid, plans, outputs, range.columns, range.rows, [&](std::size_t i) { return range.u_of(i); },
       [&](std::size_t, std::size_t j) { return range.v_of(j); });
 }
 
@@ -469,7 +466,7 @@ void evaluate_grids(const glev_patches& patches, const glev_patch_grid& grid, co
                                  parts_of(own, [&](const Output& output) { return output.row(j); }));
       }
       write_limit_normals(
-          patches, grid, plans, own[kNormal], shape.columns, shape.rows,
+          patches, grid, plans, own, shape.columns, shape.rows,
           [&](std::size_t i) { return glev::argument_at(u[i]); },
           [&](std::size_t, std::size_t j) { return glev::argument_at(all_v[j]); });
     }
@@ -489,8 +486,7 @@ void evaluate_scattered(const glev_patches& patches, const glev_patch_grid& grid
         parts_of(outputs, [&](const Output& output) { return output.columns(begin, end - begin); });
     glev::evaluate_arguments(plan, u, patches.vorder > 1 ? &v : nullptr, end - begin, false, own);
     write_limit_normals(
-        patches, grid, plans, own[kNormal], end - begin, 1,
-        [&](std::size_t i) { return glev::argument_at(u[i]); },
+        patches, grid, plans, own, end - begin, 1, [&](std::size_t i) { return glev::argument_at(u[i]); },
         [&](std::size_t i, std::size_t) { return glev::argument_at(v[i]); });
   }
 }
@@ -516,8 +512,8 @@ glev_result glevEvaluatePatches(const glev_patches* given_patches, const glev_pa
   if (scratch == nullptr && scratch_size != 0) return GLEV_ERROR_INVALID_ARGUMENT;
   const glev::Shape shape = shape_of(patches, grid);
   Outputs outputs;
-  glev_result result =
-      glev::read_outputs(components_of(patches), given_outputs, output_count, shape, &outputs);
+  glev_result result = glev::read_outputs([&](unsigned o) { return components_of(patches, o); },
+                                          given_outputs, output_count, shape, &outputs);
   if (result != GLEV_SUCCESS || shape.is_empty()) return result;
 
   Inputs inputs;
@@ -530,9 +526,7 @@ glev_result glevEvaluatePatches(const glev_patches* given_patches, const glev_pa
   if (result != GLEV_SUCCESS) return result;
 
   const glev::DefaultEnvironment environment;
-  const bool has_derivatives = std::any_of(outputs.begin() + glev::kFirstDerivative, outputs.end(),
-                                           [](const Output& output) { return output.is_wanted; });
-  PatchPlans plans(patches, outputs[kNormal].is_wanted, has_derivatives, kernels);
+  PatchPlans plans(patches, outputs.wanted.contains(kNormal), outputs.wanted.has_derivatives(), kernels);
   // The aligned memory of SideBySide is first, followed by the plan with its scratch memory.
   std::byte* const memory = glev::align(static_cast<std::byte*>(scratch));
   plans.use(memory + glev::round_up(SideBySide::bytes_for(patches, grid)));

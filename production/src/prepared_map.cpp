@@ -47,20 +47,22 @@ double invert_width(const Domain& domain) {
   return is_power && width.low == 0 && std::abs(exponent_of(width.high)) < 500 ? 1 / width.high : 0;
 }
 
-// Computes the largest magnitude of each component. NaN counts as infinite.
+// Copies the values of component k to separated + k * count, and computes their largest magnitude. NaN counts
+// as infinite.
 template <int kComponents>
-void find_largest(const double* points, std::ptrdiff_t count, PreparedMap& map) {
+void separate(const double* points, std::ptrdiff_t count, double* separated, PreparedMap& map) {
   // Magnitudes are ordered as their bits are.
   std::array<std::uint64_t, kComponents> largest{}, second{};
-  const auto take = [](std::uint64_t& largest_of, double point) {
-    largest_of = std::max(largest_of, std::bit_cast<std::uint64_t>(point) & ~kSign);
+  const auto take = [&](std::uint64_t& largest_of, std::ptrdiff_t i, std::size_t k) {
+    const double value = separated[static_cast<std::ptrdiff_t>(k) * count + i] =
+        points[i * kComponents + static_cast<std::ptrdiff_t>(k)];
+    largest_of = std::max(largest_of, std::bit_cast<std::uint64_t>(value) & ~kSign);
   };
-  for (std::ptrdiff_t i = 1; i < count; i += 2, points += 2 * kComponents) {
-    for (std::size_t k = 0; k < kComponents; ++k)
-      take(largest[k], points[k]), take(second[k], points[kComponents + k]);
+  for (std::ptrdiff_t i = 1; i < count; i += 2) {
+    for (std::size_t k = 0; k < kComponents; ++k) take(largest[k], i - 1, k), take(second[k], i, k);
   }
   for (std::size_t k = 0; k < kComponents; ++k) {
-    if (count % 2 != 0) take(largest[k], points[k]);
+    if (count % 2 != 0) take(largest[k], count - 1, k);
     map.component[k].largest = std::bit_cast<double>(std::min(std::max(largest[k], second[k]), kInfinity));
   }
 }
@@ -123,14 +125,15 @@ void centre(const double* points, std::array<int, 2> order, int components, doub
 
 // Returns true if centre() does not round: the points are below 2^e and multiples of 2^(e-45), and the
 // coefficients have at most 6 more low bits and 2 more high bits.
-bool is_centred_exactly(const double* points, std::ptrdiff_t count, int components, double largest) {
+bool is_centred_exactly(const double* points, std::ptrdiff_t count, double largest) {
   const double scale = power_of_two(45 - exponent_of(largest));
+  bool rounds = false;  // without an early exit, which would prevent vectors
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     constexpr double kWhole = 0x1.8p52;
-    const double point = points[i * components] * scale, whole = point + kWhole;
-    if (whole - kWhole != point) return false;
+    const double point = points[i] * scale, whole = point + kWhole;
+    rounds |= whole - kWhole != point;
   }
-  return true;
+  return !rounds;
 }
 
 // Returns the error of a test, for values in double.
@@ -145,15 +148,15 @@ double error_bound(const PreparedComponent& component, double units, double grow
   return is_safe && error >= 0x1p-145 ? error : HUGE_VAL;
 }
 
-// Computes the test and the bits of one component.
-void bound_centred(PreparedMap& map, const double* points, std::ptrdiff_t count, int k) {
+// Computes the test and the bits of one component with the control points `points`. `sum`: the sum of the
+// magnitudes of its coefficients.
+void bound_centred(PreparedMap& map, const double* points, std::ptrdiff_t count, double sum, int k) {
   const auto [n, m] = map.surface.degree;
   const PreparedComponent& component = map.component[k];
-  double sum = 0, units = 0;
+  double units = 0;
   map.centred_bits[k] = kManyBits;
   if (std::isfinite(component.unit)) {
-    for (std::ptrdiff_t i = 0; i < count; ++i) sum += std::fabs(map.centred[4 * i + k]);
-    const bool is_exact = is_centred_exactly(points + k, count, map.surface.components, component.largest);
+    const bool is_exact = is_centred_exactly(points, count, component.largest);
     units = centred_units(n, m, sum / component.largest, is_exact);
     if (is_exact && component.largest <= 0x1p120 && component.largest >= 0x1p-600) {
       const int exponent = exponent_of(component.largest);
@@ -189,18 +192,18 @@ void lower_degree(int n, int lower, const double* points, std::ptrdiff_t step, d
   }
 }
 
-// Same as reduce(), but faster for constants and for polynomials whose exact coefficients show their degrees.
-std::array<int, 2> reduce_component(const PreparedMap& map, const double* points, int k, double* reduced) {
+// Same as reduce() of component k, in place, but faster for constants and for polynomials whose exact
+// coefficients show their degrees.
+std::array<int, 2> reduce_component(const PreparedMap& map, int k, double* reduced) {
   const auto [n, m] = map.surface.degree;
-  const int components = map.surface.components, count = (n + 1) * (m + 1);
+  const int count = (n + 1) * (m + 1);
   int same = 1;
-  while (same < count && points[same * components] == points[0]) ++same;
+  while (same < count && reduced[same] == reduced[0]) ++same;
   if (same == count) {
-    reduced[0] = points[0] + 0.0;
+    reduced[0] += 0.0;
     return {1, 1};
   }
   if (map.centred_bits[k] < kManyBits) {
-    for (int i = 0; i < count; ++i) reduced[i] = points[i * components];
     int lowest_u = 0, lowest_v = 0;
     const double* own = map.centred + k;
     for (int j = 0; j <= m; ++j) {
@@ -218,7 +221,7 @@ std::array<int, 2> reduce_component(const PreparedMap& map, const double* points
     }
     return {lowest_u + 1, lowest_v + 1};
   }
-  return reduce({points, components, {n + 1, m + 1}, map.surface.domain}, reduced);
+  return reduce({reduced, 1, {n + 1, m + 1}, map.surface.domain}, reduced);
 }
 
 }  // namespace
@@ -233,13 +236,19 @@ PreparedMap prepare_map(const double* points, std::array<int, 2> order, int comp
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
   // Vectors read this padding beyond the last point.
   std::fill_n(scaled + count * components, 3, 0.0);
+  std::array<double, 4> sums{};
   if (std::max(order[0], order[1]) <= kMaxCentredDegree + 1) {
     centre(points, order, components, centred);
     map.centred = centred;
+    // All sums together, because each addition waits for the one before it.
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < 4; ++k)
+        sums[k] += std::fabs(centred[4 * i + static_cast<std::ptrdiff_t>(k)]);
+    }
     for (int k = 0; k < components; ++k) map.centred_test.error[k] = HUGE_VAL;
   }
-  constexpr std::array kFindLargest = {find_largest<1>, find_largest<2>, find_largest<3>, find_largest<4>};
-  kFindLargest[static_cast<std::size_t>(components - 1)](points, count, map);
+  constexpr std::array kSeparate = {separate<1>, separate<2>, separate<3>, separate<4>};
+  kSeparate[static_cast<std::size_t>(components - 1)](points, count, lowest, map);
   for (int k = 0; k < components; ++k) {
     PreparedComponent& component = map.component[k];
     component.unit = HUGE_VAL;
@@ -249,9 +258,9 @@ PreparedMap prepare_map(const double* points, std::array<int, 2> order, int comp
 
     component.kind = PreparedComponent::Kind::kGeneral;
     component.unit = unit_of(order, domain, component.largest);
-    if (map.centred != nullptr) bound_centred(map, points, count, k);
     double* const own = lowest + k * count;
-    const std::array<int, 2> reduced = reduce_component(map, points + k, k, own);
+    if (map.centred != nullptr) bound_centred(map, own, count, sums[static_cast<std::size_t>(k)], k);
+    const std::array<int, 2> reduced = reduce_component(map, k, own);
     component.lowest = {own, 1, reduced, domain};
     component.lowest_largest = reduced == order ? component.largest : 0;
     for (int i = 0; i < reduced[0] * reduced[1] && reduced != order; ++i) {

@@ -196,7 +196,8 @@ int reduce_lines(double* points, std::ptrdiff_t line_step, int count, std::ptrdi
 std::array<int, 2> reduce(const Component& component, double* reduced) {
   std::array<int, 2> order = component.order;
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
-  for (std::ptrdiff_t i = 0; i < count; ++i) reduced[i] = component.points[i * component.stride];
+  for (std::ptrdiff_t i = 0; i < count && component.points != reduced; ++i)
+    reduced[i] = component.points[i * component.stride];
   for (int unchanged = 0, direction = 1; unchanged < 2; direction = 1 - direction) {
     const int before = order[direction];
     if (before > 1) {

@@ -51,6 +51,14 @@ bool read_struct(const Struct* given, Struct* copy) {
   return true;
 }
 
+// Returns the structure itself if it has the size of this version, otherwise what read_struct() copies; null
+// if that fails. A copy of members that the caller has just written would wait until they are in the cache.
+template <class Struct>
+const Struct* view_struct(const Struct* given, Struct* copy) {
+  if (given != nullptr && given->size == sizeof(Struct)) return given;
+  return read_struct(given, copy) ? copy : nullptr;
+}
+
 // Reads an allocator; null selects the heap. Returns false if the structure is invalid.
 inline bool read_allocator(const glev_allocator* given, Allocator* allocator) {
   glev_allocator functions;

@@ -24,19 +24,17 @@ void evaluate_surfaces(const PreparedMap& map, const Input& input_u, const Input
   const auto [n, m] = map.surface.degree;
   const double units = weight_units(n, m, std::max(place_u.roundings(), place_v.roundings()));
   const Writer<kComponents> writer(make_test(map, units, 1), to, to.data);
+  const Arguments arguments_u(input_u, count), arguments_v(input_v, count);
   for (std::size_t begin = 0; begin < count; begin += kStep) {
     const std::size_t part_count = std::min(kStep, count - begin);
-    alignas(64) double arguments_u[kStep], arguments_v[kStep];
-    fetch(input_u, begin, part_count, arguments_u);
-    fetch(input_v, begin, part_count, arguments_v);
-    Vector value[kUnroll][kComponents];
+    Vector u[kUnroll], v[kUnroll], value[kUnroll][kComponents];
+    arguments_u.load(begin, u);
+    arguments_v.load(begin, v);
     for (std::size_t part = 0; part < kUnroll; ++part) {
-      const Vector u = hn::Load(kDoubles, arguments_u + part * kLanes),
-                   v = hn::Load(kDoubles, arguments_v + part * kLanes);
       Vector weights_u[kMaxOrder], weights_v[kMaxOrder];
-      const Vector su = place_u.s_of(u), sv = place_v.s_of(v);
-      weights_of(n, su, nan_outside(place_u.t_of(u), su), weights_u);
-      weights_of(m, sv, nan_outside(place_v.t_of(v), sv), weights_v);
+      const Vector su = place_u.s_of(u[part]), sv = place_v.s_of(v[part]);
+      weights_of(n, su, nan_outside(place_u.t_of(u[part]), su), weights_u);
+      weights_of(m, sv, nan_outside(place_v.t_of(v[part]), sv), weights_v);
       for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Zero(kDoubles);
       const double* point = map.surface.scaled;
       for (int i = 0; i <= n; ++i) {
