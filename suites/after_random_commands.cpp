@@ -34,6 +34,7 @@ void expect_last_points(Test& t, const gl::Case& past, const gl::Case& c) {
   last.primitives.erase(last.primitives.begin(),
                         last.primitives.begin() + static_cast<std::ptrdiff_t>(before));
   const std::size_t count = last.vertex_count();
+  const Attributes shown = t.shown_exactly(kUnit0);
   const auto judge_last = [&](const Observation& seen) {
     if (seen.overflow) throw NotObservable("there are far too many vertices, which other tests report");
     Observation tail = seen;
@@ -41,14 +42,14 @@ void expect_last_points(Test& t, const gl::Case& past, const gl::Case& c) {
     if (vertices.size() > count)
       vertices.erase(vertices.begin(), vertices.end() - static_cast<std::ptrdiff_t>(count));
     tail.primitives = {{GL_POINTS, vertices}};
-    tail.attributes &= kUnit0;
+    tail.attributes &= shown;
     const JudgeOptions options{.version = t.gl().version_number()};
     const Topology order = with_meshes_in_own_order(last, Topology::points(count), tail, options);
     return judge(last, order, tail, options).mismatches;
   };
   // Room for an implementation that draws the whole past twice. If the last points are not captured, the test
   // cannot judge them.
-  t.expect_observation(c, kUnit0, 2 * all.vertex_count() + 8, kPoints, judge_last, Test::Judged::kAfterLists);
+  t.expect_observation(c, shown, 2 * all.vertex_count() + 8, kPoints, judge_last, Test::Judged::kAfterLists);
 }
 
 // Returns true for queries of current values, which section 11 of the requirements is about.

@@ -359,7 +359,8 @@ EVALCTS_TEST(DisplayLists, CalledTwiceSameBits, kMust, "EV-DL-REPEAT", combine(k
   evaluate_and_eval_points(c, dimension.two);
   c.CallList(kList);
   const std::size_t between = 6, once = 6 + (dimension.two ? 6 : 4), all = 2 * once + between;
-  t.expect_observation(c, kUnit0, all, kPoints, [&](const Observation& seen) {
+  const Attributes shown = t.shown_exactly(kUnit0);
+  t.expect_observation(c, shown, all, kPoints, [&](const Observation& seen) {
     const std::vector<ObservedVertex> vertices = vertices_of(seen);
     std::vector<Mismatch> mismatches;
     if (vertices.size() != all) {
@@ -373,7 +374,7 @@ EVALCTS_TEST(DisplayLists, CalledTwiceSameBits, kMust, "EV-DL-REPEAT", combine(k
     }
     for (std::size_t i = 0; i < once; ++i) {
       const ObservedVertex &first = vertices[i], &second = vertices[once + between + i];
-      if (same_vertex(first, second)) continue;
+      if (same_vertex(first, second, shown)) continue;
       Mismatch& mismatch = mismatches.emplace_back();
       mismatch.what = fmt::format("vertex {} of the second call", i);
       mismatch.expected = fmt::format("{}", first.position[0]);

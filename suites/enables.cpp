@@ -118,24 +118,31 @@ EVALCTS_TEST(Enables, BetweenBeginAndEnd, kMust, "EV-EN-BEGINEND",
 // Enable, Disable and IsEnabled are errors in all primitives, before and after a vertex.
 EVALCTS_TEST(Enables, InEveryPrimitive, kMust, "EV-EN-BEGINEND", combine(all_caps()))
 (Test& t, GLenum cap) {
-  CheckedCase c(t, "Enable, Disable and IsEnabled");
-  for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode)
-    for (const bool after_vertex : {false, true})
-      for (const bool on : {false, true}) {
-        on ? c.Enable(cap) : c.Disable(cap);
-        c.Begin(mode);
-        if (after_vertex) c.Vertex3f(1, 2, 3);
-        on ? c.Disable(cap) : c.Enable(cap);
-        c.End();
-        c.expect_error(GL_INVALID_OPERATION);
-        c.Begin(mode);
-        if (after_vertex) c.Vertex3f(1, 2, 3);
-        c.expect_enabled(cap, false);
-        c.End();
-        c.expect_error(GL_INVALID_OPERATION);
-        c.expect_enabled(cap, on);
-      }
-  c.check();
+  for (const bool is_query : {false, true}) {
+    CheckedCase c(t, is_query ? "IsEnabled" : "Enable and Disable");
+    for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode)
+      for (const bool after_vertex : {false, true})
+        for (const bool on : {false, true}) {
+          on ? c.Enable(cap) : c.Disable(cap);
+          c.Begin(mode);
+          if (after_vertex) c.Vertex3f(1, 2, 3);
+          if (is_query) {
+            const gl::Ref inside = c.IsEnabled(cap);
+            c.End();
+            const gl::Ref error = c.GetError();
+            c.expect([&t, error](CheckedTrace& checked) {
+              expect_error_of_query(t, checked, error, [](gl::Case& other) { other.IsEnabled(GL_LIGHTING); });
+            });
+            c.expect_result(inside, 0);
+          } else {
+            on ? c.Disable(cap) : c.Enable(cap);
+            c.End();
+            c.expect_error(GL_INVALID_OPERATION);
+          }
+          c.expect_enabled(cap, on);
+        }
+    c.check();
+  }
 };
 
 EVALCTS_TEST(Enables, NotPerTextureUnit, kMust, "EV-EN-NOTUNIT",

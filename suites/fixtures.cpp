@@ -62,9 +62,13 @@ std::vector<ObservedVertex> vertices_of(const Observation& seen, std::size_t cou
   return all;
 }
 
-bool same_vertex(const ObservedVertex& a, const ObservedVertex& b) {
-  return a.position == b.position && a.color == b.color && a.normal == b.normal &&
-         a.texture_coordinate[0] == b.texture_coordinate[0];
+bool same_vertex(const ObservedVertex& a, const ObservedVertex& b, Attributes attributes) {
+  const auto same = [&](Attribute attribute, const auto& one, const auto& other) {
+    return !(attributes & attribute) || one == other;
+  };
+  return same(kPosition, a.position, b.position) && same(kColor, a.color, b.color) &&
+         same(kNormal, a.normal, b.normal) &&
+         same(kTextureCoordinate0, a.texture_coordinate[0], b.texture_coordinate[0]);
 }
 
 Failure failure_of(const gl::Case& c, std::string what, std::string message, std::string expected,

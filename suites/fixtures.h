@@ -62,7 +62,7 @@ std::vector<ObservedVertex> vertices_of(const Observation& seen);
 // The same; throws NotObservable unless there are `count` of them.
 std::vector<ObservedVertex> vertices_of(const Observation& seen, std::size_t count);
 // True if the attributes of texture unit 0 are the same, -0 counting as +0.
-bool same_vertex(const ObservedVertex& a, const ObservedVertex& b);
+bool same_vertex(const ObservedVertex& a, const ObservedVertex& b, Attributes attributes);
 
 // Makes a failure for a test that has a judge of its own. `what`: the value that is wrong.
 Failure failure_of(const gl::Case& c, std::string what, std::string message, std::string expected,

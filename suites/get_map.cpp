@@ -8,6 +8,7 @@
 
 #include "checked_case.h"
 #include "dimensions.h"
+#include "rejection.h"
 
 namespace evalcts::suite_get_map {
 namespace {
@@ -353,7 +354,8 @@ EVALCTS_TEST(Get, Grid1, kMust, "EV-GET-GRIDDOMAIN/1-D", "EV-GET-GRIDSEG/1-D")
       if (defined) c.MapGrid1f(grid.segments, grid.u1, grid.u2);
       const std::vector<double> domain = {grid.u1, grid.u2};
       c.expect_values_near(c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2)), domain);
-      c.expect_values(c.GetIntegerv(GL_MAP1_GRID_DOMAIN, gl::out<GLint>(2)), grid.rounded);
+      const gl::Ref rounded = c.GetIntegerv(GL_MAP1_GRID_DOMAIN, gl::out<GLint>(2));
+      c.expect([&, rounded](CheckedTrace& checked) { expect_rounded(t, checked, rounded, grid.rounded); });
       c.expect_values(c.GetBooleanv(GL_MAP1_GRID_DOMAIN, gl::out<GLboolean>(2)),
                       std::vector<GLboolean>{grid.u1 != 0, grid.u2 != 0});
       const std::vector<GLint> segments = {grid.segments};

@@ -157,8 +157,8 @@ class Relations {
   void add_convex(const Side& a) { convex_.push_back({a, draw(a)}); }
 
   void check() {
-    const Observation seen =
-        t_.observe(script_, kPosition | kColor | kNormal | kTextureCoordinate0, vertices_ + 8);
+    shown_ = t_.shown_exactly(kUnit0);
+    const Observation seen = t_.observe(script_, shown_, vertices_ + 8);
     seen_ = vertices_of(seen, vertices_);
     clamped_colors_ = seen.clamped_colors;
     for (const Relation& relation : relations_) check(relation);
@@ -187,8 +187,10 @@ class Relations {
     return vertices_ - side.arguments.size();
   }
 
-  // Returns true if a colour may have been clamped to [0,1] by the capture, so that it cannot be judged.
-  bool may_be_clamped(GLenum target, float got) const {
+  // Returns true if the value is not shown exactly: no capture shows its attribute, or a colour may have been
+  // clamped to [0,1] by the capture.
+  bool cannot_be_judged(GLenum target, float got) const {
+    if (!(shown_ & attribute_of(target))) return true;
     return clamped_colors_ && attribute_of(target) == kColor && (got == 0.0f || got == 1.0f);
   }
 
@@ -199,7 +201,7 @@ class Relations {
         for (std::size_t k = 0; k < static_cast<std::size_t>(a.maps[m].components()); ++k) {
           const float was = value_of(seen_[first_a + i], a.maps[m].target, k);
           const float is = value_of(seen_[first_b + i], b.maps[m].target, k);
-          if (may_be_clamped(a.maps[m].target, was) || may_be_clamped(a.maps[m].target, is)) continue;
+          if (cannot_be_judged(a.maps[m].target, was) || cannot_be_judged(a.maps[m].target, is)) continue;
           double tolerance = 0;
           if (std::isfinite(was) && std::isfinite(is)) {
             const Rational scale(relation.scale);
@@ -227,7 +229,7 @@ class Relations {
       for (std::size_t i = 0; i < side.arguments.size(); ++i)
         for (std::size_t k = 0; k < static_cast<std::size_t>(map.components()); ++k) {
           const float got = value_of(seen_[convex.first + i], map.target, k);
-          if (may_be_clamped(map.target, got)) continue;
+          if (cannot_be_judged(map.target, got)) continue;
           double least = HUGE_VAL, greatest = -HUGE_VAL;
           for (int r = 0; r < map.uorder; ++r)
             for (int s = 0; s < map.vorder; ++s) {
@@ -260,6 +262,7 @@ class Relations {
   std::vector<Relation> relations_;
   std::vector<Convex> convex_;
   std::vector<ObservedVertex> seen_;
+  Attributes shown_ = 0;
   bool clamped_colors_ = false;
 };
 

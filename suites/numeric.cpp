@@ -132,9 +132,10 @@ EVALCTS_TEST_PAIR(Numeric.StartIsFirstPoint, Numeric.StartIsCorner, kQuality,
         c.End();
         expected.push_back(vertex);
       }
-  const Observation seen = t.observe(c, kUnit0, expected.size() + 8);
+  const Attributes shown = t.shown_exactly(kUnit0);
+  const Observation seen = t.observe(c, shown, expected.size() + 8);
   const std::vector<ObservedVertex> got = vertices_of(seen, expected.size());
-  const Attributes compared = seen.clamped_colors ? kUnit0 & ~static_cast<Attributes>(kColor) : kUnit0;
+  const Attributes compared = seen.clamped_colors ? shown & ~static_cast<Attributes>(kColor) : shown;
   expect_same(t, c, expected, got, compared, "the first control point is",
               [](std::size_t i) { return fmt::format("vertex {}", i); });
 };
@@ -250,9 +251,10 @@ EVALCTS_TEST_PAIR(Numeric.NegativeZeroIsZero1, Numeric.NegativeZeroIsZero2, kQua
         c.End();
         count += 2;
       }
-    const std::vector<ObservedVertex> seen = vertices_of(t.observe(c, kUnit0, count + 8), count);
+    const Attributes shown = t.shown_exactly(kUnit0);
+    const std::vector<ObservedVertex> seen = vertices_of(t.observe(c, shown, count + 8), count);
     for (std::size_t i = 0; i < count; i += 2)
-      expect_same(t, c, {&seen[i], 1}, {&seen[i + 1], 1}, kUnit0, "at u = 0 it was",
+      expect_same(t, c, {&seen[i], 1}, {&seen[i + 1], 1}, shown, "at u = 0 it was",
                   [&](std::size_t) { return fmt::format("vertex {} (u = -0)", i + 1); });
   }
 };
@@ -366,8 +368,9 @@ EVALCTS_TEST_PAIR(Numeric.ResultsAfterSpecials1, Numeric.ResultsAfterSpecials2, 
   gl::Case clean("finite values only");
   const std::size_t before = begin(clean);
   const std::size_t count = draw_finite(clean, two, maps);
+  const Attributes shown = t.shown_exactly(kUnit0);
   const std::vector<ObservedVertex> expected =
-      vertices_of(t.observe(clean, kUnit0, before + count + 8), before + count);
+      vertices_of(t.observe(clean, shown, before + count + 8), before + count);
 
   gl::Case c("NaN, infinity and overflow");
   begin(c);
@@ -379,13 +382,13 @@ EVALCTS_TEST_PAIR(Numeric.ResultsAfterSpecials1, Numeric.ResultsAfterSpecials2, 
     }
   c.GetError();  // it is unspecified if such a domain is an error (U-NAN-DOMAIN)
   draw_finite(c, two, maps);
-  const std::vector<ObservedVertex> got = vertices_of(t.observe(c, kUnit0, 20000));
+  const std::vector<ObservedVertex> got = vertices_of(t.observe(c, shown, 20000));
   if (got.size() < count) {
     fail(t, c, "the number of vertices", "expected at least", static_cast<float>(count),
          static_cast<float>(got.size()));
     return;
   }
-  expect_same(t, c, std::span(expected).last(count), std::span(got).last(count), kUnit0,
+  expect_same(t, c, std::span(expected).last(count), std::span(got).last(count), shown,
               "without non-finite values it is",
               [&](std::size_t i) { return fmt::format("vertex {} of those drawn afterwards", i); });
 };

@@ -137,7 +137,8 @@ EVALCTS_TEST(Points, SameBitsAsMesh, kQuality, "EV-POINT-LIKEMESH",
     // Each mesh has one row, because the order of rows is not judged here.
     for (int j = 0; j <= (d.two ? 2 : 0); ++j) eval_mesh(c, d.two, GL_POINT, -2, last, j, j);
   }
-  const Observation seen = t.observe(c, kUnit0, 2 * count);
+  const Attributes shown = t.shown_exactly(kUnit0);
+  const Observation seen = t.observe(c, shown, 2 * count);
   const std::vector<ObservedVertex> vertices = vertices_of(seen);
   if (vertices.size() != 2 * count)
     throw NotObservable("the number of vertices is wrong, which other tests report");
@@ -146,7 +147,7 @@ EVALCTS_TEST(Points, SameBitsAsMesh, kQuality, "EV-POINT-LIKEMESH",
     const auto of_grid = static_cast<std::size_t>(std::min(grid.segments, 40) + 3) * (d.two ? 3 : 1);
     for (std::size_t i = first; i < first + of_grid; ++i) {
       const ObservedVertex &point = vertices[i], &mesh = vertices[i + of_grid];
-      if (same_vertex(point, mesh)) continue;
+      if (same_vertex(point, mesh, shown)) continue;
       const std::string what = fmt::format("point {} of the grid of {} segments from {} to {}", i - first,
                                            grid.segments, hexadecimal(grid.first), hexadecimal(grid.last));
       t.fail(failure_of(c, what, what + " has other values in a mesh",

@@ -49,6 +49,17 @@ void expect_error_of_query(Test& t, CheckedTrace& checked, gl::Ref error, const 
   checked.expect_error(error, {GL_INVALID_OPERATION});
 }
 
+void expect_rounded(Test& t, CheckedTrace& checked, gl::Ref query, const std::vector<GLint>& expected) {
+  if (checked.trace().values<GLint>(query) != expected) {
+    gl::Case c(gl::control("GetIntegerv of FOG_START"));
+    c.Fogf(GL_FOG_START, -1.75f);
+    const gl::Ref start = c.GetIntegerv(GL_FOG_START, gl::out<GLint>(1));
+    if (t.play(c).trace().values<GLint>(start) != std::vector<GLint>{-2})
+      throw NotObservable("pipeline: GetIntegerv rounds other state wrongly as well");
+  }
+  checked.expect_values(query, expected);
+}
+
 std::vector<NamedCalls> allowed_in_primitives() {
   return {
       {"EvalCoord1f", [](gl::Case& c) { c.EvalCoord1f(0.5f); }},

@@ -50,6 +50,10 @@ void expect_rejected(Test& t, const std::string& identity, const std::vector<Cal
 // `other` raises none either: then the fault lies in the queries of the library in general.
 void expect_error_of_query(Test& t, CheckedTrace& checked, gl::Ref error, const Calls& other);
 
+// Expects these values of a GetIntegerv of floating-point state. Throws NotObservable if GetIntegerv rounds
+// FOG_START wrongly as well.
+void expect_rounded(Test& t, CheckedTrace& checked, gl::Ref query, const std::vector<GLint>& expected);
+
 // --- Bad maps --------------------------------------------------------------------------------------------
 
 // Returns a legal map, of which a test then changes one argument. It has 4096 values, far more than it needs,

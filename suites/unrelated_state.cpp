@@ -28,7 +28,8 @@ class Repetition {
     draw_(script_);
   }
 
-  void check(Test& t, Attributes attributes, std::size_t vertices_each) {
+  void check(Test& t, Attributes required, std::size_t vertices_each) {
+    const Attributes attributes = t.shown_exactly(required);
     const std::size_t count = (1 + whats_.size()) * vertices_each;
     const std::vector<ObservedVertex> seen = vertices_of(t.observe(script_, attributes, count + 8), count);
     const std::span all(seen);

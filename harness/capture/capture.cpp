@@ -64,6 +64,20 @@ const Capture& Captures::showing_all(Attributes required, PrimitiveKinds kinds) 
   throw NotObservable(fmt::format("no capture of this implementation shows {}", describe(required)));
 }
 
+Attributes Captures::shown_exactly(Attributes required, PrimitiveKinds kinds) {
+  Attributes most = 0;
+  for (Entry& entry : captures_) {
+    if (most == required) break;  // the proof of another capture would be wasted
+    const Capture* const capture = proved(entry);
+    if (!capture || !capture->takes(kinds)) continue;
+    const Attributes shown = required & capture->attributes();
+    if (std::popcount(shown) > std::popcount(most)) most = shown;
+  }
+  if (most == 0)
+    throw NotObservable(fmt::format("no capture of this implementation shows {}", describe(required)));
+  return most;
+}
+
 std::vector<const Capture*> Captures::showing_most(Attributes required, PrimitiveKinds kinds,
                                                    bool nonpositive_w, std::size_t most) {
   const Attributes wanted = required & kAllAttributes;

@@ -1,7 +1,9 @@
 // Feedback mode (GL 2.1 §5.3). Texture coordinates of unit 0 come back as they are; positions come back
 // through identity OBJECT_LINEAR texture generation, normals through NORMAL_MAP, each in a pass of its own.
+// If an implementation divides s, t and r by q, as Mesa up to 7 does, the texture matrix separates q from them.
 // -0, subnormals and non-finite values are not preserved.
 #include <algorithm>
+#include <bit>
 #include <optional>
 
 #include "control.h"
@@ -11,6 +13,13 @@ namespace {
 
 enum class TextureCoordinatesHold { kTexture, kPosition, kNormal };
 
+// The components of the texture coordinates that a pass shows.
+enum class Components {
+  kAll,
+  kWithoutLast,  // s, t and r; q is 0
+  kLast          // q, in the place of s; all others are 0
+};
+
 // Returns a projection to x = y = z = 0, so that no vertex is clipped. If w is kept, vertices with w < 0 are
 // still clipped. If w becomes 0, none is clipped, provided that the library accepts the degenerate point.
 std::vector<GLfloat> collapsing_projection(bool keep_w) {
@@ -19,9 +28,24 @@ std::vector<GLfloat> collapsing_projection(bool keep_w) {
   return matrix;
 }
 
-gl::Case setup(TextureCoordinatesHold hold, bool keep_w, bool unclamp) {
+// Returns a texture matrix that keeps these components.
+std::vector<GLfloat> texture_matrix(Components components) {
+  std::vector<GLfloat> matrix(16, 0.0f);
+  if (components == Components::kLast) {
+    matrix[12] = 1.0f;
+  } else {
+    matrix[0] = matrix[5] = matrix[10] = 1.0f;
+  }
+  return matrix;
+}
+
+gl::Case setup(TextureCoordinatesHold hold, Components components, bool keep_w, bool unclamp) {
   gl::Case c;
   c.Viewport(0, 0, 64, 64);
+  if (components != Components::kAll) {
+    c.MatrixMode(GL_TEXTURE);
+    c.LoadMatrixf(texture_matrix(components));
+  }
   c.MatrixMode(GL_PROJECTION);
   c.LoadMatrixf(collapsing_projection(keep_w));
   c.MatrixMode(GL_MODELVIEW);
@@ -60,7 +84,18 @@ class FeedbackBuffer final : public Capture {
     };
     keep_w_ = true;
     unclamp_ = false;
+    separate_last_ = false;
     attributes_ = confirm_attributes(*this, implementation, {}, kAllAttributes);
+    if (const Attributes of_textures = kTextureCoordinate0 | kPosition | kNormal;
+        (attributes_ & of_textures) != of_textures) {
+      separate_last_ = true;
+      const Attributes separated = confirm_attributes(*this, implementation, {}, kAllAttributes);
+      if (std::popcount(separated) > std::popcount(attributes_)) {
+        attributes_ = separated;
+      } else {
+        separate_last_ = false;
+      }
+    }
     if (!(attributes_ & kColor)) color_error_ = measure_color_error(*this, implementation);
     if (attributes_ == 0 && !color_error_)
       throw NotObservable("feedback mode does not give explicit vertices back unchanged");
@@ -86,16 +121,21 @@ class FeedbackBuffer final : public Capture {
     const Attributes wanted = asked.attributes;
     std::optional<Observation> observation;
     const auto pass = [&](TextureCoordinatesHold hold, Attributes gives) {
-      Observation seen = run_pass(implementation, script, hold, asked.most_vertices);
+      Observation seen = run_passes(implementation, script, hold, asked);
       seen.attributes = gives;
       if (!observation) {
         observation = std::move(seen);
       } else {
-        merge(*observation, seen, gives);
+        merge(*observation, seen, [gives](ObservedVertex& vertex, const ObservedVertex& more) {
+          if (gives & kPosition) vertex.position = more.position;
+          if (gives & kNormal) vertex.normal = more.normal;
+        });
+        observation->attributes |= gives;
       }
     };
     if ((wanted & (kTextureCoordinate0 | kColor)) || (wanted & kAllAttributes) == 0)
-      pass(TextureCoordinatesHold::kTexture, kTextureCoordinate0 | kColor);
+      pass(TextureCoordinatesHold::kTexture,
+           separate_last_ ? kColor | (wanted & kTextureCoordinate0) : kTextureCoordinate0 | kColor);
     if (wanted & kPosition) pass(TextureCoordinatesHold::kPosition, kPosition);
     if (wanted & (kNormal | kUnitNormal)) pass(TextureCoordinatesHold::kNormal, kNormal | kUnitNormal);
     if (!observation) throw NotObservable("feedback mode shows nothing of units 1 and up");
@@ -108,11 +148,29 @@ class FeedbackBuffer final : public Capture {
   }
 
  private:
+  // Runs one pass, or one for q and one for the other components.
+  Observation run_passes(Implementation& implementation, const gl::Case& script, TextureCoordinatesHold hold,
+                         const Wanted& asked) const {
+    if (!separate_last_) return run_pass(implementation, script, hold, Components::kAll, asked.most_vertices);
+    Observation observation =
+        run_pass(implementation, script, hold, Components::kWithoutLast, asked.most_vertices);
+    const bool shows_last = hold == TextureCoordinatesHold::kPosition ||
+                            (hold == TextureCoordinatesHold::kTexture &&
+                             (asked.attributes & kTextureCoordinate0));
+    if (!shows_last) return observation;
+    const Observation last = run_pass(implementation, script, hold, Components::kLast, asked.most_vertices);
+    merge(observation, last, [](ObservedVertex& vertex, const ObservedVertex& more) {
+      vertex.position[3] = more.position[0];
+      vertex.texture_coordinate[0][3] = more.texture_coordinate[0][0];
+    });
+    return observation;
+  }
+
   Observation run_pass(Implementation& implementation, const gl::Case& script, TextureCoordinatesHold hold,
-                       std::size_t most_vertices) const {
+                       Components components, std::size_t most_vertices) const {
     // Each vertex takes x y z w, R G B A, s t r q and a token; a polygon adds its number of vertices.
     const std::size_t room = (most_vertices + 1) * 13;
-    gl::Case prologue = setup(hold, keep_w_, unclamp_);
+    gl::Case prologue = setup(hold, components, keep_w_, unclamp_);
     const gl::Ref buffer = prologue.FeedbackBuffer(room, GL_4D_COLOR_TEXTURE, gl::out<GLfloat>(room));
     prologue.RenderMode(GL_FEEDBACK);
     WrappedCase wrapped = begin_wrapping(std::move(prologue), script);
@@ -176,27 +234,25 @@ class FeedbackBuffer final : public Capture {
     return vertex;
   }
 
-  // Adds the attributes `gives` of one pass to the whole observation. All passes replay the same case, so
-  // their primitives must agree.
-  static void merge(Observation& whole, const Observation& pass, Attributes gives) {
+  // Adds the vertices of another pass to an observation. All passes replay the same case, so their primitives
+  // must agree.
+  template <class Add>
+  static void merge(Observation& whole, const Observation& pass, Add add) {
     const char* const kDiffer = "two feedback passes over the same commands gave different primitives";
     if (whole.primitives.size() != pass.primitives.size()) throw NotObservable(kDiffer);
     for (std::size_t p = 0; p < whole.primitives.size(); ++p) {
       auto& vertices = whole.primitives[p].vertices;
       const auto& more = pass.primitives[p].vertices;
       if (vertices.size() != more.size()) throw NotObservable(kDiffer);
-      for (std::size_t i = 0; i < vertices.size(); ++i) {
-        if (gives & kPosition) vertices[i].position = more[i].position;
-        if (gives & kNormal) vertices[i].normal = more[i].normal;
-      }
+      for (std::size_t i = 0; i < vertices.size(); ++i) add(vertices[i], more[i]);
     }
-    whole.attributes |= gives;
     if (whole.error == GL_NO_ERROR) whole.error = pass.error;
     whole.overflow = whole.overflow || pass.overflow;
   }
 
   bool keep_w_ = true;
   bool unclamp_ = false;
+  bool separate_last_ = false;  // because s, t and r would be divided by q
   Attributes attributes_ = 0;
   std::optional<double> color_error_;  // set if colours are inexact
 };

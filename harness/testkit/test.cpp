@@ -164,6 +164,12 @@ void Test::note_capture(const Capture& capture) {
   if (record_.capture.empty()) record_.capture = capture.name();
 }
 
+Attributes Test::shown_exactly(Attributes required, PrimitiveKinds kinds) {
+  const Attributes shown = subject_.captures->shown_exactly(required, kinds);
+  unobserved_ |= required & ~shown;
+  return shown;
+}
+
 Observation Test::observe(const gl::Case& written, Attributes required, std::size_t most_vertices,
                           PrimitiveKinds kinds) {
   const gl::Case script = begin_case(written).script;

@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 
+#include <evalcts/backends/context_in_front.h>
 #include "synthetic_capture.h"
 
 namespace evalcts {
@@ -52,6 +53,17 @@ TEST_F(CapturesTest, TheFirstThatShowsAllExactlyIsTaken) {
   EXPECT_EQ(some.showing_all(kColor, kPoints).name(), "B");
   EXPECT_EQ(some.showing_all(kColor, kPoints | kLines).name(), "C");
   EXPECT_THROW(some.showing_all(kColor | kUnitNormal, kPoints), NotObservable);
+}
+
+TEST_F(CapturesTest, MostOfWhatIsShownExactlyIsFound) {
+  Captures some = captures({{.name = "A", .attributes = kPosition, .inexact_attributes = kColor},
+                            {.name = "B", .attributes = kPosition | kNormal, .takes = kPoints},
+                            {.name = "C", .attributes = kColor}});
+  EXPECT_EQ(some.shown_exactly(kPosition, kPoints), Attributes{kPosition});
+  EXPECT_EQ(proofs(), (std::vector{1, 0, 0}));
+  EXPECT_EQ(some.shown_exactly(kPosition | kColor | kNormal, kPoints), kPosition | kNormal);
+  EXPECT_EQ(some.shown_exactly(kPosition | kNormal, kLines), Attributes{kPosition});
+  EXPECT_THROW(some.shown_exactly(kTextureCoordinate0, kPoints), NotObservable);
 }
 
 TEST_F(CapturesTest, CapturesAreProvedOnceAndNoEarlierThanNeeded) {
@@ -123,6 +135,64 @@ TEST_F(CapturesTest, NamesChooseWhichMayBeUsed) {
   const Names names = {"Pixels", "Sink"};
   EXPECT_EQ(Captures(implementation_, info_, &names).size(), 2u);
   EXPECT_EQ(Captures(implementation_, info_).size(), all_captures().size());
+}
+
+// OSMesa with a feedback mode that divides s, t and r by q, as that of Mesa up to 7 does.
+class DividesByLast final : public Implementation {
+ public:
+  std::string name() const override { return "divides by q"; }
+  std::unique_ptr<Context> create_context() override {
+    return std::make_unique<DividingContext>(inner_->create_context());
+  }
+
+ private:
+  class DividingContext final : public ContextInFront {
+   public:
+    explicit DividingContext(std::unique_ptr<Context> inner) : ContextInFront(std::move(inner)) {
+      original = table_;
+      table_.FeedbackBuffer = [](GLsizei size, GLenum type, GLfloat* buffer) {
+        written = buffer;
+        original.FeedbackBuffer(size, type, buffer);
+      };
+      table_.RenderMode = [](GLenum mode) {
+        const GLint count = original.RenderMode(mode);
+        if (mode == GL_RENDER)
+          for (GLint i = 0; i + 12 < count; i += 13)  // points only
+            for (GLint k = i + 9; k < i + 12; ++k)
+              if (written[i + 12] != 0) written[k] /= written[i + 12];
+        return count;
+      };
+    }
+  };
+  static inline gl::Table original;
+  static inline GLfloat* written = nullptr;
+
+  std::unique_ptr<Implementation> inner_ = open_implementation({.name = "osmesa"});
+};
+
+TEST_F(CapturesTest, TheFeedbackBufferShowsAllThoughItDividesByTheLastCoordinate) {
+  std::unique_ptr<DividesByLast> divides;
+  try {
+    divides = std::make_unique<DividesByLast>();
+  } catch (const CannotStart& error) {
+    GTEST_SKIP() << error.what();
+  }
+  const std::unique_ptr<Capture> capture = make_feedback_buffer();
+  capture->prove(*divides, info_);
+  constexpr Attributes kAll = kPosition | kColor | kNormal | kTextureCoordinate0;
+  EXPECT_EQ(capture->attributes() & kAll, kAll);
+
+  gl::Case c;
+  c.Begin(GL_POINTS);
+  c.TexCoord4f(1, 2, 3, 7);
+  c.Vertex4f(4, 5, 6, 3);
+  c.End();
+  const ObservedVertex vertex =
+      capture->observe(*divides, c, {kPosition | kTextureCoordinate0, 1}).primitives.at(0).vertices.at(0);
+  EXPECT_EQ(vertex.texture_coordinate[0], (std::array{1.0f, 2.0f, 3.0f, 7.0f}));
+  EXPECT_EQ(vertex.position, (std::array{4.0f, 5.0f, 6.0f, 3.0f}));
+  // q would need a pass of its own, so an observation of colours alone does not claim to show it.
+  EXPECT_EQ(capture->observe(*divides, c, {kColor, 1}).attributes & kTextureCoordinate0, 0u);
 }
 
 }  // namespace

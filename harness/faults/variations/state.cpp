@@ -210,6 +210,13 @@ EVALCTS_VARIATION(CapabilitiesRefused, "dropin", "the capabilities of logical op
   };
 }
 
+EVALCTS_VARIATION(AnswersInsidePrimitives, "dropin",
+                  "IsEnabled answers between Begin and End, without an error, of all capabilities", "") {
+  v.gl.IsEnabled = [](GLenum capability) -> GLboolean {
+    return remembered.inside ? GL_TRUE : unvaried.IsEnabled(capability);
+  };
+}
+
 // --- Versions and missing commands -------------------------------------------------------------------------
 
 void remove_since_1_2(gl::Table& table) {

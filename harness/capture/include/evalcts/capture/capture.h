@@ -80,6 +80,9 @@ class Captures {
   std::size_t size() const { return captures_.size(); }
   // Returns the first capture that shows all of these attributes exactly. Throws NotObservable.
   const Capture& showing_all(Attributes required, PrimitiveKinds kinds);
+  // Returns the largest subset of the required attributes that one capture shows exactly. Throws
+  // NotObservable if no capture shows any.
+  Attributes shown_exactly(Attributes required, PrimitiveKinds kinds);
   // Returns the capture that shows most of the required attributes, followed by up to `most` - 1 others that
   // show at least the same attributes. If `nonpositive_w`, captures that lose vertices with w <= 0 are
   // excluded. Throws NotObservable if no capture shows any.

@@ -109,6 +109,9 @@ class Test {
   void expect_emission(const gl::Case& script, const Prediction& prediction, Attributes required,
                        bool measured = true);
 
+  // Returns the largest subset of `required` that one capture shows exactly, and records the rest as
+  // unobserved. For tests that can judge each attribute without the others. Throws NotObservable.
+  Attributes shown_exactly(Attributes required, PrimitiveKinds kinds = kPoints);
   // Observes a case that draws these kinds of primitives through the first capture that shows `required`. The
   // test judges the observation itself. `most_vertices`: see Wanted. Throws NotObservable.
   Observation observe(const gl::Case& script, Attributes required, std::size_t most_vertices,
