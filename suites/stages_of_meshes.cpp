@@ -161,6 +161,9 @@ constexpr int kPlaneAt = 38;
 
 std::vector<Stage> clip_stages() {
   gl::Case none, left, lower;
+  // Some implementations compute no texture coordinates where a primitive is clipped, unless a texture is
+  // enabled.
+  for (gl::Case* state : {&none, &left, &lower}) set_up_texture(*state);
   for (const GLenum plane : {GL_CLIP_PLANE0, GL_CLIP_PLANE1})
     for (gl::Case* state : {&none, &left, &lower}) state->Disable(plane);
   const double middle = at_pixel(kPlaneAt);
@@ -265,6 +268,13 @@ std::vector<Area> fogged_pixels(const Drawing& drawing) {
   return areas;
 }
 
+// Returns true for a pixel at a corner of the patch. Whether a mesh of lines draws it depends on the
+// directions of the lines, which other tests judge (EV-MESH2-LINE).
+bool is_corner(const Area& area) {
+  return (area.x == kLeft || area.x == kLeft + kWidth * kColumns) &&
+         (area.y == kBottom || area.y == kBottom + kHeight * kRows);
+}
+
 // Expects meshes of POINT and LINE to be like explicit vertices in all stages. Throws NotObservable if two
 // stages look the same.
 void expect_fog(Test& t, const std::vector<Stage>& stages) {
@@ -286,8 +296,10 @@ void expect_fog(Test& t, const std::vector<Stage>& stages) {
       for (std::size_t j = 0; j < i; ++j)
         if (alike(values(i), values(j), 2 * kTolerance))
           throw NotObservable("pipeline: fog does not show with explicit vertices");
-    expect_like_explicit(pixels(t, "evaluated, " + drawing.name, staged(stages, {drawing}, true), areas),
-                         control);
+    Picture picture = pixels(t, "evaluated, " + drawing.name, staged(stages, {drawing}, true), areas);
+    for (std::size_t i = 0; drawing.primitive == GL_LINE_STRIP && i < picture.parts.size(); ++i)
+      if (is_corner(areas[i % areas.size()])) picture.parts[i].values = control.parts[i].values;
+    expect_like_explicit(std::move(picture), control);
   }
 }
 

@@ -302,9 +302,13 @@ NormalForm normal_form(const Finding& minimal, int max_eval_order) {
       if (command.starts_with(stem)) command = stem;
     if (kind == "glIsEnabled") command = "IsEnabled";
     const std::string words = words_without(facts, {"Map", "GetMap", "GetnMap", "Get", "IsEnabled"});
-    return {cause_from("answer of " + command, {words, trimmed(lists)}),
-            fmt::format("{} answers {} instead of {}{}{}", command, failure.captured, failure.expected,
-                        words.empty() ? "" : " after " + words, lists)};
+    // An effect of a rejected command is another bug than a wrong conversion of the answer.
+    const std::string rejected =
+        may_raise_an_error(minimal.program, max_eval_order) ? "after a rejected command" : "";
+    return {
+        cause_from("answer of " + command, {words, rejected, trimmed(lists)}),
+        fmt::format("{} answers {} instead of {}{}{}{}", command, failure.captured, failure.expected,
+                    words.empty() ? "" : " after " + words, rejected.empty() ? "" : ", " + rejected, lists)};
   }
   const std::optional<Difference> difference = difference_of(minimal, max_eval_order);
   if (facts.evaluations == 0)

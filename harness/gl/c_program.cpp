@@ -12,6 +12,7 @@
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/hexadecimal.h>
 #include "c_contexts.h"
+#include "promotions.h"
 
 namespace evalcts::gl {
 namespace {
@@ -147,8 +148,13 @@ class Writer {
     for (const EntryPoint entry : used)
       line("static __typeof__({0}) *my_{0};\n#define {0} my_{0}", name_of(entry));
     text_ += "\nstatic void load(void) {\n";
-    for (const EntryPoint entry : used)
-      line("  *(void **)&my_{0} = address_of(\"{0}\");\n  if (!my_{0}) missing(\"{0}\");", name_of(entry));
+    for (const EntryPoint entry : used) {
+      const std::string older = name_in_extension(name_of(entry));
+      line("  *(void **)&my_{0} = address_of(\"{0}\");", name_of(entry));
+      if (!older.empty())
+        line("  if (!my_{0}) *(void **)&my_{0} = address_of(\"{1}\");", name_of(entry), older);
+      line("  if (!my_{0}) missing(\"{0}\");", name_of(entry));
+    }
     text_ += "}\n";
     const bool is_failure = program_.check && program_.check->rule == Check::Rule::kHasCommands;
     const std::string missing = fmt::format(

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <utility>
 
+#include "promotions.h"
+
 namespace evalcts::gl {
 namespace {
 
@@ -77,6 +79,11 @@ const Promotion* promotion_of(std::string_view name) {
 
 std::string_view name_of(EntryPoint entry) { return kDescriptions[static_cast<std::size_t>(entry)].name; }
 
+std::string name_in_extension(std::string_view name) {
+  const Promotion* const promotion = promotion_of(name);
+  return promotion ? std::string(name) + std::string(promotion->suffix) : std::string();
+}
+
 std::string_view parameter_kinds(EntryPoint entry) {
   return kDescriptions[static_cast<std::size_t>(entry)].kinds;
 }
@@ -108,9 +115,8 @@ Advertised parse_advertised(const std::string& version, const std::string& exten
 
 Table load_table(std::initializer_list<AddressOf> sources, const Advertised& advertised) {
   const auto address = [&](const char* name) -> void* {
-    std::string names[] = {name, ""};
+    std::string names[] = {name, name_in_extension(name)};
     if (const Promotion* const promotion = promotion_of(name)) {
-      names[1] = std::string(name) + std::string(promotion->suffix);
       if (advertised.version < promotion->since && advertised.extensions.contains(promotion->extension))
         std::swap(names[0], names[1]);
     }

@@ -378,10 +378,9 @@ bool same_value(float a, float b) {
   return std::abs(a) <= kTiny && std::abs(b) <= kTiny;
 }
 
-}  // namespace
-
-Judgement judge(const Prediction& prediction, const Topology& topology, const Observation& observation,
-                const JudgeOptions& options) {
+// Judges vertices until there are `most` mismatches.
+Judgement judge_until(std::size_t most, const Prediction& prediction, const Topology& topology,
+                      const Observation& observation, const JudgeOptions& options) {
   Judgement judgement;
   const Shape shape = shape_of(observation);
   if (shape != topology.shape) {
@@ -403,7 +402,7 @@ Judgement judge(const Prediction& prediction, const Topology& topology, const Ob
   VertexJudge vertex_judge(options, observation, judgement);
   // A vertex of a strip is captured up to three times, but exact arithmetic is needed only once.
   std::vector<const ObservedVertex*> accepted(expected.size());
-  for (std::size_t i = 0; i < got.size(); ++i) {
+  for (std::size_t i = 0; i < got.size() && judgement.mismatches.size() < most; ++i) {
     const std::size_t vertex = topology.vertices[i];
     if (accepted[vertex] && *accepted[vertex] == *got[i]) continue;
     const std::size_t before = judgement.mismatches.size();
@@ -413,6 +412,13 @@ Judgement judge(const Prediction& prediction, const Topology& topology, const Ob
   return judgement;
 }
 
+}  // namespace
+
+Judgement judge(const Prediction& prediction, const Topology& topology, const Observation& observation,
+                const JudgeOptions& options) {
+  return judge_until(std::numeric_limits<std::size_t>::max(), prediction, topology, observation, options);
+}
+
 Judgement judge(const Prediction& prediction, const Observation& observation, const JudgeOptions& options) {
   return judge(prediction, Topology::points(prediction.vertex_count()), observation, options);
 }
@@ -420,13 +426,15 @@ Judgement judge(const Prediction& prediction, const Observation& observation, co
 Topology with_meshes_in_own_order(const Prediction& prediction, Topology topology,
                                   const Observation& observation, const JudgeOptions& options) {
   if (!prediction.has_meshes()) return topology;
-  const auto wrong = [&](const Topology& order) {
-    return judge(prediction, order, observation, options).mismatches.size();
+  // Exact arithmetic for every vertex of a long mesh in the wrong order would take minutes.
+  const auto wrong = [&](const Topology& order, std::size_t most) {
+    return judge_until(most, prediction, order, observation, options).mismatches.size();
   };
-  const std::size_t by_the_text = wrong(topology);
-  if (by_the_text == 0) return topology;
+  if (wrong(topology, 1) == 0) return topology;
   std::optional<Topology> own = match_meshes(prediction, topology, observation);
-  return own && wrong(*own) < by_the_text ? *std::move(own) : topology;
+  if (!own) return topology;
+  const std::size_t in_own = wrong(*own, std::numeric_limits<std::size_t>::max());
+  return in_own < wrong(topology, in_own + 1) ? *std::move(own) : topology;
 }
 
 std::string disagreement(const Seen& a, const Seen& b) {

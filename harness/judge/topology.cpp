@@ -177,10 +177,32 @@ class Distance {
         if (observation.clamped_colors)
           for (auto color = values.end() - 4; color != values.end(); ++color)
             *color = std::clamp(*color, 0.0f, 1.0f);
+        double sum = 0;
+        for (const auto& [attribute, first] :
+             {std::pair{kPosition, 0}, std::pair{kTextureCoordinate0, 4}, std::pair{kColor, 8}})
+          if (attributes_ & attribute)
+            sum = std::accumulate(values.begin() + first, values.begin() + first + 4, sum);
         for (const float component : reference::rounded(vertex.normal)) values.push_back(component);
         expected_.push_back(
-            {std::move(values), std::holds_alternative<reference::AutomaticNormal>(vertex.normal)});
+            {std::move(values), sum, std::holds_alternative<reference::AutomaticNormal>(vertex.normal)});
       }
+  }
+
+  // Sum of the values of a vertex but those of its normal. Vertices whose sums differ by d have at least the
+  // distance min(d, kFar).
+  double sum(std::size_t vertex) const { return expected_[vertex].sum; }
+  double sum(const ObservedVertex& seen) const {
+    double sum = 0;
+    const auto add = [&](Attribute attribute, const auto& values) {
+      if (attributes_ & attribute) sum = std::accumulate(values.begin(), values.end(), sum);
+    };
+    add(kPosition, seen.position);
+    add(kTextureCoordinate0, seen.texture_coordinate[0]);
+    add(kColor, seen.color);
+    return sum;
+  }
+  static double at_least(double difference_of_sums) {
+    return std::min(std::max(difference_of_sums, 0.0), kFar);
   }
 
   double operator()(std::size_t vertex, const ObservedVertex& seen) const {
@@ -207,6 +229,7 @@ class Distance {
  private:
   struct Expected {
     std::vector<float> values;
+    double sum;
     bool has_automatic_normal;
   };
 
@@ -299,6 +322,46 @@ std::vector<ExpectedPiece> pieces_of(const Topology& topology, const std::vector
   return pieces;
 }
 
+// Finds expected pieces whose sums (see Distance) are near that of a captured piece, the nearest first.
+class Sums {
+ public:
+  // Adds a piece that has sums from `least` to `most`.
+  void add(double least, double most) {
+    const double middle = (least + most) / 2;
+    if (!std::isfinite(middle)) {
+      width_ = std::numeric_limits<double>::infinity();
+      sorted_.emplace_back(0, sorted_.size());
+    } else {
+      width_ = std::max(width_, (most - least) / 2);
+      sorted_.emplace_back(middle, sorted_.size());
+    }
+  }
+  void sort() { std::ranges::sort(sorted_); }
+
+  // Calls `visit` with the number of each piece and a lower bound of its distance. If `visit` returns false,
+  // no piece that is farther away in the same direction follows.
+  template <class Visit>
+  void for_each_from(double sum, const Visit& visit) const {
+    auto above = std::ranges::lower_bound(sorted_, std::pair(sum, std::size_t{0}));
+    auto below = above;
+    bool up = above != sorted_.end(), down = below != sorted_.begin();
+    while (up || down) {
+      if (down && (!up || sum - (below - 1)->first <= above->first - sum)) {
+        --below;
+        down =
+            visit(below->second, Distance::at_least(sum - below->first - width_)) && below != sorted_.begin();
+      } else {
+        up = visit(above->second, Distance::at_least(above->first - sum - width_));
+        up = ++above != sorted_.end() && up;
+      }
+    }
+  }
+
+ private:
+  std::vector<std::pair<double, std::size_t>> sorted_;
+  double width_ = 0;
+};
+
 // Assigns each captured piece, in order, to the nearest expected piece that has not been found yet. Lines may
 // have either direction.
 class MeshMatch {
@@ -306,32 +369,56 @@ class MeshMatch {
   MeshMatch(const Distance& distance, const std::vector<Piece>& seen) : distance_(distance), seen_(seen) {}
 
   bool pieces(const std::span<ExpectedPiece> expected) {
+    Sums sums;
+    for (const ExpectedPiece& piece : expected) {
+      double sum = 0;
+      for (const std::size_t vertex : piece.vertices) sum += distance_.sum(vertex);
+      sums.add(sum, sum);
+    }
+    sums.sort();
     for (std::size_t n = 0; n < expected.size(); ++n, ++next_) {
       if (next_ == seen_.size()) return false;
       const Piece& piece = seen_[next_];
+      double sum = 0;
+      for (const ObservedVertex& vertex : piece.vertices) sum += distance_.sum(vertex);
       Match best;
       ExpectedPiece* nearest = nullptr;
-      for (ExpectedPiece& candidate : expected) {
+      sums.for_each_from(sum, [&](std::size_t i, double at_least) {
+        ExpectedPiece& candidate = expected[i];
         if (candidate.found || candidate.mode != piece.mode ||
             candidate.vertices.size() != piece.vertices.size())
-          continue;
+          return true;
+        if (at_least >= best.distance || ++comparisons_ > kMostComparisons) return false;
         std::vector<std::size_t> vertices = candidate.vertices;
         for (int way = 0; way < (piece.vertices.size() == 2 ? 2 : 1); ++way) {
-          double sum = 0;
-          for (std::size_t i = 0; i < vertices.size(); ++i) sum += distance_(vertices[i], piece.vertices[i]);
-          if (sum < best.distance) best = {sum, vertices}, nearest = &candidate;
+          double distance = 0;
+          for (std::size_t k = 0; k < vertices.size(); ++k)
+            distance += distance_(vertices[k], piece.vertices[k]);
+          if (distance < best.distance) best = {distance, vertices}, nearest = &candidate;
           std::ranges::reverse(vertices);
         }
-      }
-      if (!nearest) return false;
+        return true;
+      });
+      if (!nearest || comparisons_ > kMostComparisons) return false;
       nearest->found = true;
       append(best);
     }
     return true;
   }
 
-  bool quads(std::vector<Quad> expected) {
-    while (!expected.empty()) {
+  bool quads(const std::vector<Quad>& expected) {
+    Sums sums;
+    for (const Quad& quad : expected) {
+      double least = distance_.sum(quad[0]), most = least;
+      for (const std::size_t corner : quad) {
+        least = std::min(least, distance_.sum(corner));
+        most = std::max(most, distance_.sum(corner));
+      }
+      sums.add(least, most);
+    }
+    sums.sort();
+    std::vector<bool> found(expected.size());
+    for (std::size_t n = 0; n < expected.size(); ++n) {
       const std::size_t count = size(next_) == 3 && size(next_ + 1) == 3 ? 2 : size(next_) == 4 ? 1 : 0;
       if (count == 0) return false;
       const auto far = [&](const Quad& quad) {
@@ -344,10 +431,19 @@ class MeshMatch {
           }
         return sum;
       };
-      const auto quad = std::ranges::min_element(expected, {}, far);
-      append(count == 2 ? two_triangles(distance_, *quad, seen_[next_].vertices, seen_[next_ + 1].vertices)
-                        : turned(distance_, {quad->begin(), quad->end()}, seen_[next_].vertices));
-      expected.erase(quad);
+      double least = std::numeric_limits<double>::infinity();
+      std::size_t nearest = expected.size();
+      sums.for_each_from(distance_.sum(seen_[next_].vertices[0]), [&](std::size_t i, double at_least) {
+        if (found[i]) return true;
+        if (at_least >= least || ++comparisons_ > kMostComparisons) return false;
+        if (const double distance = far(expected[i]); distance < least) nearest = i, least = distance;
+        return true;
+      });
+      if (nearest == expected.size() || comparisons_ > kMostComparisons) return false;
+      found[nearest] = true;
+      const Quad& quad = expected[nearest];
+      append(count == 2 ? two_triangles(distance_, quad, seen_[next_].vertices, seen_[next_ + 1].vertices)
+                        : turned(distance_, {quad.begin(), quad.end()}, seen_[next_].vertices));
       next_ += count;
     }
     return true;
@@ -362,9 +458,11 @@ class MeshMatch {
     vertices_.insert(vertices_.end(), match.vertices.begin(), match.vertices.end());
   }
 
+  // If most pieces are nowhere near where they should be, every piece would be compared with every other.
+  static constexpr std::size_t kMostComparisons = 5'000'000;
   const Distance& distance_;
   const std::vector<Piece>& seen_;
-  std::size_t next_ = 0;
+  std::size_t next_ = 0, comparisons_ = 0;
   std::vector<std::size_t> vertices_;
 };
 
@@ -388,8 +486,6 @@ std::optional<Topology> match_meshes(const Prediction& prediction, const Topolog
     const std::size_t mesh = expected[first].mesh;
     end = first + 1;
     while (mesh != 0 && end < expected.size() && expected[end].mesh == mesh) ++end;
-    constexpr std::size_t kMost = 2000;  // every piece is compared with every other
-    if (end - first > kMost) return {};
     const auto filled = quads.find(mesh);
     if (filled == quads.end() ? !match.pieces({expected.begin() + static_cast<std::ptrdiff_t>(first),
                                                expected.begin() + static_cast<std::ptrdiff_t>(end)})

@@ -114,6 +114,9 @@ TEST(NormalForm, KeepsWhatMakesAnotherBug) {
       ["CallList", 1], ["GetError"]])",
       "glGetError", "missing error: after glCallList");
   add(R"([["GetMapiv", "GL_MAP1_INDEX", "GL_COEFF", {"out": "i32", "count": 1}]])", "glGetMapiv");
+  add(R"([["Map1f", "GL_MAP1_VERTEX_3", 0, 1, 2, 2, {"f32": [0, 0, 0]}], ["GetError"],
+      ["GetMapiv", "GL_MAP1_VERTEX_3", "GL_ORDER", {"out": "i32", "count": 1}]])",
+      "glGetMapiv");  // the effect of a rejected command
 }
 
 // Random search has found about 60 programs on Mesa, which show about 20 bugs.

@@ -173,6 +173,24 @@ TEST_F(CProgram, ContextsFromAProviderAndFromAnotherLibrary) {
 #endif
 }
 
+TEST_F(CProgram, FallsBackToTheExtensionOfACommand) {
+#ifndef __SANITIZE_ADDRESS__
+  gl::Case c("active texture");
+  c.ActiveTexture(GL_TEXTURE1);
+  const gl::Ref query = c.GetIntegerv(GL_ACTIVE_TEXTURE, gl::out<GLint>(1));
+  const gl::Check check{.answer = {.of = gl::Answer::Of::kElement, .command = query},
+                        .accepted = {{GL_TEXTURE1, GL_TEXTURE1}},
+                        .what = "unit"};
+  setenv("EVALCTS_DRILL", "older", 1);
+  const Outcome outcome = build_and_start(
+      gl::to_c({.context = "provider", .context_library = "", .library = {}, .script = &c, .check = &check}),
+      DEGRADED_PROVIDER);
+  unsetenv("EVALCTS_DRILL");
+  if (outcome.text.find("OSMesa creates no context") != std::string::npos) GTEST_SKIP() << "no OSMesa here";
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+#endif
+}
+
 TEST_F(CProgram, ThereIsNoneOfWhatOnlyEvalctsCanOpen) {
   const gl::Case c = line();
   EXPECT_THROW(gl::to_c({.context = "reference", .library = {}, .script = &c}), gl::NoCProgram);

@@ -228,6 +228,30 @@ TEST(MatchMeshes, LinesGoEitherWay) {
   EXPECT_GT(wrong({{10, 11}, {10, 11}, {10, 20}, {11, 21}}), 0u);
 }
 
+// Each of 4000 segments is found, although comparing every segment with every other would take long.
+TEST(MatchMeshes, LongMeshesInTheOppositeOrder) {
+  constexpr int kSegments = 4000;
+  gl::Case c;
+  c.Map2f(GL_MAP2_VERTEX_3, 0, kSegments, 3, 2, 0, 1, 3, 1,
+          std::vector<float>{10, 1, 0, 10 + kSegments, 1, 0});
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.MapGrid2f(kSegments, 0, kSegments, 1, 0, 1);
+  c.EvalMesh2(GL_LINE, 0, kSegments, 0, 0);
+  const Prediction lines = predict(c, 8);
+  std::vector<std::vector<float>> in_order, opposite;
+  for (int i = 0; i < kSegments; ++i) {
+    in_order.push_back({static_cast<float>(i), static_cast<float>(i + 1)});
+    opposite.push_back({static_cast<float>(10 + kSegments - i), static_cast<float>(9 + kSegments - i)});
+  }
+  const auto text = read_topology(lines, observed(GL_LINES, in_order));
+  ASSERT_TRUE(text);
+  const Observation seen = observed(GL_LINES, opposite);
+  EXPECT_EQ(wrong_in_own_order(lines, *text, seen), 0u);
+  EXPECT_EQ(judge(lines, with_meshes_in_own_order(lines, *text, seen, {}), seen, {}).mismatches.size(), 0u);
+  opposite[7] = {15, 14};
+  EXPECT_GT(wrong_in_own_order(lines, *text, observed(GL_LINES, opposite)), 0u);
+}
+
 TEST(MatchMeshes, QuadsAndTheirTriangles) {
   const Prediction filled = predict(mesh(GL_FILL, 2), 8);
   const auto text =
