@@ -367,7 +367,7 @@ void require_undone_behind(Test& t, GLbitfield inner) {
   }
 }
 
-// What is set behind a nested push of another group is undone when the outer level is popped.
+// Changes behind a nested push of another group are undone when the outer level is popped.
 EVALCTS_TEST(AttributeStack, NestedBehindOtherGroups, kMust, "EV-ATTRIB-NEST",
              combine((std::vector<Named<GLbitfield>>{
                          {"CURRENT_BIT", GL_CURRENT_BIT}, {"LIGHTING_BIT", GL_LIGHTING_BIT}, {"NO_BIT", 0}}))

@@ -1,7 +1,7 @@
 // Feedback mode (GL 2.1 §5.3). Texture coordinates of unit 0 come back as they are; positions come back
 // through identity OBJECT_LINEAR texture generation, normals through NORMAL_MAP, each in a pass of its own.
-// If an implementation divides s, t and r by q, as Mesa up to 7 does, the texture matrix separates q from them.
-// -0, subnormals and non-finite values are not preserved.
+// If an implementation divides s, t and r by q, as Mesa up to 7 does, the texture matrix separates q from
+// them. -0, subnormals and non-finite values are not preserved.
 #include <algorithm>
 #include <bit>
 #include <optional>
@@ -154,9 +154,9 @@ class FeedbackBuffer final : public Capture {
     if (!separate_last_) return run_pass(implementation, script, hold, Components::kAll, asked.most_vertices);
     Observation observation =
         run_pass(implementation, script, hold, Components::kWithoutLast, asked.most_vertices);
-    const bool shows_last = hold == TextureCoordinatesHold::kPosition ||
-                            (hold == TextureCoordinatesHold::kTexture &&
-                             (asked.attributes & kTextureCoordinate0));
+    const bool shows_last =
+        hold == TextureCoordinatesHold::kPosition ||
+        (hold == TextureCoordinatesHold::kTexture && (asked.attributes & kTextureCoordinate0));
     if (!shows_last) return observation;
     const Observation last = run_pass(implementation, script, hold, Components::kLast, asked.most_vertices);
     merge(observation, last, [](ObservedVertex& vertex, const ObservedVertex& more) {

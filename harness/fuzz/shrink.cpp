@@ -154,7 +154,7 @@ class Shrinker {
   }
 
   // Removes runs of commands, then pairs that can only be removed together (Begin and End, PushAttrib and
-  // PopAttrib, NewList and EndList, a command and its GetError).
+  // PopAttrib, NewList and EndList with the calls of the list, a command and its GetError).
   bool remove_commands() {
     const std::size_t before = size();
     std::vector<Command> all = best_.commands();
@@ -162,13 +162,23 @@ class Shrinker {
     for (std::size_t first = 0; first < size() && left_ > 0; ++first)
       for (const std::size_t second : partners(first)) {
         std::vector<Command> commands = best_.commands();
+        const Command opening = commands[first];
         commands.erase(commands.begin() + static_cast<std::ptrdiff_t>(second));
         commands.erase(commands.begin() + static_cast<std::ptrdiff_t>(first));
+        if (opening.entry == EntryPoint::NewList)
+          std::erase_if(commands, [&](const Command& command) { return calls_list_of(opening, command); });
         if (!attempt(std::move(commands))) continue;
         if (first > 0) --first;
         break;
       }
     return size() < before;
+  }
+
+  static bool calls_list_of(const Command& new_list, const Command& command) {
+    if (command.entry != EntryPoint::CallList) return false;
+    const auto* const made = std::get_if<std::int64_t>(&new_list.arguments[0]);
+    const auto* const called = std::get_if<std::int64_t>(&command.arguments[0]);
+    return made && called && *made == *called;
   }
 
   std::vector<std::size_t> partners(std::size_t first) const {

@@ -273,6 +273,21 @@ TEST(Shrink, TakesAPrimitiveForAMesh) {
   EXPECT_EQ(text_of(shrink(c, still, 100)), "glBegin(GL_POINTS);\nglEvalCoord1f(0.0f);\nglEnd();\n");
 }
 
+TEST(Shrink, TakesListsAwayTogetherWithTheirCalls) {
+  gl::Case c;
+  c.NewList(7, GL_COMPILE);
+  c.EvalPoint1(1);
+  c.EndList();
+  c.CallList(7);
+  const auto still = [](const gl::Case& candidate) {
+    const std::string text = text_of(candidate);
+    const bool has_list = contains(text, "glNewList");
+    return contains(text, "glEvalPoint1") && contains(text, "glEndList") == has_list &&
+           contains(text, "glCallList") == has_list;
+  };
+  EXPECT_EQ(text_of(shrink(c, still, 100)), "glEvalPoint1(0);\n");
+}
+
 // --- causes -----------------------------------------------------------------------------------------------
 
 TEST(Cause, IsToldByCommandsAndWhatDiffers) {
