@@ -54,8 +54,12 @@ void expect_rounded(Test& t, CheckedTrace& checked, gl::Ref query, const std::ve
     gl::Case c(gl::control("GetIntegerv of FOG_START"));
     c.Fogf(GL_FOG_START, -1.75f);
     const gl::Ref start = c.GetIntegerv(GL_FOG_START, gl::out<GLint>(1));
-    if (t.play(c).trace().values<GLint>(start) != std::vector<GLint>{-2})
-      throw NotObservable("pipeline: GetIntegerv rounds other state wrongly as well");
+    try {
+      if (t.play(c).trace().values<GLint>(start) != std::vector<GLint>{-2})
+        throw NotObservable("pipeline: GetIntegerv rounds other state wrongly as well");
+    } catch (const gl::MissingEntryPoint&) {
+      // A sink need not have other state.
+    }
   }
   checked.expect_values(query, expected);
 }
