@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include <evalcts/testkit/registration.h>
 
@@ -160,7 +159,7 @@ std::size_t first_wrong(const Recording& recording, const Drawing& drawing) {
     const auto found = std::find_if(left.begin(), last, [&](const Corners& expected) {
       if (quads) return are_quad(seen, expected);
       return std::ranges::equal(seen, expected, alike) ||
-             (any_order && std::ranges::equal(seen, std::views::reverse(expected), alike));
+             (any_order && std::equal(seen.begin(), seen.end(), expected.rbegin(), expected.rend(), alike));
     });
     if (found == last) return i;
     left.erase(found);
