@@ -13,22 +13,20 @@
 namespace evalcts::suite_feedback_mode {
 namespace {
 
-// Returns a state in which the right half of the drawing is outside the view volume, with no vertex near its
-// border.
-gl::Case moved_out() {
+// Returns a state that moves the drawing to the right by this distance. Some implementations compute no
+// texture coordinates where a primitive is clipped, unless a texture is enabled.
+gl::Case moved_by(float distance) {
   gl::Case state;
-  state.LoadMatrixf(std::vector<float>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1.1f, 0, 0, 1});
-  return state;
-}
-gl::Case not_moved() {
-  gl::Case state;
-  state.LoadIdentity();
+  set_up_texture(state);
+  state.LoadMatrixf(std::vector<float>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, distance, 0, 0, 1});
   return state;
 }
 
+// Returns scenes in which the drawings are inside the view volume, and scenes in which their right half is
+// outside, with no vertex near its border.
 std::vector<Scene> inside_and_half_outside(const std::vector<Drawing>& drawings, bool evaluated) {
-  std::vector<Scene> scenes = scenes_of(drawings, evaluated, "inside", not_moved());
-  for (Scene& scene : scenes_of(drawings, evaluated, "half of it clipped", moved_out()))
+  std::vector<Scene> scenes = scenes_of(drawings, evaluated, "inside", moved_by(0));
+  for (Scene& scene : scenes_of(drawings, evaluated, "half of it clipped", moved_by(1.1f)))
     scenes.push_back(std::move(scene));
   return scenes;
 }
@@ -148,13 +146,13 @@ EVALCTS_TEST(Feedback, FillMesh, kMust, "EV-FB-FILL")
 (Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_QUAD_STRIP);
   const Picture control =
-      feedback(t, gl::control("explicit quad strips"), scenes_of(drawings, false, "inside", not_moved()));
+      feedback(t, gl::control("explicit quad strips"), scenes_of(drawings, false, "inside", moved_by(0)));
   const Part& expected = control.parts[0];
   const std::vector<double> whole(kQuads, -double{kWidth} * kHeight);  // clockwise
   if (!are_all(primitives_of(expected), {GL_POLYGON_TOKEN}) || !alike(areas_of(expected).values, whole))
     throw NotObservable("pipeline: explicit quad strips do not come back as polygons that cover the quads");
 
-  Picture picture = feedback(t, "evaluated", scenes_of(drawings, true, "inside", not_moved()));
+  Picture picture = feedback(t, "evaluated", scenes_of(drawings, true, "inside", moved_by(0)));
   const Part& seen = picture.parts[0];
   const std::vector<FeedbackPrimitive> polygons = primitives_of(seen);
   picture.checked.expect(are_all(polygons, {GL_POLYGON_TOKEN}), seen.shown,
@@ -298,7 +296,7 @@ EVALCTS_TEST(Feedback, FlatColors, kMust, "EV-FB-COLOR")
   const auto scenes = [&](bool evaluated) {
     std::vector<Scene> all = {Scene("the state alone", flat)};
     for (Scene& scene : inside_and_half_outside(lines, evaluated)) all.push_back(std::move(scene));
-    for (Scene& scene : scenes_of(quads, evaluated, "inside", not_moved())) all.push_back(std::move(scene));
+    for (Scene& scene : scenes_of(quads, evaluated, "inside", moved_by(0))) all.push_back(std::move(scene));
     return all;
   };
   const Picture control = feedback(t, gl::control("explicit vertices"), scenes(false));

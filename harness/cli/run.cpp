@@ -357,10 +357,11 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
   add_repeatable(app, "--implementation", options->implementations,
                  "implementation to judge (see 'evalcts list implementations'); may be repeated");
   app.add_option("--library", options->library, "shared library to judge instead of the system's");
-  app.add_option("--context", options->context,
-                 fmt::format("interface that creates the contexts, instead of that of an implementation: {}, "
-                             "or the path of a provider. The system's, unless --library has the interface",
-                             fmt::join(evalcts::context_names(), ", ")));
+  app.add_option(
+      "--context", options->context,
+      fmt::format("interface that creates the contexts, instead of that of an implementation: {}, "
+                  "or the path of a provider; the library itself creates them if it has the interface",
+                  fmt::join(evalcts::context_names(), ", ")));
   app.add_option(
       "--name", options->label,
       "name of the result files and of the column in the report (default: the implementation's name)");

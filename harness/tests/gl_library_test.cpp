@@ -69,8 +69,10 @@ TEST_F(GlLibrary, OSMesaContexts) {
 TEST_F(GlLibrary, ContextsOfTheLibraryItself) {
   const std::tuple<const char*, const char*, const char*> all[] = {{"osmesa", "osmesa", "libOSMesa.so.8"},
                                                                    {"egl", "egl-surfaceless", "libEGL.so.1"}};
+  bool any = false;
   for (const auto& [implementation, context, name] : all) {
     if (!available(implementation)) continue;
+    any = true;
     SCOPED_TRACE(context);
     const std::string system = fs::canonical(SharedLibrary(name).path());
     const std::string copy = fs::canonical(folder_) / name;
@@ -83,6 +85,7 @@ TEST_F(GlLibrary, ContextsOfTheLibraryItself) {
     EXPECT_FALSE(judged.contains("context_library"));
     for (const json& file : judged["files"]) EXPECT_NE(fs::canonical(as_text(file)), system);
   }
+  if (!any) GTEST_SKIP() << "neither OSMesa nor EGL here";
 }
 
 // Tests of real libraries that draw without a window system.

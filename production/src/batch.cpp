@@ -278,8 +278,10 @@ glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
   const glev_result memory = glev::check_memory(outputs, inputs);
   if (memory != GLEV_SUCCESS) return memory;
 
-  const glev::Input u = {inputs[0].begin, inputs[0].stride, is_double},
-                    v = {inputs[1].begin, inputs[1].stride, is_double};
+  const auto input_of = [&](const Stream& stream) {
+    return glev::Input{stream.begin, stream.stride, is_double};
+  };
+  const glev::Input u = input_of(inputs[0]), v = has_v ? input_of(inputs[1]) : glev::Input{};
   glev::evaluate_arguments(*plan, u, has_v ? &v : nullptr, batch.count, batch.precision == GLEV_FAST,
                            outputs);
   return GLEV_SUCCESS;

@@ -21,7 +21,8 @@ struct MapDirection {
 // Copies control points of any strides; see copy_points().
 template <int kComponents, class Real>
 void copy_spread_points(const MapDirection& u, const MapDirection& v, const Real* points, double* out) {
-  // Adjacent values of i together, because they share cache lines if the stride of v is the larger one.
+  // Adjacent values of i are copied together, because they share cache lines if the stride of v is the larger
+  // one.
   constexpr std::ptrdiff_t kTogether = 4;
   for (std::ptrdiff_t first = 0; first < u.order; first += kTogether) {
     const std::ptrdiff_t end = std::min<std::ptrdiff_t>(first + kTogether, u.order);

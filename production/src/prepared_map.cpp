@@ -240,7 +240,7 @@ PreparedMap prepare_map(const double* points, std::array<int, 2> order, int comp
   if (std::max(order[0], order[1]) <= kMaxCentredDegree + 1) {
     centre(points, order, components, centred);
     map.centred = centred;
-    // All sums together, because each addition waits for the one before it.
+    // All sums are computed together, because each addition of a sum waits for the one before it.
     for (std::ptrdiff_t i = 0; i < count; ++i) {
       for (std::size_t k = 0; k < 4; ++k)
         sums[k] += std::fabs(centred[4 * i + static_cast<std::ptrdiff_t>(k)]);

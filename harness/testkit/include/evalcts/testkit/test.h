@@ -91,8 +91,8 @@ class Test {
   bool can_query_grid(GLenum name);
 
   // Appends optional commands, except those that are missing or crash the implementation, which are noted in
-  // the record. Throws NotObservable if none is left.
-  // Returns the position of each command; -1 if it was left out. No command may use the result of another.
+  // the record. Returns the position of each command; -1 if it was left out. No command may use the result of
+  // another. Throws NotObservable if none is left.
   std::vector<gl::Ref> append_optional(gl::Case& c, const gl::Case& optional);
 
   // Runs the case in a fresh context. Errors that are pending at the end of the case are failures.
