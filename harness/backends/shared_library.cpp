@@ -78,7 +78,7 @@ std::string problem_of_file(const std::string& path) {
 std::string explain(const std::string& name, const std::string& loader) {
   const bool is_path = name.find('/') != std::string::npos;
   if (is_path)
-    if (const std::string problem = problem_of_file(name); !problem.empty()) return problem;
+    if (std::string problem = problem_of_file(name); !problem.empty()) return problem;
   // "FILE: cannot open shared object file: ...": of the library itself, or of one that it depends on.
   const std::string missing = loader.substr(0, loader.find(": cannot open shared object file"));
   if (missing == loader) return fmt::format("the dynamic loader says: {}", loader);

@@ -290,7 +290,7 @@ TEST_F(GlLibrary, DriverOfTheEnvironmentIsJudged) {
     const json implementation = json::parse(file)["implementation"];
     if (const std::string note = implementation.value("note", ""); !note.empty()) GTEST_SKIP() << note;
     EXPECT_TRUE(implementation.value("renderer", "").starts_with(driver)) << implementation;
-    const json files = implementation.at("files");
+    const json& files = implementation.at("files");
     EXPECT_GE(files.size(), 2u) << "libEGL and a driver: " << files;
     EXPECT_EQ(files.dump().find("libvulkan") != std::string::npos, driver == std::string("zink")) << files;
   }
@@ -438,7 +438,7 @@ TEST_F(GlLibrary, DegradedLibrariesAreJudgedToTheEnd) {
     setenv("EVALCTS_DRILL", how, 1);
     const Outcome outcome = evalcts(
         {"run", "--context", DEGRADED_PROVIDER, "--name", "degraded", "--output", folder_.string(), "--depth",
-         "thorough", "--filter",
+         "thorough", "--bug-seconds", "2", "--filter",
          "InitialState.*:Api.EntryPoint2/Map2d:Map1Errors.OrderTooHigh/*_f:Precedence.*/EvalCoord1f"});
     EXPECT_EQ(outcome.code, 1) << outcome.text;
     const json result = results("degraded");

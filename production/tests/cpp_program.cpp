@@ -104,8 +104,8 @@ void check_patches() {
 }
 
 void check_plans() {
-  static const float points[] = {0, 0, 0, 1, 2, 0, 3, 2, 0, 4, 0, 0};
-  const glev_patches curve = glv::make_patches<float>(points, 3, 4, 1);
+  static const float kPoints[] = {0, 0, 0, 1, 2, 0, 3, 2, 0, 4, 0, 0};
+  const glev_patches curve = glv::make_patches<float>(kPoints, 3, 4, 1);
   glev_map_info info{};
   info.size = sizeof info;
   info.target = GLEV_MAP1_VERTEX_3;
@@ -140,7 +140,7 @@ void check_plans() {
 
   const glv::Context context;
   CHECK(context && context.result() == GLEV_SUCCESS);
-  glevMap1f(context.get(), GLEV_MAP1_VERTEX_3, 0, 1, 3, 4, points);
+  glevMap1f(context.get(), GLEV_MAP1_VERTEX_3, 0, 1, 3, 4, kPoints);
   glevEnable(context.get(), GLEV_MAP1_VERTEX_3);
   glv::Plan of_context(context, 1), moved(std::move(of_context));
   CHECK(moved && moved.result() == GLEV_SUCCESS && !of_context && of_context.result() != GLEV_SUCCESS);

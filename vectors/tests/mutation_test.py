@@ -12,7 +12,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from played import Evaluator, Machine, wrong_evaluator, wrong_state_machine
+from correct_implementations import Evaluator, Machine, wrong_evaluator, wrong_state_machine
 from wrong_evaluators import WRONG_EVALUATORS, evaluator_of
 from wrong_state_machines import WRONG_STATE_MACHINES, machine_of
 

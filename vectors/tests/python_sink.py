@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import lru_cache
 from math import copysign
 
-from played import Evaluator, Machine
+from correct_implementations import Evaluator, Machine
 from checker import gl
 from checker.gl import Value
 from checker.gl_commands import command_named
@@ -44,7 +44,7 @@ ITEMS = {"u8": "ub", "i8": "b", "u16": "us", "i16": "s", "u32": "ui", "i32": "i"
 KINDS = {c: kind for kind, c in ITEMS.items()}
 
 
-# The evaluators of maps are those of played.py.
+# The evaluators of maps are those of correct_implementations.py.
 
 class Known:
     """A component or normal of an evaluated map."""

@@ -5,7 +5,7 @@ from math import comb
 
 from checker.maps import Map
 from checker.number import Format
-from played import Evaluator, f32, f64, rounded, unit
+from correct_implementations import Evaluator, f32, f64, rounded, unit
 
 
 def _counted(first, last, segments, index, rounding, fused=False):

@@ -5,7 +5,7 @@ from checker.gl import Value
 from checker.gl_commands import command_named
 from checker.maps import TARGETS, Map
 from checker.number import BINARY64, Malformed, float_text, read_float
-from played import Machine, f32, f64
+from correct_implementations import Machine, f32, f64
 from wrong_evaluators import _counted
 
 
