@@ -138,6 +138,7 @@ static void on_vertex(void* user, const glev_vertex* vertex) {
   ++vertices;
 }
 
+/* Longer than 100 lines, because it is one program that uses each structure of the header. */
 int main(void) {
   static const float points[4][3] = {{0, 0, 0}, {1, 2, 0}, {3, 2, 0}, {4, 0, 0}};
   static const float u[3] = {0, 0.5f, 1};
