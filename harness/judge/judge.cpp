@@ -27,10 +27,10 @@ std::string text(const std::array<float, 3>& vector) {
 
 // Returns a text such as "order 4 at u = 0.5 (0x1p-1)" or "order 4x2 at u = ..., v = ...".
 std::string place(const Sample& sample) {
-  std::string order = std::to_string(sample.map->u.order);
-  if (sample.v) order += fmt::format("x{}", sample.map->v.order);
-  std::string at = "u = " + reference::describe(sample.u.value());
-  if (sample.v) at += ", v = " + reference::describe(sample.v->value());
+  std::string order = std::to_string(sample.map().u.order);
+  if (sample.v()) order += fmt::format("x{}", sample.map().v.order);
+  std::string at = "u = " + reference::describe(sample.u().value());
+  if (sample.v()) at += ", v = " + reference::describe(sample.v()->value());
   return fmt::format("order {} at {}", order, at);
 }
 
@@ -60,8 +60,9 @@ class VertexJudge {
   bool lost(const std::array<Component, 4>& vector) const {
     return options_.vectors_as_a_whole && std::ranges::any_of(vector, [&](const Component& component) {
              const auto* sample = std::get_if<Sample>(&component);
-             return sample && !reference::must_applies(component, reference::guaranteed_range(
-                                                                      sample->map->target, options_.version));
+             return sample &&
+                    !reference::must_applies(
+                        component, reference::guaranteed_range(sample->map().target, options_.version));
            });
   }
 
@@ -140,7 +141,7 @@ class VertexJudge {
       measure(what, sample, exact, magnitude, got);
       return;
     }
-    const int range = reference::guaranteed_range(sample.map->target, options_.version);
+    const int range = reference::guaranteed_range(sample.map().target, options_.version);
     if (!reference::must_applies(component, range)) {
       if (measured_) ++accuracy.not_judged;
       return;
@@ -277,10 +278,10 @@ class VertexJudge {
   static bool plainly_accepted(const Sample& sample, float got) {
     constexpr int kHighestOrder = 8;
     constexpr double kAccepted = 2e-5, kLeast = 1e-200, kMost = 1e200;
-    const reference::Map& map = *sample.map;
+    const reference::Map& map = sample.map();
     if (map.u.order > kHighestOrder || map.v.order > kHighestOrder || !std::isfinite(got)) return false;
-    const Weights u = weights_of(sample.u, map.u);
-    const Weights v = sample.v ? weights_of(*sample.v, map.v) : Weights{};
+    const Weights u = weights_of(sample.u(), map.u);
+    const Weights v = sample.v() ? weights_of(*sample.v(), map.v) : Weights{};
     if (!(u.t >= 0 && u.s >= 0 && v.t >= 0 && v.s >= 0)) return false;
     const std::array<double, 8> of_u = polynomials(u, map.u.order), of_v = polynomials(v, map.v.order);
     double value = 0, magnitude = 0;
@@ -302,7 +303,7 @@ class VertexJudge {
                                float got) {
     if (!std::isfinite(got)) return false;
     const Rational below =
-        reference::acceptance_bound_below(sample.map->u.order - 1, sample.map->v.order - 1, magnitude);
+        reference::acceptance_bound_below(sample.map().u.order - 1, sample.map().v.order - 1, magnitude);
     const double error = std::abs((Rational(static_cast<double>(got)) - exact).to_double());
     return error <= below.to_double() * (1 - 1e-12);
   }
@@ -342,7 +343,7 @@ class VertexJudge {
     mismatch.ulp = reference::ulp_distance(got, exact);
     mismatch.condition_aware = reference::condition_distance(got, exact, magnitude);
     mismatch.message = fmt::format("{} (component {} of {}, {}) is {}, {:.4g} ULP from {}", mismatch.what,
-                                   sample.component, gl::token_name(sample.map->target), place(sample),
+                                   sample.component, gl::token_name(sample.map().target), place(sample),
                                    mismatch.captured, mismatch.ulp, mismatch.exact);
     return mismatch;
   }

@@ -12,9 +12,9 @@ namespace {
 // Calls f(curve, u) or f(surface, u, v), depending on the dimension of the sample's map.
 template <typename F>
 auto with_polynomial(const Sample& sample, F&& f) {
-  const Map& map = *sample.map;
-  if (map.is_two_dimensional()) return f(map.surface(sample.component), sample.u, sample.v.value());
-  return f(map.curve(sample.component), sample.u);
+  const Map& map = sample.map();
+  if (map.is_two_dimensional()) return f(map.surface(sample.component), sample.u(), sample.v().value());
+  return f(map.curve(sample.component), sample.u());
 }
 
 bool is_finite(const AutomaticNormal& normal) {
@@ -26,7 +26,7 @@ bool is_finite(const AutomaticNormal& normal) {
 // Returns the acceptance of an explicit value: the bounds are zero and a must.
 Acceptance plain(float value) { return {value, abs(Rational(value)), 0, 0, true}; }
 
-int degree(const Sample& sample) { return sample.map->u.order - 1 + sample.map->v.order - 1; }
+int degree(const Sample& sample) { return sample.map().u.order - 1 + sample.map().v.order - 1; }
 
 }  // namespace
 

@@ -12,7 +12,8 @@ namespace {
 template <std::size_t kSize>
 void evaluate_into(std::array<Component, kSize>& attribute, const std::shared_ptr<const Map>& map,
                    const Argument& u, const std::optional<Argument>& v) {
-  for (int c = 0; c < map->components(); ++c) attribute[c] = Sample{map, c, u, v};
+  const auto evaluated = std::make_shared<const EvaluatedMap>(EvaluatedMap{map, u, v});
+  for (int c = 0; c < map->components(); ++c) attribute[c] = Sample(evaluated, c);
 }
 
 }  // namespace
@@ -40,7 +41,7 @@ void Specification::eval_coord(const Argument& u, const std::optional<Argument>&
   if (const auto color = effective_map(dimension, {GL_MAP1_COLOR_4})) {
     evaluate_into(vertex.color, color, u, v);
   }
-  if (const auto index = effective_map(dimension, {GL_MAP1_INDEX})) vertex.index = Sample{index, 0, u, v};
+  if (const auto index = effective_map(dimension, {GL_MAP1_INDEX})) vertex.index = Sample(index, 0, u, v);
   if (attributes_.enables.auto_normal && v) {  // before a NORMAL map, of the surface drawn (EV-AUTON-*)
     vertex.normal = AutomaticNormal{position, u, *v};
   } else if (const auto normal = effective_map(dimension, {GL_MAP1_NORMAL})) {

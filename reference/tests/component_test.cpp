@@ -43,7 +43,7 @@ TEST(PlainComponent, MayBeNoNumber) {
 TEST(SampleOfACurve, IsItsValue) {
   const auto map = curve_map();
   const Argument u = Argument::grid(1, 3, 0, 2);
-  const Component component = Sample{map, 0, u, std::nullopt};
+  const Component component = Sample(map, 0, u, std::nullopt);
   const Curve curve{map->points.data(), 3, 3, 0, 2};
   EXPECT_TRUE(is_finite(component));
   EXPECT_EQ(exact(component), evaluate(curve, u));
@@ -54,7 +54,7 @@ TEST(SampleOfACurve, IsItsValue) {
   EXPECT_EQ(acceptance(component).quality_bound, quality_bound(component));
   EXPECT_EQ(acceptance(component).bound, acceptance_bound(component));
   EXPECT_TRUE(must_applies(component));
-  const Component far = Sample{map, 0, Argument::coordinate(100), std::nullopt};
+  const Component far = Sample(map, 0, Argument::coordinate(100), std::nullopt);
   EXPECT_TRUE(must_applies(far, kFullRange));
   EXPECT_FALSE(must_applies(far, kReducedRange));
   EXPECT_FALSE(acceptance(far, kReducedRange).must_applies);
@@ -62,8 +62,8 @@ TEST(SampleOfACurve, IsItsValue) {
 
 TEST(SampleOfACurve, MayHaveNoValue) {
   const auto map = curve_map();
-  const Component of_nan = Sample{map, 2, Argument::coordinate(1), std::nullopt};
-  const Component at_infinity = Sample{map, 0, Argument::coordinate(INFINITY), std::nullopt};
+  const Component of_nan = Sample(map, 2, Argument::coordinate(1), std::nullopt);
+  const Component at_infinity = Sample(map, 0, Argument::coordinate(INFINITY), std::nullopt);
   for (const Component& component : {of_nan, at_infinity}) {
     EXPECT_FALSE(is_finite(component));
     EXPECT_TRUE(std::isnan(rounded(component)));
@@ -78,16 +78,16 @@ TEST(SampleOfASurface, IsItsValue) {
   const auto map = std::make_shared<const Map>(Map{
       GL_MAP2_TEXTURE_COORD_2, {2, 0, 1}, {3, 2, 4}, {0, 100, 1, 101, 2, 102, 10, 110, 11, 111, 12, 112}});
   const Argument u = Argument::coordinate(0.5), v = Argument::coordinate(3);
-  const Component component = Sample{map, 1, u, v};
+  const Component component = Sample(map, 1, u, v);
   EXPECT_TRUE(is_finite(component));
   EXPECT_EQ(exact(component), Rational(106));  // 100 + 10 * u + (v - 2)
   EXPECT_EQ(rounded(component), 106);
   EXPECT_EQ(acceptance_bound(component), acceptance_bound(map->surface(1), u, v));
   EXPECT_EQ(quality_bound(component), quality_bound(3, 106));
   EXPECT_TRUE(must_applies(component));
-  EXPECT_EQ(exact(Sample{map, 0, Argument::coordinate(1), Argument::coordinate(2)}), Rational(10));
-  EXPECT_EQ(exact(Sample{map, 0, Argument::coordinate(0), Argument::coordinate(4)}), Rational(2));
-  EXPECT_FALSE(is_finite(Sample{map, 0, u, Argument::coordinate(NAN)}));
+  EXPECT_EQ(exact(Sample(map, 0, Argument::coordinate(1), Argument::coordinate(2))), Rational(10));
+  EXPECT_EQ(exact(Sample(map, 0, Argument::coordinate(0), Argument::coordinate(4))), Rational(2));
+  EXPECT_FALSE(is_finite(Sample(map, 0, u, Argument::coordinate(NAN))));
 }
 
 TEST(GuaranteedRange, DependsOnTargetAndVersion) {

@@ -33,7 +33,7 @@ bool shows(const json& entry, bool along_v, double argument) {
   if (entry.contains("v")) v = read_argument(entry["v"]);
   (along_v ? *v : u) = Argument::coordinate(argument);
   for (int c = 0; c < map->components(); ++c) {
-    const Rational value = exact(reference::Component(reference::Sample{map, c, u, v}));
+    const Rational value = exact(reference::Component(reference::Sample(map, c, u, v)));
     if (!is_accepted(entry["components"][static_cast<std::size_t>(c)]["accept"], value)) return true;
   }
   return false;

@@ -215,7 +215,7 @@ Claim is_radial(int count) {
     Vector away;
     for (int d = 0; d < count; ++d)
       away[static_cast<std::size_t>(d)] = exact(reference::Component(
-          reference::Sample{map, d, c.directions[0].argument, c.directions[1].argument}));
+          reference::Sample(map, d, c.directions[0].argument, c.directions[1].argument)));
     const Vector normal = vector_of(m);
     const Rational along = dot(normal, away), squares = dot(normal, normal) * dot(away, away);
     return along > 0 && along * along >= (Rational(1) - power(-40)) * squares;

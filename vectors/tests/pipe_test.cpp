@@ -352,7 +352,7 @@ TEST(RandomCases, AreFast) {
       const Problem& problem = cases.problem();
       const auto map = std::make_shared<const Map>(problem.map);
       for (int c = 0; c < map->components(); ++c)
-        lines += fmt::format(" {:a}", reference::rounded(reference::Sample{map, c, problem.u, problem.v}));
+        lines += fmt::format(" {:a}", reference::rounded(reference::Sample(map, c, problem.u, problem.v)));
       lines += '\n';
     }
     std::istringstream stream(lines);

@@ -274,7 +274,7 @@ class Standing {
       for (const auto& component : vertex.texture_coordinate[static_cast<std::size_t>(unit)])
         if (const auto* sample = std::get_if<reference::Sample>(&component)) {
           if (needs_gl_2(*sample)) need("2.0");
-          if (is_initial(sample->map->target)) need("1.1");
+          if (is_initial(sample->map().target)) need("1.1");
         }
   }
   // Returns true if only the reference pages give the answer: the domain of a map that was never defined.

@@ -163,12 +163,12 @@ Json argument_as_json(const Argument& argument) {
 }
 
 bool needs_gl_2(const Sample& sample) {
-  const int before = reference::guaranteed_range(sample.map->target, kBefore2);
-  return before != range_of(*sample.map) && !must_applies(reference::Component(sample), before) &&
-         must_applies(reference::Component(sample), range_of(*sample.map));
+  const int before = reference::guaranteed_range(sample.map().target, kBefore2);
+  return before != range_of(sample.map()) && !must_applies(reference::Component(sample), before) &&
+         must_applies(reference::Component(sample), range_of(sample.map()));
 }
 
-Json entry_of(const Sample& sample) { return as_json(acceptance(sample, range_of(*sample.map))); }
+Json entry_of(const Sample& sample) { return as_json(acceptance(sample, range_of(sample.map()))); }
 
 Json value_case(const Problem& problem, Detail detail) {
   Json content = {{"level", "advisory"}, {"since", kFirstVersion}};
@@ -184,7 +184,7 @@ Json value_case(const Problem& problem, Detail detail) {
   std::vector<Acceptance> values;
   Json components = Json::array();
   for (int c = 0; c < map->components(); ++c) {
-    const Sample sample{map, c, problem.u, problem.v};
+    const Sample sample(map, c, problem.u, problem.v);
     values.push_back(acceptance(sample, range_of(*map)));
     components.push_back(as_json(values.back()));
     if (!components.back()["accept"].is_null()) content["level"] = "must";

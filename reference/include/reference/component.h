@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -16,12 +17,28 @@ namespace evalcts::reference {
 
 inline constexpr int kTextureUnits = 8;
 
-// One component of a map, evaluated at an argument.
-struct Sample {
+// A map and the argument at which it is evaluated.
+struct EvaluatedMap {
   std::shared_ptr<const Map> map;
-  int component;
   Argument u;
   std::optional<Argument> v;  // for two-dimensional maps
+};
+
+// One component of an evaluated map. The components share it, because primitives have tens of thousands of
+// vertices with up to 45 components each.
+struct Sample {
+  Sample(std::shared_ptr<const EvaluatedMap> evaluated_map, int number)
+      : evaluated(std::move(evaluated_map)), component(number) {}
+  Sample(const std::shared_ptr<const Map>& map, int number, const Argument& u,
+         const std::optional<Argument>& v)
+      : Sample(std::make_shared<const EvaluatedMap>(EvaluatedMap{map, u, v}), number) {}
+
+  const Map& map() const { return *evaluated->map; }
+  const Argument& u() const { return evaluated->u; }
+  const std::optional<Argument>& v() const { return evaluated->v; }
+
+  std::shared_ptr<const EvaluatedMap> evaluated;
+  int component;
 };
 
 // An explicit value, or a sample. Arguments of commands with double parameters (Vertex3d) are rounded to
