@@ -145,7 +145,7 @@ class EglContexts final : public ContextMaker {
     Made& made = *static_cast<Made*>(context);
     if (egl_.MakeCurrent(display_, made.surface, made.surface, made.context)) return;
     const CannotStart error = failure("eglMakeCurrent");
-    if (context != only_.get() || !initialize_again()) throw error;
+    if (context != only_.get() || !initialize_again()) throw CannotStart(error);
     const std::unique_ptr<Made> again(make(EGL_NO_CONTEXT, attributes_));
     made = *again;
   }
@@ -222,7 +222,7 @@ class EglContexts final : public ContextMaker {
     made->context = egl_.CreateContext(display_, config_, share, attributes.data());
     if (made->context == EGL_NO_CONTEXT) {
       const CannotStart error = failure("eglCreateContext");
-      if (!initialize_again()) throw error;
+      if (!initialize_again()) throw CannotStart(error);
       made->context = egl_.CreateContext(display_, config_, share, attributes.data());
       if (made->context == EGL_NO_CONTEXT) throw failure("eglCreateContext");
     }

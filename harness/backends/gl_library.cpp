@@ -177,7 +177,7 @@ class GlLibrary final : public Implementation {
       const GLubyte* const answer = get_string(name);
       return answer ? std::string(reinterpret_cast<const char*>(answer)) : std::string();
     };
-    const gl::Advertised advertised = gl::parse_advertised(text(GL_VERSION), text(GL_EXTENSIONS));
+    gl::Advertised advertised = gl::parse_advertised(text(GL_VERSION), text(GL_EXTENSIONS));
     if (get_error) get_error();  // a core profile has no GL_EXTENSIONS
     return advertised;
   }

@@ -3,9 +3,9 @@
 static const evalcts_receiver* receiver;
 static float points[8][3], u1, u2;
 static int order, enabled;
-static void Enable(unsigned target) { enabled = 1; }
+static void Enable(unsigned target) { enabled |= target == 0x0D97; }
 static void Map1f(unsigned target, float a, float b, int stride, int n, const float* p) {
-  if (a == b || n < 1 || stride < 3) return;
+  if (target != 0x0D97 || a == b || n < 1 || stride < 3) return;
   for (int i = 0; i < 3 * n; ++i) points[i / 3][i % 3] = p[i / 3 * stride + i % 3];
   order = n, u1 = a, u2 = b;
 }

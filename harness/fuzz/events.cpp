@@ -139,7 +139,7 @@ std::vector<std::string> parse_list(const std::string& text) {
 }
 
 const std::vector<KnownFinding>& known_findings() {
-  static const std::vector<KnownFinding> all = [] {
+  static const std::vector<KnownFinding> kAll = [] {
     std::vector<KnownFinding> findings;
     for (const json& data : json::parse(kFindings)) {
       findings.push_back(
@@ -148,7 +148,7 @@ const std::vector<KnownFinding>& known_findings() {
     }
     return findings;
   }();
-  return all;
+  return kAll;
 }
 
 const KnownFinding* known_finding(const std::string& cause) {

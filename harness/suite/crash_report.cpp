@@ -72,6 +72,7 @@ std::uintptr_t interrupted_address(const ucontext_t& context) {
 // Returns the return address of a call that has just been executed.
 std::uintptr_t return_address(const ucontext_t& context) {
 #if defined(__x86_64__)
+  // NOLINTNEXTLINE(performance-no-int-to-ptr)
   return *reinterpret_cast<const std::uintptr_t*>(context.uc_mcontext.gregs[REG_RSP]);
 #elif defined(__aarch64__)
   return context.uc_mcontext.regs[30];

@@ -81,7 +81,7 @@ TEST(Registration, ExpandsEachCombination) {
 }
 
 TEST(Registration, OneTestForEachDelivery) {
-  const std::vector<gl::Delivery> deliveries = gl::curve_deliveries();
+  const std::vector<gl::Delivery>& deliveries = gl::curve_deliveries();
   const std::vector<TestInfo>& tests = all_tests();
   for (const gl::Delivery& delivery : deliveries) {
     const std::string name =

@@ -107,7 +107,7 @@ TEST(Schedule, OneOfTheOtherDeliveriesIsTakenInEachTest) {
         std::ranges::max(Schedule(test(i)).of_deliveries(Depth::kQuick, gl::sparing(some_deliveries()))),
         Depth::kThorough);
   }
-  EXPECT_NEAR(taken[0], kTests / 2, kTests / 10);
+  EXPECT_NEAR(taken[0], kTests / 2.0, kTests / 10.0);
 }
 
 TEST(Schedule, OneWayThroughListsIsTakenInOneTestOfNineAndAtFullDepthOfThree) {
@@ -120,9 +120,9 @@ TEST(Schedule, OneWayThroughListsIsTakenInOneTestOfNineAndAtFullDepthOfThree) {
     if (depths[3] == Depth::kQuick) ++taken[0];
     if (depths[4] == Depth::kQuick) ++taken[1];
   }
-  EXPECT_NEAR(of_least[Depth::kQuick], kTests / 9, kTests / 30);
-  EXPECT_NEAR(of_least[Depth::kFull], kTests * 2 / 9, kTests / 30);
-  EXPECT_NEAR(taken[0], taken[1], kTests / 30);
+  EXPECT_NEAR(of_least[Depth::kQuick], kTests / 9.0, kTests / 30.0);
+  EXPECT_NEAR(of_least[Depth::kFull], kTests * 2 / 9.0, kTests / 30.0);
+  EXPECT_NEAR(taken[0], taken[1], kTests / 30.0);
 }
 
 TEST(Schedule, TheDepthOfTheTestIsTheLeast) {
@@ -139,7 +139,7 @@ TEST(Schedule, OneTestOf32WithFewPrimitivesIsCrossChecked) {
     EXPECT_EQ(schedule.is_cross_checked(Depth::kQuick, 1), schedule.is_cross_checked(Depth::kFull, 64));
     checked += schedule.is_cross_checked(Depth::kFull, 64);
   }
-  EXPECT_NEAR(checked, kTests / 32, kTests / 100);
+  EXPECT_NEAR(checked, kTests / 32.0, kTests / 100.0);
 }
 
 }  // namespace

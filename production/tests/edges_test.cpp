@@ -30,8 +30,8 @@ struct Tessellation {
   std::array<double, 2> position(std::size_t number) const {
     const auto columns = static_cast<std::size_t>(u_segments) - 1;
     if (number < inner()) {
-      return {static_cast<double>(number % columns + 1) / u_segments,
-              static_cast<double>(number / columns + 1) / v_segments};
+      const std::size_t i = number % columns + 1, j = number / columns + 1;
+      return {static_cast<double>(i) / u_segments, static_cast<double>(j) / v_segments};
     }
     auto rest = static_cast<int>(number - inner());
     std::size_t edge = 0;

@@ -358,7 +358,7 @@ class SharedVertices : public ::testing::Test {
     Guarded scratch(glevGetIndexScratchSize(&indices) + shift, side);
     indices.scratch = scratch.data() + shift;
     indices.scratch_size = scratch.size() - shift;
-    const std::vector<std::uint32_t> shared = get_indices(indices);
+    std::vector<std::uint32_t> shared = get_indices(indices);
     EXPECT_EQ(shared.size(), all.size());
     for (std::size_t k = 0; k < all.size(); ++k) {
       const auto vertex = [&](std::size_t number) { return vertices.data() + number * stride; };

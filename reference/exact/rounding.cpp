@@ -91,12 +91,12 @@ Integer round_to_integer(const Rational& x) {
 }
 
 Rational ulp(const Rational& x) {
-  constexpr int kSmallest = -149, kLargest = 104;
-  if (x.is_zero()) return Rational::power_of_two(kSmallest);
+  constexpr int kLowest = -149, kHighest = 104;
+  if (x.is_zero()) return Rational::power_of_two(kLowest);
   const std::int64_t magnitude = floor_log2(x);
   const bool power_of_two = abs(x) == Rational::power_of_two(magnitude);
   return Rational::power_of_two(
-      std::clamp<std::int64_t>(magnitude - 23 - (power_of_two ? 1 : 0), kSmallest, kLargest));
+      std::clamp<std::int64_t>(magnitude - 23 - (power_of_two ? 1 : 0), kLowest, kHighest));
 }
 
 namespace {

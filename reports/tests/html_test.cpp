@@ -236,7 +236,7 @@ TEST(Html, Changes) {
   EXPECT_EQ(pair["from"], 1);
   EXPECT_EQ(pair["to"], 0);
   EXPECT_EQ(pair["changes"], json({0, 0, 0, 1, 7, 0}));  // a regression and a vanished test
-  EXPECT_EQ(data["since"], json({0}));
+  EXPECT_EQ(data["since"], json::array({0}));
 }
 
 // Any two implementations can be compared, in both directions.

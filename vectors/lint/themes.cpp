@@ -1,6 +1,7 @@
 // The property of each theme, as a predicate on a case with its exact values.
 #include "themes.h"
 
+#include <fmt/format.h>
 #include <reference/rounding.h>
 
 #include <algorithm>
@@ -441,7 +442,7 @@ const std::map<std::string, Claim>& claims() {
 std::string broken_theme(const json& entry) {
   const std::string id = entry["id"], theme = entry["flags"][0];
   const std::string kind = id.substr(0, id.find('.'));
-  for (const std::string& name : {kind + "." + theme, theme}) {
+  for (const std::string& name : {fmt::format("{}.{}", kind, theme), theme}) {
     const auto found = claims().find(name);
     if (found == claims().end()) continue;
     return found->second(ValueCase(entry)) ? "" : theme;

@@ -24,15 +24,15 @@ class Tie {
   // odd multiple of 1/2, plus more / 2^degree. If the degree is so low that this is not near a tie, the last
   // value becomes a small fraction with the sign of `more` instead, and the sum of the others becomes a tie.
   Values values(int degree, int more) const {
-    const std::int64_t whole = std::int64_t{1} << degree;
+    const std::int64_t whole = std::int64_t{1} << degree, half = whole / 2;
     Values values = values_;
     if (more == 0 || degree >= kNearDegree) {
-      values.back() += static_cast<double>(whole / 2 - sum(values) % whole + more);
+      values.back() += static_cast<double>(half - sum(values) % whole + more);
       return values;
     }
     for (double& value : values) value += 0x1p22;
     values.back() = 0;
-    values.front() += static_cast<double>(whole / 2 - sum(values) % whole);
+    values.front() += static_cast<double>(half - sum(values) % whole);
     if (values.front() >= 0x1p24) values.front() -= static_cast<double>(whole);
     values.back() = more * 0x1p-12;
     return values;

@@ -136,7 +136,7 @@ void high_orders(Document& document) {
 void enables(Document& document) {
   Theme theme(document, "enables", "each of the 19 enables by itself, in all forms of queries",
               {"EV-EN-CAPS", "EV-EN-INDEP", "EV-EN-GETS"});
-  const std::vector<GLenum> all = gl::all_caps();
+  const std::vector<GLenum>& all = gl::all_caps();
   for (std::size_t i = 0; i < all.size(); ++i)
     add(theme, kPositions, [&](gl::Case& c) {
       c.Enable(all[i]);

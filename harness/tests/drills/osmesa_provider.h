@@ -13,8 +13,8 @@ namespace osmesa_provider {
 
 // Returns the address in OSMesa, or null if OSMesa is not installed or has no such function.
 inline void* address_of(const char* name) {
-  static void* const library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
-  return library ? dlsym(library, name) : nullptr;
+  static void* const kLibrary = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
+  return kLibrary ? dlsym(kLibrary, name) : nullptr;
 }
 
 // Returns the function of OSMesa with the given type.

@@ -140,8 +140,8 @@ static void on_vertex(void* user, const glev_vertex* vertex) {
 
 /* Longer than 100 lines, because it is one program that uses each structure of the header. */
 int main(void) {
-  static const float points[4][3] = {{0, 0, 0}, {1, 2, 0}, {3, 2, 0}, {4, 0, 0}};
-  static const float u[3] = {0, 0.5f, 1};
+  static const float kPoints[4][3] = {{0, 0, 0}, {1, 2, 0}, {3, 2, 0}, {4, 0, 0}};
+  static const float kU[3] = {0, 0.5f, 1};
 
   MAKE(glev_allocator, allocator);
   allocator.it.user = &allocations;
@@ -157,7 +157,7 @@ int main(void) {
   sink.it.user = &vertices;
   sink.it.vertex = on_vertex;
   CHECK(glevSetSink(gl, &sink.it) == GLEV_SUCCESS);
-  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 4, &points[0][0]);
+  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 4, &kPoints[0][0]);
   glevMapGrid1f(gl, 2, 0, 1);
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
   glevBegin(gl, GLEV_POINTS);
@@ -180,9 +180,9 @@ int main(void) {
   MAKE(glev_batch, batch);
   batch.it.count = 3;
   batch.it.type = GLEV_FLOAT;
-  batch.it.u.data = u;
-  batch.it.u.data_size = sizeof u;
-  batch.it.u.stride = sizeof u[0];
+  batch.it.u.data = kU;
+  batch.it.u.data_size = sizeof kU;
+  batch.it.u.stride = sizeof kU[0];
   batch.it.outputs = outputs;
   batch.it.output_count = 1;
   CHECK(glevEvaluate(plan, &batch.it) == GLEV_SUCCESS);
@@ -217,15 +217,15 @@ int main(void) {
   output.it.size = sizeof output.it;
   free(mesh.it.scratch);
 
-  static const float second[4][3] = {{0, 0, 0}, {1, 2, 0}, {3, 2, 0}, {4, 0, 0}};
+  static const float kSecond[4][3] = {{0, 0, 0}, {1, 2, 0}, {3, 2, 0}, {4, 0, 0}};
   MAKE(glev_patches, patches);
   patches.it.count = 1;
   patches.it.components = 3;
   patches.it.uorder = 4;
   patches.it.vorder = 1;
   patches.it.type = GLEV_FLOAT;
-  patches.it.points = second;
-  patches.it.points_size = sizeof second;
+  patches.it.points = kSecond;
+  patches.it.points_size = sizeof kSecond;
   MAKE(glev_patch_grid, grid);
   grid.it.u_segments = 2;
   memset(again, 0, sizeof again);
