@@ -219,7 +219,10 @@ class Reproduction::Recorder final : public ImplementationInFront {
   }
   std::unique_ptr<Context> create_beside() override { return nullptr; }
 
-  void begin_case() { passes_.clear(); }
+  void begin_case(const gl::Case& script) {
+    in_control_ = script.is_control();
+    if (!in_control_) passes_.clear();
+  }
   const std::vector<Pass>& passes() const { return passes_; }
   void freeze() { frozen_ = true; }
   bool frozen() const { return frozen_; }
@@ -249,34 +252,35 @@ class Reproduction::Recorder final : public ImplementationInFront {
         : ContextInFront(std::move(inner)), recorder_(recorder) {}
 
     gl::Trace play(const gl::Case& script) override {
-      if (recorder_.frozen_) return inner().play(script);
+      if (recorder_.frozen_ || recorder_.in_control_) return inner().play(script);
       pass_ = recorder_.passes_.size();
       recorder_.passes_.push_back({script, {}, {}});
-      recorder_.write(pass_, nullptr);
+      recorder_.write(*pass_, nullptr);
       try {
         gl::Trace trace = inner().play(script);
-        recorder_.passes_[pass_].trace = trace;
+        recorder_.passes_[*pass_].trace = trace;
         return trace;
       } catch (const gl::MissingEntryPoint&) {
-        recorder_.passes_[pass_].missing_command = true;
+        recorder_.passes_[*pass_].missing_command = true;
         throw;
       }
     }
 
     std::vector<ObservedPrimitive> take_emitted() override {
       std::vector<ObservedPrimitive> emitted = inner().take_emitted();
-      if (!recorder_.frozen_ && pass_ < recorder_.passes_.size()) recorder_.passes_[pass_].emitted = emitted;
+      if (!recorder_.frozen_ && pass_ && *pass_ < recorder_.passes_.size())
+        recorder_.passes_[*pass_].emitted = emitted;
       return emitted;
     }
 
    private:
     Recorder& recorder_;
-    std::size_t pass_ = 0;
+    std::optional<std::size_t> pass_;  // none before a case is recorded
   };
 
   std::string file_;
   std::vector<Pass> passes_;
-  bool frozen_ = false;
+  bool frozen_ = false, in_control_ = false;
 };
 
 Reproduction::Reproduction(Implementation& implementation, std::string file)
@@ -285,8 +289,8 @@ Reproduction::~Reproduction() = default;
 
 Implementation& Reproduction::implementation() { return *recorder_; }
 
-void Reproduction::begin_case() {
-  if (!recorder_->frozen()) recorder_->begin_case();
+void Reproduction::begin_case(const gl::Case& script) {
+  if (!recorder_->frozen()) recorder_->begin_case(script);
 }
 
 std::optional<gl::Check> Reproduction::check_of(const Mismatch& mismatch, const std::vector<Mismatch>& all,

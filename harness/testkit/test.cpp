@@ -107,7 +107,7 @@ std::vector<gl::Ref> Test::append_optional(gl::Case& c, const gl::Case& optional
 gl::DeliveredCase Test::begin_case(const gl::Case& script) {
   ++cases_;
   control_.clear();
-  if (subject_.reproduction) subject_.reproduction->begin_case();
+  if (subject_.reproduction) subject_.reproduction->begin_case(script);
   gl::DeliveredCase delivered = delivery_.apply(script);
   lists_used_ = lists_used_ || gl::uses_lists(delivered.script);
   const auto has_high_order = [&](const gl::Command& command) {
@@ -218,7 +218,7 @@ std::vector<Test::Look> Test::look_at(const gl::Case& script, const Prediction& 
     const Attributes wanted = looks.empty() ? capture->shown() : capture->shown_of(required);
     Topology topology = subject_.topologies->find(prediction, *capture, *subject_.implementation);
     // The explicit primitives, from which the topology was learned, are not part of the case.
-    if (looks.empty() && subject_.reproduction) subject_.reproduction->begin_case();
+    if (looks.empty() && subject_.reproduction) subject_.reproduction->begin_case(script);
     Observation observation =
         capture->observe(*subject_.implementation, script, {wanted, most_vertices, kinds});
     if (std::optional<Topology> quads = match_quads(prediction, observation)) topology = *std::move(quads);

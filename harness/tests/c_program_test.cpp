@@ -248,5 +248,33 @@ TEST_F(CProgram, FindsTheAnswerThatAMismatchRestsOn) {
   EXPECT_TRUE(contains(outcome.text, "position.z of vertex 1: expected [1.4"));
 }
 
+// Some tests run a control after a case that is about to fail.
+TEST_F(CProgram, HasTheFailingCaseAndNotTheControlAfterIt) {
+  const std::unique_ptr<Implementation> production = open_implementation({.name = "production"});
+  const std::string file = (folder_ / "written.c").string();
+  Reproduction reproduction(*production, file);
+  Subject subject;
+  subject.implementation = &reproduction.implementation();
+  subject.info = inquire(*production);
+  subject.reproduction = &reproduction;
+  TestRecord record;
+  record.name = "A.Test";
+  evalcts::Test test(subject, record);
+  test.run([](evalcts::Test& t) {
+    gl::Case c("grid");
+    c.MapGrid1f(3, 0, 1);
+    const gl::Ref query = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
+    CheckedTrace checked = t.play(c);
+    gl::Case control(gl::control("colour"));
+    control.Color4f(1, 2, 3, 4);
+    t.play(control);
+    checked.expect_values<GLint>(query, {4});
+  });
+  ASSERT_EQ(record.verdict, Verdict::kFail) << record.message;
+  const std::string program = read_file(file);
+  EXPECT_TRUE(contains(program, "glMapGrid1f(3, 0.0f, 1.0f);"));
+  EXPECT_FALSE(contains(program, "glColor4f"));
+}
+
 }  // namespace
 }  // namespace evalcts

@@ -495,6 +495,19 @@ TEST_F(GlLibrary, ListsInWhichAllVerticesGoWrong) {
   }
 }
 
+// A library whose lists lose Begin accepts all commands behind it, not only those of the evaluators.
+TEST_F(GlLibrary, ListsThatLoseBegin) {
+  if (!available("osmesa")) GTEST_SKIP() << "no OSMesa here";
+  const Variable drill("EVALCTS_DRILL", "begin");
+  const Outcome outcome = evalcts(
+      {"run", "--context", DEGRADED_PROVIDER, "--name", "degraded", "--output", folder_.string(), "--filter",
+       "Map1Errors.BetweenBeginAndEnd/MAP1_VERTEX_3_f/Compiled:Grids.BetweenBeginAndEnd/f/Compiled"});
+  const json result = results("degraded");
+  EXPECT_EQ(result["tests"].size(), 2u) << outcome.text;
+  for (const json& test : result["tests"])
+    EXPECT_TRUE(contains(as_text(test["message"]), "CULL_FACE")) << test;
+}
+
 // Tests of GLX. DISPLAY is not set, so each process starts its own X server.
 class GlxLibrary : public GlLibrary {
  protected:

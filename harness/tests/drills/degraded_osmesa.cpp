@@ -6,6 +6,7 @@
 //   crashes: every second call of an evaluator crashes
 //   lists: explicit and evaluated vertices in display lists are in wrong places
 //   evaluated: only evaluated vertices in display lists are in wrong places
+//   begin: in display lists, Begin has no effect on the commands behind it
 //   older: glActiveTexture has only its name in GL_ARB_multitexture
 //   the name of a command: this command is missing
 #include <climits>
@@ -58,6 +59,10 @@ void end_list() {
   in_list = false;
   REAL(glEndList)();
 }
+void begin(GLenum mode) {
+  REAL(glBegin)(mode);
+  if (in_list) REAL(glEnd)();
+}
 void vertex3f(GLfloat x, GLfloat y, GLfloat z) { REAL(glVertex3f)(x + astray(false), y, z); }
 void vertex4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) { REAL(glVertex4f)(x + astray(false), y, z, w); }
 void eval_coord1f_astray(GLfloat u) { REAL(glEvalCoord1f)(u + astray(true)); }
@@ -99,9 +104,11 @@ void* get_address(const char* command) {
       OWN(glEvalMesh1, eval_mesh1_astray),
       OWN(glEvalMesh2, eval_mesh2_astray),
   };
+  static const osmesa_provider::Own kBegin[] = {OWN(glNewList, new_list), OWN(glEndList, end_list),
+                                                OWN(glBegin, begin)};
   const std::pair<const char*, std::span<const osmesa_provider::Own>> mistakes[] = {
-      {"silent", kSilent},   {"noisy", kNoisy},  {"low", kLimits},      {"high", kLimits},
-      {"crashes", kCrashes}, {"lists", kAstray}, {"evaluated", kAstray}};
+      {"silent", kSilent},   {"noisy", kNoisy},  {"low", kLimits},       {"high", kLimits},
+      {"crashes", kCrashes}, {"lists", kAstray}, {"evaluated", kAstray}, {"begin", kBegin}};
   for (const auto& [mistake, own] : mistakes)
     if (is_drill(mistake)) return osmesa_provider::find(own, command);
   return osmesa_provider::address_of(command);

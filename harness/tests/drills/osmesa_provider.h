@@ -41,10 +41,11 @@ inline void* find(std::span<const Own> own, const char* command) {
 }
 
 // Functions of evalcts_provider (evalcts_provider.h).
+using MakeCurrent = GLboolean(void*, void*, GLenum, GLsizei, GLsizei);
+
 inline int make_current(void* context) {
   static unsigned char pixels[64 * 64 * 4];
-  const auto make = real<GLboolean(void*, void*, GLenum, GLsizei, GLsizei)>("OSMesaMakeCurrent");
-  return make(context, pixels, GL_UNSIGNED_BYTE, 64, 64);
+  return real<MakeCurrent>("OSMesaMakeCurrent")(context, pixels, GL_UNSIGNED_BYTE, 64, 64);
 }
 
 inline void* create() {
@@ -53,7 +54,11 @@ inline void* create() {
   return context && make_current(context) ? context : nullptr;
 }
 
-inline void destroy(void* context) { real<void(void*)>("OSMesaDestroyContext")(context); }
+// Mesa crashes if a context is destroyed that is current and has drawn.
+inline void destroy(void* context) {
+  real<MakeCurrent>("OSMesaMakeCurrent")(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+  real<void(void*)>("OSMesaDestroyContext")(context);
+}
 
 inline const char* error() { return "OSMesa creates no context"; }
 

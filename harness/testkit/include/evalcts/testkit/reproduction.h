@@ -25,9 +25,10 @@ class Reproduction {
   // Returns the recording implementation, on which the test must run.
   Implementation& implementation();
 
-  // Must be called at the beginning of each case of the test. Discards the recorded commands
-  // of earlier cases.
-  void begin_case();
+  // Must be called at the beginning of each case of the test. Discards the recorded commands of earlier
+  // cases. A control is not recorded and discards nothing, because it may run after the case that it belongs
+  // to.
+  void begin_case(const gl::Case& script);
 
   // Observes and judges the case again on the given implementation.
   using Rejudge = std::function<std::vector<Mismatch>(Implementation&)>;
