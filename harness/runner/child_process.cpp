@@ -78,6 +78,13 @@ std::string shell_line(const std::vector<std::string>& command) {
   return line;
 }
 
+std::uint64_t resident_memory(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/statm");
+  std::uint64_t size = 0, resident = 0;
+  file >> size >> resident;
+  return file ? resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
 void adopt_what_children_leave() {
   const std::lock_guard lock(children_mutex);
   adopting = prctl(PR_SET_CHILD_SUBREAPER, 1) == 0;
@@ -174,13 +181,6 @@ void ChildProcess::kill() {
   if (ending_) return;
   ::kill(-id_, SIGKILL);
   ::kill(id_, SIGKILL);  // the process may have moved to another group
-}
-
-std::uint64_t ChildProcess::memory() const {
-  std::ifstream file("/proc/" + std::to_string(id_) + "/statm");
-  std::uint64_t size = 0, resident = 0;
-  file >> size >> resident;
-  return file ? resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
 }  // namespace evalcts

@@ -217,7 +217,9 @@ class Run {
     const auto start = [&](std::size_t job) {
       calls_left_out[job] = crashing_calls_.size();
       std::vector<std::string> command = command_for(tests, of_job(job, "txt"), of_job(job, "jsonl"));
-      command.insert(command.end(), {"--claims", (scratch_ / "claims").string(), "--gtest_brief=1"});
+      // A library may lose memory in each context without ever needing much.
+      command.insert(command.end(), {"--claims", (scratch_ / "claims").string(), "--gtest_brief=1",
+                                     "--renew-above", std::to_string((request_.limits.memory >> 20) / 2)});
       jobs[job] =
           std::make_unique<SuiteChild>(command, of_job(job, "jsonl"), of_job(job, "log"), request_.limits);
     };

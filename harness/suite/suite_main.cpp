@@ -34,6 +34,7 @@
 #include <evalcts/results/files.h>
 #include <evalcts/results/filter.h>
 #include <evalcts/results/serialization.h>
+#include <evalcts/runner/child_process.h>
 #include <evalcts/runner/claims.h>
 #include <evalcts/testkit/registration.h>
 #include <evalcts/testkit/reproduction.h>
@@ -58,7 +59,8 @@ struct Options {
   std::string records, tests, claims, answer, prove, reproduce;
   fuzz::Campaign campaign;
   std::string known, deadly, replay, reduce;
-  double reduce_seconds = 0;  // time limit; 0: none
+  double reduce_seconds = 0;      // time limit; 0: none
+  std::uint64_t renew_above = 0;  // MiB; 0: no limit
   std::vector<std::string> left_out;
   bool fuzz = false, describe = false, list = false, trace_cases = false, crash_control = false,
        die_with_parent = false, reuse_context = false;
@@ -129,9 +131,11 @@ class GoogleTestAdapter : public testing::Test {
     if (!changed.empty())
       std::cout << fmt::format("evalcts: the library has changed {}; put back", fmt::join(changed, ", "))
                 << std::endl;
-    // The library may have closed other files, too, so the remaining tests run in a new process
-    // of the runner.
-    if (program_.records->was_closed()) _exit(0);
+    // The remaining tests run in a new process of the runner if this one has little memory left, or if the
+    // library has closed files.
+    const std::uint64_t most_memory = program_.options.renew_above << 20;
+    if (program_.records->was_closed() || (most_memory != 0 && resident_memory(getpid()) > most_memory))
+      _exit(0);
   }
 
  private:
@@ -270,6 +274,9 @@ void parse(int argc, char** argv, Options& options) {
                  "of its cases (a test that is cut short decides nothing)");
   app.add_option("--claims", options.claims,
                  "file shared with other processes that have the same list: each test is run by one of them");
+  app.add_option("--renew-above", options.renew_above,
+                 "end after a test if this process uses more memory than this, in MiB; another continues")
+      ->needs("--claims");
   app.add_option("--answer", options.answer,
                  "file for the answer of the next three, instead of standard output");
   app.add_option("--reproduce", options.reproduce,

@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Misbehaviour{"exit-well", "crash", kEndedWell}, Misbehaviour{"kill", "crash", "SIGKILL"},
                     Misbehaviour{"thread", "crash", "SIGSEGV"},
                     Misbehaviour{"heap", "crash", "the process ended with"},
-                    Misbehaviour{"memory", "crash", " MiB of memory"},
+                    Misbehaviour{"memory", "crash", " MiB of memory"}, Misbehaviour{"leak", "pass"},
                     Misbehaviour{"flood", "pass", " more bytes are omitted here"},
                     Misbehaviour{"close", "pass"}, Misbehaviour{"close-and-open", "pass"},
                     Misbehaviour{"threads-stay", "pass"}, Misbehaviour{"process-stays", "pass"},

@@ -15,6 +15,7 @@
 //   "history": after the trigger, GetMapiv returns an order of VERTEX_3 that is too large by one in the same
 //     context
 //   "start": crashes when a context is created
+//   "leak": each context loses 4 MB
 //   "lenient": Map1f of VERTEX_3 accepts strides below 3
 //   "fragile": as "lenient", but crashes in such calls if nothing was enabled before in the context
 //   "control": each Vertex3f crashes, and each EvalCoord1f changes the current colour
@@ -92,6 +93,7 @@ using misbehaviours::crash;
 #else
 EXPORT void* OSMesaCreateContextExt(GLenum, GLint, GLint, GLint, void*) {
   if (is_drill("start")) crash();
+  if (is_drill("leak")) misbehaviours::lose_memory();
   odd_context = enabled_something = false;
   glev_context* context = nullptr;
   glevCreateContext(nullptr, &context);

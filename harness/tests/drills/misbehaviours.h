@@ -32,14 +32,16 @@ inline void crash() {
   for (;;) pause();
 }
 
-// Allocates and uses memory in pieces of 100 MB, without end.
+// Allocates and uses 4 MB.
+inline void lose_memory() {
+  constexpr std::size_t kSize = 4'000'000;
+  auto* const memory = static_cast<volatile char*>(std::malloc(kSize));
+  if (!memory) wait_for_ever();
+  for (std::size_t i = 0; i < kSize; i += 1024) memory[i] = 1;
+}
+
 inline void eat_memory() {
-  for (;;) {
-    constexpr std::size_t kPiece = 100'000'000;
-    auto* const piece = static_cast<volatile char*>(std::malloc(kPiece));
-    if (!piece) wait_for_ever();
-    for (std::size_t i = 0; i < kPiece; i += 1024) piece[i] = 1;
-  }
+  for (;;) lose_memory();
 }
 
 inline void print_megabytes(int count) {

@@ -23,6 +23,9 @@ std::string describe(const Ending& ending);
 // Returns a command as one line for a POSIX shell.
 std::string shell_line(const std::vector<std::string>& command);
 
+// Returns the resident memory of a process in bytes; 0 if it is not known.
+std::uint64_t resident_memory(pid_t process);
+
 // Makes this process adopt the orphans of its children, in any session, and kill them when a child ends.
 void adopt_what_children_leave();
 
@@ -46,8 +49,8 @@ class ChildProcess {
   std::optional<Ending> wait(double seconds);
   void kill();
 
-  // Returns the resident memory in bytes; 0 if it is not known.
-  std::uint64_t memory() const;
+  // Returns resident_memory() of the process.
+  std::uint64_t memory() const { return resident_memory(id_); }
   // Returns the latest line of limited output that begins with "evalcts: ".
   std::string own_words() const { return output_ ? output_->own_words() : std::string(); }
   // Returns the first lines of limited output, see OutputLog::beginning.
