@@ -34,8 +34,8 @@ EVALCTS_RULES(EverySegmentResetsStipple, osmesa, kQuality, "EV-FB-LINE",
               after(FeedbackBuffer, {set(kNumber, kAddress), set(kCount, kFirst), set(kFlag, 0)}),
               after(kMeshes, set(kFlag, 1)),
               after(RenderMode, kFirst == GL_RENDER && kFlag && kNumber && kResult <= kCount, [](Call& c) {
-                auto* const values = reinterpret_cast<GLfloat*>(  // NOLINTNEXTLINE(performance-no-int-to-ptr)
-                    static_cast<std::uintptr_t>(kNumber(c)));
+                // NOLINTNEXTLINE(performance-no-int-to-ptr)
+                auto* const values = reinterpret_cast<GLfloat*>(static_cast<std::uintptr_t>(kNumber(c)));
                 std::replace(values,
                              values + std::max<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(c.result), 0),
                              GLfloat{GL_LINE_TOKEN}, GLfloat{GL_LINE_RESET_TOKEN});
