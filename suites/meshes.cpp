@@ -237,7 +237,7 @@ std::vector<MeshAlong> all_along() {
 // The mesh has one step across the direction under test, because FILL needs two rows.
 EVALCTS_TEST(Mesh2, EndsAreExact, kMust, "EV-MESH2-EXACT", combine(all_along()).by(gl::list_deliveries()))
 (Test& t, const MeshAlong& which) {
-  const int whole = t.by_depth(20, 40, 300);
+  const int whole = t.by_depth(20, 40, 200);
   std::size_t most = 0;
   for (const Grid& grid : probed_grids(t))
     most += static_cast<std::size_t>(12 * (std::min(grid.segments, whole) + 8));

@@ -219,7 +219,7 @@ class Run {
       std::vector<std::string> command = command_for(tests, of_job(job, "txt"), of_job(job, "jsonl"));
       // A library may lose memory in each context without ever needing much.
       command.insert(command.end(), {"--claims", (scratch_ / "claims").string(), "--gtest_brief=1",
-                                     "--renew-above", std::to_string((request_.limits.memory >> 20) / 2)});
+                                     "--renew-above", std::to_string((request_.limits.memory >> 20) / 4)});
       jobs[job] =
           std::make_unique<SuiteChild>(command, of_job(job, "jsonl"), of_job(job, "log"), request_.limits);
     };
