@@ -1,5 +1,5 @@
-// The subject production-fast: meshes of libglevaluator with GLEV_FAST. Each argument is evaluated as a mesh of
-// one point of a grid of 2^24 segments.
+// The subject production-fast: meshes of libglevaluator with GLEV_FAST. Each argument is evaluated as a mesh
+// of one point of a grid of 2^24 segments.
 #include <glevaluator.h>
 
 #include <cmath>
