@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <limits>
@@ -134,8 +135,11 @@ class GoogleTestAdapter : public testing::Test {
     // The remaining tests run in a new process of the runner if this one has little memory left, or if the
     // library has closed files.
     const std::uint64_t most_memory = program_.options.renew_above << 20;
-    if (program_.records->was_closed() || (most_memory != 0 && resident_memory(getpid()) > most_memory))
+    if (program_.records->was_closed() || (most_memory != 0 && resident_memory(getpid()) > most_memory)) {
+      std::cout.flush();
+      std::fflush(stdout);
       _exit(0);
+    }
   }
 
  private:
