@@ -107,8 +107,9 @@ std::vector<NamedCalls> forbidden_in_primitives() {
   return all;
 }
 
-// Throws NotObservable if the library accepts Enable(CULL_FACE), or raises no error, in place of the commands
-// of the evaluators between Begin and End of the script as well, for example because a list has lost a Begin.
+// Runs the script with Enable(CULL_FACE) in place of the evaluators' commands between Begin and End. Throws
+// NotObservable if this takes effect or raises no error: the library has then lost the Begin, for example in
+// a display list, or raises no errors at all.
 void require_that_others_are_rejected(Test& t, const gl::Case& script) {
   if (t.gl().declaration) return;  // a sink has no other state
   gl::Case c(gl::control("Enable(CULL_FACE) between Begin and End"));
@@ -132,7 +133,8 @@ void require_that_others_are_rejected(Test& t, const gl::Case& script) {
   const gl::Trace& trace = checked.trace();
   const auto is_silent = [&](gl::Ref error) { return trace.error(error) == GL_NO_ERROR; };
   if (trace.result(enabled) != GL_FALSE || std::ranges::any_of(errors, is_silent))
-    throw NotObservable("pipeline: Enable(CULL_FACE) is accepted between Begin and End, too");
+    throw NotObservable(
+        "pipeline: Enable(CULL_FACE) between Begin and End takes effect or raises no error as well");
 }
 
 void expect_rejected(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,

@@ -217,7 +217,8 @@ class Run {
     const auto start = [&](std::size_t job) {
       calls_left_out[job] = crashing_calls_.size();
       std::vector<std::string> command = command_for(tests, of_job(job, "txt"), of_job(job, "jsonl"));
-      // A library may lose memory in each context without ever needing much.
+      // A process above a quarter of the limit is replaced between tests, because a library may lose memory
+      // in each context, and a test of thorough depth may need more than half of the limit.
       command.insert(command.end(), {"--claims", (scratch_ / "claims").string(), "--gtest_brief=1",
                                      "--renew-above", std::to_string((request_.limits.memory >> 20) / 4)});
       jobs[job] =
