@@ -44,7 +44,7 @@ std::optional<ChangeKind> change_of(const TestRecord& before, const TestRecord& 
     if (!before.is_bad() || now.verdict < before.verdict) return ChangeKind::kRegression;
     const bool comparable = cases_comparable && !before.mismatches.empty() && !now.mismatches.empty();
     if (comparable && !further_mismatch(before, now).empty()) return ChangeKind::kRegression;
-    if (before.verdict != now.verdict || (comparable && before.mismatches != now.mismatches))
+    if (before.verdict != now.verdict || (comparable && before.signature() != now.signature()))
       return ChangeKind::kFailsOtherwise;
     return std::nullopt;
   }
@@ -58,9 +58,13 @@ std::optional<ChangeKind> change_of(const TestRecord& before, const TestRecord& 
 const ChangeText& text_of(ChangeKind kind) { return kChangeTexts[static_cast<std::size_t>(kind)]; }
 
 std::string further_mismatch(const TestRecord& before, const TestRecord& now) {
+  // What `before` has beyond its last recorded mismatch is not known.
+  const auto end = before.signature_of_all.empty() || before.mismatches.empty()
+                       ? now.mismatches.end()
+                       : std::ranges::upper_bound(now.mismatches, before.mismatches.back());
   std::vector<std::string> further;
-  std::set_difference(now.mismatches.begin(), now.mismatches.end(), before.mismatches.begin(),
-                      before.mismatches.end(), std::back_inserter(further));
+  std::set_difference(now.mismatches.begin(), end, before.mismatches.begin(), before.mismatches.end(),
+                      std::back_inserter(further));
   return further.empty() ? "" : further.front();
 }
 

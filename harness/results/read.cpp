@@ -140,6 +140,7 @@ TestRecord read_test(const JsonObject& in) {
     out.again = Repetition{read_verdict(*again).value_or(Verdict::kInternalError), again->text("message")};
   out.mismatches = in.texts("mismatches");
   std::ranges::sort(out.mismatches);
+  out.signature_of_all = in.text("signature_of_all");
   if (const auto readings = in.object("readings"))
     readings->each_key(
         [&](const std::string& key, const std::string& name) { out.readings[name] = readings->text(key); });

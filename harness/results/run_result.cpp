@@ -47,11 +47,20 @@ std::string Crash::group() const {
 }
 
 std::string TestRecord::signature() const {
+  if (!signature_of_all.empty()) return signature_of_all;
   std::vector<std::string> identities = mismatches;
   std::ranges::sort(identities);
   auto hash = fnv1a<std::uint64_t>("");
   for (const std::string& identity : identities) hash = fnv1a(identity + '\n', hash);
   return fmt::format("{}-{:016x}", identities.size(), hash);
+}
+
+void TestRecord::shorten_mismatches() {
+  std::ranges::sort(mismatches);
+  if (mismatches.size() <= kMostMismatches) return;
+  signature_of_all = signature();
+  mismatches.resize(kMostMismatches);
+  mismatches.shrink_to_fit();
 }
 
 const char* name_of(RunStatus status) {

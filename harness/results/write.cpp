@@ -114,6 +114,7 @@ json to_json(const TestRecord& test) {
   set(out, "seed", test.seed);
   set(out, "seconds", test.seconds);
   if (!test.mismatches.empty()) out["mismatches"] = test.mismatches;
+  if (!test.signature_of_all.empty()) out["signature_of_all"] = test.signature_of_all;
   out["failures"] = json::array();
   for (const Failure& failure : test.failures) out["failures"].push_back(to_json(failure));
   set(out, "capture", test.capture);

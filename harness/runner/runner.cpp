@@ -446,7 +446,7 @@ class Run {
     const auto found = again.records.find(record.name);
     if (found == again.records.end()) return std::nullopt;
     const TestRecord& other = found->second;
-    if (other.verdict == record.verdict && other.mismatches == record.mismatches) return std::nullopt;
+    if (other.verdict == record.verdict && other.signature() == record.signature()) return std::nullopt;
     return Repetition{other.verdict, other.message};
   }
 
@@ -526,7 +526,8 @@ class Run {
     if (!second_pass()) return false;
     const auto fresh = std::ranges::find(request_.first_pass->tests, record.name, &TestRecord::name);
     return fresh != request_.first_pass->tests.end() && fresh->verdict == record.verdict &&
-           std::ranges::includes(fresh->mismatches, record.mismatches);
+           (fresh->signature() == record.signature() ||
+            std::ranges::includes(fresh->mismatches, record.mismatches));
   }
 
   // In the second pass, marks tests that also fail in fresh contexts, and searches for the histories of the

@@ -70,6 +70,18 @@ TEST(Comparison, FurtherCasesAreARegression) {
                        "A.b (fail, in more cases: u=2: y)"));
 }
 
+// A record of very many mismatches has the first ones and the signature of all.
+TEST(Comparison, WhatIsBeyondTheRecordedMismatchesIsNoRegression) {
+  json before = outcome("A.b", "fail", {"u=0: x", "u=1: x"});
+  before["signature_of_all"] = "600-1";
+  EXPECT_EQ(change(before, before), "");
+  EXPECT_EQ(change(before, outcome("A.b", "fail", {"u=0: x", "u=2: y"})), "fails differently");
+  EXPECT_EQ(change(before, outcome("A.b", "fail", {"u=0: x", "u=0: y"})), "regression");
+  json other = before;
+  other["signature_of_all"] = "600-2";
+  EXPECT_EQ(change(before, other), "fails differently");
+}
+
 TEST(Comparison, NewAndVanishedTests) {
   const Changes told = changes_of({result("x", {outcome("A.new", "pass"), outcome("A.bad", "fail")})},
                                   {result("x", {outcome("A.gone", "fail")})});

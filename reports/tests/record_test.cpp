@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -236,6 +237,21 @@ TEST(RunResult, UnknownWordsAreRefused) {
 TEST(RunResult, ATestStandsOnce) {
   EXPECT_EQ(refusal({{"tests", {{{"name", "A.b"}}, {{"name", "A.b"}}}}}),
             "tests[1].name: \"A.b\" occurs twice in this record");
+}
+
+TEST(RunResult, VeryManyMismatchesAreShortened) {
+  TestRecord all;
+  for (std::size_t i = 0; i <= kMostMismatches; ++i) all.mismatches.push_back(std::to_string(i));
+  const std::string signature = all.signature();
+  TestRecord shortened = all;
+  shortened.shorten_mismatches();
+  EXPECT_EQ(shortened.mismatches.size(), kMostMismatches);
+  EXPECT_TRUE(std::ranges::is_sorted(shortened.mismatches));
+  EXPECT_EQ(shortened.signature(), signature);
+  all.mismatches.pop_back();
+  all.shorten_mismatches();
+  EXPECT_EQ(all.mismatches.size(), kMostMismatches);
+  EXPECT_TRUE(all.signature_of_all.empty());
 }
 
 TEST(RunResult, SummaryCountsOnlyWithoutTests) {

@@ -88,6 +88,9 @@ struct Repetition {
   std::string message;
 };
 
+// A long primitive with a wrong colour has hundreds of thousands of mismatches.
+inline constexpr std::size_t kMostMismatches = 500;
+
 struct TestRecord {
   std::string name;
   std::vector<RequirementId> requirements;
@@ -100,7 +103,10 @@ struct TestRecord {
   std::vector<RequirementId> violated;
   std::optional<std::uint64_t> cases, failed_cases, seed;
   std::optional<double> seconds;
-  std::vector<std::string> mismatches;  // sorted identities of all mismatches, "case: what"
+  // Sorted identities of the mismatches, "case: what": the first kMostMismatches. If there are more,
+  // `signature_of_all` is the signature of all; otherwise it is empty.
+  std::vector<std::string> mismatches;
+  std::string signature_of_all;
   std::vector<Failure> failures;        // the first few, in full
   std::string capture;                  // the first capture that was used; empty if none was
   // Parts that the test is about, but did not observe, because no capture shows these attributes or these
@@ -138,8 +144,10 @@ struct TestRecord {
   // Order of reporting, smallest first: unexpected failures by verdict, expected failures by verdict,
   // unexpected passes, the rest by verdict.
   int severity() const;
-  // Returns a short text that identifies the sorted mismatches: their number and a hash.
+  // Returns a short text that identifies all mismatches: their number and a hash.
   std::string signature() const;
+  // Sorts the mismatches, and leaves out those beyond kMostMismatches.
+  void shorten_mismatches();
 };
 
 }  // namespace evalcts
