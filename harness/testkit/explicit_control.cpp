@@ -13,6 +13,7 @@
 #include <evalcts/gl/errors.h>
 #include <evalcts/gl/explicit_vertices.h>
 #include <evalcts/gl/player.h>
+#include <evalcts/gl/tokens.h>
 #include <evalcts/judge/judge.h>
 
 namespace evalcts {
