@@ -322,24 +322,18 @@ std::vector<ExpectedPiece> pieces_of(const Topology& topology, const std::vector
   return pieces;
 }
 
-// Finds expected pieces whose sums (see Distance) are near that of a captured piece, the nearest first.
+// Finds expected pieces by sums (see Distance), the nearest to that of a captured piece first. A piece may
+// have several sums.
 class Sums {
  public:
-  // Adds a piece that has sums from `least` to `most`.
-  void add(double least, double most) {
-    const double middle = (least + most) / 2;
-    if (!std::isfinite(middle)) {
-      width_ = std::numeric_limits<double>::infinity();
-      sorted_.emplace_back(0, sorted_.size());
-    } else {
-      width_ = std::max(width_, (most - least) / 2);
-      sorted_.emplace_back(middle, sorted_.size());
-    }
+  void add(double sum, std::size_t piece) {
+    all_finite_ = all_finite_ && std::isfinite(sum);
+    sorted_.emplace_back(std::isfinite(sum) ? sum : 0, piece);
   }
   void sort() { std::ranges::sort(sorted_); }
 
-  // Calls `visit` with the number of each piece and a lower bound of its distance. If `visit` returns false,
-  // no piece that is farther away in the same direction follows.
+  // Calls `visit` with each piece, as often as it has sums, and with a lower bound of its distance. If
+  // `visit` returns false, no sum that is farther away in the same direction follows.
   template <class Visit>
   void for_each_from(double sum, const Visit& visit) const {
     auto above = std::ranges::lower_bound(sorted_, std::pair(sum, std::size_t{0}));
@@ -348,18 +342,19 @@ class Sums {
     while (up || down) {
       if (down && (!up || sum - (below - 1)->first <= above->first - sum)) {
         --below;
-        down =
-            visit(below->second, Distance::at_least(sum - below->first - width_)) && below != sorted_.begin();
+        down = visit(below->second, at_least(sum - below->first)) && below != sorted_.begin();
       } else {
-        up = visit(above->second, Distance::at_least(above->first - sum - width_));
+        up = visit(above->second, at_least(above->first - sum));
         up = ++above != sorted_.end() && up;
       }
     }
   }
 
  private:
+  double at_least(double distance) const { return all_finite_ ? Distance::at_least(distance) : 0; }
+
   std::vector<std::pair<double, std::size_t>> sorted_;
-  double width_ = 0;
+  bool all_finite_ = true;
 };
 
 // Assigns each captured piece, in order, to the nearest expected piece that has not been found yet. Lines may
@@ -370,10 +365,10 @@ class MeshMatch {
 
   bool pieces(const std::span<ExpectedPiece> expected) {
     Sums sums;
-    for (const ExpectedPiece& piece : expected) {
+    for (std::size_t i = 0; i < expected.size(); ++i) {
       double sum = 0;
-      for (const std::size_t vertex : piece.vertices) sum += distance_.sum(vertex);
-      sums.add(sum, sum);
+      for (const std::size_t vertex : expected[i].vertices) sum += distance_.sum(vertex);
+      sums.add(sum, i);
     }
     sums.sort();
     for (std::size_t n = 0; n < expected.size(); ++n, ++next_) {
@@ -408,14 +403,8 @@ class MeshMatch {
 
   bool quads(const std::vector<Quad>& expected) {
     Sums sums;
-    for (const Quad& quad : expected) {
-      double least = distance_.sum(quad[0]), most = least;
-      for (const std::size_t corner : quad) {
-        least = std::min(least, distance_.sum(corner));
-        most = std::max(most, distance_.sum(corner));
-      }
-      sums.add(least, most);
-    }
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      for (const std::size_t corner : expected[i]) sums.add(distance_.sum(corner), i);
     sums.sort();
     std::vector<bool> found(expected.size());
     for (std::size_t n = 0; n < expected.size(); ++n) {

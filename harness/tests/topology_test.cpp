@@ -252,6 +252,27 @@ TEST(MatchMeshes, LongMeshesInTheOppositeOrder) {
   EXPECT_GT(wrong_in_own_order(lines, *text, observed(GL_LINES, opposite)), 0u);
 }
 
+// The quads are much longer in u than the mesh is in v.
+TEST(MatchMeshes, LongMeshesOfQuadsInTheOppositeOrder) {
+  constexpr int kQuads = 4000, kWidth = 100'000;
+  gl::Case c;
+  c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 2, 0, kQuads, 3, 2,
+          std::vector<float>{10, 1, 0, 10 + kQuads, 1, 0, 10 + kWidth, 1, 0, 10 + kWidth + kQuads, 1, 0});
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.MapGrid2f(1, 0, 1, kQuads, 0, kQuads);
+  c.EvalMesh2(GL_FILL, 0, 1, 0, kQuads);
+  const Prediction filled = predict(c, 8);
+  std::vector<std::vector<float>> in_order, opposite;
+  for (int j = 0; j < kQuads; ++j) {
+    const auto first = static_cast<float>(4 * j), corner = static_cast<float>(9 + kQuads - j);
+    in_order.push_back({first, first + 1, first + 3, first + 2});
+    opposite.push_back({corner, corner + 1, corner + 1 + kWidth, corner + kWidth});
+  }
+  const auto text = read_topology(filled, observed(GL_POLYGON, in_order));
+  ASSERT_TRUE(text);
+  EXPECT_EQ(wrong_in_own_order(filled, *text, observed(GL_POLYGON, opposite)), 0u);
+}
+
 TEST(MatchMeshes, QuadsAndTheirTriangles) {
   const Prediction filled = predict(mesh(GL_FILL, 2), 8);
   const auto text =
