@@ -263,6 +263,7 @@ EVALCTS_TEST(Attributes, TextureMapsFeedUnit0, kMust, "EV-ATTR-UNIT0/1-D", "EV-A
                       2.0f);
   c.ActiveTexture(GL_TEXTURE1);
   evaluate_some(c);
+  c.ActiveTexture(GL_TEXTURE0);  // a list that is called twice defines the maps again
   t.expect_emission(c, kTextureCoordinate0 | kTextureCoordinatesOther);
 };
 

@@ -208,7 +208,8 @@ EVALCTS_TEST(Pipeline, BetweenEvaluations, kMust, "EV-COORD-MATERIAL/1-D",
 };
 
 // There is no map of edge flags: evaluated vertices have the current edge flag.
-EVALCTS_TEST(Pipeline, CurrentEdgeFlag, kMust, "EV-ATTR-NOMAPS/1-D", by(without_lists()))
+EVALCTS_TEST(Pipeline, CurrentEdgeFlag, kMust, "EV-ATTR-NOMAPS/1-D",
+             by(gl::without(gl::kMeshes, without_lists())))
 (Test& t) {
   constexpr View kView = View::kFeedback;
   gl::Case state;
