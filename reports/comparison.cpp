@@ -58,7 +58,7 @@ std::optional<ChangeKind> change_of(const TestRecord& before, const TestRecord& 
 const ChangeText& text_of(ChangeKind kind) { return kChangeTexts[static_cast<std::size_t>(kind)]; }
 
 std::string further_mismatch(const TestRecord& before, const TestRecord& now) {
-  // What `before` has beyond its last recorded mismatch is not known.
+  // The mismatches of `before` behind the last recorded one are not known.
   const auto end = before.signature_of_all.empty() || before.mismatches.empty()
                        ? now.mismatches.end()
                        : std::ranges::upper_bound(now.mismatches, before.mismatches.back());

@@ -107,8 +107,8 @@ struct TestRecord {
   // `signature_of_all` is the signature of all; otherwise it is empty.
   std::vector<std::string> mismatches;
   std::string signature_of_all;
-  std::vector<Failure> failures;        // the first few, in full
-  std::string capture;                  // the first capture that was used; empty if none was
+  std::vector<Failure> failures;  // the first few, in full
+  std::string capture;            // the first capture that was used; empty if none was
   // Parts that the test is about, but did not observe, because no capture shows these attributes or these
   // commands are missing: "colour, normal, glMap1d (missing)". The verdict does not cover them.
   std::string unobserved;
