@@ -137,6 +137,16 @@ void require_that_others_are_rejected(Test& t, const gl::Case& script) {
         "pipeline: Enable(CULL_FACE) between Begin and End takes effect or raises no error as well");
 }
 
+// Makes the failures that follow violate the requirements of the test that are about effects of rejected
+// commands, or the others. If the test decides only one of these kinds, they violate all.
+enum class About { kErrors, kEffects };
+void decide(Test& t, About subject) {
+  std::vector<RequirementId> decided;
+  for (const RequirementId& id : t.requirements())
+    if (id.id.ends_with("-ERR-NOEFFECT") == (subject == About::kEffects)) decided.push_back(id);
+  t.decide(std::move(decided));
+}
+
 void expect_rejected(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,
                      std::initializer_list<GLenum> allowed, Prepared prepared) {
   gl::Case c(identity);
@@ -152,14 +162,18 @@ void expect_rejected(Test& t, const std::string& identity, const std::vector<Cal
   CheckedTrace checked = t.play(c);
   const gl::Trace& trace = checked.trace();
   const auto is_allowed = [&](gl::Ref error) { return std::ranges::count(allowed, trace.error(error)) > 0; };
-  bool rejected = std::ranges::all_of(first, is_allowed);
+  const bool raised = std::ranges::all_of(first, is_allowed);
+  bool rejected = raised;
   for (std::size_t i = 0; i < before.size(); ++i)
     rejected =
         rejected && (before[i].index < 0 || after[i].index < 0 || trace.same(before[i], trace, after[i]));
   if (!rejected) require_that_others_are_rejected(t, c);
+  decide(t, About::kErrors);
   for (const gl::Ref error : first) checked.expect_error(error, allowed);
   for (const gl::Ref error : second) checked.expect_no_error(error);
+  if (raised) decide(t, About::kEffects);  // without an error, an effect is no wonder
   expect_unchanged(checked, before, after);
+  t.decide({});
 }
 
 Map legal_map(GLenum target) {

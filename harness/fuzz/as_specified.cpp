@@ -47,8 +47,10 @@ void expect_answers(Test& t, const gl::Case& program, const gl::Trace& expected)
 void expect_as_specified(Test& t, const gl::Case& program, const Specified& specified, Look look) {
   constexpr Attributes kJudged = kPosition | kColor | kNormal | kTextureCoordinate0;
   const bool emits = specified.prediction.vertex_count() > 0;
-  if (look != Look::kVertices || !emits) expect_answers(t, program, specified.answers);
-  if (look != Look::kAnswers && emits) t.expect_emission(program, specified.prediction, kJudged, false);
+  if (look == Look::kAll || look == Look::kAnswers) expect_answers(t, program, specified.answers);
+  if (look == Look::kAnswers || (look == Look::kAll && !emits)) return;
+  if (look == Look::kOrder) t.judge_order_of_meshes();
+  t.expect_emission(program, specified.prediction, kJudged);
 }
 
 }  // namespace evalcts::fuzz

@@ -40,7 +40,9 @@ Judged judge_program(const Subject& subject, const gl::Case& program, const Spec
     throw std::logic_error(fmt::format("{}: {}", program.identity(), record.message));
   const bool passed = record.verdict == Verdict::kPass;
   if (record.verdict != Verdict::kFail) return {{}, passed, passed && record.unobserved.empty()};
-  const Failure& failure = record.failures.front();
+  Failure failure = record.failures.front();
+  if (look == Look::kOrder && !failure.what.starts_with("gl") && kind_of(failure.what) != kPrimitives)
+    failure.what = kOrder;
   return {Finding{program, failure, cause_of(program, failure.what), requirement_of(program, failure.what)}};
 }
 

@@ -81,6 +81,10 @@ std::string kind_of(const std::string& what) {
   return kind == "number" ? kPrimitives : kind;
 }
 
+Look look_of(const std::string& kind) {
+  return kind == kOrder ? Look::kOrder : kind.starts_with("gl") ? Look::kAnswers : Look::kVertices;
+}
+
 std::set<std::string> words_of(const gl::Case& program) {
   std::set<std::string> words;
   for (const gl::Command& command : program.commands()) words.insert(word_of(command));
@@ -118,6 +122,12 @@ std::string requirement_of(const gl::Case& program, const std::string& what) {
   }
   if (kind.starts_with("glGetMap")) return two ? "EV-GETMAP-COEFF2" : "EV-GETMAP-COEFF1";
   if (kind == "glIsEnabled") return "EV-EN-GETS";
+  if (kind == "glGetError" && uses(program, EntryPoint::ActiveTexture))
+    return list ? "EV-DL-ACTIVETEX" : two ? "EV-MAP2-ERR-ACTIVETEX" : "EV-MAP1-ERR-ACTIVETEX";
+  if (kind == kOrder)
+    return has_argument(program, EntryPoint::EvalMesh2, 0, GL_POINT)  ? "EV-MESH2-POINT"
+           : has_argument(program, EntryPoint::EvalMesh2, 0, GL_LINE) ? "EV-MESH2-LINE"
+                                                                      : "EV-MESH2-FILL";
   if (kind == "glGetError" && list) return "EV-DL-ERR-ALL";
   if (kind == "glGetError") return two ? "EV-MAP2-ERR-NOEFFECT" : "EV-MAP1-ERR-NOEFFECT";
   if (has_argument(program, EntryPoint::NewList, 1, GL_COMPILE_AND_EXECUTE)) return "EV-DL-COMPEXEC";
@@ -169,8 +179,8 @@ std::vector<gl::Case> controls_without_evaluators(const gl::Case& program) {
 
 gl::Case commands_of_specification(const gl::Case& script) {
   // A case of one command shows if the command is supported: if not, the specification throws, or, for a
-  // token of another part of the GL (Enable(LIGHTING)), raises INVALID_ENUM. If GetError follows, this error
-  // is intended.
+  // token of another part of the GL (Enable(LIGHTING), a target of NV_vertex_program), raises INVALID_ENUM.
+  // If GetError follows, this error is intended.
   static std::map<EntryPoint, bool> known;  // results of earlier checks
   const auto is_specified = [](const gl::Command& command, bool asks_for_error) {
     const auto found = known.find(command.entry);
@@ -178,7 +188,8 @@ gl::Case commands_of_specification(const gl::Case& script) {
     const std::string_view name = gl::name_of(command.entry);
     const bool takes_a_name = name == "glEnable" || name == "glDisable" || name == "glIsEnabled" ||
                               name == "glGetFloatv" || name == "glGetIntegerv" || name == "glGetDoublev" ||
-                              name == "glGetBooleanv";
+                              name == "glGetBooleanv" || name.starts_with("glMap1") ||
+                              name.starts_with("glMap2") || name.starts_with("glGetMap");
     if (found != known.end() && (!takes_a_name || asks_for_error)) return true;
     gl::Case one;
     one.add(command);

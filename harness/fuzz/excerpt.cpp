@@ -106,11 +106,29 @@ gl::Case with_ranges(const gl::Case& program, bool halves_grids, const Change& c
   return changed;
 }
 
-gl::Case with_meshes_halved(gl::Case program, const std::function<bool(const gl::Case&)>& still) {
+enum class Half { kFirst, kSecond };
+
+// Returns the program with half of the commands between each Begin and End that emit vertices.
+gl::Case with_primitives(const gl::Case& program, Half half) {
+  gl::Case changed(program.identity());
+  const std::vector<Drawing> drawings = drawings_of(program);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < program.commands().size(); ++i) {
+    while (next < drawings.size() && drawings[next].last < i) ++next;
+    const bool is_inside = next < drawings.size() && drawings[next].first < i && i < drawings[next].last &&
+                           drawings[next].vertices >= kLeastToHalve;
+    const bool is_in_first = is_inside && i < (drawings[next].first + drawings[next].last) / 2;
+    if (!is_inside || is_in_first == (half == Half::kFirst)) changed.add(program.commands()[i]);
+  }
+  return changed;
+}
+
+gl::Case with_drawings_halved(gl::Case program, const std::function<bool(const gl::Case&)>& still) {
   for (bool again = true; again && vertices_of(program) > kMostVertices / 4;) {
     again = false;
     for (const gl::Case& half :
-         {with_ranges(program, true, [](std::int64_t&begin, std::int64_t&end) { begin /= 2, end /= 2; }),
+         {with_primitives(program, Half::kFirst), with_primitives(program, Half::kSecond),
+          with_ranges(program, true, [](std::int64_t&begin, std::int64_t&end) { begin /= 2, end /= 2; }),
           with_ranges(program, false,
                       [](std::int64_t&begin, std::int64_t&end) { end = begin + (end - begin) / 2; }),
           with_ranges(program, false,
@@ -140,7 +158,7 @@ gl::Case excerpt_of(const gl::Case& program, const std::function<bool(const gl::
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [begin, end] = windows[count == 1 ? 0 : i * (windows.size() - 1) / (count - 1)];
     const gl::Case part = with_drawings(program, drawings, begin, end);
-    if (still(part)) return with_meshes_halved(part, still);
+    if (still(part)) return with_drawings_halved(part, still);
   }
   return program;
 }

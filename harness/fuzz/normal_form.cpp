@@ -124,6 +124,19 @@ struct Difference {
 
 bool is_given(const reference::Component& component) { return std::holds_alternative<float>(component); }
 
+// Returns the first command that has to be rejected, with its error: "Map with GL_INVALID_VALUE"; none if
+// there is none.
+std::optional<std::string> rejected_command(const gl::Case& program, int max_eval_order) {
+  const std::optional<Specified> specified = specify_if_defined(program, max_eval_order);
+  if (!specified) return std::nullopt;
+  for (std::size_t i = 0; i < specified->errors.size(); ++i) {
+    const std::string word = Facts::word_of(program.commands()[i]);
+    if (!specified->errors[i].empty() && !word.empty())
+      return fmt::format("{} with {}", word, gl::error_name(specified->errors[i].front()));
+  }
+  return std::nullopt;
+}
+
 // Returns the number that follows `word` in the text; none if there is none.
 std::optional<std::size_t> number_behind(std::string_view text, std::string_view word) {
   const std::size_t at = text.find(word);
@@ -282,8 +295,15 @@ NormalForm normal_form(const Finding& minimal, int max_eval_order) {
             fmt::format("{} of the library: {}{}", kind == "crash" ? "Crash" : "Hang",
                         words.empty() ? "Begin, End" : words, lists)};
   }
-  if (kind == kPrimitives) return of_vertices(failure, facts);
   if (kind == "glGetError") return of_errors(failure, facts);
+  // The program is minimal, so it does not fail without the rejected command.
+  if (const std::optional<std::string> rejected = rejected_command(minimal.program, max_eval_order))
+    return {cause_from("effect of a rejected command", {*rejected, trimmed(lists)}),
+            fmt::format("{} is rejected{} and has an effect nevertheless", *rejected, lists)};
+  if (kind == kOrder)
+    return {cause_from("order of a mesh", {trimmed(lists)}),
+            fmt::format("EvalMesh{} draws its vertices in another order", lists)};
+  if (kind == kPrimitives) return of_vertices(failure, facts);
   if (kind.starts_with("glGet") && !kind.starts_with("glGetMap") && !kind.starts_with("glGetnMap") &&
       facts.asks_for_current_values()) {
     if (facts.evaluations > 0) return of_current_values(what, facts, true);
@@ -302,13 +322,9 @@ NormalForm normal_form(const Finding& minimal, int max_eval_order) {
       if (command.starts_with(stem)) command = stem;
     if (kind == "glIsEnabled") command = "IsEnabled";
     const std::string words = words_without(facts, {"Map", "GetMap", "GetnMap", "Get", "IsEnabled"});
-    // An effect of a rejected command is another bug than a wrong conversion of the answer.
-    const std::string rejected =
-        may_raise_an_error(minimal.program, max_eval_order) ? "after a rejected command" : "";
-    return {
-        cause_from("answer of " + command, {words, rejected, trimmed(lists)}),
-        fmt::format("{} answers {} instead of {}{}{}{}", command, failure.captured, failure.expected,
-                    words.empty() ? "" : " after " + words, rejected.empty() ? "" : ", " + rejected, lists)};
+    return {cause_from("answer of " + command, {words, trimmed(lists)}),
+            fmt::format("{} answers {} instead of {}{}{}", command, failure.captured, failure.expected,
+                        words.empty() ? "" : " after " + words, lists)};
   }
   const std::optional<Difference> difference = difference_of(minimal, max_eval_order);
   if (facts.evaluations == 0)

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include <evalcts/gl/display_lists.h>
 #include <evalcts/gl/explicit_vertices.h>
 
 #include "causes.h"
@@ -16,9 +17,6 @@ namespace evalcts::fuzz {
 namespace {
 
 constexpr int kInShared = 5;  // attempts in the shared context for each attempt in a fresh context
-
-// A difference is either in an answer or in a vertex; repetitions of the program compare only that kind.
-Look look_of(const std::string& kind) { return kind.starts_with("gl") ? Look::kAnswers : Look::kVertices; }
 
 }  // namespace
 
@@ -79,7 +77,7 @@ std::optional<Finding> Reducer::recognise(const gl::Case& program, const Finding
   return recognised;
 }
 
-Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful, bool tried) {
+Finding Reducer::explain(gl::Case program, Finding finding, bool careful, bool tried) {
   const std::string kind = kind_of(finding.failure.what);
   const Look look = look_of(kind);
   std::string wanted = kind;
@@ -105,6 +103,11 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful,
     if (hooks_.finish) hooks_.finish();
     return finding;
   };
+  // A difference that shows without display lists as well is no bug of lists.
+  if (gl::uses_lists(program) && still(gl::without_lists(program))) {
+    program = finding.program;
+    tried = false;
+  }
   // Most differences have a known cause, so the commands of known causes are tried first. The shared context
   // quickly shows which cause it may be.
   const auto is_known = [&](bool in_shared) {

@@ -33,7 +33,7 @@ class Reducer {
   // Returns the finding with its cause. If the cause is new, the program is minimal, and the cause becomes
   // known. If `careful`, the shared context is not used to shrink the program, because the library has died
   // in an earlier attempt. `tried`: true if recognise() has already returned nothing for the program.
-  Finding explain(const gl::Case& program, Finding finding, bool careful = false, bool tried = false);
+  Finding explain(gl::Case program, Finding finding, bool careful = false, bool tried = false);
 
   // Returns the finding with a known cause if the shared context shows that the cause explains the finding,
   // otherwise nothing. Much faster than explain(), which spends most of its time on fresh contexts.

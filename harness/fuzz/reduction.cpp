@@ -63,8 +63,7 @@ class CaseReducer {
     }
     keeps_to_grids_ = keeps_to_grids(program);
     calls_missing_list_ = calls_missing_list(program);
-    const bool is_answer = kind_of(failing.what).starts_with("gl");
-    const Look look = is_answer ? Look::kAnswers : Look::kVertices;
+    const Look look = look_of(kind_of(failing.what));
     std::optional<Finding> found;
     is_large_ = vertices_of(program) > kMostVertices;
     case_begin_ = Clock::now();
@@ -86,6 +85,8 @@ class CaseReducer {
         return not_reduced(failing, "the specification does not define everything that its case does");
       found = judge_program(subject_, program, *specified, look).finding;
       if (!found) found = judge_program(subject_, program, *specified, Look::kAll).finding;
+      if (!found && has(program, "glEvalMesh2"))
+        found = judge_program(subject_, program, *specified, Look::kOrder).finding;
       if (!found) return not_reduced(failing, why_it_does_not_show(script, program));
     }
 
@@ -193,7 +194,7 @@ class CaseReducer {
 
   // True if the program has this kind of difference. Runs in the shared context, if there is one.
   bool fails_alike(const gl::Case& program, const std::string& kind) {
-    const Look look = kind.starts_with("gl") ? Look::kAnswers : Look::kVertices;
+    const Look look = look_of(kind);
     const std::optional<Specified> specified = specify_if_defined(program, max_order_);
     if (!specified) return false;
     const std::optional<Finding> found = shared_ ? shared_->judge(program, *specified, look).finding

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 namespace evalcts::gl {
 namespace {
@@ -202,7 +205,63 @@ class ThroughLists {
   DeliveredCase delivered_;
 };
 
+// Executes the commands of a case as the GL does, and keeps those that are not about lists.
+class WithoutLists {
+ public:
+  explicit WithoutLists(const Case& script) : executed_(script.without_commands()) {
+    for (const Command& command : script.commands()) issue(command);
+  }
+  Case take() { return std::move(executed_); }
+
+ private:
+  static constexpr int kMostNesting = 16;  // cases have less
+
+  static std::int64_t integer(const Command& command, std::size_t i) {
+    const auto* value = std::get_if<std::int64_t>(&command.arguments.at(i));
+    return value ? *value : 0;
+  }
+
+  void issue(const Command& command) {
+    if (command.entry == EntryPoint::NewList) {
+      open_ = integer(command, 0);
+      is_executed_ = integer(command, 1) == GL_COMPILE_AND_EXECUTE;
+      contents_.clear();
+    } else if (command.entry == EntryPoint::EndList) {
+      if (open_) lists_[*open_] = std::move(contents_);
+      open_.reset();
+    } else if (open_ && (is_compiled(command) || command.entry == EntryPoint::CallList)) {
+      contents_.push_back(command);
+      if (is_executed_) execute(command, 0);
+    } else {
+      execute(command, 0);
+    }
+  }
+
+  void execute(const Command& command, int depth) {
+    if (command.entry != EntryPoint::CallList) {
+      executed_.add(command);
+    } else if (const auto list = lists_.find(integer(command, 0));
+               list != lists_.end() && depth < kMostNesting) {
+      for (const Command& inner : list->second) execute(inner, depth + 1);
+    }
+  }
+
+  Case executed_;
+  std::map<std::int64_t, std::vector<Command>> lists_;
+  std::optional<std::int64_t> open_;
+  bool is_executed_ = false;
+  std::vector<Command> contents_;  // of the open list
+};
+
 }  // namespace
+
+Case without_lists(const Case& script) {
+  const auto uses_result = [](const Command& command) {
+    return std::ranges::any_of(
+        command.arguments, [](const Value& argument) { return std::holds_alternative<ResultOf>(argument); });
+  };
+  return std::ranges::any_of(script.commands(), uses_result) ? script : WithoutLists(script).take();
+}
 
 DeliveredCase through_lists(const Case& script, Lists lists) { return ThroughLists(script, lists).apply(); }
 

@@ -417,7 +417,7 @@ Judgement judge_until(std::size_t most, const Prediction& prediction, const Topo
 
 Judgement judge(const Prediction& prediction, const Topology& topology, const Observation& observation,
                 const JudgeOptions& options) {
-  return judge_until(std::numeric_limits<std::size_t>::max(), prediction, topology, observation, options);
+  return judge_until(options.most, prediction, topology, observation, options);
 }
 
 Judgement judge(const Prediction& prediction, const Observation& observation, const JudgeOptions& options) {

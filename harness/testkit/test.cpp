@@ -186,14 +186,13 @@ RecordedVaryings Test::record_varyings(const gl::Case& written, const VaryingSha
 
 void Test::expect_emission(const gl::Case& written, Attributes required) {
   const gl::Case script = begin_case(written).script;
-  judge_emission(script, predict(script, max_order()), required, true);
+  judge_emission(script, predict(script, max_order()), required, Thoroughness::kAllVertices);
 }
 
-void Test::expect_emission(const gl::Case& script, const Prediction& prediction, Attributes required,
-                           bool measured) {
+void Test::expect_emission(const gl::Case& script, const Prediction& prediction, Attributes required) {
   if (!delivery_.name.empty()) throw std::logic_error("a prediction is of the case as it is delivered");
   begin_case(script);
-  judge_emission(script, prediction, required, measured);
+  judge_emission(script, prediction, required, Thoroughness::kFirstWrongVertex);
 }
 
 JudgeOptions Test::options_for(const gl::Case& script, const Capture& capture, Attributes required) const {
@@ -244,7 +243,7 @@ std::vector<Test::Look> Test::look_at(const gl::Case& script, const Prediction& 
 }
 
 void Test::judge_emission(const gl::Case& script, const Prediction& prediction, Attributes required,
-                          bool measured) {
+                          Thoroughness thoroughness) {
   // There is room for some surplus vertices, so that a message can state their number.
   const std::size_t room = most_vertices_of(prediction) + 8;
   const std::vector<Look> looks = look_at(script, prediction, required, room);
@@ -252,14 +251,18 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
   if (observation.error_observed && observation.error != GL_NO_ERROR && observation.error != prediction.error)
     control_.require_no_such_error(script, {observation.error});
   JudgeOptions options = options_for(script, *capture, required);
-  if (measured && prediction.vertex_count() <= kMostMeasured) options.measured = required;
+  if (thoroughness == Thoroughness::kFirstWrongVertex)
+    options.most = 1;
+  else if (prediction.vertex_count() <= kMostMeasured)
+    options.measured = required;
   const auto judged = [&, &topology = topology](const Observation& seen) {
     Judgement judgement = judge(prediction, topology, seen, options);
     if (seen.error_observed && seen.error != prediction.error)
       judgement.mismatches.insert(judgement.mismatches.begin(), wrong_error(seen.error, prediction.error));
     return judgement;
   };
-  if (capture->is_last_resort() && !subject_.reproduction && !judged(observation).mismatches.empty()) {
+  Judgement judgement = judged(observation);
+  if (capture->is_last_resort() && !subject_.reproduction && !judgement.mismatches.empty()) {
     // The vertices in the capture's own proof set every attribute, so attributes may still be lost
     // in this case.
     const Attributes lost = control_.lost_attributes(script, *capture);
@@ -267,8 +270,8 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
       throw NotObservable(fmt::format("pipeline: wrong with explicit vertices as well: {}", describe(lost)));
     options.attributes &= ~lost;
     unobserved_ |= required & lost;
+    judgement = judged(observation);
   }
-  const Judgement judgement = judged(observation);
   if (capture->loses_vertices_beyond_float())
     for (const Mismatch& mismatch : judgement.mismatches)
       if (mismatch.of == Mismatch::Of::kVertices && prediction.has_positions_beyond_float())
@@ -277,7 +280,7 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
   unobserved_ |= required & kAllAttributes & ~capture->shown_of(required);
   control_.set_observed(script, *capture, capture->shown());
   fail_each(
-      script, *capture, {capture->shown(), room, kinds_of(prediction)}, observation,
+      script, *capture, {capture->shown(), room, kinds_of(prediction)}, observation, judgement.mismatches,
       [&](const Observation& seen) { return judged(seen).mismatches; }, &prediction);
   if (judgement.accuracy.values + judgement.accuracy.not_judged > 0) {
     if (!record_.accuracy) record_.accuracy.emplace();
@@ -291,12 +294,13 @@ void Test::expect_observation(const gl::Case& written, Attributes required, std:
   const Capture& capture = choose_capture(required, kinds);
   if (judged == Judged::kInLists) control_.set_observed(script, capture, required);
   const Wanted wanted{required, most_vertices, kinds};
-  fail_each(script, capture, wanted, capture.observe(*subject_.implementation, script, wanted), judge);
+  const Observation seen = capture.observe(*subject_.implementation, script, wanted);
+  fail_each(script, capture, wanted, seen, judge(seen), judge);
 }
 
 void Test::fail_each(const gl::Case& script, const Capture& capture, const Wanted& wanted,
-                     const Observation& seen, const OwnJudge& judge, const Prediction* prediction) {
-  const std::vector<Mismatch> mismatches = judge(seen);
+                     const Observation& seen, const std::vector<Mismatch>& mismatches, const OwnJudge& judge,
+                     const Prediction* prediction) {
   for (const Mismatch& mismatch : mismatches) {
     Failure failure;
     failure.case_identity = script.identity();
@@ -444,7 +448,7 @@ void Test::run(const std::function<void(Test&)>& body) {
     record_.verdict = Verdict::kInternalError;
     record_.message = "no case of the test has a command that goes into a display list";
   }
-  std::sort(record_.mismatches.begin(), record_.mismatches.end());
+  record_.shorten_mismatches();
   record_.cases = cases_;
   record_.failed_cases = failed_cases_;
 }

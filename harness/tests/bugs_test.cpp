@@ -15,6 +15,7 @@
 #include <evalcts/fuzz/normal_form.h>
 #include <evalcts/fuzz/reduction.h>
 #include <evalcts/gl/case_json.h>
+#include <evalcts/gl/display_lists.h>
 #include <evalcts/results/baseline.h>
 #include <evalcts/results/files.h>
 #include <evalcts/results/known_bugs.h>
@@ -117,6 +118,20 @@ TEST(NormalForm, KeepsWhatMakesAnotherBug) {
   add(R"([["Map1f", "GL_MAP1_VERTEX_3", 0, 1, 2, 2, {"f32": [0, 0, 0]}], ["GetError"],
       ["GetMapiv", "GL_MAP1_VERTEX_3", "GL_ORDER", {"out": "i32", "count": 1}]])",
       "glGetMapiv");  // the effect of a rejected command
+  add(R"([["EvalMesh2", "GL_POINT", 0, 1, 0, 1]])", "order");
+}
+
+TEST(NormalForm, LeavesOutHowTheEffectOfARejectedCommandWasNoticed) {
+  const std::string map = R"([["Enable", "GL_MAP1_VERTEX_3"], ["Enable", "GL_MAP1_COLOR_4"],
+      ["Map1f", "GL_MAP1_COLOR_4", 0, 1, 2, 1, {"f32": [0, 0, 0, 0]}], ["GetError"])",
+                    vertex = R"(, ["Begin", "GL_POINTS"], ["EvalCoord1f", 0], ["End"]])";
+  const std::string cause = "effect of a rejected command; Map with GL_INVALID_VALUE";
+  EXPECT_EQ(
+      cause_of_program(map + R"(, ["GetMapiv", "GL_MAP1_COLOR_4", "GL_ORDER", {"out": "i32", "count": 1}]])",
+                       "glGetMapiv"),
+      cause);
+  EXPECT_EQ(cause_of_program(map + vertex, "color.R of vertex 0"), cause);
+  EXPECT_EQ(cause_of_program(map + vertex, "number of vertices"), cause);
 }
 
 // Random search has found about 60 programs on Mesa, which show about 20 bugs.
@@ -368,6 +383,86 @@ TEST(Reductions, OfLargeMeshesStopAtAKnownCause) {
                                                   << contexts_before.at(1) - contexts_before.at(0);
 }
 
+gl::Case plane() {
+  gl::Case c;
+  c.Map2f(GL_MAP2_VERTEX_3, 0.0f, 1.0f, 6, 2, 0.0f, 1.0f, 3, 2,
+          std::vector<float>{0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0.5f});
+  c.Enable(GL_MAP2_VERTEX_3);
+  return c;
+}
+
+TEST(Reductions, ShowTheOrderOfAMesh) {
+  Altered altered([](gl::Table& table) {
+    table.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+      for (GLint i = i1; i <= i2; ++i) Altered::original.EvalMesh2(mode, i, i, j1, j2);  // j fastest
+    };
+  });
+  gl::Case mesh = plane();
+  mesh.MapGrid2f(4, 0.0f, 1.0f, 4, 0.0f, 1.0f);
+  mesh.EvalMesh2(GL_POINT, 0, 4, 0, 4);
+  const std::vector<Reduction> reductions =
+      reduced_on(altered, {{"Points", "position.x of vertex 1", gl::to_text(mesh)}}, [] {});
+  ASSERT_EQ(reductions.size(), 1u);
+  ASSERT_TRUE(reductions[0].minimal);
+  EXPECT_EQ(reductions[0].minimal->failure.what, "order");
+  EXPECT_EQ(reductions[0].minimal->requirement, "EV-MESH2-POINT");
+  EXPECT_EQ(normal_form(*reductions[0].minimal, kMaxOrder).cause, "order of a mesh");
+}
+
+TEST(Reductions, ShowVerticesWhereNoneAreDue) {
+  Altered altered([](gl::Table& table) {
+    table.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+      Altered::original.EvalMesh2(mode, std::min(i1, i2), i2, j1, j2);  // draws an empty range
+    };
+  });
+  gl::Case mesh = plane();
+  mesh.MapGrid2f(4, 0.0f, 1.0f, 4, 0.0f, 1.0f);
+  mesh.EvalMesh2(GL_POINT, 1, 0, 0, 2);
+  const std::vector<Reduction> reductions =
+      reduced_on(altered, {{"EmptyRange", "number of vertices", gl::to_text(mesh)}}, [] {});
+  ASSERT_EQ(reductions.size(), 1u);
+  ASSERT_TRUE(reductions[0].minimal);
+  EXPECT_EQ(reductions[0].minimal->failure.expected, "0 vertices");
+}
+
+// A primitive of thousands of vertices is halved until it is small. Display lists, which do not matter, are
+// left out.
+TEST(Reductions, ShortenLongPrimitives) {
+  static GLfloat before[4];
+  Altered altered([](gl::Table& table) {
+    table.Begin = [](GLenum mode) {
+      Altered::original.GetFloatv(GL_CURRENT_COLOR, before);
+      Altered::original.Begin(mode);
+    };
+    table.EvalCoord1f = [](GLfloat u) {
+      Altered::original.EvalCoord1f(u);
+      Altered::original.Color4fv(before);  // loses the colour that was set after Begin
+    };
+  });
+  gl::Case strip;
+  strip.Map1f(GL_MAP1_VERTEX_3, 0.0f, 1.0f, 3, 2, std::vector<float>{0, 0, 0, 1, 1, 1});
+  strip.Enable(GL_MAP1_VERTEX_3);
+  strip.Begin(GL_LINE_STRIP);
+  strip.Color4f(0.5f, 0.25f, 0.75f, 1.0f);
+  for (int i = 0; i < 3000; ++i) {
+    strip.EvalCoord1f(static_cast<GLfloat>(i) / 4096);
+    strip.Vertex3f(0, 0, 0);
+  }
+  strip.End();
+  const gl::Case in_list = gl::through_lists(strip, gl::Lists::kCompiled).script;
+  const std::vector<Reduction> reductions =
+      reduced_on(altered,
+                 {{"Long", "color.R of vertex 1", gl::to_text(strip)},
+                  {"Long/Compiled", "color.R of vertex 1", gl::to_text(in_list)}},
+                 [] {});
+  ASSERT_EQ(reductions.size(), 2u);
+  for (const Reduction& reduction : reductions) {
+    ASSERT_TRUE(reduction.minimal);
+    EXPECT_LE(reduction.minimal->program.commands().size(), 7u);
+    EXPECT_FALSE(gl::uses_lists(reduction.minimal->program));
+  }
+}
+
 // No candidate calls a list that does not exist, unless the case does: Mesa crashes in such programs.
 TEST(Reductions, DefineTheListsThatTheyCall) {
   static std::set<GLuint> defined;
@@ -439,23 +534,6 @@ TEST(KnownBugs, AreNamedByBaselines) {
   }
   EXPECT_TRUE(named.contains("mesa-automatic-normal-order-1"));
   EXPECT_GE(named.size(), 10u);
-}
-
-// The published results of NVIDIA's driver fail the tests that its baseline expects, and each belongs to a
-// bug.
-TEST(PublishedResults, OfNvidiaFailAsTheBaselineExpects) {
-  const RunResult result = parse_run_result(read_file(PUBLISHED "/results-egl-nvidia.json"));
-  std::set<std::string> failed, expected;
-  for (const TestRecord& test : result.tests)
-    if (test.is_bad()) {
-      failed.insert(test.name);
-      EXPECT_TRUE(result.bug_of(test.name)) << test.name;
-    }
-  for (const auto& [test, entry] : BaselineFiles::read(BASELINES, "egl-nvidia").entries)
-    expected.insert(test);
-  EXPECT_EQ(failed, expected);
-  for (const auto& [test, by_depth] : BaselineFiles::read(BASELINES, "egl-nvidia").signatures)
-    EXPECT_TRUE(expected.contains(test)) << test;
 }
 
 TEST(KnownBugs, MistakesAreNamed) {
@@ -547,6 +625,18 @@ TEST(FaultyImplementation, HasFewBugs) {
     EXPECT_EQ(explained, tests.size());
     EXPECT_EQ(run.bugs_note, "");
   }
+}
+
+// A rejected command that takes effect breaks another rule than one that is not rejected.
+TEST(FaultyImplementation, ViolatesTheErrorOrTheRuleOfItsEffect) {
+  const auto violated = [](const std::string& fault, const std::string& test) {
+    const RunResult run = run_with_fault(fault, {test});
+    return run.tests.empty() ? std::vector<std::string>() : texts_of(run.tests[0].violated);
+  };
+  EXPECT_EQ(violated("DomainSetBeforeStrideCheck", "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f"),
+            std::vector<std::string>{"EV-MAP1-ERR-NOEFFECT"});
+  EXPECT_EQ(violated("OrderZeroTaken", "Map1Errors.OrderTooLow/MAP1_VERTEX_3_f"),
+            std::vector<std::string>{"EV-MAP1-ERR-ORDER-LOW"});
 }
 
 // Three tests of a bug that the baseline names are reduced; the other ones are not.

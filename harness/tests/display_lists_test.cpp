@@ -28,6 +28,19 @@ Case mixed() {
   return c;
 }
 
+TEST(DisplayLists, WithoutListsIsTheCaseItself) {
+  for (const Lists lists : {Lists::kCompiled, Lists::kExecuted, Lists::kNested, Lists::kSplit})
+    EXPECT_EQ(lines_of(without_lists(through_lists(mixed(), lists).script)), lines_of(mixed()));
+  Case twice;
+  twice.NewList(1, GL_COMPILE_AND_EXECUTE);
+  twice.EvalPoint1(3);
+  twice.GetError();
+  twice.EndList();
+  twice.CallList(1);
+  twice.CallList(2);  // does not exist
+  EXPECT_EQ(lines_of(without_lists(twice)), (Lines{"glEvalPoint1(3);", "glGetError();", "glEvalPoint1(3);"}));
+}
+
 TEST(DisplayLists, Compiled) {
   EXPECT_EQ(through(mixed(), Lists::kCompiled),
             (Lines{"glNewList(19456, GL_COMPILE);", "glEnable(GL_MAP1_VERTEX_3);", "glBegin(GL_POINTS);",

@@ -27,6 +27,10 @@ struct DeliveredCase {
 // forms have the same effect.
 DeliveredCase through_lists(const Case& script, Lists lists);
 
+// Returns the commands of the case in the order in which the GL executes them, with those of a list in place
+// of each call of it. A case that uses results of its commands is returned as it is.
+Case without_lists(const Case& script);
+
 // Returns true if the case itself contains NewList.
 bool uses_lists(const Case& script);
 

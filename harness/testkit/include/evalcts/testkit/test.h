@@ -70,6 +70,7 @@ class Test {
   // empty list stands for all requirements of the test.
   void decide(std::vector<RequirementId> requirements) { decided_ = std::move(requirements); }
 
+  const std::vector<RequirementId>& requirements() const { return record_.requirements; }
   // Returns the requirement of this test with the given ID, or the half of it that the test decides. Throws
   // std::logic_error if the test does not decide it.
   RequirementId requirement(const std::string& id) const;
@@ -104,10 +105,9 @@ class Test {
   // Attributes in `required` that no capture shows are recorded as unobserved; if none of them is shown,
   // the test is not-observable.
   void expect_emission(const gl::Case& script, Attributes required);
-  // Like the function above, but with a given prediction, and not through a delivery. If not `measured`,
-  // accuracy is not recorded, because this takes longer than judging.
-  void expect_emission(const gl::Case& script, const Prediction& prediction, Attributes required,
-                       bool measured = true);
+  // Like the function above, but with a given prediction, not through a delivery, and only until a vertex is
+  // wrong. Accuracy is not recorded, because this takes longer than judging.
+  void expect_emission(const gl::Case& script, const Prediction& prediction, Attributes required);
 
   // Returns the largest subset of `required` that one capture shows exactly, and records the rest as
   // unobserved. For tests that can judge each attribute without the others. Throws NotObservable.
@@ -163,12 +163,14 @@ class Test {
   JudgeOptions options_for(const gl::Case& script, const Capture& capture, Attributes required) const;
   std::vector<Look> look_at(const gl::Case& script, const Prediction& prediction, Attributes required,
                             std::size_t most_vertices);
+  enum class Thoroughness { kAllVertices, kFirstWrongVertex };
   void judge_emission(const gl::Case& delivered, const Prediction& prediction, Attributes required,
-                      bool measured);
-  // Adds a failure for each mismatch that `judge` finds in the observation `seen`. If there is a prediction,
-  // the first failure in positions or vertices gets a plot, otherwise the first failure.
+                      Thoroughness thoroughness);
+  // Adds a failure for each of `mismatches`, which `judge` has found in the observation `seen`. If there is a
+  // prediction, the first failure in positions or vertices gets a plot, otherwise the first failure.
   void fail_each(const gl::Case& script, const Capture& capture, const Wanted& wanted,
-                 const Observation& seen, const OwnJudge& judge, const Prediction* prediction = nullptr);
+                 const Observation& seen, const std::vector<Mismatch>& mismatches, const OwnJudge& judge,
+                 const Prediction* prediction = nullptr);
 
   const Subject& subject_;
   TestRecord& record_;
