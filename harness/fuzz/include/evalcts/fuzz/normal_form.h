@@ -11,7 +11,8 @@ namespace evalcts::fuzz {
 // distinguish bugs: the dimension, the type of the arguments, the attribute of a map, the command that
 // evaluates (if others do the same), and the way in which a wrong current value was noticed (a query, the
 // next vertex, the next evaluated vertex). The cause depends on the kind of difference, display lists,
-// AUTO_NORMAL, a missing vertex map, meshes and grids.
+// AUTO_NORMAL, a missing vertex map, meshes and grids. An effect of a rejected command has the same cause
+// wherever it was noticed.
 struct NormalForm {
   std::string cause;  // "current values after an evaluation; in a display list"
   std::string title;  // one sentence: "An evaluation in a display list changes the current colour"
