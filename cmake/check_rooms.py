@@ -6,7 +6,7 @@ import sys
 
 SOURCES = {".cpp", ".h", ".hpp", ".c", ".def"}
 # Tests and benchmarks go with the room; examples are built as their users build them.
-OTHERS = {"tests", "benchmarks", "examples", "generated", "published", "subjects", "packages"}
+OTHERS = {"tests", "benchmarks", "examples", "generated", "published", "subjects", "packages", "out"}
 
 
 def allowed_edges(text):
