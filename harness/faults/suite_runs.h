@@ -3,9 +3,9 @@
 
 #include <atomic>
 #include <functional>
+#include <future>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <evalcts/faults/fault_table.h>
@@ -25,7 +25,8 @@ ChildRun run_in_child(const TableRequest& request, const std::string& label,
 
 // Calls try_one() for each of the faults on `jobs` threads, and before each call progress() with the number
 // of completed calls and the name of the fault. Returns the results in the order of the faults, without those
-// that are missing because of an interruption.
+// that are missing because of an interruption. After an exception of try_one() no further fault is tried, and
+// the exception is thrown again.
 template <class Result>
 std::vector<Result> try_each(const std::vector<ListedFault>& faults, int jobs,
                              const std::function<void(std::size_t done, const std::string& name)>& progress,
@@ -35,13 +36,18 @@ std::vector<Result> try_each(const std::vector<ListedFault>& faults, int jobs,
   const auto work = [&] {
     for (std::size_t i; (i = next++) < faults.size() && !interrupted;) {
       progress(done, faults[i].name);
-      results[i] = try_one(faults[i]);
+      try {
+        results[i] = try_one(faults[i]);
+      } catch (...) {
+        next = faults.size();
+        throw;
+      }
       ++done;
     }
   };
-  std::vector<std::jthread> workers;
-  for (int i = 0; i < jobs; ++i) workers.emplace_back(work);
-  workers.clear();
+  std::vector<std::future<void>> workers;
+  for (int i = 0; i < jobs; ++i) workers.push_back(std::async(std::launch::async, work));
+  for (std::future<void>& worker : workers) worker.get();
   std::vector<Result> all;
   for (std::optional<Result>& result : results)
     if (result) all.push_back(*std::move(result));

@@ -136,6 +136,18 @@ TEST_F(Faults, WhatCannotBeStartedIsNotTried) {
   EXPECT_EQ(try_one(fault("NoSuchFault", {"EV-MAP1-ERR-ORDER-LOW"})).outcome, FaultOutcome::kNotTried);
 }
 
+// The exception leaves the threads, so that the command can report it.
+TEST_F(Faults, AProgramThatCannotBeStartedIsAnError) {
+  const ListedFault one = fault("OrderZeroTaken", {"EV-MAP1-ERR-ORDER-LOW"});
+  EXPECT_THROW(try_faults({.suite_program = scratch_ / "missing",
+                           .faults = {one, one, one},
+                           .tests = list_tests(SUITE_PROGRAM),
+                           .scratch = scratch_,
+                           .jobs = 2},
+                          [](std::size_t, const std::string&) {}),
+               std::runtime_error);
+}
+
 TEST_F(Faults, TheTableNamesRequirementsWithoutOne) {
   const FaultTable table = make_table({try_one(fault("OrderZeroTaken", {"EV-MAP1-ERR-ORDER-LOW"}))},
                                       {"EV-MAP1-ERR-ORDER-LOW", "EV-MAP1-ERR-TARGET"});
