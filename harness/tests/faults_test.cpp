@@ -142,8 +142,8 @@ TEST_F(Faults, AProgramThatCannotBeStartedIsAnError) {
   EXPECT_THROW(try_faults({.suite_program = scratch_ / "missing",
                            .faults = {one, one, one},
                            .tests = list_tests(SUITE_PROGRAM),
-                           .scratch = scratch_,
-                           .jobs = 2},
+                           .jobs = 2,
+                           .scratch = scratch_},
                           [](std::size_t, const std::string&) {}),
                std::runtime_error);
 }

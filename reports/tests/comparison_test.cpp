@@ -185,7 +185,8 @@ TEST(Shards, FindTheSameBugs) {
   const json reduced = {{"id", "EV-A-1"},     {"title", "a"},         {"tests", {"A.2"}},
                         {"verdict", "crash"}, {"explains", {"EV-A"}}, {"commands", {{"End"}}}};
   const json other = {{"id", "EV-B-2"}, {"title", "b"}, {"tests", {"A.2"}}, {"verdict", "fail"}};
-  const std::vector<RunResult> merged = merge_of({shard(1, {unreduced}), shard(2, {reduced, other})});
+  const std::vector<RunResult> merged =
+      merge_of({shard(1, json::array({unreduced})), shard(2, json::array({reduced, other}))});
   ASSERT_EQ(merged.size(), 1u);
   ASSERT_EQ(merged[0].bugs.size(), 2u);
   const Bug& bug = merged[0].bugs[0];

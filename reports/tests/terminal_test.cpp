@@ -217,10 +217,12 @@ TEST(Terminal, SaysForWhichTargetsTheLibraryIsAccurate) {
   const std::string bits = "bits differ between EvalPoint and EvalMesh (1 test)";
   EXPECT_TRUE(contains(terminal_of(record, nullptr, false, false), "\nquality: " + bits + "\n"));
   EXPECT_TRUE(contains(markdown_of({record}), "`" + bits + "`"));
-  record["tests"] = {test("Normals.Analytic/WAVE", "EV-AUTON-METHOD", "quality", "quality-warning")};
+  record["tests"] =
+      json::array({test("Normals.Analytic/WAVE", "EV-AUTON-METHOD", "quality", "quality-warning")});
   EXPECT_TRUE(contains(terminal_of(record, nullptr, false, false),
                        "as good as single precision for 0 of 1 target; not for AUTO_NORMAL\n"));
-  record["tests"] = {test("Points.SameBits/MAP2_VERTEX_4", "EV-POINT-LIKEMESH", "quality", "pass")};
+  record["tests"] =
+      json::array({test("Points.SameBits/MAP2_VERTEX_4", "EV-POINT-LIKEMESH", "quality", "pass")});
   EXPECT_FALSE(contains(terminal_of(record, nullptr, false, false), "quality:"));
 }
 
