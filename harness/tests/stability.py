@@ -20,7 +20,7 @@ import time
 
 def outcome(record):
     """Verdict and signature: which cases failed, and how often each."""
-    return record["verdict"], tuple(record.get("mismatches", ()))
+    return record["verdict"], (*record.get("mismatches", ()), *filter(None, [record.get("signature_of_all")]))
 
 
 def whole_run(program, name, depth, folder, *options):
