@@ -124,15 +124,19 @@ struct Difference {
 
 bool is_given(const reference::Component& component) { return std::holds_alternative<float>(component); }
 
-// Returns the first command that has to be rejected, with its error: "Map with GL_INVALID_VALUE"; none if
-// there is none.
-std::optional<std::string> rejected_command(const gl::Case& program, int max_eval_order) {
+struct Rejected {
+  std::string word;  // "Map"
+  std::string error;
+};
+
+// Returns the first command that has to be rejected; none if there is none.
+std::optional<Rejected> rejected_command(const gl::Case& program, int max_eval_order) {
   const std::optional<Specified> specified = specify_if_defined(program, max_eval_order);
   if (!specified) return std::nullopt;
   for (std::size_t i = 0; i < specified->errors.size(); ++i) {
     const std::string word = Facts::word_of(program.commands()[i]);
     if (!specified->errors[i].empty() && !word.empty())
-      return fmt::format("{} with {}", word, gl::error_name(specified->errors[i].front()));
+      return Rejected{word, gl::error_name(specified->errors[i].front())};
   }
   return std::nullopt;
 }
@@ -297,9 +301,10 @@ NormalForm normal_form(const Finding& minimal, int max_eval_order) {
   }
   if (kind == "glGetError") return of_errors(failure, facts);
   // The program is minimal, so it does not fail without the rejected command.
-  if (const std::optional<std::string> rejected = rejected_command(minimal.program, max_eval_order))
-    return {cause_from("effect of a rejected command", {*rejected, trimmed(lists)}),
-            fmt::format("{} is rejected{} and has an effect nevertheless", *rejected, lists)};
+  if (const std::optional<Rejected> rejected = rejected_command(minimal.program, max_eval_order))
+    return {cause_from("effect of a rejected command", {rejected->word, rejected->error, trimmed(lists)}),
+            fmt::format("{} is rejected with {}{} and has an effect nevertheless", rejected->word,
+                        rejected->error, lists)};
   if (kind == kOrder)
     return {cause_from("order of a mesh", {trimmed(lists)}),
             fmt::format("EvalMesh{} draws its vertices in another order", lists)};

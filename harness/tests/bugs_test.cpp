@@ -125,7 +125,7 @@ TEST(NormalForm, LeavesOutHowTheEffectOfARejectedCommandWasNoticed) {
   const std::string map = R"([["Enable", "GL_MAP1_VERTEX_3"], ["Enable", "GL_MAP1_COLOR_4"],
       ["Map1f", "GL_MAP1_COLOR_4", 0, 1, 2, 1, {"f32": [0, 0, 0, 0]}], ["GetError"])",
                     vertex = R"(, ["Begin", "GL_POINTS"], ["EvalCoord1f", 0], ["End"]])";
-  const std::string cause = "effect of a rejected command; Map with GL_INVALID_VALUE";
+  const std::string cause = "effect of a rejected command; Map; GL_INVALID_VALUE";
   EXPECT_EQ(
       cause_of_program(map + R"(, ["GetMapiv", "GL_MAP1_COLOR_4", "GL_ORDER", {"out": "i32", "count": 1}]])",
                        "glGetMapiv"),
