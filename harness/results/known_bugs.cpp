@@ -107,12 +107,12 @@ std::string known_bugs_as_markdown(const std::vector<KnownBug>& bugs,
   for (const KnownBug& bug : bugs) products.insert(bug.product);
   std::string text = fmt::format(
       "# Known bugs\n\n"
-      "Bugs in the evaluators of {}, one for each root cause. `evalcts run` labels failures that match one "
-      "of\n"
-      "them, and `evalcts bugs` lists them. A known bug is still a failure; only a [baseline](baselines.md)\n"
-      "excuses it. This page is generated from `suites/bugs/` by the target `known_bugs`.\n\n"
+      "Bugs in the evaluators of {}, one for each root cause. `evalcts run` labels\n"
+      "failures that match one of them, and `evalcts bugs` lists them. A known bug is still a failure; only\n"
+      "a [baseline](baselines.md) excuses it. This page is generated from `suites/bugs/` by the target\n"
+      "`known_bugs`.\n\n"
       "| bug | affects |\n| --- | --- |\n",
-      fmt::join(products, ", "));
+      fmt::join(products, " and "));
   const auto join = [](const std::vector<std::string>& parts) {
     std::string joined;
     for (const std::string& part : parts) joined += (joined.empty() ? "" : ", ") + part;

@@ -12,7 +12,7 @@ namespace evalcts {
 struct KnownBug {
   std::string id;  // "mesa-mesh-steps"
   std::string title;
-  std::string product;               // a word of GL_VENDOR, GL_RENDERER or GL_VERSION: "Mesa"
+  std::string product;               // a part of GL_VENDOR, GL_RENDERER or GL_VERSION: "Mesa"
   std::vector<std::string> affects;  // implementations and versions: "Mesa 20.3 to 26.2"
   std::vector<RequirementId> requirements;
   std::string clause;
