@@ -137,9 +137,10 @@ void require_that_others_are_rejected(Test& t, const gl::Case& script) {
         "pipeline: Enable(CULL_FACE) between Begin and End takes effect or raises no error as well");
 }
 
-// Makes the failures that follow violate the requirements of the test that are about effects of rejected
-// commands, or the others. If the test decides only one of these kinds, they violate all.
 enum class About { kErrors, kEffects };
+
+// Makes the failures that follow violate the requirements of the test that are about effects of rejected
+// commands, or the others. If the test has none of the kind, they violate all.
 void decide(Test& t, About subject) {
   std::vector<RequirementId> decided;
   for (const RequirementId& id : t.requirements())

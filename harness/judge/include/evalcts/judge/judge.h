@@ -47,8 +47,8 @@ struct JudgeOptions {
   bool vectors_as_a_whole = false;
   int version = 46;        // 10 * major + minor: ranges that the GL promises depend on it
   std::string where = {};  // identity of the case, for Accuracy
-  std::size_t most =
-      std::numeric_limits<std::size_t>::max();  // vertices behind so many mismatches are not judged
+  // Vertices behind so many mismatches are not judged.
+  std::size_t most = std::numeric_limits<std::size_t>::max();
 };
 
 // Compares the captured vertices, in order, with the prediction, which is split according to the topology. An
