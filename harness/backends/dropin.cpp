@@ -2,6 +2,7 @@
 // as an implementation.
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
 
 #include "context_maker.h"
 #include "kinds.h"
@@ -20,6 +21,17 @@ std::string built_library() {
   return name;
 }
 
+class DropIn final : public ImplementationInFront {
+ public:
+  DropIn(std::unique_ptr<Implementation> gl_library, std::string library_below)
+      : ImplementationInFront(std::move(gl_library)), library_below_(std::move(library_below)) {}
+  std::unique_ptr<Context> create_context() override { return inner().create_context(); }
+  std::string library_below() const override { return library_below_; }
+
+ private:
+  std::string library_below_;
+};
+
 }  // namespace
 
 std::unique_ptr<Implementation> open_dropin(const std::string& name, const std::string& library) {
@@ -27,7 +39,7 @@ std::unique_ptr<Implementation> open_dropin(const std::string& name, const std::
   // The drop-in library is opened with dlopen, not preloaded, so it finds the GL by an environment variable.
   const auto in_front_of = [&](const char* gl, std::unique_ptr<ContextMaker> (*make)(const std::string&)) {
     setenv("GLEVALUATOR_GL", gl, 0);
-    return make_gl_library(name, make(in_front), "");
+    return std::make_unique<DropIn>(make_gl_library(name, make(in_front), ""), std::getenv("GLEVALUATOR_GL"));
   };
   if (name == "dropin-egl")
     return in_front_of("libEGL.so.1", [](const std::string& front) {

@@ -44,7 +44,10 @@ class OSMesaContexts final : public ContextMaker {
   bool makes_several() const override { return true; }
 
   void* create_sharing(void* with) override {
-    return current(create_ext_ ? create_ext_(GL_RGBA, 24, 8, 0, with) : create_(GL_RGBA, with));
+    // A drop-in library may export the extended form although the library below it lacks that form.
+    void* context = create_ext_ ? create_ext_(GL_RGBA, 24, 8, 0, with) : nullptr;
+    if (!context && create_) context = create_(GL_RGBA, with);
+    return current(context);
   }
 
   void* create_of_kind(GLuint kind) override {

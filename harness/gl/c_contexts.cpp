@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <evalcts/gl/call_log.h>
+
 namespace evalcts::gl {
 namespace {
 
@@ -14,15 +16,25 @@ static void stop(const char *why) {
 }
 
 static void open_library(const char *path) {
-  library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+%OPEN_BELOW%  library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
   if (!library) stop(dlerror());
 }
 
 static void *need(const char *name) {
   void *address = dlsym(library, name);
-  if (!address) fprintf(stderr, "%s is missing\n", name), stop("this is another kind of library");
+%FIND_BELOW%  if (!address) fprintf(stderr, "%s is missing\n", name), stop("this is another kind of library");
   return address;
 }
+)";
+
+// Fragments of open_library() and need() for a library in front of another one. %LIBRARY%: the other one.
+constexpr char kOpenBelow[] =
+    R"(  /* The library is in front of another one, which it finds by this variable. */
+  setenv("GLEVALUATOR_GL", %LIBRARY%, 0);
+  below = dlopen(getenv("GLEVALUATOR_GL"), RTLD_NOW | RTLD_LOCAL);
+  if (!below) stop(dlerror());
+)";
+constexpr char kFindBelow[] = R"(  if (!address) address = dlsym(below, name);
 )";
 
 constexpr char kOSMesa[] = R"(
@@ -30,12 +42,18 @@ constexpr char kOSMesa[] = R"(
 static unsigned char pixels[64 * 64 * 4];
 static void *contexts[MOST_CONTEXTS];
 
+static void *create(void *shared) {
+  void *(*create_ext)(GLenum, GLint, GLint, GLint, void *) =
+      (void *(*)(GLenum, GLint, GLint, GLint, void *))dlsym(library, "OSMesaCreateContextExt");
+  void *(*create_plain)(GLenum, void *) = (void *(*)(GLenum, void *))dlsym(library, "OSMesaCreateContext");
+  void *context = create_ext ? create_ext(GL_RGBA, 24, 8, 0, shared) : NULL;
+  return context || !create_plain ? context : create_plain(GL_RGBA, shared);
+}
+
 static void use_context(GLuint number, int how) {
-  void *(*create)(GLenum, GLint, GLint, GLint, void *) =
-      (void *(*)(GLenum, GLint, GLint, GLint, void *))need("OSMesaCreateContextExt");
   GLboolean (*make_current)(void *, void *, GLenum, GLsizei, GLsizei) =
       (GLboolean (*)(void *, void *, GLenum, GLsizei, GLsizei))need("OSMesaMakeCurrent");
-  if (!contexts[number] && how < 2) contexts[number] = create(GL_RGBA, 24, 8, 0, how ? contexts[0] : NULL);
+  if (!contexts[number] && how < 2) contexts[number] = create(how ? contexts[0] : NULL);
   if (!contexts[number] && how == 2) {
     void *(*create_kind)(const int *, void *) =
         (void *(*)(const int *, void *))need("OSMesaCreateContextAttribs");
@@ -303,6 +321,12 @@ std::string c_contexts(const CProgram& program) {
   }
   std::string text = fragment_of(program.context);
   replace_all(text, "%DISPLAY%", kDisplay);
+  std::string open_library = kOpenLibrary;
+  const bool is_in_front = !program.library_below.empty();
+  if (is_in_front) replace_all(open_library, "static void *library;", "static void *library, *below;");
+  replace_all(open_library, "%OPEN_BELOW%", is_in_front ? kOpenBelow : "");
+  replace_all(open_library, "%FIND_BELOW%", is_in_front ? kFindBelow : "");
+  replace_all(open_library, "%LIBRARY%", quoted(program.library_below));
   if (!program.context_library.empty()) {
     replace_all(text, "*address_of(", "*maker_address_of(");
     replace_all(text, " address_of(", " maker_address_of(");
@@ -312,7 +336,7 @@ std::string c_contexts(const CProgram& program) {
     text += kLayer;
     replace_all(text, "%MAKER%", fmt::format("\"{}\"", program.context_library));
   }
-  return kOpenLibrary + text;
+  return open_library + text;
 }
 
 }  // namespace evalcts::gl

@@ -233,6 +233,7 @@ class Reproduction::Recorder final : public ImplementationInFront {
       text = gl::to_c({.context = context_kind(),
                        .context_library = context_library(),
                        .library = library(),
+                       .library_below = library_below(),
                        .script = &passes_.at(pass).script,
                        .check = check,
                        .trace = &passes_.at(pass).trace,

@@ -1,6 +1,7 @@
 // Tests `evalcts reproduce`, by building and running the C programs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -64,6 +65,49 @@ TEST_F(Reproduce, ACrashAndAHangAsWell) {
     setenv("EVALCTS_DRILL", "nothing", 1);
     EXPECT_EQ(program().code, 0);
   }
+}
+
+// A library without OSMesaCreateContextExt is judged, and the C program makes its contexts, too.
+TEST_F(Reproduce, WithoutTheExtendedFormOfCreateContext) {
+  const std::string test = "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f";
+  std::vector<std::string> arguments = drill_arguments("lenient", {"--filter", test});
+  std::ranges::replace(arguments, std::string(DRILL_LIBRARY), std::string(DRILL_PLAIN_OSMESA_LIBRARY));
+  ASSERT_EQ(evalcts(arguments).code, 1);
+  write_and_build("drill:" + test);
+  const Outcome shown = program();
+  EXPECT_EQ(shown.code, 1) << shown.text;
+  setenv("EVALCTS_DRILL", "nothing", 1);
+  EXPECT_EQ(program().code, 0);
+}
+
+// The C program puts a drop-in library in front of the same GL, and passes with that GL alone.
+TEST_F(Reproduce, ADropInLibrary) {
+  struct Judged {
+    std::string implementation, gl, drill;
+  };
+  const std::string test = "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f";
+  int count = 0;
+  for (const auto& [implementation, gl, drill] : {Judged{"dropin", "libOSMesa.so.8", ""},
+                                                  {"dropin", "libOSMesa.so.8", "plain"},
+                                                  {"dropin-egl", "libEGL.so.1", ""}}) {
+    SCOPED_TRACE(implementation + " " + drill);
+    setenv("EVALCTS_DRILL", drill.c_str(), 1);
+    const Outcome run = evalcts({"run", "--implementation", implementation, "--library", WRONG_DROPIN,
+                                 "--filter", test, "--output", folder_.string(), "--baseline", "none"});
+    if (test_named(results(implementation), test).is_null()) {
+      EXPECT_TRUE(drill.empty() || count == 0) << run.text;
+      continue;
+    }
+    ++count;
+    EXPECT_EQ(run.code, 1) << run.text;
+    write_and_build(implementation + ":" + test);
+    const Outcome shown = program();
+    EXPECT_EQ(shown.code, 1) << shown.text;
+    EXPECT_TRUE(contains(shown.text, "the failure shows"));
+    EXPECT_EQ(program(gl).code, 0);
+    fs::remove(folder_ / ("results-" + implementation + ".json"));
+  }
+  if (count == 0) GTEST_SKIP() << "neither OSMesa nor EGL here";
 }
 
 // The C program contains the commands of the capture. Uses a known failure of Mesa, if it is installed.

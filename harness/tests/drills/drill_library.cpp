@@ -2,7 +2,8 @@
 // misbehaves on command. It has no rasterizer, so no capture works on it, but tests of state and errors run.
 //
 // With DRILL_OWN_CONTEXT, the library creates its only context when it is loaded. With DRILL_LAYER, it does
-// so only if a context of OpenGL ES is then current, as a layer over OpenGL ES may require.
+// so only if a context of OpenGL ES is then current, as a layer over OpenGL ES may require. With
+// DRILL_PLAIN_OSMESA, it exports OSMesaCreateContext in place of OSMesaCreateContextExt.
 //
 // EVALCTS_DRILL names the misbehaviour. "The trigger" is a call of Map1f for INDEX with order 5, which few
 // tests make.
@@ -91,7 +92,11 @@ using misbehaviours::crash;
 #elif defined(DRILL_OWN_CONTEXT)
 [[maybe_unused]] const glev_result kMadeWhenLoaded = glevCreateContext(nullptr, &current);
 #else
+#ifdef DRILL_PLAIN_OSMESA
+EXPORT void* OSMesaCreateContext(GLenum, void*) {
+#else
 EXPORT void* OSMesaCreateContextExt(GLenum, GLint, GLint, GLint, void*) {
+#endif
   if (is_drill("start")) crash();
   if (is_drill("leak")) misbehaviours::lose_memory();
   odd_context = enabled_something = false;

@@ -61,6 +61,9 @@ class Implementation {
   // is not library().
   virtual std::string context_kind() const { return name(); }
   virtual std::string context_library() const { return {}; }
+  // Returns the library that provides what library() lacks, which library() finds by the environment variable
+  // GLEVALUATOR_GL; empty: none.
+  virtual std::string library_below() const { return {}; }
   // Creates a fresh context. Throws CannotStart.
   virtual std::unique_ptr<Context> create_context() = 0;
   // Creates a context that may coexist with those of create_context() and is current after its creation.
@@ -80,6 +83,7 @@ class ImplementationInFront : public Implementation {
   std::string library() const override { return inner_.library(); }
   std::string context_kind() const override { return inner_.context_kind(); }
   std::string context_library() const override { return inner_.context_library(); }
+  std::string library_below() const override { return inner_.library_below(); }
   std::unique_ptr<Context> create_beside() override { return inner_.create_beside(); }
   const Declaration* declaration() const override { return inner_.declaration(); }
 

@@ -23,6 +23,7 @@ struct CProgram {
   std::string context;
   std::string context_library = {};  // the file that makes the context, if the commands come from `library`
   std::string library;               // the file that was judged; empty for "production"
+  std::string library_below = {};    // see Implementation::library_below()
   const Case* script = nullptr;
   const Check* check = nullptr;      // null: the failure is a crash or a hang in the commands
   const Trace* trace = nullptr;      // the recorded answers, for Check::Rule::kUnlike
