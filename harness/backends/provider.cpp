@@ -54,9 +54,9 @@ class Provider final : public ContextMaker {
  private:
   void* made_by(void* (*creator)()) const {
     if (void* context = creator()) return context;
-    const char* why = provider_->error ? provider_->error() : nullptr;
-    throw CannotStart(
-        fmt::format("{} cannot create a context: {}", library_.path(), why ? why : "it gives no reason"));
+    const char* error = provider_->error ? provider_->error() : nullptr;
+    const std::string why = error ? error : "it gives no reason";  // a message of dlerror() is soon invalid
+    throw CannotStart(fmt::format("{} cannot create a context: {}", library_.path(), why));
   }
 
   SharedLibrary library_;

@@ -5,6 +5,7 @@
 #include <dlfcn.h>
 #include <evalcts_provider.h>
 #include <stddef.h>
+#include <stdio.h>
 
 enum { kRgba = 0x1908, kUnsignedByte = 0x1401, kSide = 64 };
 
@@ -17,6 +18,7 @@ static CreateContextExt create_context;
 static MakeCurrent make_current;
 static DestroyContext destroy_context;
 static const char* what_went_wrong;
+static char loader_message[512];
 static unsigned char pixels[kSide * kSide * 4];
 
 static int make_context_current(void* context) {
@@ -28,7 +30,9 @@ static void* create(void) {
   if (!library) {
     library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
     if (!library) {
-      what_went_wrong = dlerror();
+      /* The next call of a dl function invalidates the message, so it is copied. */
+      snprintf(loader_message, sizeof loader_message, "%s", dlerror());
+      what_went_wrong = loader_message;
       return NULL;
     }
     create_context = (CreateContextExt)dlsym(library, "OSMesaCreateContextExt");

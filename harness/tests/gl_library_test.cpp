@@ -10,6 +10,7 @@
 
 #include <evalcts/backends/gl_environment.h>
 #include <evalcts/backends/implementation.h>
+#include <evalcts_provider.h>
 #include "backends/shared_library.h"
 #include "program.h"
 
@@ -62,6 +63,26 @@ TEST_F(GlLibrary, OSMesaContexts) {
   const Outcome outcome = run({"--context", "osmesa", "--library", "libGLU.so.1"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_TRUE(contains(outcome.text, "glGetString"));
+}
+
+// The message of the dynamic loader that a provider returns is printed unmodified, and the provider of the
+// examples keeps it. The provider is changed to open a library that does not exist.
+TEST_F(GlLibrary, ReasonOfAProvider) {
+  const fs::path provider = folder_ / "provider.so";
+  std::string file = read_file(OSMESA_PROVIDER);
+  const std::string name = "libOSMesa.so.8", absent = "libAbsent.so.8";
+  for (std::size_t at; (at = file.find(name)) != std::string::npos;) file.replace(at, name.size(), absent);
+  std::ofstream(provider) << file;
+  const std::string reason = absent + ": cannot open shared object file";
+  const Outcome outcome = run({"--context", provider});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_TRUE(contains(outcome.text, provider.string() + " cannot create a context: " + reason));
+
+  const SharedLibrary library(provider);
+  const auto* interface = library.find_as<decltype(&evalcts_provider_open)>("evalcts_provider_open")();
+  EXPECT_EQ(interface->create(), nullptr);
+  EXPECT_EQ(library.find("no_such_symbol"), nullptr);
+  EXPECT_TRUE(contains(interface->error(), reason));
 }
 
 // Contexts are the library's own if it exports the functions of --context: of a copy of the system's library,

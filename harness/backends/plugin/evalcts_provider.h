@@ -40,8 +40,8 @@ typedef struct evalcts_provider {
    * all commands. */
   void* (*get_address)(const char* command);
 
-  /* Returns the reason for which the last create() failed, and what to do about it. The pointer may be null.
-   */
+  /* Returns the reason for which the last create() failed, and what to do about it. Called directly after
+   * create(). The text is copied at once. The pointer may be null. */
   const char* (*error)(void);
 
   /* The functions below are read from providers of version 2. Their pointers may be null. */
