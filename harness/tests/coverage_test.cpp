@@ -1,9 +1,12 @@
 // Tests the coverage of requirements, the catalogue's reasons for undecidable ones, and the wrapping of its
-// text.
+// text and its abbreviations.
 #include <evalcts/results/coverage.h>
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
+#include <evalcts/results/requirements.h>
 #include "cli/wrap.h"
 
 namespace evalcts {
@@ -24,6 +27,17 @@ const std::map<std::string, std::string> kInvisible = {{"1-D", "nobody can see i
                                                        {"2-D", "nobody can see it"}};
 
 std::vector<ListedTest> tests(const std::vector<RequirementId>& decided) { return {{"T.t", decided}}; }
+
+// Codes that are explained elsewhere: of a reference page (P-glMap1) and of a way to observe (O1).
+TEST(Requirements, AreUnderstoodByThemselves) {
+  const std::regex code(R"(\bP-f?gl|\bO[1-9]\b|\bGLXenc\b)");
+  for (const Requirement& requirement : catalogue().requirements)
+    for (const std::string& text : {requirement.source, requirement.observation})
+      EXPECT_FALSE(std::regex_search(text, code)) << requirement.id << ": " << text;
+  for (const Ambiguity& ambiguity : catalogue().ambiguities)
+    for (const std::string& text : {ambiguity.where, ambiguity.text(), ambiguity.why})
+      EXPECT_FALSE(std::regex_search(text, code)) << ambiguity.id << ": " << text;
+}
 
 TEST(Coverage, StatesOfARequirement) {
   EXPECT_EQ(coverage_of(requirements(), tests({"A"}))[0].state, State::kDecided);

@@ -75,8 +75,8 @@ void Specification::NewList(GLuint list, GLenum mode) {
   construction_ = Construction{list, mode, {}};
 }
 
-// EndList raises an error between an executed Begin and its End, too, and leaves the list open (P-glNewList;
-// the list of section 2.6.3 does not mention it). A compiled Begin does not count.
+// EndList raises an error between an executed Begin and its End, too, and leaves the list open (glNewList
+// page; the list of section 2.6.3 does not mention it). A compiled Begin does not count.
 void Specification::EndList() {
   if (reject_if({{inside(), GL_INVALID_OPERATION}, {!construction_, GL_INVALID_OPERATION}})) return;
   Construction complete = *std::exchange(construction_, std::nullopt);
@@ -102,7 +102,7 @@ void Specification::execute(const std::vector<GLuint>& names) {
   permitted_errors_ = std::move(errors);
 }
 
-// CallList(0) has no effect, because no list has the name 0 (P-glCallList).
+// CallList(0) has no effect, because no list has the name 0 (glCallList page).
 void Specification::CallList(GLuint list) {
   if (compiled(&Specification::CallList, list)) return;
   reject_if({});

@@ -323,7 +323,7 @@ TEST(RunResult, TextOfAFile) {
 TEST(Catalogue, Read) {
   const Catalogue catalogue = catalogue_of(read_sample("requirements.json"));
   EXPECT_EQ(catalogue.requirements.size(), 3u);
-  EXPECT_EQ(catalogue.find("EV-MAP1-DOMAIN/1-D")->source, "GL 1.0 §5.1; P-glMap1");
+  EXPECT_EQ(catalogue.find("EV-MAP1-DOMAIN/1-D")->source, "GL 1.0 §5.1; glMap1 page");
   EXPECT_EQ(catalogue.find("EV-OTHER"), nullptr);
   EXPECT_THROW(catalogue_of(json::array()), FormatError);
   EXPECT_THROW(catalogue_of({{"requirements", {{{"text", "no id"}}}}}), FormatError);

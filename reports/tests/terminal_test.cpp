@@ -70,7 +70,7 @@ TEST(Terminal, TellsTheDistinctBugsFirst) {
 )")) << text;
   EXPECT_TRUE(contains(text, R"(
  4. Map1 with a stride below the number of values of a point raises no error (known in Mesa 21.0 ...
-    fail, must: 1 test; EV-MAP1-ERR-STRIDE-e301 [GL 1.0 §5.1; P-glMap1]
+    fail, must: 1 test; EV-MAP1-ERR-STRIDE-e301 [GL 1.0 §5.1; glMap1 page]
 'evalcts bugs' shows each with its program, --verbose the failing tests
 )")) << text;
   EXPECT_TRUE(contains(text, "\nnote: 1 of 4 failing tests was not reduced")) << text;

@@ -18,7 +18,7 @@ struct Bug {
   std::string cause;
 
   std::vector<RequirementId> requirements;  // violated by the minimal program, the decisive one first
-  std::string clause;                       // the violated passage: "GL 2.1 5.1; P-glEvalCoord"
+  std::string clause;                       // the violated passage: "GL 2.1 5.1; glEvalCoord page"
   Level level = Level::kMust;
   Verdict verdict = Verdict::kFail;  // crash, timeout, fail or quality warning
 
