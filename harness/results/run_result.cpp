@@ -34,9 +34,17 @@ int TestRecord::severity() const {
   return is_unexpected_pass() ? 2 * shift : rank + shift + 1;
 }
 
+std::string TestRecord::place_of_death() const {
+  if (!crash) return {};
+  if (verdict == Verdict::kCrash) return crash->group();
+  return verdict == Verdict::kTimeout ? crash->command() : std::string();
+}
+
+std::string Crash::command() const { return call.substr(0, call.find('(')); }
+
 std::string Crash::group() const {
   constexpr std::size_t kFramesOfGroup = 3;
-  if (frames.empty()) return call;
+  if (frames.empty()) return command();
   // A function of the C library that copies bytes crashes in many places, so the group begins at its caller.
   std::size_t first = 0;
   while (first + 1 < frames.size() && frames[first].starts_with("libc.so")) ++first;
@@ -135,17 +143,25 @@ std::string CrashGroup::call() const {
   return calls.size() == 1 ? most->first : fmt::format("{} and {} more", most->first, calls.size() - 1);
 }
 
+std::string CrashGroup::word() const { return verdict == Verdict::kTimeout ? "hang" : "crash"; }
+
+std::string CrashGroup::place() const {
+  return verdict == Verdict::kTimeout ? call() : fmt::format("{}: {}", call(), where);
+}
+
 std::vector<CrashGroup> crash_groups(const RunResult& result) {
-  std::map<std::string, CrashGroup> groups;
+  std::map<std::pair<Verdict, std::string>, CrashGroup> groups;
   for (const TestRecord& test : result.tests) {
-    if (test.verdict != Verdict::kCrash || !test.crash) continue;
-    CrashGroup& group = groups[test.crash->group()];
-    group.where = test.crash->group();
+    const std::string place = test.place_of_death();
+    if (place.empty()) continue;
+    CrashGroup& group = groups[{test.verdict, place}];
+    group.verdict = test.verdict;
+    group.where = place;
     ++group.calls[test.crash->call.empty() ? "no command" : test.crash->call];
     group.tests.push_back(&test);
   }
   std::vector<CrashGroup> sorted;
-  for (auto& [where, group] : groups) sorted.push_back(std::move(group));
+  for (auto& [place, group] : groups) sorted.push_back(std::move(group));
   std::ranges::stable_sort(sorted, std::greater(),
                            [](const CrashGroup& group) { return group.tests.size(); });
   return sorted;

@@ -183,4 +183,8 @@ void ChildProcess::kill() {
   ::kill(id_, SIGKILL);  // the process may have moved to another group
 }
 
+void ChildProcess::abort() {
+  if (!ending_) ::kill(id_, SIGABRT);
+}
+
 }  // namespace evalcts

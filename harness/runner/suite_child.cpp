@@ -15,12 +15,14 @@ namespace evalcts {
 namespace {
 using Clock = std::chrono::steady_clock;
 constexpr double kMostToEnd = 2;  // seconds that the process may take to exit after its last test
+// Time that a process that hangs may take to report its command in flight.
+constexpr std::chrono::seconds kMostToReport(1);
 }  // namespace
 
 std::string describe(const ChildRun& run, const Limits& limits) {
-  if (run.hung) return fmt::format("no answer within {} seconds", limits.seconds_per_test);
   if (run.over_memory) return fmt::format("it used more than {} MiB of memory", limits.memory >> 20);
-  std::string text = "the process ended with " + describe(run.ending);
+  std::string text = run.hung ? fmt::format("no answer within {} seconds", limits.seconds_per_test)
+                              : "the process ended with " + describe(run.ending);
   if (!run.crash) return text;
   if (!run.crash->call.empty())
     text += fmt::format(" in {}, after {} commands", run.crash->call, run.crash->commands_before);
@@ -56,7 +58,7 @@ bool SuiteChild::look(double seconds, const Deadline& deadline,
   }
   const double patience =
       run_.complete ? std::min(limits_.seconds_per_test, kMostToEnd) : limits_.seconds_per_test;
-  if (interrupted) {
+  if (interrupted || (report_deadline_ && Clock::now() > *report_deadline_)) {
     process_.kill();
   } else if (deadline && Clock::now() > *deadline) {
     run_.cut_short = true;
@@ -65,8 +67,13 @@ bool SuiteChild::look(double seconds, const Deadline& deadline,
     run_.over_memory = true;
     process_.kill();
   } else if (std::chrono::duration<double>(Clock::now() - latest_event_).count() > patience) {
-    run_.hung = !run_.complete;
-    process_.kill();
+    if (run_.complete) {
+      process_.kill();
+    } else if (!report_deadline_) {
+      run_.hung = true;
+      report_deadline_ = Clock::now() + kMostToReport;
+      process_.abort();  // the signal handler reports the command in flight
+    }
   }
   return false;
 }

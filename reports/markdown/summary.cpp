@@ -74,13 +74,13 @@ std::string changes_of(const Comparison& pair) {
   return out;
 }
 
-// Returns one line for all crashes with the same innermost frames, with the GL command that crashed.
+// Returns one line for all crashes or hangs at the same place, with the GL command.
 std::string crashes_of(const Column& column) {
   std::string out;
   for (const CrashGroup& group : crash_groups(column.record))
-    out += fmt::format("* {}: crash of {} in {}: {}; the first is {}\n", markdown_code(column.label),
-                       count(group.tests.size(), "test"), markdown_code(group.call()),
-                       markdown_code(group.where), markdown_code(group.tests.front()->name));
+    out += fmt::format("* {}: {} of {} in {}; the first is {}\n", markdown_code(column.label), group.word(),
+                       count(group.tests.size(), "test"), markdown_code(group.place()),
+                       markdown_code(group.tests.front()->name));
   return out;
 }
 
@@ -154,7 +154,7 @@ std::string markdown_summary(const std::vector<RunResult>& results, const std::v
 
   std::string crashes;
   for (const Column& column : columns) crashes += crashes_of(column);
-  if (!crashes.empty()) out += "\n### Crashes by place\n\n" + crashes;
+  if (!crashes.empty()) out += "\n### Crashes and hangs by place\n\n" + crashes;
 
   std::string failures;
   for (const Column& column : columns) failures += failures_of(column);

@@ -234,16 +234,16 @@ void write_head(Screen& screen, const RunResult& record) {
     screen.line(fmt::format("  {} of these passes without {}: not observed", tests, what), Colour::kYellow);
 }
 
-// Writes one line for all crashes with the same innermost frames, and one about the commands that other tests
-// omit because of crashes.
+// Writes one line for all crashes or hangs at the same place, and one about the commands that other tests
+// omit because of them.
 void write_crashes(Screen& screen, const RunResult& record, bool all) {
   const std::vector<CrashGroup> groups = crash_groups(record);
   for (std::size_t i = 0; i < groups.size() && (all || i < kMostCrashGroups); ++i)
-    screen.line(fmt::format("  crash of {} in {}: {}", count(groups[i].tests.size(), "test"),
-                            groups[i].call(), groups[i].where),
+    screen.line(fmt::format("  {} of {} in {}", groups[i].word(), count(groups[i].tests.size(), "test"),
+                            groups[i].place()),
                 Colour::kRed);
   if (!all && groups.size() > kMostCrashGroups)
-    screen.line(fmt::format("  and crashes at {} other places", groups.size() - kMostCrashGroups),
+    screen.line(fmt::format("  and crashes or hangs at {} other places", groups.size() - kMostCrashGroups),
                 Colour::kRed);
   std::set<std::string> calls;
   std::size_t tests = 0;

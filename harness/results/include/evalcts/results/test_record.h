@@ -70,15 +70,17 @@ struct Failure {
   bool operator==(const Failure&) const = default;
 };
 
-// The place of a crash in the library.
+// The place of a crash or hang in the library.
 struct Crash {
   // The GL command in flight, "glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)"; empty if there was none.
   std::string call;
   std::uint64_t commands_before = 0;  // number of commands of the case before `call`
   std::vector<std::string> frames;    // the innermost first, "libGL.so.1 glGetMapiv+0x2c"; empty if unknown
 
+  // Returns the name of the command in flight, "glGetMapiv"; empty if there was none.
+  std::string command() const;
   // Returns a text that is equal for crashes with the same innermost frames: "frame < caller < its caller",
-  // or the call if there are no frames.
+  // or command() if there are no frames.
   std::string group() const;
 };
 
@@ -113,7 +115,7 @@ struct TestRecord {
   // commands are missing: "colour, normal, glMap1d (missing)". The verdict does not cover them.
   std::string unobserved;
   std::vector<std::string> left_out;  // optional commands that the test omitted because they crash
-  std::optional<Crash> crash;         // for a crash, if the process could report it
+  std::optional<Crash> crash;         // for a crash or timeout, if the process could report it
   std::optional<Accuracy> accuracy;
   std::map<std::string, std::string> readings;  // the implementation's reading of ambiguous passages, by ID
 
@@ -129,6 +131,10 @@ struct TestRecord {
   std::string rerun, debug, reproducer;  // shell commands; for failures
 
   bool is_bad() const { return evalcts::is_bad(verdict); }
+  // Returns a text that is equal for tests in which the library crashes or hangs at the same place:
+  // Crash::group() for a crash, Crash::command() for a hang, which may be stopped anywhere in its loop. Empty
+  // for other tests, and if the place is unknown.
+  std::string place_of_death() const;
   // Returns the requirements that a bad test contradicts: `violated`, or if that is empty, all requirements
   // of the test. Empty for a test that is not bad.
   std::vector<RequirementId> blamed() const;

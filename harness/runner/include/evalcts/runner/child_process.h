@@ -48,6 +48,8 @@ class ChildProcess {
   // ended, the remaining processes of its group are killed.
   std::optional<Ending> wait(double seconds);
   void kill();
+  // Sends SIGABRT to the process, which may report where it is before it ends.
+  void abort();
 
   // Returns resident_memory() of the process.
   std::uint64_t memory() const { return resident_memory(id_); }

@@ -18,10 +18,10 @@ namespace evalcts {
 // The results of one child process so far.
 struct ChildRun {
   std::map<std::string, TestRecord> records;
-  std::vector<std::string> finished;                      // in the order in which they ran
-  std::string in_flight;                                  // the test that runs, or that the child died in
-  std::optional<CaseStarted> last_case;                   // latest case of that test, if cases are traced
-  std::optional<Crash> crash;                             // crash of that test, if the child could report it
+  std::vector<std::string> finished;     // in the order in which they ran
+  std::string in_flight;                 // the test that runs, or that the child died in
+  std::optional<CaseStarted> last_case;  // latest case of that test, if cases are traced
+  std::optional<Crash> crash;  // place of the crash or hang of that test, if the child could report it
   std::map<std::string, std::vector<std::string>> cases;  // identities of cases by test, if they are traced
   bool hung = false;
   bool over_memory = false;  // the process was killed because it exceeded Limits::memory
@@ -38,8 +38,9 @@ struct Limits {
   std::uint64_t memory = std::uint64_t{4096} << 20;  // resident memory of a process, in bytes
 };
 
-// Returns a description of the end of the child: "no answer within 60 seconds", "it used more than 4096 MiB
-// of memory", "the process ended with ... in glEnd(), after 12 commands, at libGL.so.1 glEnd+0x2c".
+// Returns a description of the end of the child: "no answer within 60 seconds in glEnd(), after 12 commands",
+// "it used more than 4096 MiB of memory", "the process ended with ... in glEnd(), after 12 commands, at
+// libGL.so.1 glEnd+0x2c".
 std::string describe(const ChildRun& run, const Limits& limits);
 
 class SuiteChild {
@@ -68,6 +69,7 @@ class SuiteChild {
   std::streamoff read_ = 0;
   Limits limits_;
   std::chrono::steady_clock::time_point latest_event_ = std::chrono::steady_clock::now();
+  Deadline report_deadline_;  // time at which a process that hangs is killed; none before it hangs
   ChildRun run_;
   ChildProcess process_;
 };
