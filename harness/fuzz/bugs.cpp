@@ -18,6 +18,7 @@
 #include <evalcts/fuzz/normal_form.h>
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/case_json.h>
+#include <evalcts/gl/display_lists.h>
 #include <evalcts/gl/explicit_vertices.h>
 #include <evalcts/results/files.h>
 #include <evalcts/results/hash.h>
@@ -37,12 +38,14 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kLookAtReducers = 0.02;
-constexpr std::size_t kMostCalls = 40;    // lines of a minimal program, about a screen
-constexpr std::size_t kMostOfText = 80;   // columns of a requirement's text in a title
-constexpr int kMostAttemptsOfDeath = 60;  // candidates for the reduction of a crash; each needs a process
-constexpr double kSecondsOfDeath = 10;    // time limit for the reduction of a crash
-constexpr double kSecondsOfHang = 2;      // time limit of a candidate for a hang
-constexpr double kSecondsOfCase = 30;     // time limit of a reducing process without an event
+constexpr std::size_t kMostCalls = 40;        // lines of a minimal program, about a screen
+constexpr std::size_t kMostOfText = 80;       // columns of a requirement's text in a title
+constexpr int kMostAttemptsOfDeath = 60;      // candidates for the reduction of a crash; each needs a process
+constexpr double kSecondsOfDeath = 10;        // time limit for the reduction of a crash
+constexpr double kSecondsOfHang = 2;          // time limit of a candidate for a hang
+constexpr double kSecondsOfCase = 30;         // time limit of a reducing process without an event
+constexpr double kSecondsOfProof = 10;        // time limit of the program of a known bug
+constexpr std::size_t kMostTestsOfPlace = 3;  // tests that die at one place, of which one has to be reduced
 constexpr int kMostEmptyReducers = 3;
 constexpr std::size_t kReducedOfBaselineBug = 3;  // tests of each bug that the baseline names
 
@@ -67,6 +70,22 @@ const KnownBug* bug_of_baseline(const TestRecord& test) {
   if (!test.expected_by_baseline || !reason.starts_with(kPrefix)) return nullptr;
   reason.remove_prefix(kPrefix.size());
   return find_known_bug(std::string(reason.substr(0, reason.find('.'))));
+}
+
+// Returns the known bug that explains the test; null if there is none. The baseline names it if the test
+// fails as the baseline expects and the minimal program does not contradict the signs of the bug. Otherwise
+// the program of the bug itself has to fail in the same way as the minimal program, or die at the same place
+// as the test.
+const KnownBug* known_bug_behind(const TestRecord& test, const std::string& cause, const Finding* minimal,
+                                 const ProvenBugs& proven) {
+  const KnownBug* const named = bug_of_baseline(test);
+  const bool compares = minimal && !is_death(test.verdict);
+  if (named && (!compares || named->signs.empty() || named->has_sign(cause, minimal->failure))) return named;
+  const std::string place = test.place_of_death();
+  for (const auto& [bug, place_of_bug] : proven)
+    if (compares ? bug->has_sign(cause, minimal->failure) : !place.empty() && place == place_of_bug)
+      return bug;
+  return nullptr;
 }
 
 bool draws_very_much(const FailingCase& failing) {
@@ -104,14 +123,49 @@ class BugSearch {
     if (!cases.empty() && !interrupted && seconds_left() > 0) reduce(cases);
     for (const FailingCase& each : cases)
       if (!reductions_.contains(each.test)) take({each.test, {}, kDiedOnTheWay});
-    for (const TestRecord* test : deaths) {
-      take(reduce_death(*test));
-      if (interrupted) break;
+    reduce_deaths(deaths);
+    return reductions_;
+  }
+
+  // Returns the known bugs that may explain a failing test and whose own programs fail here in the way that
+  // the bug describes.
+  ProvenBugs prove_known_bugs(const std::map<std::string, Reduction>& reductions) const {
+    ProvenBugs proven;
+    for (const KnownBug& bug : known_bugs()) {
+      if (interrupted || bug.program.empty() || !bug.affects.contains(run_.implementation) ||
+          std::ranges::none_of(run_.tests, [&](const TestRecord& test) {
+            const auto found = reductions.find(test.name);
+            return may_explain(bug, test, found == reductions.end() ? nullptr : &found->second);
+          }))
+        continue;
+      Finding finding;
+      finding.program = gl::parse_case(bug.program);
+      const ChildRun child = run_alone(finding.program, kSecondsOfProof);
+      if (!child.complete) {
+        TestRecord death;
+        death.verdict = child.hung ? Verdict::kTimeout : Verdict::kCrash;
+        death.crash = child.crash;
+        if (bug.crashes) proven[&bug] = death.place_of_death();
+        continue;
+      }
+      const auto record = child.records.find("program");
+      if (record == child.records.end() || record->second.failures.empty()) continue;
+      finding.failure = record->second.failures.front();
+      if (bug.has_sign(normal_form(finding, max_eval_order()).cause, finding.failure)) proven[&bug];
     }
-    return std::move(reductions_);
+    return proven;
   }
 
  private:
+  // Returns true if the bug may be the reason of a failure that the baseline does not explain, so that its
+  // program has to run.
+  bool may_explain(const KnownBug& bug, const TestRecord& test, const Reduction* reduction) const {
+    const Finding* const minimal = reduction && reduction->minimal ? &*reduction->minimal : nullptr;
+    const std::string cause = minimal ? normal_form(*minimal, max_eval_order()).cause : std::string();
+    if (!is_to_be_explained(test) || known_bug_behind(test, cause, minimal, {})) return false;
+    return is_death(test.verdict) ? bug.crashes : minimal && bug.has_sign(cause, minimal->failure);
+  }
+
   // Returns the commands of the first failing case as JSON; empty if the case cannot be stored as JSON.
   std::string commands_of(const TestRecord& test) const {
     const auto found = run_.failing_cases.find(test.name);
@@ -192,8 +246,8 @@ class BugSearch {
 
   // --- crashes and hangs
 
-  // True if the program runs to its end in a separate process.
-  bool ends_alone(const gl::Case& program, double patience) {
+  // Runs the program in a separate process.
+  ChildRun run_alone(const gl::Case& program, double patience) const {
     const fs::path file = request_.scratch / "alone.json", events = request_.scratch / "alone.jsonl";
     write_atomically(file, gl::to_text(program));
     fs::remove(events);
@@ -204,7 +258,23 @@ class BugSearch {
     limits.seconds_per_test = patience;
     SuiteChild child(command, events, request_.scratch / "alone.log", limits);
     while (!child.look(kLookAtReducers)) continue;
-    return child.run().complete;
+    return child.run();
+  }
+
+  // Reduces one test for each place at which the library dies, and tries up to kMostTestsOfPlace tests.
+  void reduce_deaths(const std::vector<const TestRecord*>& deaths) {
+    std::map<std::string, std::size_t> attempts;
+    for (const TestRecord* test : deaths) {
+      if (interrupted) return;
+      const std::string place = test->place_of_death();
+      if (!place.empty() && attempts[place]++ >= kMostTestsOfPlace) {
+        take({test->name, {}, kSamePlace});
+        continue;
+      }
+      Reduction reduction = reduce_death(*test);
+      if (reduction.minimal) attempts[place] = kMostTestsOfPlace;
+      take(std::move(reduction));
+    }
   }
 
   Reduction reduce_death(const TestRecord& test) {
@@ -225,7 +295,7 @@ class BugSearch {
     const auto dies = [&](const gl::Case& candidate) {
       return !interrupted && seconds_left() > 0 &&
              std::chrono::duration<double>(Clock::now() - begin).count() < kSecondsOfDeath &&
-             specify_if_defined(candidate, max_eval_order()) && !ends_alone(candidate, patience);
+             specify_if_defined(candidate, max_eval_order()) && !run_alone(candidate, patience).complete;
     };
     // Most deaths have a known cause, so the commands of known causes are tried first.
     for (const gl::Case& form : forms_of(program)) {
@@ -325,6 +395,16 @@ bool keep_smaller(std::optional<Finding>& minimal, const Finding& other) {
   return true;
 }
 
+// Returns the GL command in which most of the tests die, "glMap1f"; empty if none dies in a known command.
+std::string command_of_deaths(const std::vector<const TestRecord*>& tests) {
+  std::map<std::string, std::size_t> times;
+  for (const TestRecord* test : tests)
+    if (is_death(test->verdict) && test->crash && !test->crash->command().empty())
+      ++times[test->crash->command()];
+  const auto most = std::ranges::max_element(times, {}, [](const auto& each) { return each.second; });
+  return most == times.end() ? std::string() : most->first;
+}
+
 Bug bug_from(const Group& group, int max_eval_order) {
   Bug bug;
   bug.cause = group.cause;
@@ -364,9 +444,14 @@ Bug bug_from(const Group& group, int max_eval_order) {
                                                                  : "fails",
                             cut(one_line(entry ? entry->text : first.message), kMostOfText));
   }
+  const std::string command = command_of_deaths(group.tests);
+  if (!command.empty())
+    bug.title =
+        fmt::format("{} {}{}", command, bug.verdict == Verdict::kTimeout ? "hangs" : "crashes",
+                    group.minimal && gl::uses_lists(group.minimal->program) ? " in a display list" : "");
   if (const KnownBug* const known = group.known) {
     bug.known = known->id;
-    bug.known_in = fmt::format("{}", fmt::join(known->affects, ", "));
+    bug.known_in = known->affects.text();
     bug.id = id_of(known->requirements.front().id, known->id);
     bug.title = known->title;
     bug.requirements = known->requirements;
@@ -415,18 +500,24 @@ std::vector<std::string> readable_calls(const gl::Case& program) {
 }
 
 std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduction>& reductions,
-                         int max_eval_order) {
-  std::map<std::string, Group> groups;             // by the ID of the known bug or by cause
-  std::map<std::string, std::string> of_likeness;  // cause of a reduced test, by its likeness_of()
+                         const ProvenBugs& proven, int max_eval_order) {
+  std::map<std::string, Group> groups;  // by the ID of the known bug, the place of death, or the cause
+  // Adds the test to its group, and returns the key of the group.
   const auto add = [&](const TestRecord& test, const std::string& cause, const Finding* minimal,
-                       const std::string& why, const KnownBug* known) {
-    if (!known) known = known_bug_with_sign(cause, run.implementation);
-    Group& group = groups[known ? "known: " + known->id : cause];
+                       const std::string& why) {
+    const KnownBug* const known = known_bug_behind(test, cause, minimal, proven);
+    const std::string place = test.place_of_death();
+    const std::string key = known           ? "known: " + known->id
+                            : place.empty() ? cause
+                                            : fmt::format("{} at {}", text_of(test.verdict).word, place);
+    Group& group = groups[key];
     group.known = known;
     group.tests.push_back(&test);
     if ((minimal && keep_smaller(group.minimal, *minimal)) || group.cause.empty()) group.cause = cause;
     if (group.why_not_reduced.empty()) group.why_not_reduced = why;
+    return key;
   };
+  std::map<std::string, std::string> of_likeness;               // key of a reduced test, by likeness_of()
   std::vector<std::pair<const TestRecord*, std::string>> left;  // tests not reduced, with the reason
   for (const TestRecord& test : run.tests) {
     if (!is_to_be_explained(test)) continue;
@@ -438,17 +529,17 @@ std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduc
                                                          : std::string(kOutOfTime));
       continue;
     }
-    const std::string cause = normal_form(*found->second.minimal, max_eval_order).cause;
-    add(test, cause, &*found->second.minimal, "", nullptr);
-    of_likeness.try_emplace(likeness_of(test), cause);
+    const Finding& minimal = *found->second.minimal;
+    of_likeness.try_emplace(likeness_of(test),
+                            add(test, normal_form(minimal, max_eval_order).cause, &minimal, ""));
   }
   for (const auto& [test, why] : left) {
-    const KnownBug* const named = bug_of_baseline(*test);
     const auto alike = of_likeness.find(likeness_of(*test));
-    if (!named && (why == kOutOfTime || why == kDiedOnTheWay) && alike != of_likeness.end())
-      add(*test, alike->second, nullptr, "", nullptr);
+    if (!bug_of_baseline(*test) && test->place_of_death().empty() && alike != of_likeness.end() &&
+        (why == kOutOfTime || why == kDiedOnTheWay))
+      groups.at(alike->second).tests.push_back(test);
     else
-      add(*test, "not reduced; " + likeness_of(*test), nullptr, why, named);
+      add(*test, "not reduced; " + likeness_of(*test), nullptr, why);
   }
   std::vector<Bug> bugs;
   for (const auto& [key, group] : groups) bugs.push_back(bug_from(group, max_eval_order));
@@ -461,13 +552,16 @@ void find_bugs(RunResult& run, const BugRequest& request,
   const int max_eval_order =
       static_cast<int>(std::clamp<std::int64_t>(run.implementation.max_eval_order.value_or(8), 8, 64));
   std::map<std::string, Reduction> reductions;
+  ProvenBugs proven;
   if (run.pass == Pass::kFreshContexts) {
-    reductions = BugSearch(run, request, progress).reduce_all();
+    BugSearch search(run, request, progress);
+    reductions = search.reduce_all();
+    proven = search.prove_known_bugs(reductions);
   } else {
     for (const TestRecord& test : run.tests)
       reductions[test.name] = {test.name, {}, "it depends on what was run before in the same context"};
   }
-  run.bugs = bugs_of(run, reductions, max_eval_order);
+  run.bugs = bugs_of(run, reductions, proven, max_eval_order);
   std::size_t tests = 0, named = 0, left = 0, late = 0, dead = 0;
   for (const TestRecord& test : run.tests) {
     if (!is_to_be_explained(test)) continue;
@@ -477,6 +571,7 @@ void find_bugs(RunResult& run, const BugRequest& request,
       ++named;
       continue;
     }
+    if (found != reductions.end() && found->second.why_not == kSamePlace) continue;
     const bool is_late = found == reductions.end() || found->second.why_not == kOutOfTime;
     const bool is_dead = !is_late && found->second.why_not == kDiedOnTheWay;
     late += is_late;

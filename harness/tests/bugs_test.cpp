@@ -198,7 +198,7 @@ TEST(Bugs, OneForEachNormalFormMostImportantFirst) {
       {"Lists.C",
        {"Lists.C", finding(R"([["NewList", 1, "GL_COMPILE"], ["CallList", 2], ["EndList"]])", "crash"), ""}},
       {"Mesh1.D", {"Mesh1.D", {}, "reason"}}};
-  const std::vector<Bug> bugs = bugs_of(run, reductions, kMaxOrder);
+  const std::vector<Bug> bugs = bugs_of(run, reductions, {}, kMaxOrder);
   ASSERT_EQ(bugs.size(), 4u);
   EXPECT_EQ(bugs[0].tests, std::vector<std::string>{"Lists.C"});
   EXPECT_EQ(bugs[0].verdict, Verdict::kCrash);
@@ -225,7 +225,7 @@ TEST(Bugs, WhatIsNotReducedIsGroupedByLikeness) {
   EXPECT_EQ(likeness_of(run.tests[0]), "Mesh.Last; EV-MESH-EXACT-N; position");
   std::map<std::string, Reduction> reductions;
   for (const TestRecord& test : run.tests) reductions[test.name] = {test.name, {}, "a picture"};
-  std::vector<Bug> bugs = bugs_of(run, reductions, kMaxOrder);
+  std::vector<Bug> bugs = bugs_of(run, reductions, {}, kMaxOrder);
   ASSERT_EQ(bugs.size(), 3u);
   EXPECT_EQ(bugs[0].tests, (std::vector<std::string>{"Mesh1.Last/LINE", "Mesh2.Last/FILL/Nested"}));
   EXPECT_EQ(bugs[0].why_not_reduced, "a picture");
@@ -235,36 +235,84 @@ TEST(Bugs, WhatIsNotReducedIsGroupedByLikeness) {
   // reduced failure with the same likeness_of().
   reductions["Mesh1.Last/LINE"] = {"Mesh1.Last/LINE",
                                    finding(kMeshOverTheInitialGrid, "position.x of vertex 1"), ""};
-  bugs = bugs_of(run, reductions, kMaxOrder);
+  bugs = bugs_of(run, reductions, {}, kMaxOrder);
   EXPECT_EQ(bugs.size(), 4u) << "for another reason they do not";
   for (const char* why : {kOutOfTime, kDiedOnTheWay}) {
     reductions["Mesh2.Last/FILL/Nested"].why_not = why;
-    bugs = bugs_of(run, reductions, kMaxOrder);
+    bugs = bugs_of(run, reductions, {}, kMaxOrder);
     ASSERT_EQ(bugs.size(), 3u) << why;
     EXPECT_EQ(bugs[0].tests.size(), 2u);
     EXPECT_TRUE(bugs[0].is_reduced());
   }
 }
 
-TEST(Bugs, KnownOnesAreNamedAndNothingIsExcused) {
+// The program of the known bug has to fail on this implementation, and the minimal program has to differ in
+// the same way.
+TEST(Bugs, AreKnownOnlyIfTheirProgramFailsInTheSameWay) {
   RunResult run;
-  run.implementation.version = "4.5 (Compatibility Profile) Mesa 22.3.6";
-  const KnownBug* const initial =
-      known_bug_with_sign("evaluated values; EvalMesh on the initial grid", run.implementation);
-  ASSERT_TRUE(initial);
-  run.tests = {failing("Mesh1.A/x", "EV-MESH1-POINT")};
-  std::vector<Bug> bugs = bugs_of(
-      run, {{"Mesh1.A/x", {"Mesh1.A/x", finding(kMeshOverTheInitialGrid, "position.x of vertex 1"), ""}}},
-      kMaxOrder);
-  ASSERT_EQ(bugs.size(), 1u);
-  EXPECT_EQ(bugs[0].known, initial->id);
-  EXPECT_EQ(bugs[0].title, initial->title);
-  EXPECT_TRUE(bugs[0].known_in.starts_with("Mesa")) << bugs[0].known_in;
-  EXPECT_EQ(bugs[0].verdict, Verdict::kFail);
-  // On another product, the same sign may have another root cause.
-  run.implementation.version = "another";
-  bugs = bugs_of(run, {}, kMaxOrder);
-  EXPECT_EQ(bugs.at(0).known, "");
+  run.tests = {failing("GetMap.A/x", "EV-GETMAP-SATURATE")};
+  const KnownBug* const saturation = find_known_bug("mesa-getmap-saturation");
+  ASSERT_TRUE(saturation);
+  const ProvenBugs proven = {{saturation, ""}};
+  const auto bug_of_answer = [&](const std::string& query, const std::string& expected,
+                                 const std::string& captured, const ProvenBugs& of) {
+    Finding minimal =
+        finding(R"([["GetMapiv", "GL_MAP1_INDEX", "GL_COEFF", {"out": "i32", "count": 1}]])", query);
+    minimal.failure.expected = expected;
+    minimal.failure.captured = captured;
+    const std::vector<Bug> bugs = bugs_of(run, {{"GetMap.A/x", {"GetMap.A/x", minimal, ""}}}, of, kMaxOrder);
+    return bugs.size() == 1 ? bugs[0] : Bug();
+  };
+  const Bug known = bug_of_answer("glGetMapiv", "{2147483647}", "{0}", proven);
+  EXPECT_EQ(known.known, saturation->id);
+  EXPECT_EQ(known.title, saturation->title);
+  EXPECT_EQ(known.known_in, "Mesa 20.3 to 26.2");
+  EXPECT_EQ(known.verdict, Verdict::kFail) << "nothing is excused";
+  EXPECT_EQ(bug_of_answer("glGetMapiv", "{2147483647}", "{0}", {}).known, "") << "its program does not fail";
+  EXPECT_EQ(bug_of_answer("glGetMapiv", "{2147483647}", "{-2147483648}", proven).known, "")
+      << "another value";
+  EXPECT_EQ(bug_of_answer("glGetMapiv", "{3}", "{0}", proven).known, "") << "no value that is too large";
+  EXPECT_EQ(bug_of_answer("glGetMapfv", "{2147483647}", "{0}", proven).known, "") << "another query";
+}
+
+// Tests that die at one place are one bug, whether they were reduced or not, and a known one only if the
+// program of the known bug dies at the same place.
+TEST(Bugs, DeathsAtOnePlaceAreOne) {
+  RunResult run;
+  const auto add = [&](const std::string& name, const std::string& requirement, Verdict verdict,
+                       const std::string& call, const std::vector<std::string>& frames) {
+    run.tests.push_back(failing(name, requirement, "", verdict));
+    run.tests.back().crash = Crash{call, 0, frames};
+  };
+  add("Map1Errors.A", "EV-MAP1-COPY", Verdict::kCrash, "glMap1f(GL_MAP1_INDEX, ...)",
+      {"libc.so.6+0x1", "libGL.so copy+0x2"});
+  add("Map1State.B", "EV-MAP1-ERR-STRIDE", Verdict::kCrash, "glMap1f(GL_MAP1_NORMAL, ...)",
+      {"libc.so.6+0x9", "libGL.so copy+0x2"});
+  add("Lists.C", "EV-DL-NESTED", Verdict::kCrash, "glEndList()", {"libGL.so end+0x7"});
+  add("Mesh2.D", "EV-MESH2-FILL", Verdict::kTimeout, "glEvalMesh2(GL_FILL, 0, 1, 0, 1)",
+      {"libGL.so loop+0x1"});
+  add("Points.E", "EV-MESH2-POINT", Verdict::kTimeout, "glEvalMesh2(GL_POINT, 0, 2, 0, 2)",
+      {"libGL.so loop+0x5"});
+  const std::map<std::string, Reduction> reductions = {
+      {"Map1State.B",
+       {"Map1State.B",
+        finding(
+            R"([["NewList", 1, "GL_COMPILE"], ["Map1f", "GL_MAP1_VERTEX_3", 0, 1, 2, 1, {"f32": [0, 0, 0]}]])",
+            "crash"),
+        ""}}};
+  const auto titles = [&](const ProvenBugs& proven) {
+    std::set<std::string> all;
+    for (const Bug& bug : bugs_of(run, reductions, proven, kMaxOrder))
+      all.insert(fmt::format("{}: {}", bug.tests.size(), bug.title));
+    return all;
+  };
+  EXPECT_EQ(titles({}), (std::set<std::string>{"2: glMap1f crashes in a display list", "1: glEndList crashes",
+                                               "2: glEvalMesh2 hangs"}));
+  const KnownBug* const nested = find_known_bug("mesa-list-nested-crash");
+  ASSERT_TRUE(nested && nested->crashes);
+  EXPECT_EQ(titles({{nested, "libGL.so end+0x7"}}),
+            (std::set<std::string>{"2: glMap1f crashes in a display list", "1: " + nested->title,
+                                   "2: glEvalMesh2 hangs"}));
 }
 
 TEST(Bugs, WhatIsNotReducedBelongsToTheBugOfTheBaseline) {
@@ -278,7 +326,7 @@ TEST(Bugs, WhatIsNotReducedBelongsToTheBugOfTheBaseline) {
   }
   run.tests[1].baseline_reason = "flaky: bug: mesa-initial-grid. It depends on memory that was never written";
   run.tests[2].baseline_reason = "EV-MESH2-FILL: not traced to a bug";
-  std::vector<Bug> bugs = bugs_of(run, {}, kMaxOrder);
+  std::vector<Bug> bugs = bugs_of(run, {}, {}, kMaxOrder);
   ASSERT_EQ(bugs.size(), 2u);
   EXPECT_EQ(bugs[0].known, "mesa-initial-grid");
   EXPECT_EQ(bugs[0].tests, (std::vector<std::string>{"Mesh1.A", "Mesh2.B"}));
@@ -286,27 +334,33 @@ TEST(Bugs, WhatIsNotReducedBelongsToTheBugOfTheBaseline) {
   EXPECT_EQ(bugs[1].known, "");
   // A failure that is not the one that the baseline expects may have another cause.
   run.tests[1].expected_by_baseline = false;
-  EXPECT_EQ(bugs_of(run, {}, kMaxOrder).size(), 3u);
+  EXPECT_EQ(bugs_of(run, {}, {}, kMaxOrder).size(), 3u);
 }
 
 TEST(Bugs, ThoseWithDifferentSignsOfAKnownBugAreOne) {
   RunResult run;
-  run.implementation.version = "4.5 (Compatibility Profile) Mesa 22.3.6";
-  for (const char* name : {"Mesh2.FlatShading", "Mesh2.NoDiagonals"})
-    run.tests.push_back(
-        failing(name, name == std::string("Mesh2.FlatShading") ? "EV-MESH2-FLAT" : "EV-MESH2-ISQUADS",
-                "glReadPixels"));
   std::map<std::string, Reduction> reductions;
-  for (const TestRecord& test : run.tests) reductions[test.name] = {test.name, {}, "a picture"};
-  EXPECT_EQ(bugs_of(run, reductions, kMaxOrder).size(), 1u);
-  run.implementation.version = "another";
-  EXPECT_EQ(bugs_of(run, reductions, kMaxOrder).size(), 2u);
+  const auto add = [&](const std::string& name, const std::string& program, const std::string& what) {
+    run.tests.push_back(failing(name, "EV-COORD-CURRENT"));
+    reductions[name] = {name, finding(program, what), ""};
+  };
+  add("Curve.A", curve("GL_MAP1_NORMAL", 3, "", R"(["EvalCoord1f", 0], ["Vertex3f", 0, 0, 0])", ""),
+      "normal.z of vertex 1");
+  add("Curve.B",
+      R"([["Map1f", "GL_MAP1_NORMAL", 0, 1, 3, 1, {"f32": [1, 0, 0]}], ["Enable", "GL_MAP1_NORMAL"],
+      ["Begin", "GL_POINTS"], ["EvalCoord1f", 0], ["Vertex3f", 0, 0, 0], ["End"]])",
+      "normal.z of vertex 0");
+  EXPECT_EQ(bugs_of(run, reductions, {}, kMaxOrder).size(), 2u);
+  const std::vector<Bug> bugs =
+      bugs_of(run, reductions, {{find_known_bug("mesa-current-values"), ""}}, kMaxOrder);
+  ASSERT_EQ(bugs.size(), 1u);
+  EXPECT_EQ(bugs[0].known, "mesa-current-values");
 }
 
 TEST(Bugs, OfRealProgramsAreMarked) {
   RunResult run;
   run.tests = {failing("RealPrograms.Teapot", "EV-MESH2-FILL")};
-  EXPECT_TRUE(bugs_of(run, {}, kMaxOrder).at(0).breaks_real_programs);
+  EXPECT_TRUE(bugs_of(run, {}, {}, kMaxOrder).at(0).breaks_real_programs);
 }
 
 TEST(Reductions, GoThroughTheirText) {
@@ -538,18 +592,62 @@ TEST(KnownBugs, AreNamedByBaselines) {
 
 TEST(KnownBugs, MistakesAreNamed) {
   std::vector<KnownBug> bugs = parse_known_bugs(
-      R"({"bugs": [{"id": "a", "title": "t", "product": "p", "affects": ["Mesa"], "requirements": ["EV-MAP1-COPY"], "clause": "c",
-      "expected": "e", "captured": "x", "cause": "c", "real_programs": "r", "verified": "v", "signs": ["s"]}]})");
+      R"({"bugs": [{"id": "a", "title": "t", "affects": {"product": "Mesa", "first": "20.3", "last": "26.2"},
+      "requirements": ["EV-MAP1-COPY"], "clause": "c", "program": [["GetError"]], "expected": "e", "captured": "x",
+      "cause": "c", "real_programs": "r", "verified": "v", "signs": [{"cause": "s", "captured": "0"}]}]})");
   EXPECT_EQ(lint(bugs), std::vector<std::string>());
   bugs.push_back(bugs[0]);
   EXPECT_EQ(lint(bugs), (std::vector<std::string>{"a: another bug has the same ID",
-                                                  "a: another bug has the sign 's', too"}));
+                                                  "a: another bug has the sign 's: : : 0: ', too"}));
   bugs.pop_back();
   bugs[0].clause.clear();
   bugs[0].requirements = {"EV-NO-SUCH"};
   EXPECT_EQ(lint(bugs),
             (std::vector<std::string>{"a: 'clause' is missing", "a: unknown requirement EV-NO-SUCH"}));
+  bugs[0].requirements = {"EV-MAP1-COPY"};
+  bugs[0].clause = "c";
+  bugs[0].crashes = true;
+  bugs[0].signs[0].captured = "(";
+  EXPECT_EQ(lint(bugs).size(), 2u) << "a crash with signs, and a sign that is not a regular expression";
   EXPECT_THROW(parse_known_bugs("{"), FormatError);
+}
+
+TEST(KnownBugs, HaveSignsWithRelationsOfNumbers) {
+  const auto matches = [](const std::string& relation, const std::string& expected,
+                          const std::string& captured) {
+    Failure failure;
+    failure.expected = expected;
+    failure.captured = captured;
+    return BugSign{"c", "", "", "", relation}.matches("c", failure);
+  };
+  EXPECT_TRUE(matches("more", "2 vertices", "3 vertices"));
+  EXPECT_FALSE(matches("more", "2 vertices", "1 vertices"));
+  EXPECT_TRUE(matches("less", "2 LINES of 2 vertices", "1 LINES of 2 vertices"));
+  EXPECT_TRUE(matches("near", "[-3.01e-37, 3.01e-37]", "-9.93410723e-08 (-0x1.aaaaaap-24)"));
+  EXPECT_TRUE(matches("near", "[999.749964, 1000.25004]", "1002 (0x1.f5p+9)"));
+  EXPECT_FALSE(matches("near", "[0.999829975, 1.00017002]", "0 (0x0p+0)"));
+  EXPECT_FALSE(matches("near", "[0.5, 0.6]", "-nan (-nan)"));
+  EXPECT_TRUE(matches("", "anything", "else"));
+}
+
+TEST(KnownBugs, AffectVersionsOfAProduct) {
+  const AffectedVersions affected = {"Mesa", "20.3", "26.2", "llvmpipe"};
+  EXPECT_EQ(affected.text(), "Mesa 20.3 to 26.2 with llvmpipe");
+  EXPECT_EQ((AffectedVersions{"NVIDIA", "580", "580", ""}.text()), "NVIDIA 580");
+  const auto contains = [&](const std::string& version, const std::string& renderer) {
+    ImplementationRecord implementation;
+    implementation.version = version;
+    implementation.renderer = renderer;
+    return affected.contains(implementation);
+  };
+  EXPECT_TRUE(contains("4.5 (Compatibility Profile) Mesa 22.3.6", "llvmpipe (LLVM 15.0.6, 256 bits)"));
+  EXPECT_TRUE(contains("4.5 Mesa 20.3.0", "llvmpipe"));
+  EXPECT_TRUE(contains("4.6 (Compatibility Profile) Mesa 26.2.6-1", "llvmpipe"));
+  EXPECT_FALSE(contains("4.5 Mesa 20.2.9", "llvmpipe"));
+  EXPECT_FALSE(contains("4.5 Mesa 26.3.0", "llvmpipe"));
+  EXPECT_FALSE(contains("4.5 Mesa 22.3.6", "softpipe"));
+  EXPECT_FALSE(contains("4.6.0 NVIDIA 580.159.04", "llvmpipe"));
+  EXPECT_FALSE(contains("Mesa", "llvmpipe"));
 }
 
 // --- from tests to bugs ------------------------------------------------------------------------------------

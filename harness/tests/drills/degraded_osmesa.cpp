@@ -7,13 +7,17 @@
 //   lists: explicit and evaluated vertices in display lists are in wrong places
 //   evaluated: only evaluated vertices in display lists are in wrong places
 //   begin: in display lists, Begin has no effect on the commands behind it
+//   short-answers: GetMapfv does not return the last coefficient
+//   short-meshes: EvalMesh2 drops its last row
 //   older: glActiveTexture has only its name in GL_ARB_multitexture
 //   the name of a command: this command is missing
+#include <algorithm>
 #include <climits>
 #include <csignal>
 #include <set>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "drill.h"
 #include "osmesa_provider.h"
@@ -22,6 +26,29 @@ namespace {
 
 GLenum silent_error() { return GL_NO_ERROR; }
 GLenum noisy_error() { return GL_INVALID_OPERATION; }
+
+// Returns the number of components of a target.
+int components_of(GLenum target) {
+  switch (target) {
+    case GL_MAP1_INDEX:
+    case GL_MAP2_INDEX:
+    case GL_MAP1_TEXTURE_COORD_1:
+    case GL_MAP2_TEXTURE_COORD_1:
+      return 1;
+    case GL_MAP1_TEXTURE_COORD_2:
+    case GL_MAP2_TEXTURE_COORD_2:
+      return 2;
+    case GL_MAP1_NORMAL:
+    case GL_MAP2_NORMAL:
+    case GL_MAP1_TEXTURE_COORD_3:
+    case GL_MAP2_TEXTURE_COORD_3:
+    case GL_MAP1_VERTEX_3:
+    case GL_MAP2_VERTEX_3:
+      return 3;
+    default:
+      return 4;
+  }
+}
 
 // Returns wrong answers to GetIntegerv for limits, and correct answers for other names.
 void wrong_limits(GLenum name, GLint* values) {
@@ -74,6 +101,20 @@ void eval_mesh2_astray(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   REAL(glEvalMesh2)(mode, i1, i2 + (in_list ? 1 : 0), j1, j2);
 }
 
+// Answers of GetMap with one coefficient less are written to a copy first.
+void get_mapfv_short(GLenum target, GLenum query, GLfloat* values) {
+  if (query != GL_COEFF) return REAL(glGetMapfv)(target, query, values);
+  GLint orders[2] = {1, 1};
+  REAL(glGetMapiv)(target, GL_ORDER, orders);
+  std::vector<GLfloat> all(static_cast<std::size_t>(orders[0]) * static_cast<std::size_t>(orders[1]) * 4);
+  REAL(glGetMapfv)(target, query, all.data());
+  const int components = components_of(target);
+  std::copy_n(all.begin(), orders[0] * orders[1] * components - 1, values);
+}
+void eval_mesh2_short(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+  REAL(glEvalMesh2)(mode, i1, i2, j1, j2 - 1);
+}
+
 // True for commands without which the implementation would not start.
 bool is_vital(std::string_view command) {
   static const std::set<std::string_view> kVital = {"glGetString", "glGetError", "glGetIntegerv",
@@ -106,9 +147,19 @@ void* get_address(const char* command) {
   };
   static const osmesa_provider::Own kBegin[] = {OWN(glNewList, new_list), OWN(glEndList, end_list),
                                                 OWN(glBegin, begin)};
+  static const osmesa_provider::Own kShortAnswers[] = {OWN(glGetMapfv, get_mapfv_short)};
+  static const osmesa_provider::Own kShortMeshes[] = {OWN(glEvalMesh2, eval_mesh2_short)};
   const std::pair<const char*, std::span<const osmesa_provider::Own>> mistakes[] = {
-      {"silent", kSilent},   {"noisy", kNoisy},  {"low", kLimits},       {"high", kLimits},
-      {"crashes", kCrashes}, {"lists", kAstray}, {"evaluated", kAstray}, {"begin", kBegin}};
+      {"short-answers", kShortAnswers},
+      {"short-meshes", kShortMeshes},
+      {"silent", kSilent},
+      {"noisy", kNoisy},
+      {"low", kLimits},
+      {"high", kLimits},
+      {"crashes", kCrashes},
+      {"lists", kAstray},
+      {"evaluated", kAstray},
+      {"begin", kBegin}};
   for (const auto& [mistake, own] : mistakes)
     if (is_drill(mistake)) return osmesa_provider::find(own, command);
   return osmesa_provider::address_of(command);

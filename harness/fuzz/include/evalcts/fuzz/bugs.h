@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <evalcts/fuzz/reduction.h>
+#include <evalcts/results/known_bugs.h>
 #include <evalcts/results/run_result.h>
 #include <evalcts/runner/suite_child.h>
 
@@ -28,13 +29,19 @@ struct BugRequest {
 void find_bugs(RunResult& run, const BugRequest& request,
                const std::function<void(std::size_t done, std::size_t total)>& progress);
 
+// The known bugs whose own programs fail on the implementation in the way that the bug describes, with the
+// place of a crash or hang (TestRecord::place_of_death()).
+using ProvenBugs = std::map<const KnownBug*, std::string>;
+
 // Groups the failing tests into bugs. Tests are one bug if their minimal programs have the same normal form,
-// or match the same known bug. A test that could not be reduced belongs to the known bug that its entry in
-// the baseline names. Other tests that could not be reduced are grouped by requirement, kind of difference
-// and family ("Mesh.LastIsExact" for Mesh1.LastIsExact/LINE). If the reason was lack of time or a death of
-// the library, they join the bug of a reduced test that agrees in all three. `reductions`: by test.
+// if the library crashes or hangs in them at the same place, or if they are of the same known bug. A bug is
+// called known only if the baseline names it for a failure that it expects, or if it is in `proven` and the
+// minimal program of the test differs in the same way. Other tests that could not be reduced are grouped by
+// requirement, kind of difference and family ("Mesh.LastIsExact" for Mesh1.LastIsExact/LINE). If the reason
+// was lack of time or a death of the library, they join the bug of a reduced test that agrees in all three.
+// `reductions`: by test.
 std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduction>& reductions,
-                         int max_eval_order);
+                         const ProvenBugs& proven, int max_eval_order);
 
 // Returns the text by which failures that were not reduced are grouped: family, requirement and
 // kind of difference.

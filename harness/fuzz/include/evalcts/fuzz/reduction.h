@@ -43,6 +43,7 @@ std::string to_line(const ReductionEvent& event);
 std::optional<Reduction> parse_reduction(const std::string& line);
 
 inline constexpr char kOutOfTime[] = "the time for reduction was over";
+inline constexpr char kSamePlace[] = "the library dies at the same place as in other tests";
 inline constexpr char kDiedOnTheWay[] = "the library died while its failing case was reduced";
 
 }  // namespace evalcts::fuzz

@@ -9,11 +9,33 @@
 
 namespace evalcts {
 
+// The versions of a product that have a bug.
+struct AffectedVersions {
+  std::string product;      // "Mesa", which stands in GL_VERSION in front of the number of the version
+  std::string first, last;  // "20.3" and "26.2", which includes 26.2.6
+  std::string renderer;     // a part of GL_RENDERER, "llvmpipe"; empty: any
+
+  // Returns "Mesa 20.3 to 26.2 with llvmpipe".
+  std::string text() const;
+  bool contains(const ImplementationRecord& implementation) const;
+};
+
+// A difference by which a known bug shows. `what`, `expected` and `captured` are regular expressions that
+// match the whole text of the member of Failure with the same name. An empty text permits everything.
+struct BugSign {
+  std::string cause;  // Bug::cause
+  std::string what, expected, captured;
+  // The captured number in relation to the expected number or interval: "more", "less", or "near", at most
+  // 0.01 away, or 1 % of a larger number.
+  std::string relation;
+
+  bool matches(const std::string& of_cause, const Failure& failure) const;
+};
+
 struct KnownBug {
   std::string id;  // "mesa-mesh-steps"
   std::string title;
-  std::string product;               // a part of GL_VENDOR, GL_RENDERER or GL_VERSION: "Mesa"
-  std::vector<std::string> affects;  // implementations and versions: "Mesa 20.3 to 26.2"
+  AffectedVersions affects;
   std::vector<RequirementId> requirements;
   std::string clause;
   std::string program;  // the minimal program as JSON text (gl/case_json.h); empty if JSON cannot express it
@@ -22,23 +44,22 @@ struct KnownBug {
   bool suspected = false;          // the cause was read from the source, not proven by a repair
   std::string real_programs;       // the effect on real programs
   std::string verified;            // the way in which the bug was verified
-  // Values of Bug::cause by which this bug is recognised in a run.
-  std::vector<std::string> signs;
+  bool crashes = false;            // the library crashes or hangs in the program; there are no signs then
+  std::vector<BugSign> signs;      // the differences by which the bug shows
+
+  bool has_sign(const std::string& of_cause, const Failure& failure) const;
 };
 
 // Returns the known bugs that are compiled in, in the order of their IDs.
 const std::vector<KnownBug>& known_bugs();
 // Returns the known bug with this ID; null if there is none.
 const KnownBug* find_known_bug(const std::string& id);
-// Returns the known bug that has `cause` among its signs and whose product is that of the implementation, in
-// any version; null if there is none. The same sign on another product may have another root cause.
-const KnownBug* known_bug_with_sign(const std::string& cause, const ImplementationRecord& implementation);
 
 // Reads {"bugs": [...]}. Throws FormatError.
 std::vector<KnownBug> parse_known_bugs(const std::string& text);
 
 // Returns descriptions of the mistakes in known bugs: missing fields, duplicate IDs, duplicate signs of a
-// product, and requirements that do not exist.
+// product, wrong expressions and relations in signs, and requirements that do not exist.
 std::vector<std::string> lint(const std::vector<KnownBug>& bugs);
 
 // Returns the text of docs/known-bugs.md. `programs_as_c` has the minimal program of each bug as
