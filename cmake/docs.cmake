@@ -9,30 +9,16 @@ if(TARGET drill_layer AND NOT EVALCTS_SANITIZE AND NOT EVALCTS_COVERAGE)
   set_tests_properties(docs.commands PROPERTIES LABELS gl TIMEOUT 3600 RUN_SERIAL ON SKIP_RETURN_CODE 77)
 endif()
 
-# Tests of the comments and the spelling of all files that git tracks. An archive of the sources has no list of these.
+# A test of the comments in all files that git tracks. An archive of the sources has no list of these.
 find_program(EVALCTS_GIT git)
 if(EVALCTS_GIT AND EXISTS ${PROJECT_SOURCE_DIR}/.git)
   add_test(NAME docs.comments COMMAND python3 ${CMAKE_CURRENT_LIST_DIR}/check_comments.py ${PROJECT_SOURCE_DIR})
   set_tests_properties(docs.comments PROPERTIES LABELS script)
-
-  # The ignored words are names that the dictionary takes for mistakes.
-  find_program(EVALCTS_CODESPELL codespell)
-  if(EVALCTS_CODESPELL)
-    add_test(NAME docs.spelling WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} COMMAND sh -c "git -c safe.directory='*' ls-files -z \
-'*.md' '*.txt' '*.cpp' '*.h' '*.hpp' '*.c' '*.py' '*.cmake' '*.sh' '*.js' '*.h2m' '*requirements.json' evalcts ':!suites/baselines/*-signatures.txt' \
-| xargs -0 ${EVALCTS_CODESPELL} --quiet-level 3 --ignore-words-list zink,kinf,kown,kno,fo,alltogether,upto")
-    set_tests_properties(docs.spelling PROPERTIES LABELS script)
-  endif()
 endif()
 
-# The target and the test that make the API reference of the C headers; a warning is an error.
-find_program(EVALCTS_DOXYGEN doxygen)
-if(EVALCTS_DOXYGEN)
-  file(READ ${PROJECT_SOURCE_DIR}/docs/Doxyfile doxyfile)
-  file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/api/Doxyfile
-       CONTENT "${doxyfile}OUTPUT_DIRECTORY = ${CMAKE_CURRENT_BINARY_DIR}/api\n")
-  set(api_reference ${EVALCTS_DOXYGEN} ${CMAKE_CURRENT_BINARY_DIR}/api/Doxyfile)
-  add_custom_target(api_reference COMMAND ${api_reference} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} VERBATIM)
-  add_test(NAME docs.api COMMAND ${api_reference} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-  set_tests_properties(docs.api PROPERTIES LABELS script)
-endif()
+# The target that makes the API reference of the C headers; a warning is an error.
+file(READ ${PROJECT_SOURCE_DIR}/docs/Doxyfile doxyfile)
+file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/api/Doxyfile
+     CONTENT "${doxyfile}OUTPUT_DIRECTORY = ${CMAKE_CURRENT_BINARY_DIR}/api\n")
+set(api_reference doxygen ${CMAKE_CURRENT_BINARY_DIR}/api/Doxyfile)
+add_custom_target(api_reference COMMAND ${api_reference} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} VERBATIM)

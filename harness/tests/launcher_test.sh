@@ -132,6 +132,7 @@ X
   script ninja </dev/null
   script ctest <<'X'
 echo "ctest $* in ${PWD##*/}" >>"$machine/calls"
+[[ -e $machine/junit ]] && cat "$machine/junit" >"build/$2.xml"
 if [[ -e $machine/root-$2 ]]; then # the exit code of the clean root
   cat "$machine/root-$2" >"build/$2.status"
   [[ $(cat "$machine/root-$2") == 77 ]]
@@ -546,9 +547,65 @@ calls_are "configure release;build release;ctest --preset release --no-tests=ign
 scenario "test: installs for its stages"
 evalcts test --preset debug
 exits 0
-called "libosmesa6 xvfb python3 bsdutils libmpfi-dev gfortran nodejs libgles2 pkg-config libpng-dev libglu1-mesa-dev help2man codespell doxygen gnuplot-nox libopenmpi-dev openmpi-bin ["
+called "libosmesa6 xvfb python3 bsdutils libmpfi-dev gfortran nodejs libgles2 pkg-config libpng-dev libglu1-mesa-dev help2man gnuplot-nox libopenmpi-dev openmpi-bin ["
 called "ctest --preset debug in"
 called_not release
+
+scenario "test: the lints are a stage of their own, whose packages no other stage needs"
+evalcts test
+exits 0
+called_not codespell
+called_not "ctest --preset lint"
+evalcts test --preset lint
+exits 0
+called "install --no-install-recommends clang-format-14 codespell doxygen ["
+called "build lint"
+called "ctest --preset lint in"
+
+scenario "test: the summary says why tests were skipped"
+install_all
+cat >"$machine/junit" <<'X'
+<testsuite name="all">
+	<testcase name="harness.Passes" classname="harness.Passes" time="0.1" status="run">
+		<system-out>all is well
+</system-out>
+	</testcase>
+	<testcase name="vectors.script" classname="vectors.script" time="0.1" status="notrun">
+		<skipped message="SKIP_RETURN_CODE=77"/>
+		<system-out>a line
+&lt;Node&gt; &amp; npm are not installed
+</system-out>
+	</testcase>
+	<testcase name="harness.Terminal.Size" classname="harness.Terminal.Size" time="0.1" status="notrun">
+		<skipped message="SKIP_REGULAR_EXPRESSION_MATCHED"/>
+		<system-out>[ RUN      ] Terminal.Size
+/src/terminal_test.cpp:57: Skipped
+no terminal without script(1)
+
+[  SKIPPED ] Terminal.Size (0 ms)
+</system-out>
+	</testcase>
+	<testcase name="silent" classname="silent" time="0.1" status="notrun">
+		<skipped message="SKIP_RETURN_CODE=77"/>
+		<system-out></system-out>
+	</testcase>
+	<testcase name="absent" classname="absent" time="0" status="notrun">
+		<skipped message="Unable to find executable"/>
+		<system-out>Unable to find executable: /absent</system-out>
+	</testcase>
+</testsuite>
+X
+evalcts test
+exits 0
+check "each stage has the skipped tests below it" test "$(sed '1,/^== summary/d' <<<"$output" | grep -A 3 ^release | tail -n 3)" = \
+  "  skipped: vectors.script: <Node> & npm are not installed
+  skipped: harness.Terminal.Size: no terminal without script(1)
+  skipped: silent: no reason given"
+check "no other test" test "$(grep -c '^  skipped: ' <<<"$output")" = 6
+touch "$machine/no-build-release"
+evalcts test --preset release
+exits 3
+says_not "skipped: " # the file is of an earlier run
 
 scenario "test: a failure does not stop the other stages"
 install_all
