@@ -5,7 +5,7 @@
 #   clean-root.sh SUITE [-- COMMAND [ARGUMENT]...]
 #     Copies this checkout into a clean root of SUITE (bookworm, trixie, sid) and runs COMMAND there, in the checkout.
 #     Without a command it runs what a new user types: `./evalcts run` and `./evalcts test`. Both have to end with exit
-#     code 0, and the run may have nothing unexpected. The exit code is that of the command, or 77 if the root could not
+#     code 0, and the run may have no new failures. The exit code is that of the command, or 77 if the root could not
 #     be made (no network, no such suite, not root).
 #
 # Scripts that source this file get the functions make_root, inside and remove_root; nothing is run.
@@ -77,5 +77,5 @@ if (($#)); then
   exit
 fi
 in_checkout ./evalcts run | tee "$work/run"
-grep -q '^nothing unexpected' "$work/run" || { echo "the output of ./evalcts run has no line 'nothing unexpected'" >&2; exit 1; }
+grep -q '^No new failures' "$work/run" || { echo "the output of ./evalcts run has no line 'No new failures'" >&2; exit 1; }
 in_checkout ./evalcts test

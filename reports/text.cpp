@@ -16,6 +16,15 @@ std::string distance(std::optional<double> ulp, std::optional<double> condition_
   return out;
 }
 
+std::string repetition(const TestRecord& test) {
+  if (!test.again) return test.flake ? "flake" : "";
+  return fmt::format("{}{} when run again",
+                     test.flake                            ? "flake: "
+                     : test.again->verdict == test.verdict ? "another "
+                                                           : "",
+                     text_of(test.again->verdict).word);
+}
+
 std::string count(std::uint64_t n, std::string_view noun) {
   return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
 }

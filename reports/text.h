@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <evalcts/results/test_record.h>
 #include <evalcts/results/text.h>
 
 namespace evalcts::reports {
@@ -16,6 +17,10 @@ std::string number(std::optional<double> value);
 
 // Returns "123.4 ULP, condition-aware 5.6", or the part of it that is known; empty if neither is known.
 std::string distance(std::optional<double> ulp, std::optional<double> condition_aware);
+
+// Returns "flake: pass when run again", "another fail when run again" or the like; empty if the test was not
+// run again or had the same outcome.
+std::string repetition(const TestRecord& test);
 
 // Returns "1 test" or "3 tests" for the noun "test".
 std::string count(std::uint64_t n, std::string_view noun);

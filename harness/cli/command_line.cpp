@@ -11,6 +11,7 @@
 
 #include <evalcts/backends/implementation.h>
 #include <evalcts/results/baseline.h>
+#include <evalcts/results/conclusion.h>
 #include <evalcts/results/files.h>
 #include "command.h"
 #include "environment.h"
@@ -98,7 +99,7 @@ int wrong_use(const std::string& message) {
 
 bool warn_if_mostly_unobserved(const std::string& implementation, std::uint64_t observed, std::uint64_t asked,
                                const char* things) {
-  if (2 * observed >= asked) return false;
+  if (!is_mostly_unobserved(observed, asked)) return false;
   std::cerr << fmt::format(
       "evalcts: {}: only {} of {} {} could be observed, which is not a pass; --allow-unobserved accepts "
       "this with exit code 0\n",

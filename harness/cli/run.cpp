@@ -14,6 +14,7 @@
 
 #include <evalcts/fuzz/bugs.h>
 #include <evalcts/results/baseline.h>
+#include <evalcts/results/conclusion.h>
 #include <evalcts/results/filter.h>
 #include <evalcts/results/requirements.h>
 #include <evalcts/results/serialization.h>
@@ -67,23 +68,15 @@ namespace fs = std::filesystem;
 
 int exit_code_of(const RunResult& result, const RunOptions& options) {
   if (!result.has_started()) return options.names_implementations() ? kWrongUse : kNothingUnexpected;
-  const bool strict = options.strict;
-  int code = kNothingUnexpected;
-  for (const TestRecord& test : result.tests) {
-    if (test.verdict == Verdict::kInternalError) return kOwnFault;
-    if (is_failure(test.verdict) && !test.expected_by_baseline) code = kUnexpected;
-    if (strict && test.is_unexpected_pass()) code = kUnexpected;
-  }
-  if (strict && !result.stale_baseline_entries.empty()) code = kUnexpected;
-  const auto count = [&](Verdict verdict) { return result.counts[static_cast<std::size_t>(verdict)]; };
-  const std::uint64_t supported = result.total() - count(Verdict::kNotSupported);
-  if (code == kNothingUnexpected && !options.allow_unobserved &&
-      warn_if_mostly_unobserved(result.implementation.name, supported - count(Verdict::kNotObservable),
-                                supported, "tests")) {
+  const Conclusion conclusion = conclusion_of(result);
+  if (conclusion.internal_errors) return kOwnFault;
+  if (!conclusion.problems.empty()) return kUnexpected;
+  if (!options.allow_unobserved && warn_if_mostly_unobserved(result.implementation.name, conclusion.observed,
+                                                             conclusion.supported, "tests")) {
     std::cerr << "evalcts: 'evalcts run --verbose' prints the reasons\n";
-    code = kWrongUse;
+    return kWrongUse;
   }
-  return code;
+  return kNothingUnexpected;
 }
 
 // The folder that a value of --baseline names, and the base or overlay in it; an empty name stands for the
@@ -328,6 +321,7 @@ int run(const RunOptions& options, const std::string& shard) {
     }
     for (RunResult& result : passes) {
       const std::string label = result.file_label();
+      result.strict = options.strict;
       std::string problem;  // with --write-baseline
       if (options.baseline != "none" && result.has_started())
         problem = apply_baseline(result, options, request, all_tests);

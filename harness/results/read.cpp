@@ -262,6 +262,7 @@ RunResult read_run_result(const json& value) {
   out.seed = in.natural("seed");
   out.baseline = in.text("baseline");
   out.stale_baseline_entries = in.texts("stale_baseline_entries");
+  out.strict = in.boolean("strict");
   out.confirmed_by_group = in.natural("confirmed_by_group").value_or(0);
   if (const std::string shard = in.text("shard"); !shard.empty()) {
     out.shard = Shard::parse(shard);

@@ -1,6 +1,9 @@
 // Replaces control characters and malformed UTF-8, and shortens text by code points.
 #include <evalcts/results/text.h>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <string_view>
 
@@ -59,6 +62,14 @@ std::string cut(const std::string& text, std::size_t columns) {
     if (code_points++ == columns - 3) keep = i;
   }
   return code_points <= columns ? text : text.substr(0, keep) + "...";
+}
+
+std::string first_of(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNames = 5;
+  const std::size_t shown = std::min(names.size(), kMostNames);
+  const auto end = names.begin() + static_cast<std::ptrdiff_t>(shown);
+  return fmt::format("{}{}", fmt::join(names.begin(), end, ", "),
+                     shown < names.size() ? fmt::format(" and {} more", names.size() - shown) : "");
 }
 
 }  // namespace evalcts

@@ -207,6 +207,7 @@ std::string to_text(const RunResult& result) {
   if (result.shard) out["shard"] = result.shard->text();
   set(out, "baseline", result.baseline);
   if (!result.stale_baseline_entries.empty()) out["stale_baseline_entries"] = result.stale_baseline_entries;
+  set(out, "strict", result.strict);
   if (result.confirmed_by_group) out["confirmed_by_group"] = result.confirmed_by_group;
   if (!result.readings.empty()) out["readings"] = result.readings;
   json& summary = out["summary"] = json::object();

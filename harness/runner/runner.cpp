@@ -434,7 +434,10 @@ class Run {
     TestRecord& record =
         add_record(name, verdict, how + (fails_alone ? "; fails alone" : "; passes alone"), {}, child.crash);
     add_history(record, child.finished);
-    if (record.flake && has_record) record.again = {result->second.verdict, result->second.message};
+    if (record.flake && has_record) {
+      record.again = {result->second.verdict, result->second.message};
+      record.flake = !fails_alone;
+    }
   }
 
   // --- repetition of failures ------------------------------------------------------------------------------
@@ -506,17 +509,19 @@ class Run {
     return rest;
   }
 
-  // Explains a failure with another outcome when it ran alone: it depends on earlier tests, or it is a flake.
+  // Explains a failure with another outcome when it ran alone: it depends on earlier tests, it is a flake, or
+  // it fails each time, but not in the same way.
   void explain_difference(TestRecord& record, const Repetition& again) {
     const TestRecord before = record;
     progress_({"searching a history", records_.size(), request_.tests.size(), record.name});
     add_history(record, predecessors_of(record.name));
     if (record.history && !record.history->empty()) return;
     record = before;
-    record.flake = true;
+    record.flake = !is_failure(again.verdict);
     record.again = again;
-    record.message = fmt::format("{}; a flake: run again, alone in a new process, its verdict is {}",
-                                 record.message, text_of(again.verdict).word);
+    record.message += record.flake ? "; a flake: when it runs again alone in a new process, its verdict is "
+                                   : "; when it runs again alone in a new process, it fails in another way: ";
+    record.message += record.flake ? text_of(again.verdict).word : again.message;
   }
 
   // --- histories of failures -----------------------------------------------------------------------------

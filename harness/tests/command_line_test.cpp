@@ -363,7 +363,8 @@ TEST_F(CommandLine, BaselineDecidesWhatIsRed) {
   EXPECT_EQ(run("nothing").code, 0);
   const Outcome passes = run("nothing", {"--strict"});
   EXPECT_EQ(passes.code, 1);
-  EXPECT_TRUE(contains(passes.text, "1 unexpected result"));
+  EXPECT_TRUE(
+      contains(passes.text, "\n1 unexpected pass (--strict): Map1Errors.StrideBelowK/MAP1_VERTEX_3_f"));
 
   EXPECT_EQ(run("crash").code, 1);
   append("drill-flakes.txt", "# crashes now and then\n^Map1State\\.Stride/MAP1_INDEX_f$\n");
@@ -383,7 +384,10 @@ TEST_F(CommandLine, BaselineDecidesWhatIsRed) {
   EXPECT_EQ(run("lenient").code, 0);
   const Outcome stale = run("lenient", {"--strict"});
   EXPECT_EQ(stale.code, 1);
-  EXPECT_TRUE(contains(stale.text, "stale in the baseline, no such test: ^Gone\\. (in the skips)"));
+  EXPECT_TRUE(
+      contains(stale.text, "\n1 stale baseline entry (--strict): ^Gone\\. (in the skips); 1 known (base"));
+  EXPECT_TRUE(contains(text_of("summary.md"), "1 stale baseline entry (--strict): ^Gone\\. (in the skips)"));
+  EXPECT_FALSE(contains(text_of("summary.md"), "No "));
   EXPECT_EQ(results("drill")["stale_baseline_entries"].size(), 1u);
 
   append("drill-flakes.txt", "\n# wrong\n*\n");
@@ -469,9 +473,11 @@ TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
       {"libm.so.6", "it is not OSMesa"},
       {DRILL_WITHOUT_EVALUATORS_LIBRARY, "has no evaluators"}};
   for (const auto& [library, reason] : cases) {
-    const Outcome outcome = evalcts({"run", "--implementation", "osmesa", "--library", library, "--name",
-                                     "drill", "--output", folder_.string(), "--filter", "InitialState.*"});
+    const Outcome outcome =
+        evalcts({"run", "--implementation", "osmesa", "--library", library, "--name", "drill", "--output",
+                 folder_.string(), "--filter", "InitialState.*", "--quiet"});
     EXPECT_EQ(outcome.code, 2) << outcome.text;
+    EXPECT_TRUE(outcome.text.starts_with("drill: Not judged: ")) << outcome.text;
     const json result = results("drill");
     EXPECT_EQ(as_text(result["status"]), "not-started");
     EXPECT_TRUE(contains(result["reason"], reason));

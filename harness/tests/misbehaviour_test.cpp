@@ -226,6 +226,23 @@ TEST_F(Flakes, AreToldApart) {
   EXPECT_EQ(as_text(death["again"]["verdict"]), "pass");
 }
 
+// A test that fails again in another way is not a flake. It keeps its verdict, and its message has both
+// results.
+TEST_F(Flakes, DoNotFailAgain) {
+  const Outcome outcome = play("varying", {"--verbose"});
+  EXPECT_EQ(outcome.code, 1) << outcome.text;
+  EXPECT_TRUE(contains(outcome.text, std::string("\nfail     ") + kVictim + " (another fail when run again)"))
+      << outcome.text;
+  const json test = test_named(results("drill"), kVictim);
+  EXPECT_EQ(as_text(test["verdict"]), "fail");
+  EXPECT_FALSE(test.contains("flake"));
+  EXPECT_EQ(as_text(test["again"]["verdict"]), "fail");
+  EXPECT_TRUE(
+      contains(test["message"], "; when it runs again alone in a new process, it fails in another way: " +
+                                    test["again"]["message"].get<std::string>()))
+      << test["message"];
+}
+
 // A test that fails each time is not a flake, and a test that the baseline lists as flaky is not repeated.
 TEST_F(Flakes, AreNotSeenElsewhere) {
   EXPECT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f", "--retry", "3"}).code,
@@ -491,7 +508,7 @@ TEST_F(Terminal, ProgressColourAndTheSizeOfTheScreen) {
   const Outcome outcome = evalcts(quiet);
   EXPECT_EQ(outcome.code, 1);
   EXPECT_TRUE(outcome.text.starts_with("drill: ")) << outcome.text;
-  EXPECT_TRUE(contains(outcome.text, " unexpected result"));
+  EXPECT_TRUE(contains(outcome.text, " failure"));
   EXPECT_EQ(std::ranges::count(outcome.text, '\n'), 1);
   EXPECT_FALSE(contains(outcome.text, "\x1b"));
   quiet.push_back("--verbose");

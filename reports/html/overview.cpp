@@ -3,26 +3,17 @@
 
 #include <algorithm>
 
+#include <evalcts/results/conclusion.h>
 #include "text.h"
 #include "view.h"
 
 namespace evalcts::reports::view {
 namespace {
 
-std::string headline_of(const RunResult& record) {
-  if (!record.has_started()) return "not started";
-  const std::uint64_t unexpected = record.unexpected_count(), known = record.expected_failure_count();
-  std::string headline = unexpected ? count(unexpected, "unexpected result") : "nothing unexpected";
-  if (known) headline += ", " + count(known, "known failure");
-  if (!record.status) headline = "status unknown: " + headline;
-  if (record.status == RunStatus::kInterrupted) headline = "interrupted: " + headline;
-  return headline;
-}
-
 // Returns the CSS class of a record; with known failures it is not "good".
 const char* state_of(const RunResult& record) {
   if (!record.has_started()) return "none";
-  if (record.unexpected_count() || !record.is_complete()) return "bad";
+  if (!conclusion_of(record).problems.empty() || !record.is_complete()) return "bad";
   return record.expected_failure_count() ? "known" : "good";
 }
 
@@ -51,11 +42,10 @@ data row(const Column& column, std::size_t number, bool earlier, const std::vect
   out.set("shown", !earlier);
   out.set("version", optional_text(record.implementation.version));
   out.set("state", state_of(record));
-  out.set("headline", headline_of(record));
+  out.set("headline", conclusion_of(record).text);
   out.set("headline_link", record.unexpected_count() && !record.tests.empty()
                                ? data(link({{"on", column.label}, {"verdict", "unexpected"}}))
                                : data(false));
-  out.set("reason", optional_text(record.reason));
   const auto added =
       std::count_if(record.bugs.begin(), record.bugs.end(), [](const Bug& bug) { return bug.known.empty(); });
   out.set("bugs", record.bugs.empty() ? data(false)

@@ -51,9 +51,7 @@ std::string details(const TestRecord& test) {
     line("failing cases", fmt::format("{} of {}", *test.failed_cases, *test.cases));
   if (test.seed) line("seed", fmt::format("{}", *test.seed));
   if (test.history) line("history", join(*test.history, ", "));
-  if (test.flake)
-    line("flake", test.again ? fmt::format("{} when run again", text_of(test.again->verdict).word)
-                             : "did not fail again");
+  line("repetition", repetition(test));
   line("run just this test", test.rerun);
   line("open it in a debugger", test.debug);
   line("make a C program of it", test.reproducer);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <evalcts/results/conclusion.h>
 #include "comparison.h"
 #include "evalcts/reports.h"
 #include "quality.h"
@@ -11,8 +12,8 @@
 namespace evalcts::reports {
 namespace {
 
-constexpr std::size_t kMostTests = 10;        // tests of each kind of change and of each record
-constexpr std::size_t kMostOfCommand = 2000;  // columns; enough that a command still works when it is copied
+constexpr std::size_t kMostTests = 10;     // tests of each kind of change and of each record
+constexpr std::size_t kMostOfLine = 2000;  // columns of a command or of a conclusion
 
 std::string counts_table(const std::vector<Column>& columns) {
   std::vector<Verdict> verdicts;
@@ -40,7 +41,7 @@ std::string counts_table(const std::vector<Column>& columns) {
   return out + "\n";
 }
 
-// Returns a line about the implementation that was judged, with the reason if the run is not complete.
+// Returns a line with the conclusion of the run, and a line about the implementation that was judged.
 std::string about(const Column& column) {
   const RunResult& record = column.record;
   const ImplementationRecord& implementation = record.implementation;
@@ -50,12 +51,10 @@ std::string about(const Column& column) {
   if (!implementation.context_library.empty())
     parts.push_back("contexts of " + markdown_code(implementation.context_library));
   if (!implementation.note.empty()) parts.push_back("**note**: " + markdown_code(implementation.note));
-  if (!record.status) parts.emplace_back("**status unknown**");
-  if (record.status && !record.is_complete())
-    parts.push_back(fmt::format("**{}**", name_of(*record.status)) +
-                    (record.reason.empty() ? "" : ": " + markdown_code(record.reason)));
   for (const std::string& quality : quality_in_words(record)) parts.push_back(markdown_code(quality));
-  return parts.empty() ? "" : fmt::format("* {}: {}\n", markdown_code(column.label), join(parts, ", "));
+  return fmt::format("* {}: {}\n", markdown_code(column.label),
+                     markdown_code(conclusion_of(record).text, kMostOfLine)) +
+         (parts.empty() ? "" : fmt::format("  * {}\n", join(parts, ", ")));
 }
 
 std::string changes_of(const Comparison& pair) {
@@ -100,7 +99,7 @@ std::string failures_of(const Column& column) {
     if (!test.message.empty()) out += ": " + markdown_code(test.message);
     out += "\n";
     if (!test.rerun.empty())
-      out += fmt::format("  * run just this test: {}\n", markdown_code(test.rerun, kMostOfCommand));
+      out += fmt::format("  * run just this test: {}\n", markdown_code(test.rerun, kMostOfLine));
   }
   if (tests.size() > kMostTests)
     out += fmt::format("* {}: and {} more\n", markdown_code(column.label), tests.size() - kMostTests);
@@ -125,7 +124,7 @@ std::string bugs_of(const Column& column) {
                        markdown_cell(requirement), bug.known_in.empty() ? "" : markdown_cell(bug.known_in),
                        markdown_cell(bug.id));
   }
-  if (!record.bugs_note.empty()) out += "\n" + markdown_code(record.bugs_note, kMostOfCommand) + "\n";
+  if (!record.bugs_note.empty()) out += "\n" + markdown_code(record.bugs_note, kMostOfLine) + "\n";
   return out;
 }
 
@@ -158,7 +157,8 @@ std::string markdown_summary(const std::vector<RunResult>& results, const std::v
 
   std::string failures;
   for (const Column& column : columns) failures += failures_of(column);
-  return out + "\n### Unexpected\n\n" + (failures.empty() ? "Nothing.\n" : failures);
+  if (!failures.empty()) out += "\n### Unexpected\n\n" + failures;
+  return out;
 }
 
 }  // namespace evalcts::reports

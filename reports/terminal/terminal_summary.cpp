@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include <evalcts/results/run_result.h>
+#include <evalcts/results/conclusion.h>
 #include "evalcts/reports.h"
 #include "quality.h"
 #include "text.h"
@@ -86,16 +86,15 @@ std::vector<const TestRecord*> one_of_each(const std::vector<const TestRecord*>&
   return tests;
 }
 
-// Returns " (flake: pass when run again)" or the like if the test is a flake, otherwise "".
-std::string flake_note(const TestRecord& test) {
-  if (!test.flake) return {};
-  if (!test.again) return " (flake)";
-  return fmt::format(" (flake: {} when run again)", text_of(test.again->verdict).word);
+// Returns " (flake: pass when run again)" or the like; empty without another outcome of a repetition.
+std::string repetition_note(const TestRecord& test) {
+  const std::string words = repetition(test);
+  return words.empty() ? "" : " (" + words + ")";
 }
 
 // Returns the line for a test that is not described in full.
 std::string test_line(const TestRecord& test) {
-  std::string out = fmt::format("{:<15} {}{}", text_of(test.verdict).word, test.name, flake_note(test));
+  std::string out = fmt::format("{:<15} {}{}", text_of(test.verdict).word, test.name, repetition_note(test));
   if (test.is_expected_failure())
     out += " (expected" + (test.baseline_reason.empty() ? "" : ": " + test.baseline_reason) + ")";
   if (test.is_unexpected_pass()) out += " (the baseline expects otherwise: " + test.baseline_reason + ")";
@@ -185,7 +184,7 @@ void write_bugs(Screen& screen, const RunResult& record, std::size_t most) {
 void write_in_full(Screen& screen, const TestRecord& test, const Catalogue& catalogue, bool all_cases) {
   const Failure none{};
   const Failure& failure = test.failures.empty() ? none : test.failures.front();
-  std::string first = fmt::format("{:<8} {}{}", text_of(test.verdict).word, test.name, flake_note(test));
+  std::string first = fmt::format("{:<8} {}{}", text_of(test.verdict).word, test.name, repetition_note(test));
   if (test.failed_cases.value_or(0) && test.cases)
     first += fmt::format(": {} of {}", *test.failed_cases, count(*test.cases, "case"));
   if (!failure.case_identity.empty()) first += ", " + failure.case_identity;
@@ -216,10 +215,6 @@ void write_head(Screen& screen, const RunResult& record) {
   screen.line(head, Colour::kBold);
   if (!implementation.note.empty()) screen.whole_line("note: " + implementation.note, Colour::kYellow);
 
-  if (!record.is_complete()) {
-    const std::string status = record.status ? name_of(*record.status) : "status unknown";
-    screen.whole_line(status + (record.reason.empty() ? "" : ": " + record.reason), Colour::kRed);
-  }
   std::vector<std::string> counts;
   for (std::size_t i = 0; i < kVerdicts; ++i) {
     if (record.counts[i])
@@ -297,23 +292,20 @@ void write_baseline(Screen& screen, const RunResult& record) {
                       Colour::kFaint);
 }
 
-void write_last_line(Screen& screen, const RunResult& record, const std::string& head = {}) {
-  const std::uint64_t unexpected = record.unexpected_count(), expected = record.expected_failure_count();
-  std::vector<std::string> last;
-  if (unexpected) last.push_back(count(unexpected, "unexpected result"));
-  if (expected) last.push_back(count(expected, "failing test") + " as the baseline expects");
-  if (!record.is_complete()) last.push_back("the run is not complete");
-  if (last.empty() || (!unexpected && record.is_complete())) last.insert(last.begin(), "nothing unexpected");
-  screen.line(head + join(last, ", "), unexpected             ? Colour::kRed
-                                       : record.is_complete() ? Colour::kGreen
-                                                              : Colour::kYellow);
+void write_conclusion(Screen& screen, const RunResult& record, const std::string& head = {}) {
+  const Conclusion conclusion = conclusion_of(record);
+  const bool is_green =
+      record.is_complete() && !is_mostly_unobserved(conclusion.observed, conclusion.supported);
+  screen.whole_line(head + conclusion.text, !conclusion.problems.empty() ? Colour::kRed
+                                            : is_green                   ? Colour::kGreen
+                                                                         : Colour::kYellow);
 }
 
 }  // namespace
 
 std::string terminal_line(const RunResult& record, bool colour) {
   Screen screen(colour, true);
-  write_last_line(screen, record, record.heading("(unnamed)") + ": ");
+  write_conclusion(screen, record, record.heading("(unnamed)") + ": ");
   return screen.text();
 }
 
@@ -376,13 +368,10 @@ std::string terminal_summary(const RunResult& record, const Catalogue& catalogue
   if (record.confirmed_by_group)
     screen.line("so many failed that " + count(record.confirmed_by_group, "unexpected failure") +
                 " had another of the same kind run again instead");
-  if (!record.stale_baseline_entries.empty())
-    screen.line("stale in the baseline, no such test: " + join(record.stale_baseline_entries, ", "),
-                Colour::kYellow);
   for (const std::string& quality : quality_in_words(record))
     screen.whole_line("quality: " + quality, Colour::kFaint);
   write_baseline(screen, record);
-  write_last_line(screen, record);
+  write_conclusion(screen, record);
   return screen.text();
 }
 

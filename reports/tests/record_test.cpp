@@ -1,12 +1,14 @@
 // Tests the reading of result records, and the properties that are derived from them.
 #include <evalcts/results/run_result.h>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include <evalcts/results/conclusion.h>
 #include "evalcts/reports.h"
 #include "samples.h"
 
@@ -147,6 +149,46 @@ TEST(RunResult, CountsEveryVerdict) {
   EXPECT_EQ(record.expected_failure_count(), 1u);
   // internal-error, crash, timeout, one fail, and a pass that contradicts its baseline entry
   EXPECT_EQ(record.unexpected_count(), 5u);
+}
+
+// The line has a problem exactly if the exit code is not 0, and names each.
+TEST(Conclusion, SaysWhatIsWrong) {
+  const json pass = {{"name", "A.pass"}, {"verdict", "pass"}},
+             fail = {{"name", "A.fail"}, {"verdict", "fail"}},
+             known = {{"name", "A.known"}, {"verdict", "fail"}, {"expected_by_baseline", true}},
+             fixed = {{"name", "A.fixed"}, {"verdict", "pass"}, {"baseline_reason", "was wrong"}},
+             crash = {{"name", "A.crash"}, {"verdict", "crash"}},
+             error = {{"name", "A.error"}, {"verdict", "internal-error"}},
+             hidden = {{"name", "A.hidden"}, {"verdict", "not-observable"}};
+  const auto of = [](const std::vector<json>& tests, json record = json::object()) {
+    record["tests"] = tests;
+    if (!record.contains("status")) record["status"] = "complete";
+    const Conclusion conclusion = conclusion_of(read_run_result(record));
+    return fmt::format("{}: {}", conclusion.problems.empty() ? "good" : "bad", conclusion.text);
+  };
+  const json mesa = {{"baseline", "mesa"}};
+  json strict = mesa, stale = mesa;
+  strict["strict"] = true;
+  stale["stale_baseline_entries"] = {"A.1", "A.2", "A.3", "A.4", "A.5", "A.6", "A.7"};
+  EXPECT_EQ(of({pass}), "good: No failures");
+  EXPECT_EQ(of({pass, known}, mesa), "good: No new failures; 1 known (baseline mesa)");
+  EXPECT_EQ(of({fail}), "bad: 1 failure");
+  EXPECT_EQ(of({crash, fail, known}, mesa), "bad: 2 new failures; 1 known (baseline mesa)");
+  EXPECT_EQ(of({error, fail}, mesa), "bad: 1 internal error; 1 new failure");
+  EXPECT_EQ(of({fixed, known}, mesa),
+            "good: No new failures; 1 known (baseline mesa); 1 unexpected pass: A.fixed");
+  EXPECT_EQ(of({fixed, known}, strict),
+            "bad: 1 unexpected pass (--strict): A.fixed; 1 known (baseline mesa)");
+  EXPECT_EQ(of({pass}, stale),
+            "good: No failures; 7 stale baseline entries: A.1, A.2, A.3, A.4, A.5 and 2 more");
+  stale["stale_baseline_entries"] = {"A.1"};
+  stale["strict"] = true;
+  EXPECT_EQ(of({known}, stale), "bad: 1 stale baseline entry (--strict): A.1; 1 known (baseline mesa)");
+  EXPECT_EQ(of({hidden}), "good: No failures; only 0 of 1 tests could be observed");
+  EXPECT_EQ(of({pass}, {{"status", "interrupted"}, {"reason", "SIGINT"}}),
+            "good: No failures so far; not complete: SIGINT");
+  EXPECT_EQ(of({}, {{"status", "not-started"}, {"reason", "cannot load x.so"}}),
+            "good: Not judged: cannot load x.so");
 }
 
 TEST(RunResult, UnexpectedIsWhatTheBaselineDoesNotExpect) {

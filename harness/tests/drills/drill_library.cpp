@@ -12,6 +12,7 @@
 //   "both": crashes at the trigger, and hangs at the same call of Map1d
 //   "now-and-then": after the trigger, GetMapiv returns an order of INDEX that is too large by one, but only
 //     in the first process, which creates EVALCTS_DRILL_FILE
+//   "varying": as "now-and-then", but in other processes only in the context of the trigger
 //   "crash-now-and-then": crashes at the trigger, but only in the first process
 //   "history": after the trigger, GetMapiv returns an order of VERTEX_3 that is too large by one in the same
 //     context
@@ -70,7 +71,7 @@ using misbehaviours::crash;
 
 [[maybe_unused]] void misbehave() {
   if (is_drill("both") || (is_drill("second") && seven_was_seen)) crash();
-  if (is_drill("now-and-then") && is_first_time()) odd_answers = true;
+  if ((is_drill("now-and-then") || is_drill("varying")) && is_first_time()) odd_answers = true;
   if (is_drill("crash-now-and-then") && is_first_time()) crash();
   if (const char* const wanted = std::getenv("EVALCTS_DRILL")) misbehaviours::misbehave(wanted);
 }
@@ -183,7 +184,8 @@ EXPORT void glGetMapdv(GLenum target, GLenum query, GLdouble* values) {
 EXPORT void glGetMapiv(GLenum target, GLenum query, GLint* values) {
   if (is_drill("query") && target == GL_MAP1_NORMAL) read_from_nowhere();
   glevGetMapiv(current, target, query, values);
-  if (odd_answers && target == GL_MAP1_INDEX && query == GL_ORDER) ++*values;
+  const bool is_odd = odd_answers || (is_drill("varying") && odd_context);
+  if (is_odd && target == GL_MAP1_INDEX && query == GL_ORDER) ++*values;
   if (is_drill("history") && odd_context && target == GL_MAP1_VERTEX_3 && query == GL_ORDER) ++*values;
 }
 #endif

@@ -32,9 +32,9 @@ struct PageOptions {
 std::string html(const std::vector<RunResult>& results, const Catalogue& catalogue,
                  const PageOptions& options = {});
 
-// Returns a short summary in GitHub's and GitLab's Markdown, for a pull request: counts for each record,
-// changes, the distinct bugs, and the unexpected failures (at most ten of each record). Text of a record is
-// in code spans only, so that it cannot become markup or a mention.
+// Returns a short summary in GitHub's and GitLab's Markdown, for a pull request: counts and the conclusion of
+// each record, changes, the distinct bugs, and the unexpected failures (at most ten of each record). Text of
+// a record is in code spans only, so that it cannot become markup or a mention.
 std::string markdown_summary(const std::vector<RunResult>& results,
                              const std::vector<RunResult>& before = {});
 
@@ -85,8 +85,8 @@ std::string terminal_summary(const RunResult& result, const Catalogue& catalogue
 // (verbose: all).
 std::string bug_list(const RunResult& result, const Catalogue& catalogue, bool colour, bool verbose);
 
-// Returns the result in one line: "osmesa: 3 unexpected results, 408 failing tests as the baseline expects",
-// with a newline at the end.
+// Returns the result in one line: "osmesa: 3 new failures; 408 known (baseline mesa)", with a newline at the
+// end.
 std::string terminal_line(const RunResult& result, bool colour);
 
 }  // namespace evalcts::reports

@@ -86,6 +86,7 @@ struct RunResult {
   std::string origin;    // the folder or file that the record was read from, because names may be equal
   std::string baseline;  // "mesa with mesa.softpipe"; empty: none
   std::vector<std::string> stale_baseline_entries;
+  bool strict = false;                   // unexpected passes and stale baseline entries are problems
   std::uint64_t confirmed_by_group = 0;  // unexpected failures not repeated, because one of their group was
   std::map<std::string, std::vector<std::string>> readings;  // readings of each ambiguous passage, by its ID
   ImplementationRecord implementation;

@@ -84,7 +84,7 @@ struct Crash {
   std::string group() const;
 };
 
-// Outcome of a flake when it was repeated alone in a new process.
+// Outcome of a test when it was repeated alone in a new process.
 struct Repetition {
   Verdict verdict = Verdict::kPass;
   std::string message;
@@ -126,8 +126,8 @@ struct TestRecord {
   // earlier cases suffice. Missing: not searched for, or not found.
   std::optional<std::vector<std::string>> history;
   std::string history_case;         // the case of the only test of the history that is needed; may be empty
-  bool flake = false;               // a repetition had another outcome
-  std::optional<Repetition> again;  // for a flake: the outcome of the repetition
+  bool flake = false;               // a failure that did not occur again in a repetition
+  std::optional<Repetition> again;  // the outcome of the repetition, if it was another one
   std::string rerun, debug, reproducer;  // shell commands; for failures
 
   bool is_bad() const { return evalcts::is_bad(verdict); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace evalcts {
 
@@ -15,5 +16,8 @@ std::string one_line(std::string text);
 
 // Returns at most `columns` code points of a clean text; a cut is marked by "...". columns >= 3.
 std::string cut(const std::string& text, std::size_t columns);
+
+// Returns the first names: "A, B, C, D, E and 3 more".
+std::string first_of(const std::vector<std::string>& names);
 
 }  // namespace evalcts

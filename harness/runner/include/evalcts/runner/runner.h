@@ -61,9 +61,10 @@ inline constexpr std::size_t kMostRerun = 100;
 // then in records-NAME.jsonl.
 //
 // A fail that the baseline does not list is repeated alone in a new process, up to `retries` times (see
-// kMostRerun), a crash or timeout once. If the outcome differs, the failure either happens again after
-// tests that ran before it, which the message and "history" then name, or the test is a flake: "flake" is
-// true, and "again" is the other outcome. The test keeps its verdict, because the library did fail.
+// kMostRerun), a crash or timeout once. If the outcome differs and the failure does not happen again after
+// the tests that ran before it (which the message and "history" would then name), "again" is the other
+// outcome. If that is no failure, the test is a flake ("flake"). The test keeps its verdict, because the
+// library did fail.
 //
 // A second pass has its own files, and "pass": "reuse-context" in its record. A test that fails in the same
 // way as in the first pass is marked as expected and as "also_in_fresh_context". For any other failure, the
