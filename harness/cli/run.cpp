@@ -18,6 +18,7 @@
 #include <evalcts/results/filter.h>
 #include <evalcts/results/requirements.h>
 #include <evalcts/results/serialization.h>
+#include <evalcts/results/text.h>
 #include <evalcts/runner/child_process.h>
 #include <evalcts/runner/question.h>
 #include <evalcts/runner/runner.h>
@@ -253,11 +254,15 @@ std::vector<RunResult> passes_over(RunRequest request, const RunOptions& options
   return passes;
 }
 
-// Compares the result with its baseline. If --write-baseline is given, the baseline is updated first. Returns
-// the reason if it cannot be updated, otherwise an empty text.
-std::string apply_baseline(RunResult& result, const RunOptions& options, const RunRequest& request,
-                           const std::vector<ListedTest>& all_tests) {
-  std::string problem;
+struct AppliedBaseline {
+  std::string problem;  // the reason why the baseline cannot be updated; empty if there is none
+  std::vector<std::string> unused_signatures;
+};
+
+// Compares the result with its baseline. If --write-baseline is given, the baseline is updated first.
+AppliedBaseline apply_baseline(RunResult& result, const RunOptions& options, const RunRequest& request,
+                               const std::vector<ListedTest>& all_tests) {
+  AppliedBaseline applied;
   Baseline baseline = Baseline::best_fit(request.baselines, result.implementation, result.pass,
                                          request.baseline, request.depth);
   // If the chosen baseline is for one pass, the other pass must not write it.
@@ -268,11 +273,12 @@ std::string apply_baseline(RunResult& result, const RunOptions& options, const R
         renewed.write(baseline_of(options.baseline, places().baselines).folder);
       baseline = baseline.with(renewed);
     } catch (const BadBaseline& error) {
-      problem = error.what();
+      applied.problem = error.what();
     }
   baseline.apply(result);
   result.stale_baseline_entries = baseline.stale_entries(all_tests);
-  return problem;
+  applied.unused_signatures = baseline.unused_signatures();
+  return applied;
 }
 
 int run(const RunOptions& options, const std::string& shard) {
@@ -322,17 +328,21 @@ int run(const RunOptions& options, const std::string& shard) {
     for (RunResult& result : passes) {
       const std::string label = result.file_label();
       result.strict = options.strict;
-      std::string problem;  // with --write-baseline
+      AppliedBaseline applied;
       if (options.baseline != "none" && result.has_started())
-        problem = apply_baseline(result, options, request, all_tests);
+        applied = apply_baseline(result, options, request, all_tests);
       write_atomically(output / fmt::format("results-{}.json", label), to_text(result));
       write_atomically(output / fmt::format("junit-{}.xml", label), reports::junit(result));
       line.print(options.quiet ? reports::terminal_line(result, shows_colour())
                                : reports::terminal_summary(result, catalogue(), shows_colour(),
                                                            options.verbose, screen_of(STDOUT_FILENO).lines) +
                                      "\n");
+      if (const std::size_t unused = applied.unused_signatures.size())
+        std::cerr << fmt::format("evalcts: baseline {}: {} no entry and {} ignored: {}\n", result.baseline,
+                                 unused == 1 ? "1 signature has" : fmt::format("{} signatures have", unused),
+                                 unused == 1 ? "is" : "are", first_of(applied.unused_signatures));
       code = std::max(code, exit_code_of(result, options));
-      if (!problem.empty()) code = std::max(code, wrong_use(problem));
+      if (!applied.problem.empty()) code = std::max(code, wrong_use(applied.problem));
       if (result.status == RunStatus::kInterrupted) code = std::max(code, kWrongUse);
       results.push_back(std::move(result));
     }

@@ -117,7 +117,7 @@ void read_header_line(const Line& line, BaselineFiles::Header& header) {
     }
 }
 
-// Reads "test name,depth,signature". The signatures of a base belong to its entries.
+// Reads "test name,depth,signature".
 void read_signatures(const fs::path& path, BaselineFiles& files) {
   if (!fs::exists(path)) return;
   std::ifstream stream(path);
@@ -126,9 +126,7 @@ void read_signatures(const fs::path& path, BaselineFiles& files) {
     ++number;
     if (text.empty() || text.starts_with("#")) continue;
     const std::vector<std::string> parts = fields(text);
-    if (parts.size() != 3 || (files.header.extends.empty() && !files.entries.contains(parts[0])))
-      throw Line{text, "", path, number}.bad(
-          "expected 'test name,depth,signature' of a test in the file of failures");
+    if (parts.size() != 3) throw Line{text, "", path, number}.bad("expected 'test name,depth,signature'");
     files.signatures[parts[0]][parts[1]] = parts[2];
   }
 }
@@ -397,10 +395,6 @@ std::vector<std::string> Baseline::stale_entries(const std::vector<ListedTest>& 
         stale.insert(
             fmt::format("{} (Pass in {}, but {} expects no failure)", test, part.name, parts_[0].name));
     }
-    for (const auto& [test, by_depth] : part.signatures)
-      if (std::ranges::none_of(parts_,
-                               [&name = test](const auto& any) { return any.entries.contains(name); }))
-        stale.insert(fmt::format("{} (in the signatures of {})", test, part.name));
     for (const auto& [patterns, kind] : {std::pair{&part.skips, "skips"}, {&part.flakes, "flakes"}})
       for (const Pattern& pattern : *patterns) {
         const auto matches = [&](const std::string& name) {
@@ -411,6 +405,16 @@ std::vector<std::string> Baseline::stale_entries(const std::vector<ListedTest>& 
       }
   }
   return {stale.begin(), stale.end()};
+}
+
+std::vector<std::string> Baseline::unused_signatures() const {
+  std::set<std::string> unused;
+  for (const BaselineFiles& part : parts_)
+    for (const auto& [test, by_depth] : part.signatures)
+      if (std::ranges::none_of(parts_,
+                               [&name = test](const auto& any) { return any.entries.contains(name); }))
+        unused.insert(test);
+  return {unused.begin(), unused.end()};
 }
 
 BaselineFiles Baseline::renewed(const RunResult& result, const std::string& target,
@@ -449,6 +453,7 @@ BaselineFiles Baseline::renewed(const RunResult& result, const std::string& targ
     others.erase(found);
   }
 
+  for (const std::string& test : unused_signatures()) files.signatures.erase(test);
   const Baseline without = composed(std::move(others));
   const std::string depth = name_of(result.depth.value_or(Depth::kFull));
   const bool with_signatures = result.seed.value_or(kSeedOfSignatures) == kSeedOfSignatures;

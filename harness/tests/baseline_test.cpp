@@ -148,9 +148,26 @@ TEST_F(Baselines, BadFilesAreRefusedWithFileAndLine) {
   write("m-fails.txt", "# reason\nA.B,Fail\n");  // no header
   EXPECT_THROW(read("m"), BadBaseline);
   write("m-fails.txt", std::string(kHeader) + "# reason\nA.B,Fail\n");
-  write("m-signatures.txt", "A.C,quick,1\n");
+  write("m-signatures.txt", "A.B,quick\n");
   EXPECT_THROW(read("m"), BadBaseline);
   EXPECT_THROW(read("absent"), BadBaseline);
+}
+
+// If an entry is deleted, its signature has no effect. It is named, and the next --write-baseline removes it.
+TEST_F(Baselines, SignaturesWithoutEntryAreIgnored) {
+  const std::string fails = std::string(kHeader) + "# reason\nA.B,Fail\n";
+  write("m-fails.txt", fails + "A.C,Fail\n");
+  write("m-signatures.txt", "A.B,quick,1-b\nA.C,quick,1-c\n");
+  EXPECT_EQ(read("m").unused_signatures(), std::vector<std::string>{});
+  write("m-fails.txt", fails);
+  RunResult result = record({test("A.C", Verdict::kFail, {"x"})});
+  read("m").apply(result);
+  EXPECT_FALSE(result.tests[0].expected_by_baseline);
+  EXPECT_EQ(result.tests[0].message, "m");
+  EXPECT_EQ(read("m").unused_signatures(), std::vector<std::string>{"A.C"});
+  EXPECT_EQ(read("m").stale_entries(listed({"A.B", "A.C"})), std::vector<std::string>{});
+  read("m").renewed(record({}), "m", "").write(folder_);
+  EXPECT_EQ(BaselineFiles::read(folder_, "m").signatures.size(), 1u);
 }
 
 TEST_F(Baselines, SkipsAndFlakesAreRegularExpressionsWithReasons) {

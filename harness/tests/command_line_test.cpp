@@ -360,6 +360,18 @@ TEST_F(CommandLine, BaselineDecidesWhatIsRed) {
   EXPECT_EQ(run("lenient", {"--seed", "2"}).code, 0);  // not compared
   std::ofstream(signatures) << right;
 
+  // Deletes the entry of one failure, but not its signature.
+  const fs::path fails = baseline / "drill-fails.txt";
+  const std::string entries = read_file(fails), entry = test + ",Fail\n";
+  ASSERT_TRUE(contains(entries, entry));
+  std::ofstream(fails) << std::string(entries).erase(entries.find(entry), entry.size());
+  const Outcome taken_back = run("lenient", {"--quiet"});
+  EXPECT_EQ(taken_back.code, 1);
+  EXPECT_TRUE(contains(taken_back.text, "drill: 1 new failure"));
+  EXPECT_TRUE(
+      contains(taken_back.text, "baseline drill: 1 signature has no entry and is ignored: " + test + "\n"));
+  std::ofstream(fails) << entries;
+
   EXPECT_EQ(run("nothing").code, 0);
   const Outcome passes = run("nothing", {"--strict"});
   EXPECT_EQ(passes.code, 1);

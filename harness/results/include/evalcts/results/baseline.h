@@ -14,10 +14,10 @@
 //   # depth: thorough         runs at this depth only
 //   # extends: BASE           makes the files an overlay
 // NAME-signatures.txt has lines "test name,depth,signature": the failing cases of the test, so that a known
-// failure cannot hide a new one. A signature belongs to its depth and to seed 1. NAME-skips.txt has regular
-// expressions (ECMAScript, found anywhere in the name) for tests that are not run and get the verdict
-// `skipped`. NAME-flakes.txt has regular expressions for tests whose fail, crash, timeout or pass is never
-// unexpected.
+// failure cannot hide a new one. A signature belongs to its depth and to seed 1, and is ignored if its test
+// has no entry. NAME-skips.txt has regular expressions (ECMAScript, found anywhere in the name) for tests
+// that are not run and get the verdict `skipped`. NAME-flakes.txt has regular expressions for tests whose
+// fail, crash, timeout or pass is never unexpected.
 //
 // An overlay holds only the differences from BASE for one driver, window system or range of versions. The
 // status "Pass" withdraws an entry of BASE, and a signature replaces the one in BASE. The baseline of an
@@ -139,13 +139,16 @@ class Baseline {
   // Returns entries for tests that no longer exist, patterns that match no test, and "Pass" entries of an
   // overlay that withdraw nothing (`tests`: all tests of the suite).
   std::vector<std::string> stale_entries(const std::vector<ListedTest>& tests) const;
+  // Returns the tests that have a signature but no entry.
+  std::vector<std::string> unused_signatures() const;
 
   // Returns files with which this baseline expects exactly the failures of the result. They replace the
   // part called `target`; an empty `target` stands for the only part, or, if there is none, for new files
   // called `new_name`. Their entries are the differences from the other parts. Existing reasons are kept;
-  // new entries state that their cause has not been traced. Skips and flakes are kept, and flaky tests
-  // get no entry. Throws BadBaseline if no part is called `target`, if there are several parts and `target`
-  // is empty, or if the new files would replace files in `all`, which are for other implementations.
+  // new entries state that their cause has not been traced. Skips and flakes are kept, flaky tests get no
+  // entry, and signatures without an entry are removed. Throws BadBaseline if no part is called `target`, if
+  // there are several parts and `target` is empty, or if the new files would replace files in `all`, which
+  // are for other implementations.
   BaselineFiles renewed(const RunResult& result, const std::string& target, const std::string& new_name,
                         const std::vector<BaselineFiles>& all = {}) const;
 
