@@ -1,5 +1,5 @@
-// Tests Begin, Vertex, End, and the sink.
-#include <cstring>
+// Tests Begin, Vertex, End, the forms of commands, and the sink.
+#include <functional>
 
 #include "fixture.h"
 
@@ -44,69 +44,161 @@ TEST_F(PrimitiveTest, BeginDoesNotNestAndThePrimitiveGoesOn) {
   EXPECT_EQ(recording.ended, 1);
 }
 
-TEST_F(PrimitiveTest, VertexForms) {
-  const float f[] = {0.1f, 2, -3, 0.5f};
-  const double d[] = {0.1, 2, -3, 0.5};
-  const Floats two = {0.1f, 2, 0, 1}, three = {0.1f, 2, -3, 1}, four = {0.1f, 2, -3, 0.5f};
-  const std::pair<std::function<void()>, Floats> forms[] = {
-      {[&] { glevVertex2f(gl, f[0], f[1]); }, two},
-      {[&] { glevVertex2d(gl, d[0], d[1]); }, two},
-      {[&] { glevVertex2fv(gl, f); }, two},
-      {[&] { glevVertex2dv(gl, d); }, two},
-      {[&] { glevVertex3f(gl, f[0], f[1], f[2]); }, three},
-      {[&] { glevVertex3d(gl, d[0], d[1], d[2]); }, three},
-      {[&] { glevVertex3fv(gl, f); }, three},
-      {[&] { glevVertex3dv(gl, d); }, three},
-      {[&] { glevVertex4f(gl, f[0], f[1], f[2], f[3]); }, four},
-      {[&] { glevVertex4d(gl, d[0], d[1], d[2], d[3]); }, four},
-      {[&] { glevVertex4fv(gl, f); }, four},
-      {[&] { glevVertex4dv(gl, d); }, four}};
-  for (const auto& [form, expected] : forms) EXPECT_EQ(values_of(one_vertex(form).position), expected);
-  expect_error(GLEV_NO_ERROR);
-  expect_rejected_in_primitive(GLEV_INVALID_VALUE, [&] { glevVertex2fv(gl, nullptr); });
-  expect_rejected_in_primitive(GLEV_INVALID_VALUE, [&] { glevVertex3dv(gl, nullptr); });
-}
-
+// Vertices of evaluations and of Vertex have all attributes that no map supplies. INDEX maps supply none.
 TEST_F(PrimitiveTest, AVertexCarriesEverythingCurrent) {
-  glevColor4f(gl, 0.1f, 0.2f, 0.3f, 0.4f);
-  glevNormal3f(gl, 1, 2, 3);
-  glevIndexf(gl, 17);
-  glevEdgeFlag(gl, GLEV_FALSE);
-  for (int unit = 0; unit < 8; ++unit) {
-    glevMultiTexCoord4f(gl, GLEV_TEXTURE0 + unit, static_cast<float>(unit), 5, 6, 7);
-  }
-  const glev_vertex vertex = one_vertex([&] { glevVertex3f(gl, 7, 8, 9); });
-  EXPECT_EQ(vertex.size, sizeof(glev_vertex));
-  EXPECT_EQ(values_of(vertex.position), (Floats{7, 8, 9, 1}));
-  EXPECT_EQ(values_of(vertex.color), (Floats{0.1f, 0.2f, 0.3f, 0.4f}));
-  EXPECT_EQ(values_of(vertex.normal), (Floats{1, 2, 3}));
-  EXPECT_EQ(vertex.index, 17);
-  EXPECT_EQ(vertex.edge_flag, GLEV_FALSE);
-  for (int unit = 0; unit < 8; ++unit) {
-    EXPECT_EQ(values_of(vertex.texcoord[unit]), (Floats{static_cast<float>(unit), 5, 6, 7}));
-  }
-}
-
-TEST_F(PrimitiveTest, CurrentValuesMayChangeBetweenVertices) {
+  for (const glev_enum cap : {GLEV_MAP1_VERTEX_3, GLEV_MAP1_INDEX, GLEV_MAP2_VERTEX_3, GLEV_MAP2_INDEX})
+    glevEnable(gl, cap);
+  const std::function<void()> emits[] = {[&] { glevVertex3f(gl, 0, 0, 0); },
+                                         [&] { glevEvalCoord1f(gl, 0.5f); },
+                                         [&] { glevEvalCoord2f(gl, 0.5f, 0.5f); },
+                                         [&] { glevEvalPoint1(gl, 1); }, [&] { glevEvalPoint2(gl, 1, 1); }};
   glevBegin(gl, GLEV_POINTS);
-  glevColor3f(gl, 1, 0, 0);
-  glevVertex2f(gl, 0, 0);
-  glevColor3f(gl, 0, 1, 0);
-  glevVertex2f(gl, 0, 0);
+  for (std::size_t i = 0; i < std::size(emits); ++i) {
+    const auto value = static_cast<float>(i);
+    glevColor4f(gl, 0.1f, 0.2f, 0.3f, value);
+    glevNormal3f(gl, 1, 2, value);
+    glevIndexf(gl, value);
+    glevEdgeFlag(gl, i % 2 == 0);
+    for (int unit = 0; unit < 8; ++unit)
+      glevMultiTexCoord4f(gl, GLEV_TEXTURE0 + unit, static_cast<float>(unit), value, 6, 7);
+    emits[i]();
+  }
   glevEnd(gl);
   expect_error(GLEV_NO_ERROR);
-  ASSERT_EQ(recording.vertices.size(), 2u);
-  EXPECT_EQ(values_of(recording.vertices[0].color), (Floats{1, 0, 0, 1}));
-  EXPECT_EQ(values_of(recording.vertices[1].color), (Floats{0, 1, 0, 1}));
+  ASSERT_EQ(recording.vertices.size(), std::size(emits));
+  for (std::size_t i = 0; i < std::size(emits); ++i) {
+    SCOPED_TRACE(i);
+    const auto value = static_cast<float>(i);
+    const glev_vertex& vertex = recording.vertices[i];
+    EXPECT_EQ(vertex.size, sizeof(glev_vertex));
+    EXPECT_EQ(values_of(vertex.position), (Floats{0, 0, 0, 1}));
+    EXPECT_EQ(values_of(vertex.color), (Floats{0.1f, 0.2f, 0.3f, value}));
+    EXPECT_EQ(values_of(vertex.normal), (Floats{1, 2, value}));
+    EXPECT_EQ(vertex.index, value);
+    EXPECT_EQ(vertex.edge_flag, i % 2 == 0 ? GLEV_TRUE : GLEV_FALSE);
+    for (int unit = 0; unit < 8; ++unit)
+      EXPECT_EQ(values_of(vertex.texcoord[unit]), (Floats{static_cast<float>(unit), value, 6, 7}));
+  }
 }
 
 TEST_F(PrimitiveTest, OutsideBeginAndEndNothingIsEmitted) {
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
+  glevEnable(gl, GLEV_MAP2_VERTEX_3);
   glevVertex3f(gl, 1, 2, 3);
   glevEvalCoord1f(gl, 0.5f);
+  glevEvalCoord2f(gl, 0.5f, 0.5f);
+  glevEvalPoint1(gl, 1);
+  glevEvalPoint2(gl, 1, 1);
   EXPECT_TRUE(recording.vertices.empty());
   expect_error(GLEV_NO_ERROR);
 }
+
+// ---- Forms
+
+// The forms f, d, fv and dv of a command, the last two also with null pointers.
+struct Forms {
+  const char* name;
+  std::function<void()> forms[4], nulls[2];
+};
+#define ONE(x) x[0]
+#define TWO(x) x[0], x[1]
+#define THREE(x) x[0], x[1], x[2]
+#define FOUR(x) x[0], x[1], x[2], x[3]
+#define FORMS(name, arguments, ...)                                                                              \
+  {                                                                                                              \
+#name,                                                                                                         \
+        {[&] { glev##name##f(__VA_ARGS__, arguments(f)); }, [&] { glev##name##d(__VA_ARGS__, arguments(d)); },     \
+         [&] { glev##name##fv(__VA_ARGS__, f); }, [&] { glev##name##dv(__VA_ARGS__, d); }},                        \
+        { \
+      [&] { glev##name##fv(__VA_ARGS__, nullptr); }, [&] { glev##name##dv(__VA_ARGS__, nullptr); }               \
+    }                                                                                                            \
+  }
+
+TEST_F(PrimitiveTest, FormsSetTheirAttribute) {
+  const float f[] = {0.1f, 2, -3, 0.5f};
+  const double d[] = {0.1, 2, -3, 0.5};
+  const glev_enum unit = GLEV_TEXTURE0 + 3;
+  const auto position = [](const glev_vertex& v) { return values_of(v.position); };
+  const auto color = [](const glev_vertex& v) { return values_of(v.color); };
+  const auto normal = [](const glev_vertex& v) { return values_of(v.normal); };
+  const auto index = [](const glev_vertex& v) { return Floats{v.index}; };
+  const auto texture0 = [](const glev_vertex& v) { return values_of(v.texcoord[0]); };
+  const auto texture3 = [](const glev_vertex& v) { return values_of(v.texcoord[3]); };
+  struct Row {
+    Forms command;
+    Floats (*read)(const glev_vertex&);
+    Floats expected;
+  };
+  const Floats one = {0.1f, 0, 0, 1}, two = {0.1f, 2, 0, 1}, three = {0.1f, 2, -3, 1},
+               four = {0.1f, 2, -3, 0.5f};
+  const Row rows[] = {{FORMS(Vertex2, TWO, gl), position, two},
+                      {FORMS(Vertex3, THREE, gl), position, three},
+                      {FORMS(Vertex4, FOUR, gl), position, four},
+                      {FORMS(Color3, THREE, gl), color, three},
+                      {FORMS(Color4, FOUR, gl), color, four},
+                      {FORMS(Normal3, THREE, gl), normal, {0.1f, 2, -3}},
+                      {FORMS(Index, ONE, gl), index, {0.1f}},
+                      {FORMS(TexCoord1, ONE, gl), texture0, one},
+                      {FORMS(TexCoord2, TWO, gl), texture0, two},
+                      {FORMS(TexCoord3, THREE, gl), texture0, three},
+                      {FORMS(TexCoord4, FOUR, gl), texture0, four},
+                      {FORMS(MultiTexCoord1, ONE, gl, unit), texture3, one},
+                      {FORMS(MultiTexCoord2, TWO, gl, unit), texture3, two},
+                      {FORMS(MultiTexCoord3, THREE, gl, unit), texture3, three},
+                      {FORMS(MultiTexCoord4, FOUR, gl, unit), texture3, four}};
+  glevActiveTexture(gl, GLEV_TEXTURE0 + 2);  // does not matter
+  for (const auto& [command, read, expected] : rows) {
+    SCOPED_TRACE(command.name);
+    for (const auto& form : command.forms) {
+      glevColor4f(gl, 9, 9, 9, 9);
+      glevNormal3f(gl, 9, 9, 9);
+      glevIndexf(gl, 9);
+      for (const glev_enum other : {glev_enum{GLEV_TEXTURE0}, unit})
+        glevMultiTexCoord4f(gl, other, 9, 9, 9, 9);
+      const glev_vertex vertex = one_vertex([&, &call = form] {
+        call();
+        if (recording.vertices.empty()) glevVertex2f(gl, 9, 9);
+      });
+      EXPECT_EQ(read(vertex), expected);
+      EXPECT_EQ(values_of(vertex.texcoord[2]), (Floats{0, 0, 0, 1}));
+      expect_error(GLEV_NO_ERROR);
+    }
+    for (const auto& null : command.nulls) expect_rejected_in_primitive(GLEV_INVALID_VALUE, null);
+  }
+  for (const glev_boolean flag : {0, 1, 2, 255, 0}) {
+    for (const bool is_vector : {false, true}) {
+      glevEdgeFlag(gl, !flag);
+      is_vector ? glevEdgeFlagv(gl, &flag) : glevEdgeFlag(gl, flag);
+      EXPECT_EQ(one_vertex([&] { glevVertex2f(gl, 9, 9); }).edge_flag, flag != 0 ? GLEV_TRUE : GLEV_FALSE);
+    }
+  }
+  expect_rejected(GLEV_INVALID_VALUE, [&] { glevEdgeFlagv(gl, nullptr); });
+}
+
+TEST_F(PrimitiveTest, FormsOfEvalCoordAgreeBitForBit) {
+  const float points[] = {0.1f, 0.7f, -0.3f, 0.9f};
+  glevMap1f(gl, GLEV_MAP1_TEXTURE_COORD_1, 0.1f, 0.7f, 1, 4, points);
+  glevMap2f(gl, GLEV_MAP2_TEXTURE_COORD_1, 0.1f, 0.7f, 2, 2, 0, 1, 1, 2, points);
+  for (const glev_enum cap :
+       {GLEV_MAP1_TEXTURE_COORD_1, GLEV_MAP1_VERTEX_3, GLEV_MAP2_TEXTURE_COORD_1, GLEV_MAP2_VERTEX_3})
+    glevEnable(gl, cap);
+  for (const float u : {0.1f, 0.3f, 0.7f, -4.0f}) {
+    const float f[] = {u, 0.7f, static_cast<float>(kNaN)};
+    const double d[] = {u, 0.7f, kNaN};
+    for (const Forms& command : {Forms FORMS(EvalCoord1, ONE, gl), Forms FORMS(EvalCoord2, TWO, gl)}) {
+      SCOPED_TRACE(command.name);
+      const float expected = one_vertex(command.forms[0]).texcoord[0][0];
+      for (const auto& form : command.forms) EXPECT_EQ(one_vertex(form).texcoord[0][0], expected);
+      for (const auto& null : command.nulls) expect_rejected_in_primitive(GLEV_INVALID_VALUE, null);
+    }
+  }
+}
+
+#undef FORMS
+#undef FOUR
+#undef THREE
+#undef TWO
+#undef ONE
 
 // ---- Sink
 
