@@ -1,8 +1,7 @@
-// Tests AUTO_NORMAL against exact derivatives.
+// Tests AUTO_NORMAL against exact derivatives, and where it has no normal. The conformance suite tests when
+// it is used (suites/automatic_normals.cpp).
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstring>
 #include <limits>
 #include <random>
 
@@ -98,13 +97,6 @@ class Normals : public ContextTest {
   std::vector<double> points_;
 };
 
-TEST_F(Normals, PointAlongTheCrossProductOfUAndV) {
-  define_plane();
-  EXPECT_EQ(normal_at(0.3, 0.6), (Floats{0, 0, 1}));
-  define({0, 1, 0, 1}, 2, 2, 3, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
-  EXPECT_EQ(normal_at(0.3, 0.6), (Floats{0, 0, -1})) << "u along +y, v along +x";
-}
-
 TEST_F(Normals, AgreeWithTheExactOne) {
   std::uniform_real_distribution<double> inside(0, 1);
   const std::array<double, 4> domains[] = {{0, 1, 0, 1}, {2, 5, -3, -1}, {1, 0, 0.1, 0.7}, {0, 1, 5, -2}};
@@ -163,84 +155,12 @@ TEST_F(Normals, AThinSliverHasOne) {
   }
 }
 
-TEST_F(Normals, OfRationalSurfacesAreThoseOfTheQuotient) {
-  // A plane with weights has the normal (0,0,1), although its homogeneous coordinates are not a plane.
-  define({0, 1, 0, 1}, 2, 2, 4, {0, 0, 5, 1, 0, 2, 10, 2, 3, 0, 15, 3, 4, 4, 20, 4});
-  EXPECT_EQ(normal_at(0.3, 0.6), (Floats{0, 0, 1}));
-  EXPECT_EQ(normal_at(1, 0), (Floats{0, 0, 1}));
-  // A quarter of a cylinder around z has radial normals.
-  const double r = std::sqrt(0.5);
-  define({0, 1, 0, 1}, 3, 2, 4, {1, 0, 0, 1, 1, 0, 3, 1, r, r, 0, r, r, r, 3 * r, r, 0, 1, 0, 1, 0, 1, 3, 1});
-  for (double u : {0.0, 0.2, 0.5, 0.9, 1.0}) {
-    const glev_vertex v = one_vertex([&] { glevEvalCoord2d(gl, u, 0.4); });
-    EXPECT_NEAR(v.normal[0], v.position[0] / v.position[3], 2e-7);
-    EXPECT_NEAR(v.normal[1], v.position[1] / v.position[3], 2e-7);
-    EXPECT_EQ(v.normal[2], 0);
-  }
-  // With all weights negative, surface and normal are the same.
-  define({0, 1, 0, 1}, 2, 2, 4, {0, 0, 0, -1, 0, -1, 0, -1, -1, 0, 0, -1, -1, -1, 0, -1});
-  EXPECT_EQ(normal_at(0.3, 0.6), (Floats{0, 0, 1}));
-}
-
 TEST_F(Normals, AReversedDomainDoesNotTurnThem) {
   const std::vector<double> plane = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0};
   for (const auto& domain :
        {std::array{1.0, 0.0, 0.0, 1.0}, {0, 1, 1, 0}, {1, 0, 1, 0}, {0, 1e-6, 7, -1e6}}) {
     define(domain, 2, 2, 3, plane);
     EXPECT_EQ(normal_at(domain[0], domain[3]), (Floats{0, 0, 1}));
-  }
-}
-
-TEST_F(Normals, OverrideTheNormalMapAndBelongToVertex4) {
-  define_plane();
-  const float point[] = {0, 3, 0};
-  glevMap2f(gl, GLEV_MAP2_NORMAL, 0, 1, 3, 1, 0, 1, 3, 1, point);
-  glevEnable(gl, GLEV_MAP2_NORMAL);
-  glevNormal3f(gl, 5, 6, 7);
-  EXPECT_EQ(normal_at(0.5, 0.5), (Floats{0, 0, 1}));
-  // The normal of the VERTEX_4 map is +x.
-  define({0, 1, 0, 1}, 2, 2, 4, {0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 0, 1, 0, 1, 1, 1});
-  EXPECT_EQ(normal_at(0.5, 0.5), (Floats{1, 0, 0}));
-  glevDisable(gl, GLEV_MAP2_VERTEX_4);
-  EXPECT_EQ(normal_at(0.5, 0.5), (Floats{0, 0, 1}));
-  glevDisable(gl, GLEV_AUTO_NORMAL);
-  EXPECT_EQ(normal_at(0.5, 0.5), (Floats{0, 3, 0}));
-  glevEnable(gl, GLEV_AUTO_NORMAL);
-  EXPECT_EQ(normal_at(0.5, 0.5), (Floats{0, 0, 1}));
-  glevDisable(gl, GLEV_AUTO_NORMAL);
-  glevDisable(gl, GLEV_MAP2_NORMAL);
-  EXPECT_EQ(normal_at(0.5, 0.5), (Floats{5, 6, 7}));
-}
-
-TEST_F(Normals, AreNotThereInOneDimension) {
-  define_plane();
-  const float point[] = {1, 2, 3};
-  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 1, point);
-  glevEnable(gl, GLEV_MAP1_VERTEX_3);
-  glevNormal3f(gl, 5, 6, 7);
-  EXPECT_EQ(values_of(one_vertex([&] { glevEvalCoord1f(gl, 0.5f); }).normal), (Floats{5, 6, 7}));
-  glevMap1f(gl, GLEV_MAP1_NORMAL, 0, 1, 3, 1, point);
-  glevEnable(gl, GLEV_MAP1_NORMAL);
-  EXPECT_EQ(values_of(one_vertex([&] { glevEvalCoord1f(gl, 0.5f); }).normal), (Floats{1, 2, 3}));
-}
-
-TEST_F(Normals, ChangeNothingElse) {
-  glevEnable(gl, GLEV_MAP2_COLOR_4);
-  glevEnable(gl, GLEV_MAP2_TEXTURE_COORD_2);
-  for (int components : {3, 4}) {
-    const std::vector<double> net = sheet(5, 4, components);
-    define({0.1, 0.7, 2, -1}, 5, 4, components, net);
-    glevMap2d(gl, GLEV_MAP2_COLOR_4, 0, 1, 16, 3, 0, 1, 4, 4, net.data());
-    glevMap2d(gl, GLEV_MAP2_TEXTURE_COORD_2, 0, 1, 2, 3, 0, 1, 6, 4, net.data());
-    for (double u : {0.1, 0.33, 0.7, -1.0}) {
-      glevEnable(gl, GLEV_AUTO_NORMAL);
-      glev_vertex with = one_vertex([&] { glevEvalCoord2d(gl, u, 0.3); });
-      glevDisable(gl, GLEV_AUTO_NORMAL);
-      const glev_vertex without = one_vertex([&] { glevEvalCoord2d(gl, u, 0.3); });
-      EXPECT_NE(values_of(with.normal), values_of(without.normal));
-      std::copy_n(without.normal, 3, with.normal);
-      EXPECT_EQ(std::memcmp(&with, &without, offsetof(glev_vertex, edge_flag) + 1), 0);
-    }
   }
 }
 

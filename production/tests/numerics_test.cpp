@@ -1,7 +1,6 @@
 // Tests values against exact rational arithmetic.
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <random>
 
 #include "exact.h"
@@ -137,38 +136,6 @@ TEST_F(Numerics, PowersOverflowOnlyIfTheResultDoes) {
   define(0, 1, points);
   EXPECT_EQ(evaluate_at(0x1p18), 0x1p114f);
   EXPECT_EQ(evaluate_at(-0x1p18), -0x1p114f);
-}
-
-TEST_F(Numerics, NearlyAllResultsAreCorrectlyRounded) {
-  // For well-conditioned data, evaluation in float would round about half of the results incorrectly, and
-  // evaluation in double almost none.
-  std::uniform_real_distribution<double> value(-1, 1), inside(0, 1);
-  int misrounded = 0;
-  for (int curve = 0; curve < 25; ++curve) {
-    std::vector<double> points(4);
-    for (double& point : points) point = static_cast<float>(value(random_));
-    define(0, 1, points);
-    for (int i = 0; i < 40; ++i) {
-      const auto u = static_cast<float>(inside(random_));
-      const float got = evaluate_at(u);
-      const Rational exact = exact_bezier(0, 1, points, u).value, error = abs(to_rational(got) - exact);
-      for (float next : {std::nextafter(got, -2.0f), std::nextafter(got, 2.0f)}) {
-        misrounded += abs(to_rational(next) - exact) < error;
-      }
-    }
-  }
-  EXPECT_LE(misrounded, 2) << "of 1000, seed " << kSeed;
-}
-
-TEST_F(Numerics, ARationalQuarterCircle) {
-  const double root = std::sqrt(0.5);
-  const double points[] = {1, 0, 0, 1, root, root, 0, root, 0, 1, 0, 1};
-  glevMap1d(gl, GLEV_MAP1_VERTEX_4, 0, 1, 4, 3, points);
-  glevEnable(gl, GLEV_MAP1_VERTEX_4);
-  for (double u = 0; u <= 1; u += 0x1p-6) {
-    const glev_vertex v = one_vertex([&] { glevEvalCoord1d(gl, u); });
-    EXPECT_NEAR(std::hypot(v.position[0] / v.position[3], v.position[1] / v.position[3]), 1, 2e-7);
-  }
 }
 
 // ---- Parameters: the internal argument type, for real arguments and for grid points

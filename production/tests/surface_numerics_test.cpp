@@ -1,7 +1,6 @@
-// Tests EvalCoord2: the maps that it evaluates, its vertices, and their accuracy.
+// Tests values of surfaces against exact rational arithmetic, and values that must be exact.
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <random>
 
 #include "exact.h"
@@ -11,169 +10,7 @@
 namespace glev_tests {
 namespace {
 
-class Surfaces : public ContextTest {
- protected:
-  // Defines a bilinear map with these corners and equal components.
-  void bilinear(glev_enum target, float r00, float r01, float r10, float r11) {
-    std::vector<float> points;
-    for (float corner : {r00, r01, r10, r11}) points.insert(points.end(), 4, corner);
-    glevMap2f(gl, target, 0, 1, 8, 2, 0, 1, 4, 2, points.data());
-    glevEnable(gl, target);
-  }
-  glev_vertex evaluate_at(double u, double v) {
-    return one_vertex([&] { glevEvalCoord2d(gl, u, v); });
-  }
-};
-
-// ---- What is evaluated
-
-TEST_F(Surfaces, UComesFirstAndIsTheFirstIndex) {
-  bilinear(GLEV_MAP2_VERTEX_3, 0, 1, 10, 11);
-  EXPECT_EQ(values_of(evaluate_at(0.5, 0).position), (Floats{5, 5, 5, 1}));
-  EXPECT_EQ(values_of(evaluate_at(0, 0.5).position), (Floats{0.5f, 0.5f, 0.5f, 1}));
-  EXPECT_EQ(values_of(evaluate_at(-1, 2).position), (Floats{-8, -8, -8, 1})) << "extrapolated";
-}
-
-TEST_F(Surfaces, EachDirectionHasItsDomain) {
-  const float points[] = {0, 1, 10, 11};
-  glevEnable(gl, GLEV_MAP2_VERTEX_3);
-  glevEnable(gl, GLEV_MAP2_TEXTURE_COORD_1);
-  for (auto [u1, u2, v1, v2] :
-       {std::array{2.0f, 6.0f, -1.0f, 1.0f}, {6, 2, -1, 1}, {2, 6, 1, -1}, {6, 2, 1, -1}}) {
-    glevMap2f(gl, GLEV_MAP2_TEXTURE_COORD_1, u1, u2, 2, 2, v1, v2, 1, 2, points);
-    EXPECT_EQ(evaluate_at(u1, v1).texcoord[0][0], 0);
-    EXPECT_EQ(evaluate_at(u1, v2).texcoord[0][0], 1);
-    EXPECT_EQ(evaluate_at(u2, v1).texcoord[0][0], 10);
-    EXPECT_EQ(evaluate_at(u2, v2).texcoord[0][0], 11);
-    EXPECT_EQ(evaluate_at(u1 + (u2 - u1) / 4, v1 + (v2 - v1) / 2).texcoord[0][0], 3);
-  }
-}
-
-TEST_F(Surfaces, ComponentsGoToTheirAttributes) {
-  const float points[] = {1, 2, 3, 4, 5, 7, 9, 11};
-  for (const TargetRow& row : target_rows()) {
-    glevMap2f(gl, GLEV_MAP2_COLOR_4 + row.offset, 0, 1, 4, 2, 0, 1, 4, 1, points);
-    glevEnable(gl, GLEV_MAP2_COLOR_4 + row.offset);
-  }
-  glevIndexf(gl, 17);
-  glevMultiTexCoord4f(gl, GLEV_TEXTURE0 + 1, 6, 7, 8, 9);
-  const glev_vertex vertex = evaluate_at(0.5, 0.3);
-  EXPECT_EQ(values_of(vertex.position), (Floats{3, 4.5f, 6, 7.5f})) << "VERTEX_4 wins";
-  EXPECT_EQ(values_of(vertex.color), (Floats{3, 4.5f, 6, 7.5f}));
-  EXPECT_EQ(values_of(vertex.normal), (Floats{3, 4.5f, 6})) << "not normalised";
-  EXPECT_EQ(values_of(vertex.texcoord[0]), (Floats{3, 4.5f, 6, 7.5f}));
-  EXPECT_EQ(values_of(vertex.texcoord[1]), (Floats{6, 7, 8, 9}));
-  EXPECT_EQ(vertex.index, 17);
-  glevDisable(gl, GLEV_MAP2_VERTEX_4);
-  EXPECT_EQ(values_of(evaluate_at(0.5, 0.3).position), (Floats{3, 4.5f, 6, 1}));
-}
-
-TEST_F(Surfaces, TheTextureMapWithMostCoordinatesWins) {
-  glevEnable(gl, GLEV_MAP2_VERTEX_3);
-  for (int subset = 1; subset < 16; ++subset) {
-    int most = 0;
-    for (int n = 1; n <= 4; ++n) {
-      glevDisable(gl, GLEV_MAP2_TEXTURE_COORD_1 + n - 1);
-      if (!(subset & 1 << (n - 1))) continue;
-      const auto value = static_cast<float>(10 * n);
-      bilinear(GLEV_MAP2_TEXTURE_COORD_1 + n - 1, value, value, value, value);
-      most = n;
-    }
-    Floats expected = {0, 0, 0, 1};
-    std::fill_n(expected.begin(), most, 10.0f * static_cast<float>(most));
-    EXPECT_EQ(values_of(evaluate_at(0.5, 0.25).texcoord[0]), expected) << "subset " << subset;
-  }
-}
-
-TEST_F(Surfaces, OnlyTwoDimensionalMapsAreLookedAt) {
-  const float points[] = {9, 9, 9, 9};
-  for (const TargetRow& row : target_rows()) {
-    glevMap1f(gl, GLEV_MAP1_COLOR_4 + row.offset, 0, 1, 4, 1, points);
-    glevEnable(gl, GLEV_MAP1_COLOR_4 + row.offset);
-  }
-  glevBegin(gl, GLEV_POINTS);
-  glevEvalCoord2f(gl, 0.5f, 0.5f);
-  glevEnd(gl);
-  expect_error(GLEV_NO_ERROR);
-  EXPECT_TRUE(recording.vertices.empty());
-  bilinear(GLEV_MAP2_VERTEX_3, 0, 1, 10, 11);
-  glevColor4f(gl, 0.1f, 0.2f, 0.3f, 0.4f);
-  glevNormal3f(gl, 5, 6, 7);
-  glevTexCoord4f(gl, 1, 2, 3, 4);
-  const glev_vertex vertex = evaluate_at(0.5, 0.5);
-  EXPECT_EQ(values_of(vertex.position), (Floats{5.5f, 5.5f, 5.5f, 1}));
-  EXPECT_EQ(values_of(vertex.color), (Floats{0.1f, 0.2f, 0.3f, 0.4f}));
-  EXPECT_EQ(values_of(vertex.normal), (Floats{5, 6, 7}));
-  EXPECT_EQ(values_of(vertex.texcoord[0]), (Floats{1, 2, 3, 4}));
-}
-
-TEST_F(Surfaces, BothDimensionsInOnePrimitive) {
-  bilinear(GLEV_MAP2_VERTEX_3, 0, 1, 10, 11);
-  const float points[] = {7, 7, 7};
-  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 1, points);
-  glevEnable(gl, GLEV_MAP1_VERTEX_3);
-  glevBegin(gl, GLEV_POINTS);
-  glevEvalCoord2f(gl, 1, 0);
-  glevEvalCoord1f(gl, 1);
-  glevVertex2f(gl, 3, 3);
-  glevEvalCoord2f(gl, 0, 1);
-  glevEnd(gl);
-  ASSERT_EQ(recording.vertices.size(), 4u);
-  for (auto [k, x] : {std::pair{0, 10}, {1, 7}, {2, 3}, {3, 1}}) {
-    EXPECT_EQ(recording.vertices[k].position[0], static_cast<float>(x));
-  }
-}
-
-TEST_F(Surfaces, CurrentValuesAreLeftAlone) {
-  for (const TargetRow& row : target_rows()) bilinear(GLEV_MAP2_COLOR_4 + row.offset, 2, 3, 4, 5);
-  glevEnable(gl, GLEV_AUTO_NORMAL);
-  glevTexCoord4f(gl, 5, 6, 7, 8);
-  const std::vector<double> before = query_state();
-  evaluate_at(0.5, 0.5);
-  EXPECT_EQ(query_state(), before);
-}
-
-TEST_F(Surfaces, MapsThatWereNeverDefinedAreTheirInitialConstants) {
-  for (const TargetRow& row : target_rows()) glevEnable(gl, GLEV_MAP2_COLOR_4 + row.offset);
-  for (double u : {-3.0, 0.0, 0.5, 7.0}) {
-    const glev_vertex vertex = evaluate_at(u, 1 - u);
-    EXPECT_EQ(values_of(vertex.position), (Floats{0, 0, 0, 1}));
-    EXPECT_EQ(values_of(vertex.normal), (Floats{0, 0, 1}));
-    EXPECT_EQ(values_of(vertex.color), (Floats{1, 1, 1, 1}));
-  }
-}
-
-TEST_F(Surfaces, ARedefinedMapTakesEffectAtOnce) {
-  bilinear(GLEV_MAP2_VERTEX_3, 0, 1, 10, 11);
-  EXPECT_EQ(evaluate_at(0.5, 0).position[0], 5);
-  bilinear(GLEV_MAP2_VERTEX_3, 0, 1, 20, 21);
-  EXPECT_EQ(evaluate_at(0.5, 0).position[0], 10);
-  glevDisable(gl, GLEV_MAP2_VERTEX_3);
-  bilinear(GLEV_MAP2_VERTEX_3, 0, 1, 30, 31);
-  EXPECT_EQ(evaluate_at(0.5, 0).position[0], 15);
-}
-
-TEST_F(Surfaces, FormsAgreeBitForBit) {
-  bilinear(GLEV_MAP2_VERTEX_3, 0.1f, 0.7f, -0.3f, 0.9f);
-  const float f[] = {0.3f, 0.7f, kNaN};
-  const double d[] = {0.3f, 0.7f, kNaN};
-  glevBegin(gl, GLEV_POINTS);
-  glevEvalCoord2f(gl, f[0], f[1]);
-  glevEvalCoord2d(gl, d[0], d[1]);
-  glevEvalCoord2fv(gl, f);
-  glevEvalCoord2dv(gl, d);
-  glevEnd(gl);
-  ASSERT_EQ(recording.vertices.size(), 4u);
-  for (const glev_vertex& vertex : recording.vertices) {
-    EXPECT_EQ(vertex.position[0], recording.vertices[0].position[0]);
-  }
-  expect_rejected_in_primitive(GLEV_INVALID_VALUE, [&] { glevEvalCoord2fv(gl, nullptr); });
-  expect_rejected_in_primitive(GLEV_INVALID_VALUE, [&] { glevEvalCoord2dv(gl, nullptr); });
-}
-
-// ---- Accuracy
-
-class SurfaceNumerics : public Surfaces {
+class SurfaceNumerics : public ContextTest {
  protected:
   SurfaceNumerics() {
     glevEnable(gl, GLEV_MAP2_VERTEX_3);
@@ -194,7 +31,9 @@ class SurfaceNumerics : public Surfaces {
     for (double& point : points) point = static_cast<float>(value(random_));
     return points;
   }
-  float evaluate_texcoord(double u, double v) { return evaluate_at(u, v).texcoord[0][0]; }
+  float evaluate_texcoord(double u, double v) {
+    return one_vertex([&] { glevEvalCoord2d(gl, u, v); }).texcoord[0][0];
+  }
 
   // Expects a value within the documented bound and one rounding to float.
   void expect_within_bound(double u, double v) {
@@ -267,25 +106,6 @@ TEST_F(SurfaceNumerics, LargeAndSmallDataOfTheGLRange) {
     expect_within_bound(12345678.9, 1 + 0x1p-24);
     expect_within_bound(-0x1p31, 1 + 0x1p-25);
   }
-}
-
-TEST_F(SurfaceNumerics, NearlyAllResultsAreCorrectlyRounded) {
-  std::uniform_real_distribution<double> inside(0, 1);
-  int misrounded = 0;
-  for (int surface = 0; surface < 25; ++surface) {
-    define({0, 1, 0, 1}, 4, 4, random_net(4, 4));
-    for (int i = 0; i < 20; ++i) {
-      const auto u = static_cast<float>(inside(random_)), v = static_cast<float>(inside(random_));
-      const float got = evaluate_texcoord(u, v);
-      const Rational exact =
-          tensor(exact_basis(0, 1, 4, u).values, exact_basis(0, 1, 4, v).values, points_).value;
-      const Rational error = abs(to_rational(got) - exact);
-      for (float next : {std::nextafter(got, -2.0f), std::nextafter(got, 2.0f)}) {
-        misrounded += abs(to_rational(next) - exact) < error;
-      }
-    }
-  }
-  EXPECT_LE(misrounded, 2) << "of 500, seed " << kSeed;
 }
 
 // ---- Exactness
@@ -440,49 +260,32 @@ TEST_F(SurfaceNumerics, PatchesWithACommonEdgeAreWatertight) {
   }
 }
 
-TEST_F(SurfaceNumerics, ANetThatIsConstantInOneDirectionIsTheCurve) {
-  const std::vector<double> curve = random_net(1, 5);
-  glevMap1d(gl, GLEV_MAP1_TEXTURE_COORD_1, 0, 1, 1, 5, curve.data());
-  glevEnable(gl, GLEV_MAP1_TEXTURE_COORD_1);
-  glevEnable(gl, GLEV_MAP1_VERTEX_3);
-  std::vector<double> along_u, along_v;
-  for (int i = 0; i < 5; ++i) {
-    for (int j = 0; j < 4; ++j) along_u.push_back(curve[i]);
-  }
-  for (int i = 0; i < 4; ++i) along_v.insert(along_v.end(), curve.begin(), curve.end());
-  for (double t : {0.3, 0.8, -0.5}) {
-    const float expected = one_vertex([&] { glevEvalCoord1d(gl, t); }).texcoord[0][0];
-    define({0, 1, 0, 1}, 5, 4, along_u);
-    EXPECT_FLOAT_EQ(evaluate_texcoord(t, 0.37), expected);
-    define({0, 1, 0, 1}, 4, 5, along_v);
-    EXPECT_FLOAT_EQ(evaluate_texcoord(0.37, t), expected);
-  }
-}
-
-TEST_F(SurfaceNumerics, NonFiniteValuesDoNoHarm) {
-  glevEnable(gl, GLEV_AUTO_NORMAL);
-  glevEnable(gl, GLEV_MAP2_VERTEX_4);
+// The conformance suite tests non-finite values with orders up to 4 (Numeric.StateAfterSpecials1 and 2).
+TEST_F(SurfaceNumerics, NonFiniteValuesOfAllOrdersDoNoHarm) {
+  for (glev_enum cap : {GLEV_AUTO_NORMAL, GLEV_MAP1_VERTEX_4, GLEV_MAP2_VERTEX_4}) glevEnable(gl, cap);
   for (double bad : {kInfinity, -kInfinity, kNaN, 1.7e308}) {
+    const auto evaluate = [&] {
+      for (double u : {0.0, 0.25, 1.0, 1e300, bad}) {
+        one_vertex([&] { glevEvalCoord1d(gl, u); });
+        for (double v : {0.0, 0.25, 1.0, 1e300, bad}) evaluate_texcoord(u, v);
+      }
+    };
     for (int order : {1, 2, 64}) {
       std::vector<double> points(64 * 64 * 4, 1.0);
-      const auto evaluate = [&] {
-        for (double u : {0.0, 0.25, 1.0, 1e300, bad}) {
-          for (double v : {0.0, 0.25, 1.0, 1e300, bad}) evaluate_at(u, v);
-        }
-      };
       points[0] = bad;
       points[5] = -bad;
+      glevMap1d(gl, GLEV_MAP1_VERTEX_4, 0, 1, 4, order, points.data());
       glevMap2d(gl, GLEV_MAP2_VERTEX_4, 0, 1, 4 * order, order, 0, 1, 4, order, points.data());
       evaluate();
       points.assign(points.size(), 1.0);
+      glevMap1d(gl, GLEV_MAP1_VERTEX_4, -1.7e308, bad, 4, order, points.data());
       glevMap2d(gl, GLEV_MAP2_VERTEX_4, bad, 1, 4 * order, order, -1.7e308, bad, 4, order, points.data());
       evaluate();
     }
   }
   expect_error(GLEV_NO_ERROR);
-  glevDisable(gl, GLEV_MAP2_VERTEX_4);
-  bilinear(GLEV_MAP2_VERTEX_3, 0, 1, 10, 11);
-  EXPECT_EQ(evaluate_at(0.5, 0.5).position[0], 5.5f);
+  define({0, 1, 0, 1}, 2, 2, {0, 1, 10, 11});
+  EXPECT_EQ(evaluate_texcoord(0.5, 0.5), 5.5f);
 }
 
 }  // namespace
