@@ -140,47 +140,11 @@ TEST_F(DirectCalls, ResultsThatFlushToZeroWouldLose) {
 #endif
 }
 
-TEST_F(DirectCalls, CurrentValuesInBetween) {
+TEST_F(DirectCalls, HaveNoEffectWithoutAPrimitiveOrAMap) {
   define_line();
-  glevBegin(gl, GLEV_LINE_STRIP);
-  for (int i = 0; i < 4; ++i) {
-    const auto value = static_cast<float>(i);
-    glevColor3f(gl, value, 0, 0);
-    glevEvalCoord1f(gl, value / 4);
-    glevEvalCoord1f(gl, value / 4);
-    glevNormal3f(gl, value, 0, 0);
-    glevMultiTexCoord1f(gl, GLEV_TEXTURE0 + 3, value);
-    glevEvalCoord1f(gl, value / 4);
-  }
+  glevBegin(gl, GLEV_POINTS);
+  for (int i = 0; i < 3; ++i) glevEvalCoord1f(gl, 0.5F);
   glevEnd(gl);
-  ASSERT_EQ(recording.vertices.size(), 12u);
-  for (int i = 0; i < 12; ++i) {
-    const glev_vertex& vertex = recording.vertices[static_cast<std::size_t>(i)];
-    const auto third = i / 3;
-    const auto value = static_cast<float>(third);
-    const float late = i % 3 == 2 ? value : value - 1;
-    EXPECT_EQ(vertex.color[0], value) << i;
-    if (late >= 0) {
-      EXPECT_EQ(vertex.normal[0], late) << i;
-      EXPECT_EQ(vertex.texcoord[3][0], late) << i;
-    }
-    EXPECT_EQ(vertex.position[0], 1 + value / 2) << i;
-    EXPECT_EQ(vertex.position[3], 1) << i;
-  }
-}
-
-TEST_F(DirectCalls, AMapThatIsDefinedInBetween) {
-  define_line();
-  for (const float x : {1.0F, 5.0F, 7.0F}) {
-    const float points[][3] = {{x, 0, 0}, {x, 1, 0}};
-    glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 2, &points[0][0]);
-    recording = {};
-    glevBegin(gl, GLEV_POINTS);
-    for (int i = 0; i < 3; ++i) glevEvalCoord1f(gl, 0.5F);
-    glevEnd(gl);
-    for (const glev_vertex& vertex : recording.vertices) EXPECT_EQ(vertex.position[0], x);
-  }
-  // Calls have no effect outside Begin/End and after the map was disabled.
   glevEvalCoord1f(gl, 0.5F);
   glevDisable(gl, GLEV_MAP1_VERTEX_3);
   glevBegin(gl, GLEV_POINTS);

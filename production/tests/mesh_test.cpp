@@ -1,10 +1,9 @@
-// Tests grids, EvalPoint and EvalMesh.
+// Tests EvalPoint and EvalMesh: the calls of the sink, exact arguments, extreme indices, and callbacks. The
+// conformance suite tests the rules of the GL (suites/meshes.cpp, suites/mesh_errors.cpp, suites/points.cpp).
 #include <climits>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <limits>
-#include <numeric>
 
 #include "fixture.h"
 
@@ -16,88 +15,6 @@ constexpr glev_enum kMeshModes[] = {GLEV_POINT, GLEV_LINE, GLEV_FILL};
 bool same_bits(const glev_vertex& a, const glev_vertex& b) {
   return std::memcmp(&a, &b, offsetof(glev_vertex, edge_flag) + 1) == 0;
 }
-
-// ---- Grids
-
-class Grids : public ContextTest {
- protected:
-  std::vector<double> get_doubles(glev_enum name, std::size_t count) {
-    std::vector<double> values(count + 1, -77);
-    glevGetDoublev(gl, name, values.data());
-    EXPECT_EQ(values.back(), -77);
-    values.pop_back();
-    return values;
-  }
-};
-
-TEST_F(Grids, AreSetAndRead) {
-  expect_accepted([&] { glevMapGrid1f(gl, 7, 0.1f, -3); });
-  EXPECT_EQ(get_doubles(GLEV_MAP1_GRID_SEGMENTS, 1), (std::vector<double>{7}));
-  EXPECT_EQ(get_doubles(GLEV_MAP1_GRID_DOMAIN, 2), (std::vector<double>{0.1f, -3}));
-  EXPECT_EQ(get_doubles(GLEV_MAP2_GRID_SEGMENTS, 2), (std::vector<double>{1, 1}));
-  EXPECT_EQ(get_doubles(GLEV_MAP2_GRID_DOMAIN, 4), (std::vector<double>{0, 1, 0, 1}));
-  expect_accepted([&] { glevMapGrid1d(gl, INT_MAX, 0.1, 1.0 / 3); });
-  EXPECT_EQ(get_doubles(GLEV_MAP1_GRID_SEGMENTS, 1), (std::vector<double>{INT_MAX}));
-  EXPECT_EQ(get_doubles(GLEV_MAP1_GRID_DOMAIN, 2), (std::vector<double>{0.1, 1.0 / 3})) << "not rounded";
-  expect_accepted([&] { glevMapGrid2f(gl, 3, 0.1f, 2, 4, 5, 6); });
-  EXPECT_EQ(get_doubles(GLEV_MAP2_GRID_SEGMENTS, 2), (std::vector<double>{3, 4}));
-  EXPECT_EQ(get_doubles(GLEV_MAP2_GRID_DOMAIN, 4), (std::vector<double>{0.1f, 2, 5, 6}));
-  expect_accepted([&] { glevMapGrid2d(gl, 5, 0.1, 0.2, 6, 0.3, 0.4); });
-  EXPECT_EQ(get_doubles(GLEV_MAP2_GRID_SEGMENTS, 2), (std::vector<double>{5, 6}));
-  EXPECT_EQ(get_doubles(GLEV_MAP2_GRID_DOMAIN, 4), (std::vector<double>{0.1, 0.2, 0.3, 0.4}));
-  EXPECT_EQ(get_doubles(GLEV_MAP1_GRID_SEGMENTS, 1), (std::vector<double>{INT_MAX}));
-}
-
-TEST_F(Grids, AreConvertedToTheTypeOfTheQuery) {
-  glevMapGrid2d(gl, 3, 1.6, -2.5, 4, 1e20, 0);
-  int integers[4];
-  glevGetIntegerv(gl, GLEV_MAP2_GRID_DOMAIN, integers);
-  EXPECT_EQ(std::vector<int>(integers, integers + 4), (std::vector<int>{2, -3, INT_MAX, 0}));
-  float floats[4];
-  glevGetFloatv(gl, GLEV_MAP2_GRID_DOMAIN, floats);
-  EXPECT_EQ(values_of(floats), (Floats{1.6f, -2.5f, 1e20f, 0}));
-  glev_boolean booleans[4];
-  glevGetBooleanv(gl, GLEV_MAP2_GRID_DOMAIN, booleans);
-  EXPECT_EQ(std::vector<int>(booleans, booleans + 4), (std::vector<int>{1, 1, 1, 0}));
-  glevGetIntegerv(gl, GLEV_MAP2_GRID_SEGMENTS, integers);
-  EXPECT_EQ(integers[0], 3);
-  EXPECT_EQ(integers[1], 4);
-  glevMapGrid1d(gl, 9, -1.6, 0.25);
-  glevGetIntegerv(gl, GLEV_MAP1_GRID_DOMAIN, integers);
-  EXPECT_EQ(integers[0], -2);
-  EXPECT_EQ(integers[1], 0);
-  glevGetFloatv(gl, GLEV_MAP1_GRID_SEGMENTS, floats);
-  EXPECT_EQ(floats[0], 9);
-}
-
-TEST_F(Grids, NumbersOfSegmentsMustBePositive) {
-  for (int n : {0, -1, INT_MIN}) {
-    expect_rejected(GLEV_INVALID_VALUE, [&] { glevMapGrid1f(gl, n, 2, 3); });
-    expect_rejected(GLEV_INVALID_VALUE, [&] { glevMapGrid1d(gl, n, 2, 3); });
-    expect_rejected(GLEV_INVALID_VALUE, [&] { glevMapGrid2f(gl, n, 2, 3, 5, 2, 3); });
-    expect_rejected(GLEV_INVALID_VALUE, [&] { glevMapGrid2d(gl, n, 2, 3, 5, 2, 3); });
-    expect_rejected(GLEV_INVALID_VALUE, [&] { glevMapGrid2f(gl, 5, 2, 3, n, 2, 3); });
-    expect_rejected(GLEV_INVALID_VALUE, [&] { glevMapGrid2d(gl, 5, 2, 3, n, 2, 3); });
-    expect_rejected_in_primitive(GLEV_INVALID_VALUE, [&] { glevMapGrid1f(gl, n, 2, 3); });
-  }
-}
-
-TEST_F(Grids, NotBetweenBeginAndEnd) {
-  expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevMapGrid1f(gl, 2, 2, 3); });
-  expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevMapGrid1d(gl, 2, 2, 3); });
-  expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevMapGrid2f(gl, 2, 2, 3, 4, 2, 3); });
-  expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevMapGrid2d(gl, 2, 2, 3, 4, 2, 3); });
-}
-
-TEST_F(Grids, EqualEndsAndAnyActiveTextureAreLegal) {
-  glevActiveTexture(gl, GLEV_TEXTURE0 + 1);
-  expect_accepted([&] { glevMapGrid1f(gl, 3, 5, 5); });
-  expect_accepted([&] { glevMapGrid2f(gl, 3, 5, 5, 4, 6, 6); });
-  EXPECT_EQ(get_doubles(GLEV_MAP1_GRID_DOMAIN, 2), (std::vector<double>{5, 5}));
-  EXPECT_EQ(get_doubles(GLEV_MAP2_GRID_DOMAIN, 4), (std::vector<double>{5, 5, 6, 6}));
-}
-
-// ---- Points and meshes: random maps of all attributes, on a grid that is not their domain
 
 // A primitive of a mesh, drawn by EvalPoint with the loops of GL §21.1.
 struct Primitive {
@@ -133,6 +50,7 @@ std::vector<Primitive> loops(glev_enum mode, int i1, int i2, int j1, int j2) {
   return result;
 }
 
+// Random maps of all attributes, on a grid that is not their domain.
 class Meshes : public ContextTest {
  protected:
   Meshes() {
@@ -167,21 +85,6 @@ class Meshes : public ContextTest {
 
   std::array<float, 400> points_;
 };
-
-TEST_F(Meshes, Mesh1DrawsItsPointsInOnePrimitive) {
-  for (auto [mode, primitive] : {std::pair{GLEV_POINT, GLEV_POINTS}, {GLEV_LINE, GLEV_LINE_STRIP}}) {
-    for (auto [i1, i2] : {std::pair{0, 7}, {2, 5}, {-3, 11}, {4, 4}, {5, 4}, {INT_MAX, INT_MIN}}) {
-      mesh1(mode, i1, i2);
-      EXPECT_EQ(recording.begun, (std::vector<glev_enum>{static_cast<glev_enum>(primitive)}));
-      EXPECT_EQ(recording.ended, 1);
-      const std::vector<glev_vertex> drawn = recording.vertices;
-      ASSERT_EQ(drawn.size(), i1 > i2 ? 0u : static_cast<std::size_t>(i2 - i1 + 1));
-      for (std::size_t k = 0; k < drawn.size(); ++k) {
-        EXPECT_TRUE(same_bits(drawn[k], point_at(i1 + static_cast<int>(k)))) << i1 << "+" << k;
-      }
-    }
-  }
-}
 
 TEST_F(Meshes, Mesh2FollowsTheLoopsWithTheVerticesOfEvalPoint) {
   for (bool automatic : {false, true}) {
@@ -231,35 +134,28 @@ TEST_F(Meshes, VerticesAreInTheirPrimitives) {
       [](void* user, const glev_vertex*) { static_cast<std::vector<int>*>(user)->push_back(1); },
       [](void* user) { static_cast<std::vector<int>*>(user)->push_back(-1); }};
   glevSetSink(gl, &sink);
+  const auto expect_events = [&](const std::vector<int>& expected) {
+    EXPECT_EQ(events, expected);
+    events.clear();
+  };
+  glevEvalMesh2(gl, GLEV_POINT, 0, 1, 0, 1);
+  expect_events({100, 1, 1, 1, 1, -1});
   glevEvalMesh2(gl, GLEV_FILL, 0, 1, 0, 2);
-  EXPECT_EQ(events, (std::vector<int>{108, 1, 1, 1, 1, -1, 108, 1, 1, 1, 1, -1}));
-  events.clear();
+  expect_events({108, 1, 1, 1, 1, -1, 108, 1, 1, 1, 1, -1});
   glevEvalMesh2(gl, GLEV_LINE, 0, 1, 0, 2);
-  EXPECT_EQ(events, (std::vector<int>{103, 1, 1, -1, 103, 1,   1, -1, 103, 1, 1, -1,  //
-                                      103, 1, 1, 1,  -1,  103, 1, 1,  1,   -1}));
+  expect_events({103, 1, 1, -1, 103, 1,   1, -1, 103, 1, 1, -1,  //
+                 103, 1, 1, 1,  -1,  103, 1, 1,  1,   -1});
+  glevEvalMesh1(gl, GLEV_LINE, 0, 2);
+  expect_events({103, 1, 1, 1, -1});
+  for (auto [i1, i2] : {std::pair{5, 4}, {INT_MAX, INT_MIN}}) {
+    glevEvalMesh1(gl, GLEV_POINT, i1, i2);
+    glevEvalMesh1(gl, GLEV_LINE, i1, i2);
+    expect_events({100, -1, 103, -1});
+  }
   expect_error(GLEV_NO_ERROR);
 }
 
 TEST_F(Meshes, TheEndsOfTheGridAreExact) {
-  // The maps are so narrow that one rounding of the argument changes the result.
-  const float ramp[] = {0, 0, 0, 1, 1, 1};
-  for (int n = 1; n <= 300; ++n) {
-    for (auto [u1, u2] : {std::pair{0.1f, 0.7f}, {1.0f / 3, -5.1f}, {1000.1f, 1e-3f}}) {
-      glevMapGrid1f(gl, n, u1, u2);
-      glevMapGrid2f(gl, n, u1, u2, n, u2, u1);
-      for (auto [index, u] : {std::pair{0, u1}, {n, u2}}) {
-        glevMap1f(gl, GLEV_MAP1_VERTEX_3, u, std::nextafter(u, 2e3f), 3, 2, ramp);
-        ASSERT_EQ(point_at(index).position[0], 0) << n << " " << u;
-        glevMap2f(gl, GLEV_MAP2_VERTEX_3, u, std::nextafter(u, 2e3f), 3, 2, 0, 1, 3, 1, ramp);
-        ASSERT_EQ(point_at(index, 0).position[0], 0) << n << " " << u;
-        glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 3, 1, u, std::nextafter(u, 2e3f), 3, 2, ramp);
-        ASSERT_EQ(point_at(0, n - index).position[0], 0) << n << " " << u;
-      }
-    }
-  }
-}
-
-TEST_F(Meshes, TheEndsOfTheGridAreExactInDouble) {
   // With rounding, u1 + n * (u2 - u1) / n would differ from many of these ends.
   const double ramp[] = {0, 0, 0, 1, 1, 1};
   for (int n = 1; n <= 20; ++n) {
@@ -298,17 +194,6 @@ TEST_F(Meshes, PointsInBetweenAreNotRoundedOrAccumulated) {
   }
 }
 
-TEST_F(Meshes, AGridOfEqualEndsIsOnePoint) {
-  glevMapGrid1f(gl, 7, 0.37f, 0.37f);
-  glevMapGrid2f(gl, 7, 0.37f, 0.37f, 11, 0.61f, 0.61f);
-  const glev_vertex one = one_vertex([&] { glevEvalCoord1f(gl, 0.37f); });
-  const glev_vertex two = one_vertex([&] { glevEvalCoord2f(gl, 0.37f, 0.61f); });
-  for (int i : {-3, 0, 1, 2, 3, 4, 5, 6, 7, 100}) {
-    EXPECT_TRUE(same_bits(point_at(i), one)) << i;
-    EXPECT_TRUE(same_bits(point_at(i, i + 1), two)) << i;
-  }
-}
-
 TEST_F(Meshes, IndicesAtTheEndsOfInt) {
   glevMapGrid1f(gl, INT_MAX, 0, 1);
   glevMapGrid2f(gl, 1, 0, 1, 1, 0, 1);
@@ -327,94 +212,15 @@ TEST_F(Meshes, IndicesAtTheEndsOfInt) {
     mesh2(mode, INT_MIN, INT_MIN + 1, INT_MIN, INT_MIN + 1);
     EXPECT_EQ(recording.vertices.size(), mode == GLEV_LINE ? 8u : 4u);
   }
-}
-
-TEST_F(Meshes, OtherModesAreRefusedFirst) {
-  for (bool vertex_map : {true, false}) {
-    for (const TargetRow& row : target_rows()) {
-      if (vertex_map) break;
-      glevDisable(gl, GLEV_MAP1_COLOR_4 + row.offset);
-      glevDisable(gl, GLEV_MAP2_COLOR_4 + row.offset);
-    }
-    for (glev_enum mode : {0, 1, 3, 7, 8, 0x1AFF, 0x1B03, GLEV_FILL}) {
-      expect_rejected(GLEV_INVALID_ENUM, [&] { glevEvalMesh1(gl, mode, 0, 1); });
-      expect_rejected(GLEV_INVALID_ENUM, [&] { glevEvalMesh1(gl, mode, 1, 0); });
-      expect_rejected_in_primitive(GLEV_INVALID_ENUM, [&] { glevEvalMesh1(gl, mode, 0, 1); });
-      if (mode == GLEV_FILL) continue;
-      expect_rejected(GLEV_INVALID_ENUM, [&] { glevEvalMesh2(gl, mode, 0, 1, 0, 1); });
-      expect_rejected(GLEV_INVALID_ENUM, [&] { glevEvalMesh2(gl, mode, 1, 0, 0, 1); });
-      expect_rejected_in_primitive(GLEV_INVALID_ENUM, [&] { glevEvalMesh2(gl, mode, 0, 1, 0, 1); });
-    }
-  }
-  EXPECT_EQ(recording.begun.size(), 2 * (8u + 7u)) << "those of the test itself";
-}
-
-TEST_F(Meshes, NotBetweenBeginAndEnd) {
-  for (glev_enum mode : kMeshModes) {
-    expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevEvalMesh2(gl, mode, 0, 1, 0, 1); });
-    if (mode != GLEV_FILL)
-      expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevEvalMesh1(gl, mode, 0, 1); });
-  }
-  EXPECT_EQ(recording.begun.size(), 5u);
-  EXPECT_EQ(recording.ended, 5) << "the open primitive is not disturbed";
-}
-
-TEST_F(Meshes, WithoutAVertexMapOfTheDimensionNothingHappens) {
-  glevDisable(gl, GLEV_MAP2_VERTEX_3);
-  glevEnable(gl, GLEV_AUTO_NORMAL);
-  for (glev_enum mode : kMeshModes) {
-    mesh2(mode, INT_MIN, INT_MAX, INT_MIN, INT_MAX);
-    EXPECT_TRUE(recording.begun.empty() && recording.vertices.empty() && recording.ended == 0);
-  }
-  glevBegin(gl, GLEV_POINTS);
-  glevEvalPoint2(gl, 1, 1);
-  glevEvalCoord2f(gl, 0.37f, 0);
-  glevEnd(gl);
-  EXPECT_TRUE(recording.vertices.empty());
-  mesh1(GLEV_LINE, 0, 3);
-  EXPECT_EQ(recording.vertices.size(), 4u);
+  // Without a vertex map no primitive begins, which does not take as long as all points.
   glevDisable(gl, GLEV_MAP1_VERTEX_3);
-  glevEnable(gl, GLEV_MAP2_VERTEX_3);
+  glevDisable(gl, GLEV_MAP2_VERTEX_3);
   mesh1(GLEV_LINE, INT_MIN, INT_MAX);
   EXPECT_TRUE(recording.begun.empty());
-  mesh2(GLEV_POINT, 0, 1, 0, 2);
-  EXPECT_EQ(recording.vertices.size(), 6u);
-}
-
-TEST_F(Meshes, PointsOutsideBeginAndEndAreIgnored) {
-  expect_accepted([&] { glevEvalPoint1(gl, 1); });
-  expect_accepted([&] { glevEvalPoint2(gl, 1, 1); });
-  expect_accepted([&] { glevEvalCoord2f(gl, 1, 1); });
-  EXPECT_TRUE(recording.vertices.empty());
-}
-
-TEST_F(Meshes, StateIsLeftAlone) {
-  glevEnable(gl, GLEV_AUTO_NORMAL);
-  glevColor4f(gl, 0.1f, 0.2f, 0.3f, 0.4f);
-  glevNormal3f(gl, 5, 6, 7);
-  glevTexCoord4f(gl, 5, 6, 7, 8);
-  const std::vector<double> before = query_state();
-  for (glev_enum mode : kMeshModes) mesh2(mode, -1, 6, -1, 4);
-  mesh1(GLEV_LINE, -1, 8);
-  EXPECT_EQ(query_state(), before);
-}
-
-TEST_F(Meshes, TheGridInForceCounts) {
-  const glev_vertex before = point_at(1, 1), before1 = point_at(1);
-  glevMapGrid2f(gl, 5, 0.1f, 1.6f, 3, -0.9f, 2.2f);
-  const glev_vertex u = point_at(1, 1);
-  glevMapGrid2f(gl, 5, 0.1f, 1.6f, 3, -0.9f, 2.1f);
-  const glev_vertex v = point_at(1, 1);
-  EXPECT_NE(before.position[0], u.position[0]);
-  EXPECT_NE(v.position[0], u.position[0]);
-  EXPECT_TRUE(same_bits(point_at(1), before1));
-  glevMapGrid1f(gl, 7, 0.1f, 0.8f);
-  EXPECT_NE(point_at(1).position[0], before1.position[0]);
-  mesh1(GLEV_POINT, 1, 1);
-  const glev_vertex drawn = recording.vertices.at(0);
-  EXPECT_TRUE(same_bits(drawn, point_at(1)));
-  mesh2(GLEV_POINT, 1, 1, 1, 1);
-  EXPECT_TRUE(same_bits(recording.vertices.at(0), v));
+  for (glev_enum mode : kMeshModes) {
+    mesh2(mode, INT_MIN, INT_MAX, INT_MIN, INT_MAX);
+    EXPECT_TRUE(recording.begun.empty());
+  }
 }
 
 // ---- A sink that calls back
@@ -515,17 +321,6 @@ TEST_F(Meshes, WithoutASinkNothingBreaks) {
   glevSetSink(gl, nullptr);
   for (glev_enum mode : kMeshModes) expect_accepted([&] { glevEvalMesh2(gl, mode, 0, 2, 0, 2); });
   expect_accepted([&] { glevEvalMesh1(gl, GLEV_LINE, 0, 2); });
-}
-
-TEST_F(Meshes, NotANumberDoesNoHarm) {
-  constexpr double kInf = std::numeric_limits<double>::infinity();
-  for (double bad : {kInf, -kInf, std::nan(""), 1.7e308}) {
-    glevMapGrid1d(gl, 3, 0, bad);
-    mesh1(GLEV_LINE, -1, 4);
-    EXPECT_EQ(recording.vertices.size(), 6u);
-    glevMapGrid2d(gl, 3, bad, -1.7e308, 3, bad, bad);
-    for (glev_enum mode : kMeshModes) mesh2(mode, 0, 3, 0, 3);
-  }
 }
 
 }  // namespace
