@@ -1,5 +1,6 @@
 // Tests every command that display lists can contain, in every form: the list and the direct call have the
-// same effects and errors.
+// same effects and errors. The conformance suite tests the errors of evaluator commands in lists
+// (suites/display_list_errors.cpp).
 #include <algorithm>
 #include <string_view>
 
@@ -207,36 +208,11 @@ TEST_F(EveryCommand, NullPointersAreErrorsOfTheList) {
   expect_accepted([&] { glevCallList(gl, 1); });
 }
 
-// ---- Errors
-
 TEST_F(EveryCommand, ErrorsComeWhenTheListIsCalledAndDoNotEndIt) {
-  const float* f = numbers<float>();
-  const double* d = numbers<double>();
   const unsigned char names[] = {90};
   const std::pair<glev_enum, Command> rows[] = {
-      {GLEV_INVALID_ENUM, [=](glev_context* c) { glevMap1f(c, GLEV_MAP2_VERTEX_3, 0, 1, 3, 2, f); }},
-      {GLEV_INVALID_ENUM, [=](glev_context* c) { glevMap1d(c, GLEV_AUTO_NORMAL, 0, 1, 3, 2, d); }},
-      {GLEV_INVALID_VALUE, [=](glev_context* c) { glevMap1f(c, GLEV_MAP1_VERTEX_3, 0, 1, 2, 2, f); }},
-      {GLEV_INVALID_VALUE, [=](glev_context* c) { glevMap1f(c, GLEV_MAP1_VERTEX_3, 0, 1, -3, 2, f); }},
-      {GLEV_INVALID_VALUE, [=](glev_context* c) { glevMap1f(c, GLEV_MAP1_VERTEX_3, 0, 1, 3, 0, f); }},
-      {GLEV_INVALID_VALUE, [=](glev_context* c) { glevMap1d(c, GLEV_MAP1_INDEX, 0, 1, 1, 65, d); }},
-      {GLEV_INVALID_VALUE, [=](glev_context* c) { glevMap1f(c, GLEV_MAP1_VERTEX_3, 2, 2, 3, 2, f); }},
-      {GLEV_INVALID_ENUM,
-       [=](glev_context* c) { glevMap2f(c, GLEV_MAP1_VERTEX_3, 0, 1, 3, 2, 0, 1, 6, 2, f); }},
-      {GLEV_INVALID_VALUE,
-       [=](glev_context* c) { glevMap2f(c, GLEV_MAP2_VERTEX_3, 0, 1, 2, 2, 0, 1, 6, 2, f); }},
-      {GLEV_INVALID_VALUE,
-       [=](glev_context* c) { glevMap2f(c, GLEV_MAP2_VERTEX_3, 0, 1, 3, 2, 0, 1, 2, 2, f); }},
-      {GLEV_INVALID_VALUE,
-       [=](glev_context* c) { glevMap2d(c, GLEV_MAP2_VERTEX_3, 0, 1, 3, 2, 0, 1, 6, 65, d); }},
-      {GLEV_INVALID_VALUE,
-       [=](glev_context* c) { glevMap2f(c, GLEV_MAP2_VERTEX_3, 0, 1, 3, 2, 1, 1, 6, 2, f); }},
       {GLEV_INVALID_ENUM, [](glev_context* c) { glevEnable(c, 0); }},
       {GLEV_INVALID_ENUM, [](glev_context* c) { glevDisable(c, 0); }},
-      {GLEV_INVALID_VALUE, [](glev_context* c) { glevMapGrid1f(c, 0, 0, 1); }},
-      {GLEV_INVALID_VALUE, [](glev_context* c) { glevMapGrid2d(c, 1, 0, 1, -1, 0, 1); }},
-      {GLEV_INVALID_ENUM, [](glev_context* c) { glevEvalMesh1(c, GLEV_FILL, 0, 1); }},
-      {GLEV_INVALID_ENUM, [](glev_context* c) { glevEvalMesh2(c, 0, 0, 1, 0, 1); }},
       {GLEV_INVALID_ENUM, [](glev_context* c) { glevBegin(c, 99); }},
       {GLEV_INVALID_OPERATION, [](glev_context* c) { glevEnd(c); }},
       {GLEV_INVALID_ENUM, [](glev_context* c) { glevMultiTexCoord1f(c, GLEV_TEXTURE0 + 8, 0); }},

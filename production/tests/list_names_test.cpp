@@ -98,21 +98,6 @@ TEST_F(ListNames, TheNameOfTheOpenListIsNotGivenAway) {
   }
 }
 
-TEST_F(ListNames, DeletedListsAreGone) {
-  for (glev_uint name = 10; name < 20; ++name) define(name, static_cast<float>(name));
-  glevDeleteLists(gl, 12, 3);
-  for (glev_uint name = 8; name < 22; ++name) {
-    const bool there = name >= 10 && name < 20 && (name < 12 || name > 14);
-    EXPECT_EQ(is_list(name), there);
-    EXPECT_EQ(index_of(name), there ? static_cast<float>(name) : -1);
-  }
-  glevDeleteLists(gl, 15, 0);
-  EXPECT_TRUE(is_list(15));
-  define(13, 7);
-  EXPECT_EQ(index_of(13), 7);
-  expect_error(GLEV_NO_ERROR);
-}
-
 TEST_F(ListNames, NegativeRangesAreRefused) {
   define(1, 1);
   expect_rejected(GLEV_INVALID_VALUE, [&] { EXPECT_EQ(glevGenLists(gl, -1), 0u); });
