@@ -186,7 +186,7 @@ class Chance {
 // Defines maps of all four attributes in both dimensions, each with its own orders and domain.
 inline void define_maps(glev_context* gl, Chance& chance, int most_order) {
   const auto end = [&](float near) { return near + chance.between(-0.25f, 0.25f); };
-  for (const TargetRow& row : target_rows()) {
+  for (const TargetRow& row : kTargetRows) {
     if (row.offset == GLEV_MAP1_INDEX - GLEV_MAP1_COLOR_4) continue;
     const int n = chance.whole(1, most_order), m = chance.whole(1, most_order);
     const bool reversed = chance.whole(0, 3) == 0;

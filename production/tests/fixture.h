@@ -17,30 +17,13 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr unsigned kSeed = 20240117;  // seed of random data
 
-// The nine kinds of maps, by offset from COLOR_4, with the number of values of a control point and the
-// initial point.
+// The nine kinds of maps, by offset from COLOR_4, with the number of values of a control point.
 struct TargetRow {
   glev_enum offset;
   int components;
-  std::vector<double> initial;
 };
-
-inline const std::vector<TargetRow>& target_rows() {
-  static const std::vector<TargetRow> kRows = {{0, 4, {1, 1, 1, 1}}, {1, 1, {1}},       {2, 3, {0, 0, 1}},
-                                               {3, 1, {0}},          {4, 2, {0, 0}},    {5, 3, {0, 0, 0}},
-                                               {6, 4, {0, 0, 0, 1}}, {7, 3, {0, 0, 0}}, {8, 4, {0, 0, 0, 1}}};
-  return kRows;
-}
-
-inline std::vector<glev_enum> capabilities() {
-  std::vector<glev_enum> names;
-  for (const TargetRow& row : target_rows()) {
-    names.push_back(GLEV_MAP1_COLOR_4 + row.offset);
-    names.push_back(GLEV_MAP2_COLOR_4 + row.offset);
-  }
-  names.push_back(GLEV_AUTO_NORMAL);
-  return names;
-}
+inline constexpr TargetRow kTargetRows[] = {{0, 4}, {1, 1}, {2, 3}, {3, 1}, {4, 2},
+                                            {5, 3}, {6, 4}, {7, 3}, {8, 4}};
 
 struct Recording {
   std::vector<glev_enum> begun;
@@ -72,9 +55,10 @@ class ContextTest : public ::testing::Test {
     const auto add = [&](std::size_t count) {
       state.insert(state.end(), values.begin(), values.begin() + count);
     };
-    for (const TargetRow& row : target_rows()) {
+    for (const TargetRow& row : kTargetRows) {
       for (int dimension : {1, 2}) {
         const glev_enum target = (dimension == 1 ? GLEV_MAP1_COLOR_4 : GLEV_MAP2_COLOR_4) + row.offset;
+        state.push_back(glevIsEnabled(gl, target));
         glevGetMapdv(gl, target, GLEV_ORDER, values.data());
         const auto points = static_cast<std::size_t>(dimension == 1 ? values[0] : values[0] * values[1]);
         add(dimension);
@@ -84,7 +68,7 @@ class ContextTest : public ::testing::Test {
         add(points * row.components);
       }
     }
-    for (glev_enum cap : capabilities()) state.push_back(glevIsEnabled(gl, cap));
+    state.push_back(glevIsEnabled(gl, GLEV_AUTO_NORMAL));
     const std::pair<glev_enum, std::size_t> names[] = {
         {GLEV_LIST_BASE, 1},        {GLEV_LIST_INDEX, 1},
         {GLEV_LIST_MODE, 1},        {GLEV_ATTRIB_STACK_DEPTH, 1},

@@ -26,7 +26,7 @@ std::vector<std::uint64_t> everything_of(const char* target, unsigned seed, int 
   const auto order = [&] { return chance.whole(least_order, most_order); };
   for (glev_enum target_of : {GLEV_MAP1_COLOR_4, GLEV_MAP1_NORMAL, GLEV_MAP1_TEXTURE_COORD_1,
                               GLEV_MAP1_TEXTURE_COORD_2, GLEV_MAP1_VERTEX_3}) {
-    const int components = target_rows()[target_of - GLEV_MAP1_COLOR_4].components;
+    const int components = kTargetRows[target_of - GLEV_MAP1_COLOR_4].components;
     const glev_enum second = target_of - GLEV_MAP1_COLOR_4 + GLEV_MAP2_COLOR_4;
     const float u1 = chance.one_of({0.0F, 0.0F, -0.3F, 1.0F}), u2 = u1 + chance.one_of({1.0F, 0.7F});
     const int n = order(), m = order();

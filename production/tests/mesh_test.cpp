@@ -56,7 +56,7 @@ class Meshes : public ContextTest {
   Meshes() {
     for (std::size_t i = 0; i < points_.size(); ++i)
       points_[i] = static_cast<float>(std::sin(1.7 * static_cast<double>(i)) + 0.1);
-    for (const TargetRow& row : target_rows()) {
+    for (const TargetRow& row : kTargetRows) {
       if (row.offset == GLEV_MAP1_VERTEX_4 - GLEV_MAP1_COLOR_4) continue;
       const glev_enum one = GLEV_MAP1_COLOR_4 + row.offset, two = GLEV_MAP2_COLOR_4 + row.offset;
       const float* points = points_.data() + 5 * row.offset;

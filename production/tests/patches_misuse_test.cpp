@@ -439,7 +439,7 @@ class PlanFromMap : public ::testing::Test {
 };
 
 TEST_F(PlanFromMap, GivesWhatThePlanOfAContextGives) {
-  for (const TargetRow& row : target_rows()) {
+  for (const TargetRow& row : kTargetRows) {
     if (row.offset == GLEV_MAP1_INDEX - GLEV_MAP1_COLOR_4) continue;
     for (int dimension : {1, 2}) {
       const int rows = dimension == 2 ? kOrder : 1;

@@ -55,7 +55,7 @@ TEST_F(PlanTest, KnowsWhatItEvaluates) {
   EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_NORMAL), 0u);
   EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_TEXCOORD), 0u);
   glevReleasePlan(plan);
-  for (const TargetRow& row : target_rows()) glevEnable(gl, GLEV_MAP1_COLOR_4 + row.offset);
+  for (const TargetRow& row : kTargetRows) glevEnable(gl, GLEV_MAP1_COLOR_4 + row.offset);
   glevDisable(gl, GLEV_MAP1_TEXTURE_COORD_4);
   plan = create();
   EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_VERTEX), 4u);
@@ -188,13 +188,13 @@ class MemoryTest : public PlanTest {
 };
 
 TEST_F(MemoryTest, EverythingComesFromTheAllocatorAndGoesBack) {
-  for (const TargetRow& row : target_rows()) {
+  for (const TargetRow& row : kTargetRows) {
     for (int order : {1, 9, 3, 48}) glevMap1f(gl, GLEV_MAP1_COLOR_4 + row.offset, 0, 1, 4, order, points_);
     glevEnable(gl, GLEV_MAP1_COLOR_4 + row.offset);
     one_vertex([&] { glevVertex3f(gl, 0, 0, 0); });
   }
   glevEnable(gl, GLEV_AUTO_NORMAL);
-  for (const TargetRow& row : target_rows()) {
+  for (const TargetRow& row : kTargetRows) {
     for (auto [n, m] : {std::pair{1, 1}, {3, 4}, {2, 2}, {1, 16}, {16, 1}}) {
       glevMap2f(gl, GLEV_MAP2_COLOR_4 + row.offset, 0, 1, 4 * m, n, 0, 1, 4, m, points_);
       glevEnable(gl, GLEV_MAP2_COLOR_4 + row.offset);
