@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
-#include <utility>
 
 namespace evalcts {
 
@@ -35,20 +33,6 @@ void prepare(gl::Case& c, Prepared prepared, bool odd_enabled) {
   c.MapGrid1f(7, -1.5f, 2.25f);
   c.MapGrid2f(5, 0.5f, -3, 9, 2, 6.5f);
   c.GetError();  // these calls are legal; other tests find errors that they raise
-}
-
-void expect_error_of_query(Test& t, CheckedTrace& checked, gl::Ref error, const Calls& other) {
-  if (checked.trace().error(error) == GL_NO_ERROR) {
-    gl::Case c(gl::control("another query between Begin and End"));
-    c.Begin(GL_POINTS);
-    c.Vertex3f(0, 0, 0);
-    other(c);
-    c.End();
-    const gl::Ref of_other = c.GetError();
-    if (t.play(c).trace().error(of_other) == GL_NO_ERROR)
-      throw NotObservable("queries of other state raise no error between Begin and End, either");
-  }
-  checked.expect_error(error, {GL_INVALID_OPERATION});
 }
 
 void expect_rounded(Test& t, CheckedTrace& checked, gl::Ref query, const std::vector<GLint>& expected) {
@@ -107,36 +91,6 @@ std::vector<NamedCalls> forbidden_in_primitives() {
   return all;
 }
 
-// Runs the script with Enable(CULL_FACE) in place of the evaluators' commands between Begin and End. Throws
-// NotObservable if this takes effect or raises no error: the library has then lost the Begin, for example in
-// a display list, or raises no errors at all.
-void require_that_others_are_rejected(Test& t, const gl::Case& script) {
-  if (t.gl().declaration) return;  // a sink has no other state
-  gl::Case c(gl::control("Enable(CULL_FACE) between Begin and End"));
-  std::vector<gl::Ref> errors;
-  bool inside = false, replaced = false;
-  for (const gl::Command& command : script.commands()) {
-    const std::string_view name = gl::name_of(command.entry);
-    if (name == "glBegin" || name == "glEnd") inside = name == "glBegin";
-    if (inside && (name.starts_with("glMap") || name.starts_with("glEvalMesh"))) {
-      c.Enable(GL_CULL_FACE);
-      replaced = true;
-    } else {
-      const gl::Ref added = c.add(command);
-      if (name == "glGetError" && std::exchange(replaced, false)) errors.push_back(added);
-    }
-  }
-  if (errors.empty()) return;
-  const gl::Ref enabled = c.IsEnabled(GL_CULL_FACE);
-  c.GetError();  // an evaluator library has no such capability
-  const CheckedTrace checked = t.play(c);
-  const gl::Trace& trace = checked.trace();
-  const auto is_silent = [&](gl::Ref error) { return trace.error(error) == GL_NO_ERROR; };
-  if (trace.result(enabled) != GL_FALSE || std::ranges::any_of(errors, is_silent))
-    throw NotObservable(
-        "pipeline: Enable(CULL_FACE) between Begin and End takes effect or raises no error as well");
-}
-
 enum class About { kErrors, kEffects };
 
 // Makes the failures that follow violate the requirements of the test that are about effects of rejected
@@ -168,7 +122,7 @@ void expect_rejected(Test& t, const std::string& identity, const std::vector<Cal
   for (std::size_t i = 0; i < before.size(); ++i)
     rejected =
         rejected && (before[i].index < 0 || after[i].index < 0 || trace.same(before[i], trace, after[i]));
-  if (!rejected) require_that_others_are_rejected(t, c);
+  if (!rejected) t.require_rejections_in_primitives(c, specify(c, t.max_order()));
   decide(t, About::kErrors);
   for (const gl::Ref error : first) checked.expect_error(error, allowed);
   for (const gl::Ref error : second) checked.expect_no_error(error);

@@ -45,11 +45,6 @@ void prepare(gl::Case& c, Prepared prepared, bool odd_enabled);
 void expect_rejected(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,
                      std::initializer_list<GLenum> allowed, Prepared prepared = Prepared::kEverything);
 
-// Expects INVALID_OPERATION of a query between Begin and End; `error` is the GetError after it. If it raised
-// no error, `other`, a query of state other than the evaluators', runs in its place. Throws NotObservable if
-// `other` raises none either: then the fault lies in the queries of the library in general.
-void expect_error_of_query(Test& t, CheckedTrace& checked, gl::Ref error, const Calls& other);
-
 // Expects these values of a GetIntegerv of floating-point state. Throws NotObservable if GetIntegerv rounds
 // FOG_START wrongly as well.
 void expect_rounded(Test& t, CheckedTrace& checked, gl::Ref query, const std::vector<GLint>& expected);

@@ -29,19 +29,20 @@ constexpr std::uint64_t kFreshEvery = 16;  // every 16th program has its own con
 
 }  // namespace
 
-Judged judge_program(const Subject& subject, const gl::Case& program, const Specified& specified, Look look) {
+Judged judge_program(const Subject& subject, const gl::Case& program, const Specified& specified,
+                     Outcomes outcomes) {
   TestRecord record;
   // The name determines if other captures check the first one (Schedule::is_cross_checked), which repetitions
   // do not need.
-  record.name = look == Look::kAll ? program.identity() : "a smaller version";
+  record.name = outcomes == Outcomes::kAll ? program.identity() : "a smaller version";
   Test test(subject, record);
-  test.run([&](Test& t) { expect_as_specified(t, program, specified, look); });
+  test.run([&](Test& t) { t.judge(program, specified, outcomes); });
   if (record.verdict == Verdict::kInternalError)
     throw std::logic_error(fmt::format("{}: {}", program.identity(), record.message));
   const bool passed = record.verdict == Verdict::kPass;
   if (record.verdict != Verdict::kFail) return {{}, passed, passed && record.unobserved.empty()};
   Failure failure = record.failures.front();
-  if (look == Look::kOrder && !failure.what.starts_with("gl") && kind_of(failure.what) != kPrimitives)
+  if (outcomes == Outcomes::kOrder && !failure.what.starts_with("gl") && kind_of(failure.what) != kPrimitives)
     failure.what = kOrder;
   return {Finding{program, failure, cause_of(program, failure.what), requirement_of(program, failure.what)}};
 }

@@ -81,8 +81,10 @@ std::string kind_of(const std::string& what) {
   return kind == "number" ? kPrimitives : kind;
 }
 
-Look look_of(const std::string& kind) {
-  return kind == kOrder ? Look::kOrder : kind.starts_with("gl") ? Look::kAnswers : Look::kVertices;
+Outcomes outcomes_of(const std::string& kind) {
+  return kind == kOrder           ? Outcomes::kOrder
+         : kind.starts_with("gl") ? Outcomes::kAnswers
+                                  : Outcomes::kVertices;
 }
 
 std::set<std::string> words_of(const gl::Case& program) {

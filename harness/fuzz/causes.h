@@ -4,7 +4,6 @@
 #include <set>
 #include <string>
 
-#include <evalcts/fuzz/as_specified.h>
 #include <evalcts/gl/case.h>
 
 namespace evalcts::fuzz {
@@ -15,7 +14,7 @@ inline constexpr char kOrder[] = "order";  // of the points, lines or quads of a
 // the kind kPrimitives.
 std::string kind_of(const std::string& what);
 // Returns the outcomes in which a difference of this kind shows.
-Look look_of(const std::string& kind);
+Outcomes outcomes_of(const std::string& kind);
 
 // Returns the words of the program's commands in a cause, see Finding::cause.
 std::set<std::string> words_of(const gl::Case& program);

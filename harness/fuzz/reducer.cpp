@@ -62,7 +62,7 @@ std::optional<Finding> Reducer::recognise(const gl::Case& program, const Finding
   const auto still = [&](const gl::Case& candidate) {
     std::optional<Finding> found =
         difference_of(candidate, kind, [&](const gl::Case& c, const Specified& specified) {
-          return shared_->judge_aside(c, specified, look_of(kind));
+          return shared_->judge_aside(c, specified, outcomes_of(kind));
         });
     if (found) recognised = *found;
     return found.has_value();
@@ -79,13 +79,13 @@ std::optional<Finding> Reducer::recognise(const gl::Case& program, const Finding
 
 Finding Reducer::explain(gl::Case program, Finding finding, bool careful, bool tried) {
   const std::string kind = kind_of(finding.failure.what);
-  const Look look = look_of(kind);
+  const Outcomes outcomes = outcomes_of(kind);
   std::string wanted = kind;
   bool outside = false;
   const auto still = [&](const gl::Case& candidate) {
     std::optional<Finding> found =
         difference_of(candidate, wanted, [&](const gl::Case& c, const Specified& specified) {
-          return judge_program(subject_, c, specified, look);
+          return judge_program(subject_, c, specified, outcomes);
         });
     if (!found) return false;
     finding = *std::move(found);
@@ -95,7 +95,7 @@ Finding Reducer::explain(gl::Case program, Finding finding, bool careful, bool t
   const auto still_in_shared = [&](const gl::Case& candidate) {
     return difference_of(candidate, wanted,
                          [&](const gl::Case& c, const Specified& specified) {
-                           return shared_->judge(c, specified, look);
+                           return shared_->judge(c, specified, outcomes);
                          })
         .has_value();
   };
@@ -127,7 +127,7 @@ Finding Reducer::explain(gl::Case program, Finding finding, bool careful, bool t
   const std::int64_t size = std::max<std::int64_t>(vertices_of(program) / kMostVertices, 1);
   const bool is_cheap_in_shared = shared_ && size == 1;
   bool known = (is_cheap_in_shared && !tried && is_known(true)) || is_known(false);
-  if (!known && look == Look::kVertices && kind != kPrimitives) {
+  if (!known && outcomes == Outcomes::kVertices && kind != kPrimitives) {
     // If some vertices are lost and others are drawn twice, the difference may show as a wrong attribute,
     // although the cause is a known one of the kind `primitives`.
     wanted = kPrimitives;

@@ -63,16 +63,16 @@ class CaseReducer {
     }
     keeps_to_grids_ = keeps_to_grids(program);
     calls_missing_list_ = calls_missing_list(program);
-    const Look look = look_of(kind_of(failing.what));
+    const Outcomes outcomes = outcomes_of(kind_of(failing.what));
     std::optional<Finding> found;
     is_large_ = vertices_of(program) > kMostVertices;
     case_begin_ = Clock::now();
     if (is_large_) {
-      if (const Finding* const known = known_of_large(program, look)) return {failing.test, *known, ""};
+      if (const Finding* const known = known_of_large(program, outcomes)) return {failing.test, *known, ""};
       program = excerpt_of(program, [&](const gl::Case& part) {
         report_now_and_then();
         if (is_over() || !stays_alike(part)) return false;
-        std::optional<Finding> of_part = difference_of(part, look);
+        std::optional<Finding> of_part = difference_of(part, outcomes);
         if (!of_part) return false;
         found = std::move(of_part);
         return true;
@@ -83,10 +83,10 @@ class CaseReducer {
       const std::optional<Specified> specified = specify_if_defined(program, max_order_);
       if (!specified)
         return not_reduced(failing, "the specification does not define everything that its case does");
-      found = judge_program(subject_, program, *specified, look).finding;
-      if (!found) found = judge_program(subject_, program, *specified, Look::kAll).finding;
+      found = judge_program(subject_, program, *specified, outcomes).finding;
+      if (!found) found = judge_program(subject_, program, *specified, Outcomes::kAll).finding;
       if (!found && has(program, "glEvalMesh2"))
-        found = judge_program(subject_, program, *specified, Look::kOrder).finding;
+        found = judge_program(subject_, program, *specified, Outcomes::kOrder).finding;
       if (!found) return not_reduced(failing, why_it_does_not_show(script, program));
     }
 
@@ -98,7 +98,7 @@ class CaseReducer {
     // If the minimal program also gives a wrong answer, such as a missing error, this answer becomes the
     // finding, because it is closer to the root cause than its effects on vertices.
     if (!kind.starts_with("gl") && !without_answers_.contains(minimal.cause)) {
-      if (const std::optional<Finding> answer = difference_of(minimal.program, Look::kAnswers)) {
+      if (const std::optional<Finding> answer = difference_of(minimal.program, Outcomes::kAnswers)) {
         minimal = reducer_.explain(gl::Case(minimal.program), *answer);
       } else {
         without_answers_.insert(minimal.cause);
@@ -123,7 +123,7 @@ class CaseReducer {
 
   // Returns the minimal program of an earlier case if the same commands of this program differ in the same
   // way; otherwise null. This saves the reduction of the large program.
-  const Finding* known_of_large(const gl::Case& program, Look look) {
+  const Finding* known_of_large(const gl::Case& program, Outcomes outcomes) {
     for (const auto& [cause, minimal] : by_cause_) {
       const std::set<std::string> words = words_of(minimal.program);
       gl::Case part = program;
@@ -131,7 +131,7 @@ class CaseReducer {
         if (!words.contains(word)) part = without_word(part, word);
       if (words_of(part) != words || vertices_of(part) == 0 || !stays_alike(part)) continue;
       report_now_and_then();
-      const std::optional<Finding> found = difference_of(part, look);
+      const std::optional<Finding> found = difference_of(part, outcomes);
       if (found && found->cause == cause) return &minimal;
     }
     return nullptr;
@@ -187,18 +187,19 @@ class CaseReducer {
     return "what the test compares is not a difference from the executable specification";
   }
 
-  std::optional<Finding> difference_of(const gl::Case& program, Look look) {
+  std::optional<Finding> difference_of(const gl::Case& program, Outcomes outcomes) {
     const std::optional<Specified> specified = specify_if_defined(program, max_order_);
-    return specified ? judge_program(subject_, program, *specified, look).finding : std::nullopt;
+    return specified ? judge_program(subject_, program, *specified, outcomes).finding : std::nullopt;
   }
 
   // True if the program has this kind of difference. Runs in the shared context, if there is one.
   bool fails_alike(const gl::Case& program, const std::string& kind) {
-    const Look look = look_of(kind);
+    const Outcomes outcomes = outcomes_of(kind);
     const std::optional<Specified> specified = specify_if_defined(program, max_order_);
     if (!specified) return false;
-    const std::optional<Finding> found = shared_ ? shared_->judge(program, *specified, look).finding
-                                                 : judge_program(subject_, program, *specified, look).finding;
+    const std::optional<Finding> found = shared_
+                                             ? shared_->judge(program, *specified, outcomes).finding
+                                             : judge_program(subject_, program, *specified, outcomes).finding;
     return found && kind_of(found->failure.what) == kind;
   }
 

@@ -23,14 +23,14 @@ class SharedContext {
 
   explicit SharedContext(const Subject& fresh) : beside_(*fresh.implementation), subject_(fresh) { renew(); }
 
-  Judged judge(const gl::Case& program, const Specified& specified, Look look = Look::kAll) {
+  Judged judge(const gl::Case& program, const Specified& specified, Outcomes outcomes = Outcomes::kAll) {
     history_.push_back(program);
     if (history_.size() > kMostHistory + 1) history_.pop_front();
-    return judge_aside(program, specified, look);
+    return judge_aside(program, specified, outcomes);
   }
   // The same, but the program is not added to the history.
-  Judged judge_aside(const gl::Case& program, const Specified& specified, Look look) const {
-    return judge_program(subject_, program, specified, look);
+  Judged judge_aside(const gl::Case& program, const Specified& specified, Outcomes outcomes) const {
+    return judge_program(subject_, program, specified, outcomes);
   }
 
   // Returns a case of the last `count` programs before the latest one, followed by the latest one; empty if

@@ -61,6 +61,47 @@ Prediction prediction_of(reference::Specification& specification, const gl::Trac
   return prediction;
 }
 
+// The errors that an implementation may have recorded and not yet returned.
+class PendingErrors {
+ public:
+  void raise(const std::vector<GLenum>& errors, std::size_t most) {
+    if (errors.empty()) return;
+    for (const GLenum error : errors)
+      if (std::ranges::count(codes_, error) == 0) codes_.push_back(error);
+    recorded_ += most;
+    may_be_none_ = false;
+  }
+  // Returns the answers that GetError may give.
+  std::vector<GLenum> take() {
+    std::vector<GLenum> answers = codes_;
+    if (may_be_none_) answers.insert(answers.begin(), GL_NO_ERROR);
+    if (recorded_ > 0) --recorded_;
+    if (recorded_ == 0) codes_.clear();
+    may_be_none_ = true;
+    return answers;
+  }
+
+ private:
+  std::vector<GLenum> codes_;
+  std::size_t recorded_ = 0;  // largest number of errors that are still recorded
+  bool may_be_none_ = true;   // one GetError may have returned the only error
+};
+
+// See Specified::error_answers.
+std::vector<std::vector<GLenum>> error_answers(const gl::Case& script, const Specified& specified) {
+  constexpr std::size_t kMostOfList = 1000;  // errors of the commands in called lists
+  std::vector<std::vector<GLenum>> answers(script.commands().size());
+  PendingErrors pending;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const gl::EntryPoint entry = script.commands()[i].entry;
+    if (entry == gl::EntryPoint::GetError)
+      answers[i] = i > 0 && specified.inside[i - 1] ? std::vector<GLenum>{GL_NO_ERROR} : pending.take();
+    const bool calls = entry == gl::EntryPoint::CallList || entry == gl::EntryPoint::CallLists;
+    pending.raise(specified.errors[i], calls ? kMostOfList : 1);
+  }
+  return answers;
+}
+
 }  // namespace
 
 std::size_t Prediction::vertex_count() const {
@@ -137,6 +178,7 @@ Specified specify(const gl::Case& script, int max_eval_order) {
   } catch (const gl::MissingEntryPoint& missing) {
     throw std::logic_error(missing.what());
   }
+  specified.error_answers = error_answers(script, specified);
   specified.prediction = prediction_of(specification, specified.answers);
   specified.prediction.primitives = std::move(primitives);
   return specified;

@@ -375,12 +375,12 @@ int run_programs(const Program& program) {
   script.set_identity("program");
   program.records->write(to_line(TestStarted{"program"}));
   const Specified specified = specify(script, program.subject.info.max_order());
-  std::vector<fuzz::Look> looks = {fuzz::Look::kAll};
-  if (specified.prediction.vertex_count() == 0) looks.push_back(fuzz::Look::kVertices);
-  if (specified.prediction.has_meshes()) looks.push_back(fuzz::Look::kOrder);
+  std::vector<Outcomes> all_outcomes = {Outcomes::kAll};
+  if (specified.prediction.vertex_count() == 0) all_outcomes.push_back(Outcomes::kVertices);
+  if (specified.prediction.has_meshes()) all_outcomes.push_back(Outcomes::kOrder);
   std::optional<fuzz::Finding> finding;
-  for (const fuzz::Look look : looks)
-    if (!finding) finding = fuzz::judge_program(program.subject, script, specified, look).finding;
+  for (const Outcomes outcomes : all_outcomes)
+    if (!finding) finding = fuzz::judge_program(program.subject, script, specified, outcomes).finding;
   TestRecord record;
   record.name = "program";
   record.verdict = finding ? Verdict::kFail : Verdict::kPass;

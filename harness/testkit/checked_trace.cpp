@@ -80,7 +80,7 @@ void CheckedTrace::fail(gl::Check check, const std::string& message, const std::
       std::move(failure), [&] { return gl::to_c(script, 0, asked.index); }, check);
 }
 
-void CheckedTrace::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allowed) {
+void CheckedTrace::expect_error(gl::Ref get_error, const std::vector<GLenum>& allowed) {
   const GLenum got = trace_.error(get_error);
   if (std::find(allowed.begin(), allowed.end(), got) != allowed.end()) return;
   if (get_error.index > 0) require_answer({get_error.index - 1});
@@ -89,7 +89,7 @@ void CheckedTrace::expect_error(gl::Ref get_error, std::initializer_list<GLenum>
   const std::string captured = gl::error_name(got);
   // The error is expected from the command before GetError.
   const gl::Command& subject = command({std::max(get_error.index - 1, 0)});
-  const bool none_allowed = *allowed.begin() == GL_NO_ERROR;
+  const bool none_allowed = allowed.front() == GL_NO_ERROR;
   const char* kind = none_allowed ? "spurious error" : got == GL_NO_ERROR ? "missing error" : "wrong error";
   gl::Check check{.answer = {.of = gl::Answer::Of::kReturned, .command = get_error, .is_error = true}};
   for (const GLenum error : allowed) check.accepted.emplace_back(error, error);

@@ -256,7 +256,7 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
   else if (prediction.vertex_count() <= kMostMeasured)
     options.measured = required;
   const auto judged = [&, &topology = topology](const Observation& seen) {
-    Judgement judgement = judge(prediction, topology, seen, options);
+    Judgement judgement = evalcts::judge(prediction, topology, seen, options);
     if (seen.error_observed && seen.error != prediction.error)
       judgement.mismatches.insert(judgement.mismatches.begin(), wrong_error(seen.error, prediction.error));
     return judgement;

@@ -1,6 +1,8 @@
 // Tests predictions of the output of a case, including saved state and called lists.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <evalcts/judge/prediction.h>
 
 namespace evalcts {
@@ -124,6 +126,46 @@ TEST(Prediction, KnowsWhatMayRaiseAnError) {
   gl::Case several = legal;
   several.OtherContextEVALCTS(1);
   EXPECT_TRUE(may_raise_an_error(several, 8));
+}
+
+// GL 2.1 section 2.5: an error is recorded until GetError returns it; a distributed implementation may record
+// several. Section 2.6.3: between Begin and End, GetError is an error itself and returns 0.
+TEST(Specified, SaysWhatGetErrorMayAnswer) {
+  gl::Case c;
+  c.GetError();             // 0
+  c.Enable(GL_TEXTURE_2D);  // no target of a map: INVALID_ENUM on the executable specification
+  c.Enable(GL_MAP1_INDEX);
+  c.GetError();  // 3
+  c.GetError();
+  c.Enable(0);
+  c.MapGrid1f(0, 0, 1);
+  c.GetError();  // 7
+  c.GetError();
+  c.GetError();
+  c.Begin(GL_POINTS);
+  c.GetError();  // 11
+  c.End();
+  c.GetError();                                               // 13
+  c.Map1f(GL_MAP2_INDEX, 0, 1, 1, 0, std::vector<float>{0});  // target and order
+  c.GetError();                                               // 15
+  const Specified specified = specify(c, 8);
+  const auto answers = [&](std::size_t i) {
+    std::vector<GLenum> sorted = specified.error_answers.at(i);
+    std::ranges::sort(sorted);
+    return sorted;
+  };
+  using Errors = std::vector<GLenum>;
+  EXPECT_EQ(answers(0), Errors{GL_NO_ERROR});
+  EXPECT_EQ(answers(1), Errors()) << "no GetError";
+  EXPECT_EQ(answers(3), Errors{GL_INVALID_ENUM});
+  EXPECT_EQ(answers(4), Errors{GL_NO_ERROR}) << "there was one error";
+  EXPECT_EQ(answers(7), (Errors{GL_INVALID_ENUM, GL_INVALID_VALUE}));
+  EXPECT_EQ(specified.error_answers[7].front(), static_cast<GLenum>(GL_INVALID_ENUM)) << "the first";
+  EXPECT_EQ(answers(8), (Errors{GL_NO_ERROR, GL_INVALID_ENUM, GL_INVALID_VALUE})) << "may be recorded";
+  EXPECT_EQ(answers(9), Errors{GL_NO_ERROR});
+  EXPECT_EQ(answers(11), Errors{GL_NO_ERROR});
+  EXPECT_EQ(answers(13), Errors{GL_INVALID_OPERATION});
+  EXPECT_EQ(answers(15), (Errors{GL_INVALID_ENUM, GL_INVALID_VALUE})) << "either condition";
 }
 
 }  // namespace

@@ -111,6 +111,58 @@ TEST(Violated, ExpectationsDecideRequirements) {
   EXPECT_EQ(record.hidden(), Ids{"EV-B"});
 }
 
+// --- Judged by the executable specification -------------------------------------------------------------
+
+gl::Case enables() {
+  gl::Case c("enables");
+  c.Enable(GL_MAP1_INDEX);
+  c.Begin(GL_POINTS);
+  c.IsEnabled(GL_MAP1_INDEX);
+  c.End();
+  c.GetError();
+  c.IsEnabled(GL_MAP1_INDEX);
+  return c;
+}
+
+bool between_begin_and_end = false;
+// IsEnabled of the evaluators' state, or of all state, is no error between Begin and End.
+template <bool kAllState>
+void lenient_queries(gl::Table& table) {
+  between_begin_and_end = false;
+  table.Begin = [](GLenum mode) {
+    between_begin_and_end = true;
+    Altered::original.Begin(mode);
+  };
+  table.End = [] {
+    between_begin_and_end = false;
+    Altered::original.End();
+  };
+  table.IsEnabled = [](GLenum cap) -> GLboolean {
+    if (between_begin_and_end && (kAllState || cap == GL_MAP1_INDEX)) return GL_FALSE;
+    return Altered::original.IsEnabled(cap);
+  };
+}
+
+TEST(Judged, AnswersAndErrorsOfTheSpecificationAreDue) {
+  const Body body = [](evalcts::Test& t) { t.judge(enables()); };
+  EXPECT_EQ(record_of([](gl::Table&) {}, {"EV-A"}, body).verdict, Verdict::kPass);
+  const TestRecord answer =
+      record_of([](gl::Table& table) { table.IsEnabled = [](GLenum) -> GLboolean { return GL_FALSE; }; },
+                {"EV-A"}, body);
+  EXPECT_EQ(answer.verdict, Verdict::kFail) << answer.message;
+  const TestRecord error = record_of(lenient_queries<false>, {"EV-A"}, body);
+  EXPECT_EQ(error.verdict, Verdict::kFail) << error.message;
+  EXPECT_TRUE(error.message.starts_with("missing error")) << error.message;
+}
+
+TEST(Judged, ErrorsBetweenBeginAndEndAreDueOnlyIfOtherQueriesRaiseThem) {
+  const TestRecord record =
+      record_of(lenient_queries<true>, {"EV-A"}, [](evalcts::Test& t) { t.judge(enables()); });
+  EXPECT_EQ(record.verdict, Verdict::kNotObservable) << record.message;
+}
+
+// --- Display lists ---------------------------------------------------------------------------------------
+
 // If a test goes through display lists, the requirement of the form of lists follows its own requirements.
 TEST(Violated, ListsAreBlamedOnlyIfTheirCommandsAreRightWithoutOne) {
   const auto in_lists = [](gl::Lists lists, void (*alter)(gl::Table&), const char* of_list) {

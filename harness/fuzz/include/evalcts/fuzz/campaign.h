@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <evalcts/fuzz/as_specified.h>
 #include <evalcts/gl/case.h>
 #include <evalcts/testkit/test.h>
 
@@ -56,7 +55,7 @@ struct Judged {
 // Judges the program, whose outcome must be `specified`, on the implementation. Throws std::logic_error for
 // an internal error of evalcts.
 Judged judge_program(const Subject& subject, const gl::Case& program, const Specified& specified,
-                     Look look = Look::kAll);
+                     Outcomes outcomes = Outcomes::kAll);
 
 // Returns the key of a cause, see Finding::cause. `what`: the difference, "position.x of vertex
 // 3", or "crash".

@@ -37,8 +37,11 @@ struct Specified {
   Prediction prediction;
   gl::Trace answers;                        // answers of the commands; queried values are correctly rounded
   std::vector<std::vector<GLenum>> errors;  // errors that each command may raise; empty for most commands
-  std::vector<std::size_t> completed;       // number of complete primitives after each command
-  std::vector<bool> inside;                 // true if a primitive is open after the command
+  // Answers that each GetError may give, the likeliest first; empty for other commands. Distributed
+  // implementations may keep several errors until they are queried (GL 2.1 section 2.5).
+  std::vector<std::vector<GLenum>> error_answers;
+  std::vector<std::size_t> completed;  // number of complete primitives after each command
+  std::vector<bool> inside;            // true if a primitive is open after the command
 };
 
 // Runs the case on the specification. Throws std::logic_error if the specification does not support one of

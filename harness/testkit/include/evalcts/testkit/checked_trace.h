@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,7 +27,7 @@ class CheckedTrace {
 
   // Checks that GetError returned one of these errors. The message says "missing error", "spurious error" or
   // "wrong error".
-  void expect_error(gl::Ref get_error, std::initializer_list<GLenum> allowed);
+  void expect_error(gl::Ref get_error, const std::vector<GLenum>& allowed);
   void expect_no_error(gl::Ref get_error) { expect_error(get_error, {GL_NO_ERROR}); }
   // Checks the value that a command (IsEnabled, ...) returned.
   void expect_result(gl::Ref command, std::int64_t expected);

@@ -31,6 +31,10 @@ struct NotSupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The outcomes of a case to judge. The order in which a mesh draws its points, lines or quads is free except
+// for kOrder. kAll judges the vertices only if the case has to draw some.
+enum class Outcomes { kAll, kAnswers, kVertices, kOrder };
+
 // The first argument of the body of each test.
 class Test {
  public:
@@ -99,6 +103,20 @@ class Test {
   // Runs the case in a fresh context. Errors that are pending at the end of the case are failures.
   CheckedTrace play(const gl::Case& script);
 
+  // Runs the case, and judges all answers of its commands, including errors, and all emitted vertices by the
+  // executable specification, within the permitted tolerances (the accuracy rule, EV-GETMAP-FLOAT). If an
+  // error is missing that is due between Begin and End, other commands have to raise it there. Throws
+  // NotObservable.
+  void judge(const gl::Case& script);
+  // The same with a given outcome on the specification. Vertices are not judged through a delivery.
+  void judge(const gl::Case& script, const Specified& specified, Outcomes outcomes = Outcomes::kAll);
+
+  // Runs the case with Enable(CULL_FACE), IsEnabled(LIGHTING) or GetIntegerv(MATRIX_MODE) in place of the
+  // commands, queries by Is or Get that are rejected between Begin and End. Throws NotObservable if these
+  // take effect or raise no error: the library has then lost the Begin, for example in a display list, or
+  // raises no errors at all.
+  void require_rejections_in_primitives(const gl::Case& script, const Specified& specified);
+
   // Observes the output of the case through the best capture, and judges it against the executable
   // specification at the level of the test. In one test of 32 (at thorough depth in all tests), other
   // captures observe it, too, and must agree. All attributes that the capture shows are judged.
@@ -147,6 +165,7 @@ class Test {
 
  private:
   gl::DeliveredCase begin_case(const gl::Case& script);
+  void judge_answers(const gl::Case& script, const Specified& specified);
   const Capture& choose_capture(Attributes required, PrimitiveKinds kinds);
   void note_capture(const Capture& capture);
 
