@@ -146,9 +146,14 @@ void lenient_queries(gl::Table& table) {
 TEST(Judged, AnswersAndErrorsOfTheSpecificationAreDue) {
   const Body body = [](evalcts::Test& t) { t.judge(enables()); };
   EXPECT_EQ(record_of([](gl::Table&) {}, {"EV-A"}, body).verdict, Verdict::kPass);
-  const TestRecord answer =
-      record_of([](gl::Table& table) { table.IsEnabled = [](GLenum) -> GLboolean { return GL_FALSE; }; },
-                {"EV-A"}, body);
+  const TestRecord answer = record_of(
+      [](gl::Table& table) {
+        table.IsEnabled = [](GLenum cap) -> GLboolean {
+          Altered::original.IsEnabled(cap);
+          return GL_FALSE;
+        };
+      },
+      {"EV-A"}, body);
   EXPECT_EQ(answer.verdict, Verdict::kFail) << answer.message;
   const TestRecord error = record_of(lenient_queries<false>, {"EV-A"}, body);
   EXPECT_EQ(error.verdict, Verdict::kFail) << error.message;
