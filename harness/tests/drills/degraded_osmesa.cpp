@@ -13,6 +13,7 @@
 //   the name of a command: this command is missing
 #include <algorithm>
 #include <climits>
+#include <cmath>
 #include <csignal>
 #include <set>
 #include <string_view>
@@ -26,29 +27,6 @@ namespace {
 
 GLenum silent_error() { return GL_NO_ERROR; }
 GLenum noisy_error() { return GL_INVALID_OPERATION; }
-
-// Returns the number of components of a target.
-int components_of(GLenum target) {
-  switch (target) {
-    case GL_MAP1_INDEX:
-    case GL_MAP2_INDEX:
-    case GL_MAP1_TEXTURE_COORD_1:
-    case GL_MAP2_TEXTURE_COORD_1:
-      return 1;
-    case GL_MAP1_TEXTURE_COORD_2:
-    case GL_MAP2_TEXTURE_COORD_2:
-      return 2;
-    case GL_MAP1_NORMAL:
-    case GL_MAP2_NORMAL:
-    case GL_MAP1_TEXTURE_COORD_3:
-    case GL_MAP2_TEXTURE_COORD_3:
-    case GL_MAP1_VERTEX_3:
-    case GL_MAP2_VERTEX_3:
-      return 3;
-    default:
-      return 4;
-  }
-}
 
 // Returns wrong answers to GetIntegerv for limits, and correct answers for other names.
 void wrong_limits(GLenum name, GLint* values) {
@@ -101,15 +79,17 @@ void eval_mesh2_astray(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   REAL(glEvalMesh2)(mode, i1, i2 + (in_list ? 1 : 0), j1, j2);
 }
 
-// Answers of GetMap with one coefficient less are written to a copy first.
+// Writes all coefficients but the last. The number of coefficients that OSMesa writes ends the copy.
 void get_mapfv_short(GLenum target, GLenum query, GLfloat* values) {
   if (query != GL_COEFF) return REAL(glGetMapfv)(target, query, values);
   GLint orders[2] = {1, 1};
   REAL(glGetMapiv)(target, GL_ORDER, orders);
-  std::vector<GLfloat> all(static_cast<std::size_t>(orders[0]) * static_cast<std::size_t>(orders[1]) * 4);
+  constexpr std::size_t kMostComponents = 4;
+  std::vector<GLfloat> all(
+      static_cast<std::size_t>(orders[0]) * static_cast<std::size_t>(orders[1]) * kMostComponents, NAN);
   REAL(glGetMapfv)(target, query, all.data());
-  const int components = components_of(target);
-  std::copy_n(all.begin(), orders[0] * orders[1] * components - 1, values);
+  const auto end = std::ranges::find_if(all, [](GLfloat value) { return std::isnan(value); });
+  if (end != all.begin()) std::copy(all.begin(), end - 1, values);
 }
 void eval_mesh2_short(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   REAL(glEvalMesh2)(mode, i1, i2, j1, j2 - 1);
