@@ -284,7 +284,7 @@ class BugSearch {
       return not_reduced("the case in which the library died has no plain form as data");
     gl::Case program;
     try {
-      program = commands_of_specification(gl::parse_case(commands_of(test)));
+      program = only_specified(gl::parse_case(commands_of(test)));
     } catch (const std::invalid_argument& error) {
       return not_reduced(error.what());
     }

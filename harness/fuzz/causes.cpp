@@ -5,9 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
-#include <stdexcept>
 
 #include <evalcts/fuzz/campaign.h>
 #include <evalcts/gl/display_lists.h>
@@ -177,41 +175,6 @@ std::vector<gl::Case> controls_without_evaluators(const gl::Case& program) {
                                     gl::with_explicit_commands(program, {}, gl::Arguments::kArray)};
   if (gl::uses_lists(program)) controls.push_back(gl::with_calls_of_no_list(program));
   return controls;
-}
-
-gl::Case commands_of_specification(const gl::Case& script) {
-  // A case of one command shows if the command is supported: if not, the specification throws, or, for a
-  // token of another part of the GL (Enable(LIGHTING), a target of NV_vertex_program), raises INVALID_ENUM.
-  // If GetError follows, this error is intended.
-  static std::map<EntryPoint, bool> known;  // results of earlier checks
-  const auto is_specified = [](const gl::Command& command, bool asks_for_error) {
-    const auto found = known.find(command.entry);
-    if (found != known.end() && !found->second) return false;
-    const std::string_view name = gl::name_of(command.entry);
-    const bool takes_a_name = name == "glEnable" || name == "glDisable" || name == "glIsEnabled" ||
-                              name == "glGetFloatv" || name == "glGetIntegerv" || name == "glGetDoublev" ||
-                              name == "glGetBooleanv" || name.starts_with("glMap1") ||
-                              name.starts_with("glMap2") || name.starts_with("glGetMap");
-    if (found != known.end() && (!takes_a_name || asks_for_error)) return true;
-    gl::Case one;
-    one.add(command);
-    try {
-      const Specified specified = specify(one, 8);
-      known[command.entry] = true;
-      const std::vector<GLenum>& errors = specified.errors.front();
-      return !takes_a_name || asks_for_error || std::ranges::count(errors, GLenum{GL_INVALID_ENUM}) == 0;
-    } catch (const std::logic_error&) {
-      return known[command.entry] = false;
-    }
-  };
-  gl::Case left(script.identity());
-  const std::vector<gl::Command>& commands = script.commands();
-  for (std::size_t i = 0; i < commands.size(); ++i) {
-    if (gl::is_of_harness(commands[i].entry)) throw std::invalid_argument("its case has several contexts");
-    const bool asks_for_error = i + 1 < commands.size() && commands[i + 1].entry == EntryPoint::GetError;
-    if (is_specified(commands[i], asks_for_error)) left.add(commands[i]);
-  }
-  return left;
 }
 
 }  // namespace evalcts::fuzz

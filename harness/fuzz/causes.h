@@ -21,8 +21,4 @@ std::set<std::string> words_of(const gl::Case& program);
 // Returns the program without the commands that have this word.
 gl::Case without_word(const gl::Case& program, const std::string& word);
 
-// Returns the commands of the program that the executable specification supports, without commands that
-// enable or query state that it does not have. Throws std::invalid_argument for a case with several contexts.
-gl::Case commands_of_specification(const gl::Case& script);
-
 }  // namespace evalcts::fuzz

@@ -114,6 +114,7 @@ bool has_clear_errors(const gl::Case& program, const std::vector<std::vector<GLe
 std::optional<Specified> specify_if_defined(const gl::Case& program, int max_eval_order) {
   if (!has_whole_primitives(program) || !calls_names_only(program)) return std::nullopt;
   Specified specified = specify(program, max_eval_order);
+  if (std::ranges::count(specified.known, false) > 0) return std::nullopt;
   if (!has_clear_errors(program, specified.errors)) return std::nullopt;
   return specified;
 }

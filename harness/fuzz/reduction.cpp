@@ -57,7 +57,7 @@ class CaseReducer {
     script.set_identity("program");
     gl::Case program;
     try {
-      program = with_what_exists(subject_.info, table_, commands_of_specification(script));
+      program = with_what_exists(subject_.info, table_, only_specified(script));
     } catch (const std::invalid_argument& error) {
       return not_reduced(failing, error.what());
     }

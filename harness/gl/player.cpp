@@ -319,7 +319,7 @@ Trace Trace::of(const std::vector<int>& commands) const {
   Trace chosen;
   chosen.left_over_errors_ = left_over_errors_;
   for (const int command : commands)
-    chosen.results_.push_back(results_.at(static_cast<std::size_t>(command)));
+    chosen.results_.push_back(command < 0 ? Result() : results_.at(static_cast<std::size_t>(command)));
   return chosen;
 }
 

@@ -37,21 +37,56 @@ gl::Trace play(const gl::Case& script, reference::Specification& specification,
   return trace;
 }
 
-// Returns the commands of a case that the specification supports.
-gl::Case known_commands(const gl::Case& script) {
-  gl::Case known;
-  std::vector<std::optional<int>> places;  // positions in `known`; none for omitted commands
-  for (gl::Command command : script.commands()) {
-    std::optional<int>& place = places.emplace_back();
-    if (gl::is_of_harness(command.entry))
-      throw std::logic_error("a case of several contexts has no prediction");
-    if (!gl::has(oracle(), command.entry)) continue;
+bool uses_several_contexts(const gl::Case& script) {
+  using gl::EntryPoint;
+  return std::ranges::any_of(script.commands(), [](const gl::Command& command) {
+    return command.entry == EntryPoint::OtherContextEVALCTS ||
+           command.entry == EntryPoint::SharingContextEVALCTS ||
+           command.entry == EntryPoint::ContextOfKindEVALCTS ||
+           command.entry == EntryPoint::CopyContextEVALCTS;
+  });
+}
+
+// Targets of NV_vertex_program.
+bool is_target_of_vertex_programs(GLenum target) {
+  return (target >= GL_MAP1_VERTEX_ATTRIB0_4_NV && target <= GL_MAP1_VERTEX_ATTRIB15_4_NV) ||
+         (target >= GL_MAP2_VERTEX_ATTRIB0_4_NV && target <= GL_MAP2_VERTEX_ATTRIB15_4_NV);
+}
+
+// Returns true if the command takes the name of state that the specification does not have.
+bool names_other_state(const gl::Command& command) {
+  static const reference::Specification kSpecification;
+  const auto* const number =
+      command.arguments.empty() ? nullptr : std::get_if<std::int64_t>(&command.arguments[0]);
+  if (!number) return false;
+  const auto name = static_cast<GLenum>(*number);
+  const std::string_view entry = gl::name_of(command.entry);
+  const auto begins = [&](std::string_view stem) { return entry.starts_with(stem); };
+  if (begins("glMap1") || begins("glMap2") || begins("glGetMap") || begins("glGetnMap"))
+    return is_target_of_vertex_programs(name);
+  const bool gets = entry == "glGetBooleanv" || entry == "glGetIntegerv" || entry == "glGetFloatv" ||
+                    entry == "glGetDoublev";
+  const bool takes_a_name = gets || entry == "glEnable" || entry == "glDisable" || entry == "glIsEnabled";
+  return takes_a_name && !kSpecification.has_state(name);
+}
+
+// Returns the commands for which `known` is true, and their positions; -1 for others.
+std::pair<gl::Case, std::vector<int>> chosen(const gl::Case& script, const std::vector<bool>& known) {
+  gl::Case left(script.identity());
+  std::vector<int> positions;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    positions.push_back(-1);
+    if (!known[i]) continue;
+    gl::Command command = script.commands()[i];
     for (gl::Value& argument : command.arguments)
-      if (auto* result = std::get_if<gl::ResultOf>(&argument))
-        result->command = places.at(static_cast<std::size_t>(result->command)).value();
-    place = known.add(std::move(command)).index;
+      if (auto* result = std::get_if<gl::ResultOf>(&argument)) {
+        result->command = positions.at(static_cast<std::size_t>(result->command));
+        if (result->command < 0)
+          throw std::logic_error("a command uses the result of one that the specification does not have");
+      }
+    positions.back() = left.add(std::move(command)).index;
   }
-  return known;
+  return {std::move(left), std::move(positions)};
 }
 
 Prediction prediction_of(reference::Specification& specification, const gl::Trace& trace) {
@@ -64,11 +99,11 @@ Prediction prediction_of(reference::Specification& specification, const gl::Trac
 // The errors that an implementation may have recorded and not yet returned.
 class PendingErrors {
  public:
-  void raise(const std::vector<GLenum>& errors, std::size_t most) {
+  void raise(const std::vector<GLenum>& errors, std::size_t times) {
     if (errors.empty()) return;
     for (const GLenum error : errors)
       if (std::ranges::count(codes_, error) == 0) codes_.push_back(error);
-    recorded_ += most;
+    recorded_ += times;
     may_be_none_ = false;
   }
   // Returns the answers that GetError may give.
@@ -87,17 +122,15 @@ class PendingErrors {
   bool may_be_none_ = true;   // one GetError may have returned the only error
 };
 
-// See Specified::error_answers.
-std::vector<std::vector<GLenum>> error_answers(const gl::Case& script, const Specified& specified) {
-  constexpr std::size_t kMostOfList = 1000;  // errors of the commands in called lists
+// See Specified::error_answers. `raised`: how often each command raised an error.
+std::vector<std::vector<GLenum>> error_answers(const gl::Case& script, const Specified& specified,
+                                               const std::vector<std::size_t>& raised) {
   std::vector<std::vector<GLenum>> answers(script.commands().size());
   PendingErrors pending;
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    const gl::EntryPoint entry = script.commands()[i].entry;
-    if (entry == gl::EntryPoint::GetError)
+    if (script.commands()[i].entry == gl::EntryPoint::GetError)
       answers[i] = i > 0 && specified.inside[i - 1] ? std::vector<GLenum>{GL_NO_ERROR} : pending.take();
-    const bool calls = entry == gl::EntryPoint::CallList || entry == gl::EntryPoint::CallLists;
-    pending.raise(specified.errors[i], calls ? kMostOfList : 1);
+    pending.raise(specified.errors[i], raised[i]);
   }
   return answers;
 }
@@ -141,19 +174,37 @@ bool Prediction::has_nonpositive_w() const {
   return false;
 }
 
+std::vector<bool> specified_commands(const gl::Case& script, OtherState other) {
+  const std::vector<gl::Command>& commands = script.commands();
+  if (uses_several_contexts(script))
+    throw std::invalid_argument("a case of several contexts has no prediction");
+  std::vector<bool> known;
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    const bool asks_for_error = i + 1 < commands.size() && commands[i + 1].entry == gl::EntryPoint::GetError;
+    const bool is_skipped =
+        other == OtherState::kSkipped && !asks_for_error && names_other_state(commands[i]);
+    known.push_back(gl::has(oracle(), commands[i].entry) && !is_skipped);
+  }
+  return known;
+}
+
+gl::Case only_specified(const gl::Case& script) {
+  return chosen(script, specified_commands(script, OtherState::kSkipped)).first;
+}
+
 Prediction predict(const gl::Case& script, int max_eval_order) {
   reference::Specification specification({.max_eval_order = max_eval_order});
   // This saves a copy of the commands of long primitives.
-  const bool all_known = std::ranges::all_of(
-      script.commands(), [](const gl::Command& command) { return gl::has(oracle(), command.entry); });
+  const std::vector<bool> known = specified_commands(script, OtherState::kRejected);
+  const bool all_known = std::ranges::count(known, false) == 0;
   const gl::Trace trace =
-      all_known ? play(script, specification) : play(known_commands(script), specification);
+      all_known ? play(script, specification) : play(chosen(script, known).first, specification);
   return prediction_of(specification, trace);
 }
 
 bool may_raise_an_error(const gl::Case& script, int max_eval_order) {
-  if (std::ranges::any_of(script.commands(), gl::is_of_harness, &gl::Command::entry)) return true;
-  const gl::Case known = known_commands(script);
+  if (uses_several_contexts(script)) return true;
+  const gl::Case known = chosen(script, specified_commands(script, OtherState::kRejected)).first;
   reference::Specification specification({.max_eval_order = max_eval_order});
   const gl::Trace trace = play(known, specification);
   if (!trace.left_over_errors().empty()) return true;
@@ -164,23 +215,39 @@ bool may_raise_an_error(const gl::Case& script, int max_eval_order) {
   return false;
 }
 
-Specified specify(const gl::Case& script, int max_eval_order) {
-  reference::Specification specification({.max_eval_order = max_eval_order});
+Specified specify(const gl::Case& script, int max_eval_order, int texture_units, OtherState other) {
+  reference::Specification specification({.max_eval_order = max_eval_order, .texture_units = texture_units});
   Specified specified;
+  specified.known = specified_commands(script, other);
+  const auto [known, positions] = chosen(script, specified.known);
   std::vector<reference::Primitive> primitives;
-  try {
-    specified.answers = play(script, specification, [&](std::size_t) {
-      specified.errors.push_back(specification.permitted_errors());
-      std::ranges::move(specification.take_primitives(), std::back_inserter(primitives));
-      specified.completed.push_back(primitives.size());
-      specified.inside.push_back(specification.inside());
-    });
-  } catch (const gl::MissingEntryPoint& missing) {
-    throw std::logic_error(missing.what());
-  }
-  specified.error_answers = error_answers(script, specified);
+  std::vector<std::size_t> raised;
+  // Adds the state after the known commands so far, for the next command of the case.
+  const auto add = [&] {
+    specified.completed.push_back(primitives.size());
+    specified.inside.push_back(specification.inside());
+  };
+  const auto add_unknown = [&] {
+    while (specified.errors.size() < positions.size() && positions[specified.errors.size()] < 0) {
+      specified.errors.emplace_back();
+      raised.push_back(0);
+      specified.permitted.emplace_back();
+      add();
+    }
+  };
+  add_unknown();
+  specified.answers = play(known, specification, [&](std::size_t) {
+    specified.errors.push_back(specification.permitted_errors());
+    raised.push_back(specification.raised_errors());
+    specified.permitted.push_back(specification.permitted_answer());
+    std::ranges::move(specification.take_primitives(), std::back_inserter(primitives));
+    add();
+    add_unknown();
+  });
   specified.prediction = prediction_of(specification, specified.answers);
   specified.prediction.primitives = std::move(primitives);
+  specified.answers = specified.answers.of(positions);
+  specified.error_answers = error_answers(script, specified, raised);
   return specified;
 }
 

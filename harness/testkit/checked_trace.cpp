@@ -63,6 +63,7 @@ CheckedTrace::CheckedTrace(Test& test, gl::DeliveredCase delivered, const gl::Tr
 
 void CheckedTrace::fail(gl::Check check, const std::string& message, const std::string& expected,
                         const std::string& captured) {
+  ++failures_;
   const gl::Case& script = delivered_.script;
   Failure failure;
   failure.case_identity = script.identity();
@@ -114,34 +115,64 @@ std::vector<double> CheckedTrace::written_values(gl::Ref query) const {
   return values;
 }
 
+bool CheckedTrace::is_query_of_state(gl::Ref query) const {
+  const gl::EntryPoint entry = command(query).entry;
+  return entry == gl::EntryPoint::GetBooleanv || entry == gl::EntryPoint::GetIntegerv ||
+         entry == gl::EntryPoint::GetFloatv || entry == gl::EntryPoint::GetDoublev;
+}
+
 void CheckedTrace::require_answer(gl::Ref query) const {
+  if (!is_query_of_state(query)) return;
   const gl::Command& asked = command(query);
-  if (asked.entry != gl::EntryPoint::GetBooleanv && asked.entry != gl::EntryPoint::GetIntegerv &&
-      asked.entry != gl::EntryPoint::GetFloatv && asked.entry != gl::EntryPoint::GetDoublev)
-    return;
   const auto name = static_cast<GLenum>(std::get<std::int64_t>(asked.arguments.at(0)));
   if (test_.gl().rejected_queries.contains(name))
     throw NotObservable(fmt::format("the query of {} is rejected", gl::token_name(name)));
 }
 
 void CheckedTrace::check_values(gl::Ref query, const std::vector<double>& expected, double relative) {
+  std::vector<Intervals> permitted;
+  for (const double value : expected) {
+    const double margin = std::isfinite(value) ? relative * std::abs(value) : 0;
+    permitted.push_back({{value - margin, value + margin}});
+  }
+  expect_permitted(query, permitted, expected);
+}
+
+namespace {
+
+// Returns the index of the first value that is in none of its intervals; the number of values if there is
+// none.
+std::size_t first_wrong(const std::vector<double>& values,
+                        const std::vector<CheckedTrace::Intervals>& permitted) {
+  std::size_t i = 0;
+  const auto is_permitted = [&](const auto& interval) {
+    return interval.first <= values[i] && values[i] <= interval.second;
+  };
+  while (i < std::min(values.size(), permitted.size()) && std::ranges::any_of(permitted[i], is_permitted))
+    ++i;
+  return i;
+}
+
+}  // namespace
+
+bool CheckedTrace::is_permitted(gl::Ref query, const std::vector<Intervals>& permitted) const {
+  return trace_.written(query) <= permitted.size() &&
+         first_wrong(all_values(trace_, query), permitted) >= permitted.size();
+}
+
+void CheckedTrace::expect_permitted(gl::Ref query, const std::vector<Intervals>& permitted,
+                                    const std::vector<double>& expected) {
   require_answer(query);
-  const std::vector<double> all = all_values(trace_, query);
   const std::size_t written = trace_.written(query);
   const std::string call = gl::to_c(command(query), 4);
-  const std::size_t compared = std::min(all.size(), expected.size());
-  std::size_t i = 0;  // index of the first wrong value
-  while (i < compared &&
-         (all[i] == expected[i] || std::abs(all[i] - expected[i]) <= relative * std::abs(expected[i])))
-    ++i;
+  const std::size_t i = first_wrong(all_values(trace_, query), permitted);
   if (written > expected.size()) {
     fail(at_most_written(query, expected.size()),
          fmt::format("{} writes {} values, expected {}", call, written, expected.size()), list(expected),
          list(written_values(query)));
   } else if (i < expected.size()) {
-    const double margin = relative * std::abs(expected[i]);
     fail({.answer = {.of = gl::Answer::Of::kElement, .command = query, .element = i},
-          .accepted = {{expected[i] - margin, expected[i] + margin}}},
+          .accepted = permitted[i]},
          fmt::format("{} answers {}, expected {}", call, list(written_values(query)), list(expected)),
          list(expected), list(written_values(query)));
   }

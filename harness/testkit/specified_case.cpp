@@ -1,9 +1,12 @@
 // Judges a case by the executable specification: every answer, error and emitted vertex.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 
 #include <evalcts/testkit/test.h>
+#include "blame.h"
 
 namespace evalcts {
 namespace {
@@ -11,24 +14,48 @@ namespace {
 // Relative tolerance of queries, which may answer in single precision (EV-GETMAP-FLOAT, EV-GETMAP-DOUBLE).
 constexpr double kTolerance = 1e-5;
 
-template <class T>
-std::vector<T> written_values(const gl::Trace& trace, gl::Ref query) {
-  std::vector<T> values = trace.values<T>(query);
-  values.resize(trace.written(query));
-  return values;
+bool is_real(gl::Scalar type) { return type == gl::Scalar::kF32 || type == gl::Scalar::kF64; }
+
+// Returns the likeliest answer of a query.
+std::vector<double> likeliest(const std::vector<reference::PermittedValue>& permitted) {
+  std::vector<double> answer;
+  for (const reference::PermittedValue& value : permitted) answer.push_back(value.answers.front());
+  return answer;
 }
 
-void expect_answer(CheckedTrace& checked, const gl::Trace& expected, gl::Ref query) {
-  switch (expected.type(query)) {
-    case gl::Scalar::kI32:
-      return checked.expect_values(query, written_values<GLint>(expected, query));
-    case gl::Scalar::kU8:
-      return checked.expect_values(query, written_values<GLubyte>(expected, query));
-    case gl::Scalar::kF32:
-      return checked.expect_values_near(query, written_values<GLfloat>(expected, query), kTolerance);
-    default:
-      return checked.expect_values_near(query, written_values<GLdouble>(expected, query), kTolerance);
+// Returns the accepted values of each element of an answer. `tolerance`: relative, for floats and doubles.
+std::vector<CheckedTrace::Intervals> accepted(const std::vector<reference::PermittedValue>& permitted,
+                                              double tolerance) {
+  std::vector<CheckedTrace::Intervals> all;
+  for (const reference::PermittedValue& value : permitted) {
+    CheckedTrace::Intervals& intervals = all.emplace_back();
+    for (const double answer : value.answers) {
+      const double margin = std::isfinite(answer) ? tolerance * std::abs(answer) : 0;
+      intervals.emplace_back(answer - margin,
+                             value.is_least ? std::numeric_limits<double>::infinity() : answer + margin);
+    }
   }
+  return all;
+}
+
+// Returns true if the command before GetError, which may be repeated, is compiled, or ends a display list.
+bool follows_compiled_command(const gl::Case& script, std::size_t get_error) {
+  const std::vector<gl::Command>& commands = script.commands();
+  const auto entry = [&](std::size_t i) { return commands[i].entry; };
+  std::size_t last = get_error;
+  while (last > 0 && entry(last) == gl::EntryPoint::GetError) --last;
+  if (entry(last) == gl::EntryPoint::EndList) return true;
+  while (last > 0 && entry(last) != gl::EntryPoint::NewList && entry(last) != gl::EntryPoint::EndList) --last;
+  return entry(last) == gl::EntryPoint::NewList;
+}
+
+// Returns true if both commands ask for the same state.
+bool is_same_query(const gl::Command& a, const gl::Command& b) {
+  const auto is_same = [](const gl::Value& x, const gl::Value& y) {
+    const auto *one = std::get_if<std::int64_t>(&x), *other = std::get_if<std::int64_t>(&y);
+    return !one || !other || *one == *other;
+  };
+  return a.entry == b.entry && std::ranges::equal(a.arguments, b.arguments, is_same);
 }
 
 // Returns true if the command is rejected because it stands between Begin and End.
@@ -73,6 +100,57 @@ void Test::require_rejections_in_primitives(const gl::Case& script, const Specif
         "and End as well");
 }
 
+void Test::require_rounding_of_other_state() {
+  if (gl().declaration) return;  // a sink has no other state
+  gl::Case c(gl::control("GetIntegerv of FOG_START"));
+  c.Fogf(GL_FOG_START, -1.75f);
+  const gl::Ref start = c.GetIntegerv(GL_FOG_START, gl::out<GLint>(1));
+  if (play(c).trace().values<GLint>(start) != std::vector<GLint>{-2})
+    throw NotObservable("pipeline: GetIntegerv rounds other state wrongly as well");
+}
+
+void Test::judge_answer(CheckedTrace& checked, const Specified& specified, gl::Ref query) {
+  const auto& permitted = specified.permitted[static_cast<std::size_t>(query.index)];
+  if (record_.level != Level::kQuality &&
+      std::ranges::any_of(permitted, &reference::PermittedValue::is_advisory))
+    return;
+  const gl::Scalar type = specified.answers.type(query);
+  const std::vector<double> expected = likeliest(permitted);
+  const double tolerance = is_real(type) ? kTolerance : 0;
+  if (record_.level == Level::kQuality && is_real(type)) {
+    // Single precision relative to the largest value, because a library may compute an end of a domain as a
+    // small difference of large numbers.
+    double largest = 0;
+    for (const double value : expected) largest = std::max(largest, std::abs(value));
+    const std::vector<double> values = checked.written_values(query);
+    for (std::size_t i = 0; i < std::min(values.size(), expected.size()); ++i)
+      if (!(std::abs(values[i] - expected[i]) <= kTolerance * largest))
+        throw NotObservable("the answer is wrong, which other tests judge");
+    return checked.expect_permitted(query, accepted(permitted, 0), expected);
+  }
+  const auto is_rounded = [](const reference::PermittedValue& value) {
+    return value.state != std::trunc(value.state);
+  };
+  if (type == gl::Scalar::kI32 && std::ranges::any_of(permitted, is_rounded) &&
+      checked.is_query_of_state(query) && !checked.is_permitted(query, accepted(permitted, 0)))
+    require_rounding_of_other_state();
+  checked.expect_permitted(query, accepted(permitted, tolerance), expected);
+}
+
+void Test::judge_snapshot(CheckedTrace& checked, const Specified& specified, const gl::Case& script,
+                          gl::Ref query) {
+  const gl::Trace& expected = specified.answers;
+  for (const int earlier : snapshot_) {
+    const gl::Ref before{earlier};
+    const auto& commands = script.commands();
+    if (earlier >= query.index || !expected.same(before, expected, query) ||
+        !is_same_query(commands[static_cast<std::size_t>(earlier)],
+                       commands[static_cast<std::size_t>(query.index)]))
+      continue;
+    return checked.expect_same(before, query);
+  }
+}
+
 void Test::judge_answers(const gl::Case& script, const Specified& specified) {
   CheckedTrace checked = play(script);
   const auto is_missing = [&](std::size_t i) {
@@ -85,22 +163,55 @@ void Test::judge_answers(const gl::Case& script, const Specified& specified) {
       require_rejections_in_primitives(script, specified);
       break;
     }
+  const auto blame = [&](Observed observed) {
+    decided_ = violated_by(observed, record_.requirements);
+    if (decided_ == record_.requirements) decided_.clear();  // all of them
+  };
+  bool errors_are_right = true;
   for (std::size_t i = 0; i < script.commands().size(); ++i) {
     const gl::Ref command{static_cast<int>(i)};
+    if (!specified.known[i]) continue;
     if (!specified.error_answers[i].empty()) {
+      blame(follows_compiled_command(script, i) ? Observed::kCompilingError : Observed::kError);
+      const std::size_t failures = checked.failures();
       checked.expect_error(command, specified.error_answers[i]);
+      errors_are_right = errors_are_right && checked.failures() == failures;
+    } else if (snapshot_.contains(command.index)) {
+      blame(Observed::kChange);
+      // Without an error, an effect is no wonder.
+      if (errors_are_right) judge_snapshot(checked, specified, script, command);
+    } else if (specified.answers.has_output(command) && !specified.errors[i].empty()) {
+      blame(Observed::kWritten);
+      checked.expect_nothing_written(command);
     } else if (specified.answers.has_output(command)) {
-      expect_answer(checked, specified.answers, command);
+      blame(Observed::kAnswer);
+      judge_answer(checked, specified, command);
     } else {
+      blame(Observed::kAnswer);
       checked.expect_result(command, specified.answers.result(command));
     }
   }
+  decided_.clear();
+  snapshot_.clear();
 }
 
-void Test::judge(const gl::Case& script) { judge(script, specify(script, max_order())); }
+void Test::compare_only(const std::vector<gl::Ref>& queries) {
+  for (const gl::Ref query : queries)
+    if (query.index >= 0) snapshot_.insert(query.index);
+}
+
+// The attributes that are judged wherever a capture shows them.
+constexpr Attributes kJudged = kPosition | kColor | kNormal | kTextureCoordinate0;
+
+void Test::judge(const gl::Case& script, Outcomes outcomes) {
+  const Specified specified = specify(script, max_order(), texture_units(), OtherState::kSkipped);
+  if (outcomes == Outcomes::kAll || outcomes == Outcomes::kAnswers) judge_answers(script, specified);
+  if (outcomes == Outcomes::kAnswers || specified.prediction.vertex_count() == 0) return;
+  if (outcomes == Outcomes::kOrder) judge_order_of_meshes();
+  expect_emission(script, kJudged);
+}
 
 void Test::judge(const gl::Case& script, const Specified& specified, Outcomes outcomes) {
-  constexpr Attributes kJudged = kPosition | kColor | kNormal | kTextureCoordinate0;
   const bool emits = specified.prediction.vertex_count() > 0;
   if (outcomes == Outcomes::kAll || outcomes == Outcomes::kAnswers) judge_answers(script, specified);
   if (outcomes == Outcomes::kAnswers || (outcomes == Outcomes::kAll && !emits)) return;

@@ -46,6 +46,8 @@ int Test::order_limit() const {
   return std::max(subject_.info.max_eval_order, 8);
 }
 
+int Test::texture_units() const { return std::clamp(gl().texture_units, 1, reference::kTextureUnits); }
+
 Depth Test::depth() const {
   if (subject_.depth == Depth::kFull && !delivery_.is_plain()) return Depth::kQuick;
   return subject_.depth;

@@ -127,15 +127,13 @@ TEST_F(CommandLine, FailureSaysWhatWasExpectedAndWhatCame) {
   EXPECT_EQ(as_text(test["verdict"]), "fail");
   EXPECT_EQ(as_text(test["level"]), "must");
   EXPECT_EQ(as_text(test["requirements"][0]), "EV-MAP1-ERR-STRIDE");
-  EXPECT_EQ(test["cases"], 5);
+  EXPECT_EQ(test["mismatches"].size(), 5u) << "one for each stride";
   EXPECT_EQ(as_text(test["expected"]), "GL_INVALID_VALUE");
   EXPECT_EQ(as_text(test["captured"]), "GL_NO_ERROR");
   EXPECT_TRUE(contains(test["message"], "missing error: after glMap1f(GL_MAP1_VERTEX_3"));
   const std::vector<std::string> calls = test["calls"];
   EXPECT_EQ(calls.back(), "glGetError();");
   EXPECT_TRUE(contains(calls[calls.size() - 2], "glMap1f(GL_MAP1_VERTEX_3, 0.0f, 1.0f, 2, 3"));
-  // The map itself has changed, too, which is another failure.
-  EXPECT_TRUE(contains(test["mismatches"].dump(), "glGetMapdv"));
   EXPECT_TRUE(contains(outcome.text, "EV-MAP1-ERR-STRIDE"));
 }
 
@@ -290,7 +288,7 @@ TEST_F(CommandLine, SecondPassNamesTheShortestHistory) {
   const json test = test_named(second, victim);
   EXPECT_EQ(as_text(test["verdict"]), "fail");
   EXPECT_EQ(test["history"], json::array({guilty}));
-  EXPECT_TRUE(contains(test["history_case"], "order 5"));
+  EXPECT_TRUE(contains(test["history_case"], "strides k to 2^16 + k"));
   EXPECT_TRUE(test["message"].get<std::string>().starts_with("after " + std::string(guilty)))
       << test["message"];
   EXPECT_EQ(as_text(test_named(second, guilty)["verdict"]), "pass");

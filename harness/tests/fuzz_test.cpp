@@ -127,7 +127,7 @@ TEST(IsDefined, TellsWhatTheSpecificationLeavesOpen) {
   EXPECT_FALSE(specify_if_defined(two_mistakes, kMaxOrder)) << "INVALID_ENUM or INVALID_VALUE";
   gl::Case mistakes_in_a_list;
   mistakes_in_a_list.NewList(1, GL_COMPILE);
-  mistakes_in_a_list.Enable(GL_COEFF);
+  mistakes_in_a_list.EvalMesh1(GL_FILL, 0, 1);
   mistakes_in_a_list.End();
   mistakes_in_a_list.EndList();
   EXPECT_TRUE(specify_if_defined(mistakes_in_a_list, kMaxOrder));
@@ -135,8 +135,11 @@ TEST(IsDefined, TellsWhatTheSpecificationLeavesOpen) {
   mistakes_in_a_list.GetError();
   EXPECT_FALSE(specify_if_defined(mistakes_in_a_list, kMaxOrder)) << "a library may keep both codes";
   gl::Case unasked;
-  unasked.Enable(GL_COEFF);
+  unasked.EvalMesh1(GL_FILL, 0, 1);
   EXPECT_FALSE(specify_if_defined(unasked, kMaxOrder));
+  gl::Case other_commands;
+  other_commands.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  EXPECT_FALSE(specify_if_defined(other_commands, kMaxOrder));
   gl::Case in_list;
   in_list.NewList(1, GL_COMPILE);
   in_list.EvalCoord1f(0);

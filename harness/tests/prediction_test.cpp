@@ -132,12 +132,12 @@ TEST(Prediction, KnowsWhatMayRaiseAnError) {
 // several. Section 2.6.3: between Begin and End, GetError is an error itself and returns 0.
 TEST(Specified, SaysWhatGetErrorMayAnswer) {
   gl::Case c;
-  c.GetError();             // 0
-  c.Enable(GL_TEXTURE_2D);  // no target of a map: INVALID_ENUM on the executable specification
+  c.GetError();  // 0
+  c.EvalMesh1(GL_FILL, 0, 1);
   c.Enable(GL_MAP1_INDEX);
   c.GetError();  // 3
   c.GetError();
-  c.Enable(0);
+  c.EvalMesh1(GL_FILL, 0, 1);
   c.MapGrid1f(0, 0, 1);
   c.GetError();  // 7
   c.GetError();
@@ -166,6 +166,44 @@ TEST(Specified, SaysWhatGetErrorMayAnswer) {
   EXPECT_EQ(answers(11), Errors{GL_NO_ERROR});
   EXPECT_EQ(answers(13), Errors{GL_INVALID_OPERATION});
   EXPECT_EQ(answers(15), (Errors{GL_INVALID_ENUM, GL_INVALID_VALUE})) << "either condition";
+}
+
+// A list that raises one error leaves one behind, one that raises two may leave two.
+TEST(Specified, CountsTheErrorsOfLists) {
+  for (const int times : {1, 2}) {
+    gl::Case c;
+    c.NewList(1, GL_COMPILE);
+    for (int i = 0; i < times; ++i) c.MapGrid1f(0, 0, 1);
+    c.EndList();
+    c.CallList(1);
+    c.GetError();
+    const gl::Ref second = c.GetError();
+    const std::vector<GLenum> answers =
+        specify(c, 8).error_answers.at(static_cast<std::size_t>(second.index));
+    EXPECT_EQ(answers.size(), static_cast<std::size_t>(times));
+    EXPECT_EQ(answers.front(), static_cast<GLenum>(GL_NO_ERROR));
+  }
+}
+
+TEST(Specified, PredictsNothingOfOtherCommands) {
+  gl::Case c;
+  c.Enable(GL_LIGHTING);
+  const gl::ResultOf buffer{c.GenBuffers(1, gl::out<GLuint>(1)).index, 0};
+  c.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  c.Map1f(GL_MAP1_VERTEX_ATTRIB0_4_NV, 0, 1, 4, 1, std::vector<float>(4));
+  c.Enable(GL_MAP1_INDEX);
+  const gl::Ref on = c.IsEnabled(GL_MAP1_INDEX), error = c.GetError();
+  c.Map1f(GL_MAP1_VERTEX_ATTRIB0_4_NV, 0, 1, 4, 1, std::vector<float>(4));  // an unknown target
+  const gl::Ref asked = c.GetError();
+  const Specified specified = specify(c, 8, reference::kTextureUnits, OtherState::kSkipped);
+  EXPECT_EQ(specified.known, (std::vector<bool>{false, false, false, false, true, true, true, true, true}));
+  EXPECT_EQ(specified.answers.result(on), GL_TRUE);
+  EXPECT_EQ(specified.error_answers.at(static_cast<std::size_t>(error.index)),
+            std::vector<GLenum>{GL_NO_ERROR});
+  EXPECT_EQ(specified.error_answers.at(static_cast<std::size_t>(asked.index)),
+            std::vector<GLenum>{GL_INVALID_ENUM});
+  EXPECT_EQ(only_specified(c).commands().size(), 5u);
+  EXPECT_EQ(specify(c, 8).errors.front(), std::vector<GLenum>{GL_INVALID_ENUM}) << "other state is rejected";
 }
 
 }  // namespace

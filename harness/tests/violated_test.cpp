@@ -1,6 +1,7 @@
 // Tests the violated requirements of failing tests.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <utility>
 
 #include <evalcts/capture/capture.h>
@@ -164,6 +165,84 @@ TEST(Judged, ErrorsBetweenBeginAndEndAreDueOnlyIfOtherQueriesRaiseThem) {
   const TestRecord record =
       record_of(lenient_queries<true>, {"EV-A"}, [](evalcts::Test& t) { t.judge(enables()); });
   EXPECT_EQ(record.verdict, Verdict::kNotObservable) << record.message;
+}
+
+// A rejected definition between two snapshots, and a query of its orders.
+gl::Case rejected(evalcts::Test& t) {
+  gl::Case c("rejected");
+  const auto snapshot = [&] { t.compare_only({c.IsEnabled(GL_MAP1_INDEX)}); };
+  snapshot();
+  c.Map1f(GL_MAP1_INDEX, 0, 1, 1, 0, std::vector<float>{1});
+  c.GetError();
+  snapshot();
+  return c;
+}
+const Body kRejected = [](evalcts::Test& t) { t.judge(rejected(t), Outcomes::kAnswers); };
+
+// Map1 enables the map, also if it is rejected.
+void enabling_maps(gl::Table& table) {
+  table.Map1f = [](GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
+    Altered::original.Map1f(target, u1, u2, stride, order, points);
+    Altered::original.Enable(target);
+  };
+}
+void silent_errors(gl::Table& table) {
+  table.GetError = []() -> GLenum {
+    Altered::original.GetError();
+    return GL_NO_ERROR;
+  };
+}
+// Answers the wrong value, always the same.
+void wrong_enables(gl::Table& table) {
+  table.IsEnabled = [](GLenum cap) -> GLboolean {
+    Altered::original.IsEnabled(cap);
+    return GL_TRUE;
+  };
+}
+
+TEST(Blame, EffectsOfRejectedCommandsAndErrorsHaveTheirRequirements) {
+  const Ids both = {"EV-A-ERR-ORDER", "EV-A-ERR-NOEFFECT"};
+  EXPECT_EQ(record_of([](gl::Table&) {}, both, kRejected).verdict, Verdict::kPass);
+  EXPECT_EQ(record_of(enabling_maps, both, kRejected).blamed(), Ids{"EV-A-ERR-NOEFFECT"});
+  EXPECT_EQ(record_of(silent_errors, both, kRejected).blamed(), Ids{"EV-A-ERR-ORDER"});
+}
+
+TEST(Blame, EffectsOfCommandsThatAreNotRejectedAreNoWonder) {
+  const auto alter = [](gl::Table& table) {
+    enabling_maps(table);
+    silent_errors(table);
+  };
+  EXPECT_EQ(record_of(alter, {"EV-A-ERR-ORDER", "EV-A-ERR-NOEFFECT"}, kRejected).blamed(),
+            Ids{"EV-A-ERR-ORDER"});
+}
+
+TEST(Blame, SnapshotsAreComparedOnly) {
+  EXPECT_EQ(record_of(wrong_enables, {"EV-A"}, kRejected).verdict, Verdict::kPass);
+  const Body judged = [](evalcts::Test& t) {
+    gl::Case c("asked");
+    c.IsEnabled(GL_MAP1_INDEX);
+    t.judge(c);
+  };
+  EXPECT_EQ(record_of(wrong_enables, {"EV-A"}, judged).verdict, Verdict::kFail);
+}
+
+// Queries of colours as integers, which may be rounded or mapped to the whole range.
+template <GLint kAnswer>
+void answers_of_colors(gl::Table& table) {
+  table.GetMapiv = [](GLenum, GLenum, GLint* values) { std::fill(values, values + 4, kAnswer); };
+}
+
+TEST(Judged, EveryPermittedAnswerIsAccepted) {
+  const Body body = [](evalcts::Test& t) {
+    gl::Case c("initial colour");
+    c.GetMapiv(GL_MAP1_COLOR_4, GL_COEFF, gl::out<GLint>(4));
+    t.judge(c);
+  };
+  EXPECT_EQ(record_of(answers_of_colors<1>, {"EV-A"}, body).verdict, Verdict::kPass);
+  EXPECT_EQ(record_of(answers_of_colors<2147483647>, {"EV-A"}, body).verdict, Verdict::kPass);
+  const TestRecord wrong = record_of(answers_of_colors<2>, {"EV-A"}, body);
+  EXPECT_EQ(wrong.verdict, Verdict::kFail);
+  EXPECT_TRUE(wrong.message.ends_with("answers {2, 2, 2, 2}, expected {1, 1, 1, 1}")) << wrong.message;
 }
 
 // --- Display lists ---------------------------------------------------------------------------------------

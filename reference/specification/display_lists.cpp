@@ -89,17 +89,20 @@ void Specification::execute(const std::vector<GLuint>& names) {
   if (list_depth_ == kMaxListNesting) return;
   ++list_depth_;
   std::vector<GLenum> errors;  // an implementation may keep several codes
+  std::size_t raised = 0;
   for (const GLuint name : names) {
     const auto list = lists_.find(name);
     if (list == lists_.end()) continue;
     for (const Command& command : list->second) {  // an error does not end the list (EV-DL-ERR-CONTINUE)
       command(*this);
+      raised += raised_errors_;
       for (const GLenum error : permitted_errors_)
         if (std::ranges::count(errors, error) == 0) errors.push_back(error);
     }
   }
   --list_depth_;
   permitted_errors_ = std::move(errors);
+  raised_errors_ = raised;
 }
 
 // CallList(0) has no effect, because no list has the name 0 (glCallList page).

@@ -5,6 +5,7 @@
 #include <reference/specification.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -15,9 +16,14 @@ namespace {
 
 bool is_map_target(GLenum target) { return is_map1_target(target) || is_map2_target(target); }
 
-bool is_texture_unit(GLenum texture) {
-  return texture >= GL_TEXTURE0 && texture < GL_TEXTURE0 + kTextureUnits;
+bool holds_colors_or_normals(GLenum target) {
+  return target == GL_MAP1_COLOR_4 || target == GL_MAP2_COLOR_4 || target == GL_MAP1_NORMAL ||
+         target == GL_MAP2_NORMAL;
 }
+
+// Returns the least stride of a target. A stride that is too small for every target may be reported even if
+// the target is invalid (EV-MAP-ERR-ANY).
+int least_stride(GLenum target) { return std::max(values_per_point(target), 1); }
 
 // A size that is sufficient for every answer.
 constexpr GLsizei kAnySize = std::numeric_limits<GLsizei>::max();
@@ -39,24 +45,51 @@ std::vector<double> answer_of_map(const Map& map, GLenum query) {
   }
 }
 
-// Converts a state value to the answer of a query of type T. `normalized`: true for colours and normals.
+// The conversions to integers that the documents permit for a value.
+enum class ToInteger { kRounded, kNormalized, kEither };
+
+// Returns the permitted answers of a query of type T for a state value.
 template <typename T>
-T convert(double value, bool normalized);
+std::vector<double> permitted(double value, ToInteger conversion);
 template <>
-GLboolean convert<GLboolean>(double value, bool) {
-  return to_boolean(value);
+std::vector<double> permitted<GLboolean>(double value, ToInteger) {
+  return {static_cast<double>(to_boolean(value))};
 }
 template <>
-GLint convert<GLint>(double value, bool normalized) {
-  return normalized ? normalized_to_integer(value) : to_integer(value);
+std::vector<double> permitted<GLint>(double value, ToInteger conversion) {
+  std::vector<double> answers;
+  const auto permit = [&](GLint answer) {
+    if (std::ranges::count(answers, answer) == 0) answers.push_back(answer);
+  };
+  if (conversion != ToInteger::kNormalized) {
+    permit(to_integer(value));
+    // n + 1/2 may be rounded up or down.
+    permit(to_integer(std::ceil(value - 0.5)));
+    permit(to_integer(std::floor(value + 0.5)));
+  }
+  if (conversion != ToInteger::kRounded) {
+    permit(normalized_to_integer(value));
+    // The rule of GL 4.2, in which 0 is 0.
+    constexpr double kLargest = std::numeric_limits<GLint>::max();
+    permit(to_integer(std::ceil(kLargest * value - 0.5)));
+    permit(to_integer(std::floor(kLargest * value + 0.5)));
+  }
+  return answers;
 }
 template <>
-GLfloat convert<GLfloat>(double value, bool) {
-  return to_float(value);
+std::vector<double> permitted<GLfloat>(double value, ToInteger) {
+  return {to_float(value)};
 }
 template <>
-GLdouble convert<GLdouble>(double value, bool) {
-  return value;
+std::vector<double> permitted<GLdouble>(double value, ToInteger) {
+  return {value};
+}
+
+template <typename T>
+std::vector<PermittedValue> permitted(const std::vector<double>& values, ToInteger conversion) {
+  std::vector<PermittedValue> all;
+  for (const double value : values) all.push_back({value, permitted<T>(value, conversion)});
+  return all;
 }
 
 }  // namespace
@@ -68,7 +101,8 @@ std::size_t Specification::slot(GLenum target) {
 Specification::Specification() : Specification(Options{}) {}
 
 Specification::Specification(const Options& options)
-    : max_eval_order_(std::clamp(options.max_eval_order, 8, kMaxOrder)) {
+    : max_eval_order_(std::clamp(options.max_eval_order, 8, kMaxOrder)),
+      texture_units_(std::clamp(options.texture_units, 1, kTextureUnits)) {
   for (GLenum i = 0; i < kMapKinds; ++i) {
     maps_[slot(GL_MAP1_COLOR_4 + i)] = std::make_shared<const Map>(initial_map(GL_MAP1_COLOR_4 + i));
     maps_[slot(GL_MAP2_COLOR_4 + i)] = std::make_shared<const Map>(initial_map(GL_MAP2_COLOR_4 + i));
@@ -83,11 +117,13 @@ bool Specification::any_applies(const Objections& objections) {
 
 bool Specification::reject_if(const Objections& objections) {
   permitted_errors_.clear();
+  permitted_answer_.clear();
   for (const Objection& objection : objections) {
     if (objection.applies && std::ranges::count(permitted_errors_, objection.error) == 0) {
       permitted_errors_.push_back(objection.error);
     }
   }
+  raised_errors_ = permitted_errors_.empty() ? 0 : 1;
   if (permitted_errors_.empty()) return false;
   if (error_ == GL_NO_ERROR) error_ = permitted_errors_.front();  // a recorded error stays until it is read
   return true;
@@ -107,11 +143,11 @@ void Specification::Finish() { reject_if({{inside(), GL_INVALID_OPERATION}}); }
 
 template <typename T>
 void Specification::map1(GLenum target, T u1, T u2, GLint stride, GLint order, const T* points) {
-  const int k = is_map1_target(target) ? values_per_point(target) : 0;
+  const int k = values_per_point(target);
   const Objections objections{
       {!is_map1_target(target), GL_INVALID_ENUM},                // EV-MAP1-ERR-TARGET
       {order < 1 || order > max_eval_order_, GL_INVALID_VALUE},  // EV-MAP1-ERR-ORDER-*
-      {stride < k, GL_INVALID_VALUE},                            // EV-MAP1-ERR-STRIDE
+      {stride < least_stride(target), GL_INVALID_VALUE},         // EV-MAP1-ERR-STRIDE
       {u1 == u2, GL_INVALID_VALUE}};                             // EV-MAP1-ERR-DOMAIN
   if (points == nullptr || any_applies(objections)) return define(objections, nullptr);
   Map map{target, {order, u1, u2}, {}, {}};
@@ -124,15 +160,15 @@ void Specification::map1(GLenum target, T u1, T u2, GLint stride, GLint order, c
 template <typename T>
 void Specification::map2(GLenum target, T u1, T u2, GLint ustride, GLint uorder, T v1, T v2, GLint vstride,
                          GLint vorder, const T* points) {
-  const int k = is_map2_target(target) ? values_per_point(target) : 0;
+  const int k = values_per_point(target);
   const auto is_order = [this](GLint order) { return order >= 1 && order <= max_eval_order_; };
-  const Objections objections{{!is_map2_target(target), GL_INVALID_ENUM},  // EV-MAP2-ERR-TARGET
-                              {!is_order(uorder), GL_INVALID_VALUE},       // EV-MAP2-ERR-UORDER
-                              {!is_order(vorder), GL_INVALID_VALUE},       // EV-MAP2-ERR-VORDER
-                              {ustride < k, GL_INVALID_VALUE},             // EV-MAP2-ERR-USTRIDE
-                              {vstride < k, GL_INVALID_VALUE},             // EV-MAP2-ERR-VSTRIDE
-                              {u1 == u2, GL_INVALID_VALUE},                // EV-MAP2-ERR-UDOMAIN
-                              {v1 == v2, GL_INVALID_VALUE}};               // EV-MAP2-ERR-VDOMAIN
+  const Objections objections{{!is_map2_target(target), GL_INVALID_ENUM},          // EV-MAP2-ERR-TARGET
+                              {!is_order(uorder), GL_INVALID_VALUE},               // EV-MAP2-ERR-UORDER
+                              {!is_order(vorder), GL_INVALID_VALUE},               // EV-MAP2-ERR-VORDER
+                              {ustride < least_stride(target), GL_INVALID_VALUE},  // EV-MAP2-ERR-USTRIDE
+                              {vstride < least_stride(target), GL_INVALID_VALUE},  // EV-MAP2-ERR-VSTRIDE
+                              {u1 == u2, GL_INVALID_VALUE},                        // EV-MAP2-ERR-UDOMAIN
+                              {v1 == v2, GL_INVALID_VALUE}};                       // EV-MAP2-ERR-VDOMAIN
   if (points == nullptr || any_applies(objections)) return define(objections, nullptr);
   Map map{target, {uorder, u1, u2}, {vorder, v1, v2}, {}};
   for (std::ptrdiff_t i = 0; i < uorder; ++i) {
@@ -150,6 +186,7 @@ void Specification::define(Objections objections, std::shared_ptr<const Map> map
   objections.push_back({attributes_.active_texture != 0, GL_INVALID_OPERATION});  // EV-MAP*-ERR-ACTIVETEX
   if (reject_if(objections) || map == nullptr) return;
   maps_[slot(map->target)] = map;
+  defined_[slot(map->target)] = true;
 }
 
 void Specification::Map1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order,
@@ -244,6 +281,10 @@ void Specification::EdgeFlag(GLboolean flag) {
   attributes_.current.edge_flag = flag != GL_FALSE;
 }
 
+bool Specification::is_texture_unit(GLenum texture) const {
+  return texture >= GL_TEXTURE0 && std::cmp_less(texture - GL_TEXTURE0, texture_units_);
+}
+
 void Specification::ActiveTexture(GLenum texture) {
   if (compiled(&Specification::ActiveTexture, texture)) return;
   if (reject_if({{inside(), GL_INVALID_OPERATION}, {!is_texture_unit(texture), GL_INVALID_ENUM}})) return;
@@ -285,8 +326,23 @@ void Specification::get_map(GLenum target, GLenum query, GLsizei size, T* v) {
       v == nullptr) {
     return;
   }
-  // GetMapiv rounds colours and normals like other values (C-GETMAPIV-NORM).
-  std::ranges::transform(values, v, [](double value) { return convert<T>(value, false); });
+  // Documents disagree whether GetMapiv rounds colours and normals or maps [-1,1] to the whole range of
+  // integers (C-GETMAPIV-NORM).
+  const bool may_be_normalized = query == GL_COEFF && holds_colors_or_normals(target);
+  std::vector<PermittedValue> answer =
+      permitted<T>(values, may_be_normalized ? ToInteger::kEither : ToInteger::kRounded);
+  for (PermittedValue& value : answer) {
+    const bool is_ambiguous = may_be_normalized && std::is_same_v<T, GLint> && std::abs(value.state) > 1;
+    value.is_advisory = is_ambiguous || (query == GL_DOMAIN && !defined_[slot(target)]);
+  }
+  write(std::move(answer), v);
+}
+
+template <typename T>
+void Specification::write(std::vector<PermittedValue> values, T* params) {
+  std::ranges::transform(values, params,
+                         [](const PermittedValue& value) { return static_cast<T>(value.answers.front()); });
+  permitted_answer_ = std::move(values);
 }
 
 void Specification::GetMapfv(GLenum target, GLenum query, GLfloat* v) { get_map(target, query, kAnySize, v); }
@@ -312,7 +368,7 @@ std::optional<Specification::Answer> Specification::answer(GLenum pname) const {
   const auto list = [](const auto& values) { return std::vector<double>(values.begin(), values.end()); };
   switch (pname) {
     case GL_MAX_EVAL_ORDER:
-      return Answer{Kind::kInteger, {double(max_eval_order_)}};
+      return Answer{Kind::kInteger, {double(max_eval_order_)}, true};
     case GL_MAP1_GRID_DOMAIN:
       return Answer{Kind::kFloatingPoint, {grid1.first, grid1.last}};
     case GL_MAP1_GRID_SEGMENTS:
@@ -336,7 +392,7 @@ std::optional<Specification::Answer> Specification::answer(GLenum pname) const {
       return Answer{Kind::kInteger, {double(GL_TEXTURE0 + attributes_.active_texture)}};
     case GL_MAX_TEXTURE_UNITS:
     case GL_MAX_TEXTURE_COORDS:
-      return Answer{Kind::kInteger, {double(kTextureUnits)}};
+      return Answer{Kind::kInteger, {double(texture_units_)}, true};
     case GL_LIST_BASE:
       return Answer{Kind::kInteger, {double(attributes_.list_base)}};
     case GL_LIST_INDEX:
@@ -344,11 +400,11 @@ std::optional<Specification::Answer> Specification::answer(GLenum pname) const {
     case GL_LIST_MODE:
       return Answer{Kind::kInteger, {construction_ ? double(construction_->mode) : 0}};
     case GL_MAX_LIST_NESTING:
-      return Answer{Kind::kInteger, {double(kMaxListNesting)}};
+      return Answer{Kind::kInteger, {double(kMaxListNesting)}, true};
     case GL_ATTRIB_STACK_DEPTH:
       return Answer{Kind::kInteger, {double(attribute_stack_.size())}};
     case GL_MAX_ATTRIB_STACK_DEPTH:
-      return Answer{Kind::kInteger, {double(kMaxAttribStackDepth)}};
+      return Answer{Kind::kInteger, {double(kMaxAttribStackDepth)}, true};
     case GL_RGBA_MODE:
       return Answer{Kind::kBoolean, {1}};
     case GL_INDEX_MODE:
@@ -362,8 +418,10 @@ template <typename T>
 void Specification::get(GLenum pname, T* params) {
   const std::optional<Answer> found = answer(pname);
   if (reject_if({{inside(), GL_INVALID_OPERATION}, {!found, GL_INVALID_ENUM}}) || params == nullptr) return;
-  const bool normalized = found->kind == Answer::Kind::kNormalized;
-  std::ranges::transform(found->values, params, [=](double value) { return convert<T>(value, normalized); });
+  std::vector<PermittedValue> values = permitted<T>(
+      found->values, found->kind == Answer::Kind::kNormalized ? ToInteger::kNormalized : ToInteger::kRounded);
+  for (PermittedValue& value : values) value.is_least = found->is_limit && !std::is_same_v<T, GLboolean>;
+  write(std::move(values), params);
 }
 
 void Specification::GetBooleanv(GLenum pname, GLboolean* params) { get(pname, params); }

@@ -246,12 +246,14 @@ TEST(DisplayLists, ReportTheFirstOfTheirErrorsAndPermitAll) {
   const GLubyte lists[] = {1, 2, 3};
   gl.CallLists(3, GL_UNSIGNED_BYTE, lists);
   EXPECT_EQ(gl.permitted_errors(), (std::vector<GLenum>{GL_INVALID_VALUE, GL_INVALID_ENUM}));
+  EXPECT_EQ(gl.raised_errors(), 3u);
   expect_error(gl, GL_INVALID_VALUE);
   gl.CallList(1);
   EXPECT_EQ(gl.permitted_errors(), std::vector<GLenum>{});
   compile(gl, 4, [](Specification& c) { c.Map1f(0, 1, 1, 0, 0, nullptr); });
   gl.CallList(4);
   EXPECT_EQ(gl.permitted_errors(), (std::vector<GLenum>{GL_INVALID_ENUM, GL_INVALID_VALUE}));
+  EXPECT_EQ(gl.raised_errors(), 1u);
 }
 
 TEST(DisplayLists, JudgeTheActiveTextureWhenCalled) {  // EV-DL-ACTIVETEX

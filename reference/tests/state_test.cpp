@@ -221,6 +221,83 @@ TEST(Queries, OfMapsConvert) {  // EV-GETMAP-ROUND, -SATURATE, -FLOAT, -DOUBLE, 
   EXPECT_EQ(get_map(gl, GL_MAP1_COLOR_4, GL_DOMAIN), (std::vector<GLdouble>{1.0 / 3, 2.51}));
 }
 
+// --- What the documents permit
+
+std::vector<double> permitted(const Specification& gl, std::size_t value) {
+  return gl.permitted_answer().at(value).answers;
+}
+
+TEST(PermittedAnswers, OfMapsRoundHalvesUpOrDown) {  // EV-GETMAP-ROUND
+  Specification gl;
+  const GLfloat points[] = {0.5f, 1.5f, -2.5f, 3.25f};
+  gl.Map1f(GL_MAP1_TEXTURE_COORD_4, 0, 1, 4, 1, points);
+  GLint i[4];
+  gl.GetMapiv(GL_MAP1_TEXTURE_COORD_4, GL_COEFF, i);
+  ASSERT_EQ(gl.permitted_answer().size(), 4u);
+  EXPECT_EQ(permitted(gl, 0), (std::vector<double>{0, 1}));
+  EXPECT_EQ(permitted(gl, 1), (std::vector<double>{2, 1}));
+  EXPECT_EQ(permitted(gl, 2), (std::vector<double>{-2, -3}));
+  EXPECT_EQ(permitted(gl, 3), std::vector<double>{3});
+  EXPECT_EQ(gl.permitted_answer()[3].state, 3.25);
+  EXPECT_EQ(i[1], 2) << "the first permitted answer";
+}
+
+TEST(PermittedAnswers, OfColorsAndNormalsAreRoundedOrNormalized) {  // C-GETMAPIV-NORM
+  Specification gl;
+  const GLfloat points[] = {0.5f, 1, -2};
+  gl.Map1f(GL_MAP1_NORMAL, 0, 1, 3, 1, points);
+  GLint i[3];
+  gl.GetMapiv(GL_MAP1_NORMAL, GL_COEFF, i);
+  EXPECT_EQ(permitted(gl, 0), (std::vector<double>{0, 1, 1073741823, 1073741824})) << "by both rules";
+  EXPECT_EQ(permitted(gl, 1), (std::vector<double>{1, 2147483647}));
+  EXPECT_FALSE(gl.permitted_answer()[1].is_advisory);
+  EXPECT_TRUE(gl.permitted_answer()[2].is_advisory) << "must not be judged";
+  gl.GetMapiv(GL_MAP1_NORMAL, GL_DOMAIN, i);
+  EXPECT_EQ(permitted(gl, 1), std::vector<double>{1});
+  EXPECT_FALSE(gl.permitted_answer()[1].is_advisory);
+  gl.GetIntegerv(GL_CURRENT_NORMAL, i);  // (0, 0, 1), always normalized
+  EXPECT_EQ(permitted(gl, 2), std::vector<double>{2147483647});
+}
+
+TEST(PermittedAnswers, OfInitialDomainsAreAdvice) {  // EV-INIT-DOMAIN
+  Specification gl;
+  GLfloat f[4];
+  gl.GetMapfv(GL_MAP1_INDEX, GL_DOMAIN, f);
+  EXPECT_TRUE(gl.permitted_answer().at(0).is_advisory);
+  gl.GetMapfv(GL_MAP1_INDEX, GL_COEFF, f);
+  EXPECT_FALSE(gl.permitted_answer().at(0).is_advisory);
+  gl.Map1f(GL_MAP1_INDEX, 0, 1, 1, 1, f);
+  gl.GetMapfv(GL_MAP1_INDEX, GL_DOMAIN, f);
+  EXPECT_FALSE(gl.permitted_answer().at(0).is_advisory);
+}
+
+TEST(PermittedAnswers, OfLimitsAreLeastValues) {  // EV-GET-MAXORDER
+  Specification gl({.max_eval_order = 8, .texture_units = 2});
+  GLint limit = 0;
+  for (const GLenum name : {GL_MAX_EVAL_ORDER, GL_MAX_TEXTURE_UNITS, GL_MAX_LIST_NESTING}) {
+    gl.GetIntegerv(name, &limit);
+    EXPECT_TRUE(gl.permitted_answer().at(0).is_least) << name;
+  }
+  GLboolean flag = GL_FALSE;
+  gl.GetBooleanv(GL_MAX_EVAL_ORDER, &flag);
+  EXPECT_FALSE(gl.permitted_answer().at(0).is_least);
+  gl.ActiveTexture(GL_TEXTURE1);
+  expect_error(gl, GL_NO_ERROR);
+  gl.ActiveTexture(GL_TEXTURE2);
+  expect_error(gl, GL_INVALID_ENUM);
+}
+
+TEST(PermittedAnswers, BelongToTheLastCommand) {
+  Specification gl;
+  GLint order = 0;
+  gl.GetMapiv(GL_MAP1_INDEX, GL_ORDER, &order);
+  EXPECT_EQ(gl.permitted_answer().size(), 1u);
+  gl.GetMapiv(0, GL_ORDER, &order);  // rejected
+  EXPECT_TRUE(gl.permitted_answer().empty());
+  EXPECT_TRUE(gl.has_state(GL_AUTO_NORMAL));
+  EXPECT_FALSE(gl.has_state(GL_LIGHTING));
+}
+
 TEST(Queries, OfMapsHaveErrorsAndWriteNothingThen) {  // EV-GETMAP-ERR-*
   Specification gl;
   const auto expect_rejected = [&](GLenum target, GLenum query) {

@@ -147,12 +147,13 @@ class Context:
         codes = set()
         if size is None:
             codes.add(ENUM)
+            size = 1  # a stride that is too small for every target may be reported as well
         if self.active_unit != 0:
             codes.add(OPERATION)
         for first, last, stride, order in directions:
             self.advisory |= {first, last} == {ZERO, "-0x0p+0"}
             if (read_float(first, FORMATS[form[1]]) == read_float(last, FORMATS[form[1]])
-                    or not 1 <= order <= MAX_EVAL_ORDER or (size is not None and stride < size)):
+                    or not 1 <= order <= MAX_EVAL_ORDER or stride < size):
                 codes.add(VALUE)
         return codes
 

@@ -110,40 +110,11 @@ Json call(const gl::Command& command) {
 
 // --- Answers
 
-constexpr std::pair<gl::EntryPoint, gl::EntryPoint> kAsDouble[] = {
-    {gl::EntryPoint::GetMapfv, gl::EntryPoint::GetMapdv},
-    {gl::EntryPoint::GetMapdv, gl::EntryPoint::GetMapdv},
-    {gl::EntryPoint::GetMapiv, gl::EntryPoint::GetMapdv},
-    {gl::EntryPoint::GetnMapfv, gl::EntryPoint::GetMapdv},
-    {gl::EntryPoint::GetnMapdv, gl::EntryPoint::GetMapdv},
-    {gl::EntryPoint::GetnMapiv, gl::EntryPoint::GetMapdv},
-    {gl::EntryPoint::GetFloatv, gl::EntryPoint::GetDoublev},
-    {gl::EntryPoint::GetDoublev, gl::EntryPoint::GetDoublev},
-    {gl::EntryPoint::GetIntegerv, gl::EntryPoint::GetDoublev},
-    {gl::EntryPoint::GetBooleanv, gl::EntryPoint::GetDoublev}};
+// The minimum of MAX_EVAL_ORDER.
+constexpr int kLeastMaxEvalOrder = 8;
 
-// At least the number of values of any answer.
-constexpr std::size_t kRoom = 4 * kMaxEvalOrder * kMaxEvalOrder;
-
-// Returns the commands with each query in its form for doubles, whose answers are exact.
-gl::Case with_exact_queries(const gl::Case& script) {
-  gl::Case exact;
-  for (const gl::Command& command : script.commands()) {
-    const auto* found =
-        std::ranges::find(kAsDouble, command.entry, &std::pair<gl::EntryPoint, gl::EntryPoint>::first);
-    if (found == std::end(kAsDouble)) {
-      exact.add(command);
-      continue;
-    }
-    // Only the names stay of the arguments; the size of GetnMap is dropped.
-    gl::Command query{found->second, {command.arguments[0]}};
-    if (query.entry == gl::EntryPoint::GetMapdv) query.arguments.push_back(command.arguments[1]);
-    query.arguments.push_back(gl::Output{Scalar::kF64, kRoom});
-    exact.add(std::move(query));
-  }
-  return exact;
-}
-
+// Returns the integers nearest to a value. Cases with other readings of GetMapiv (C-GETMAPIV-NORM) have a
+// flag.
 Json accepted_integers(double exact) {
   using Limits = std::numeric_limits<GLint>;
   const double low = std::ceil(exact - 0.5), high = std::floor(exact + 0.5);  // differ only for n + 1/2
@@ -181,29 +152,22 @@ bool is_normalized(const gl::Command& command) {
          (*name == GL_CURRENT_COLOR || *name == GL_CURRENT_NORMAL);
 }
 
-// The minimum of MAX_EVAL_ORDER.
-constexpr int kLeastMaxEvalOrder = 8;
-
-bool asks_for_limit(const gl::Command& command) {
-  const auto* name = std::get_if<std::int64_t>(&command.arguments.front());
-  return command.entry != gl::EntryPoint::GetBooleanv && name && *name == GL_MAX_EVAL_ORDER;
-}
-
-Json answers(const gl::Command& command, const std::vector<double>& exact) {
-  if (asks_for_limit(command)) return Json::array({Json::array({{{"at_least", kLeastMaxEvalOrder}}})});
+Json answers(const gl::Command& command, const std::vector<reference::PermittedValue>& permitted) {
   if (is_normalized(command))
     throw std::logic_error("colours and normals as integers are not in the vectors");
   const Scalar type = std::get<gl::Output>(command.arguments.back()).type;
   Json values = Json::array();
-  for (const double value : exact) {
-    if (type == Scalar::kU8)
-      values.push_back(Json::array({value == 0 ? 0 : 1}));
+  for (const reference::PermittedValue& value : permitted) {
+    if (value.is_least)
+      values.push_back(Json::array({{{"at_least", kLeastMaxEvalOrder}}}));
+    else if (type == Scalar::kU8)
+      values.push_back(Json::array({value.state == 0 ? 0 : 1}));
     else if (type == Scalar::kI32)
-      values.push_back(accepted_integers(value));
+      values.push_back(accepted_integers(value.state));
     else if (type == Scalar::kF64 && asks_for_integers(command))
-      values.push_back(Json::array({hexadecimal(value)}));
+      values.push_back(Json::array({hexadecimal(value.state)}));
     else
-      values.push_back(accepted_reals(value, type == Scalar::kF64));
+      values.push_back(accepted_reals(value.state, type == Scalar::kF64));
   }
   return values;
 }
@@ -276,11 +240,6 @@ class Standing {
           if (needs_gl_2(*sample)) need("2.0");
           if (is_initial(sample->map().target)) need("1.1");
         }
-  }
-  // Returns true if only the reference pages give the answer: the domain of a map that was never defined.
-  bool is_advisory(const gl::Command& query) const {
-    return is_query_of_map(query) && token(query.arguments[1]) == GL_DOMAIN &&
-           is_initial(token(query.arguments[0]));
   }
   const std::string& level() const { return level_; }
   const std::string& since() const { return since_; }
@@ -430,7 +389,6 @@ bool writes(const gl::Command& command) {
 
 Json sequence(const gl::Case& script, const Shown& shown) {
   const Specified specified = specify(script, kMaxEvalOrder);
-  const gl::Trace exact = specify(with_exact_queries(script), kMaxEvalOrder).answers;
   if (!script.commands().empty() && specified.inside.back()) throw std::logic_error("a primitive stays open");
 
   Json steps = Json::array();
@@ -452,15 +410,14 @@ Json sequence(const gl::Case& script, const Shown& shown) {
     const bool is_refused = !specified.errors[i].empty();
     standing.see(command, is_refused);
     if (writes(command))
-      step["answers"] = is_refused ? Json::array() : answers(command, [&] {
-        std::vector<double> values = exact.values<double>(ref);
-        values.resize(exact.written(ref));
-        return values;
-      }());
+      step["answers"] = answers(command, specified.permitted[i]);
     else if (returns_a_flag(command))
       step["answers"] =
           is_refused ? Json::array() : Json::array({Json::array({specified.answers.result(ref)})});
-    if (!is_refused && standing.is_advisory(command)) step["level"] = "advisory";
+    const auto& permitted = specified.permitted[i];
+    if (std::ranges::any_of(permitted, &reference::PermittedValue::is_advisory) &&
+        token(command.arguments[1]) == GL_DOMAIN)
+      step["level"] = "advisory";
     if (may_emit(command)) {
       Primitives primitives;
       for (; completed < specified.completed[i]; ++completed)

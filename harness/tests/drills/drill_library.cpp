@@ -12,7 +12,7 @@
 //   "both": crashes at the trigger, and hangs at the same call of Map1d
 //   "now-and-then": after the trigger, GetMapiv returns an order of INDEX that is too large by one, but only
 //     in the first process, which creates EVALCTS_DRILL_FILE
-//   "varying": as "now-and-then", but in other processes only in the context of the trigger
+//   "varying": as "now-and-then", but in other processes only the first order after the trigger
 //   "crash-now-and-then": crashes at the trigger, but only in the first process
 //   "history": after the trigger, GetMapiv returns an order of VERTEX_3 that is too large by one in the same
 //     context
@@ -185,7 +185,10 @@ EXPORT void glGetMapiv(GLenum target, GLenum query, GLint* values) {
   if (is_drill("query") && target == GL_MAP1_NORMAL) read_from_nowhere();
   glevGetMapiv(current, target, query, values);
   const bool is_odd = odd_answers || (is_drill("varying") && odd_context);
-  if (is_odd && target == GL_MAP1_INDEX && query == GL_ORDER) ++*values;
+  if (is_odd && target == GL_MAP1_INDEX && query == GL_ORDER) {
+    ++*values;
+    if (is_drill("varying")) odd_context = false;
+  }
   if (is_drill("history") && odd_context && target == GL_MAP1_VERTEX_3 && query == GL_ORDER) ++*values;
 }
 #endif

@@ -29,10 +29,23 @@
 
 namespace evalcts::reference {
 
+// What the documents permit as one value of the answer to a query.
+struct PermittedValue {
+  double state = 0;  // the value before its conversion to the type of the query
+  // Permitted results of the conversion, the likeliest first. Beyond these, floats and doubles may be rounded
+  // to single precision in other ways (EV-GETMAP-FLOAT, EV-GETMAP-DOUBLE).
+  std::vector<double> answers;
+  bool is_least = false;  // a limit of the implementation: any greater value is permitted as well
+  // Only the reference pages give the value (an initial domain), or documents disagree so far that it must
+  // not be judged (integers for colours and normals outside [-1,1], C-GETMAPIV-NORM).
+  bool is_advisory = false;
+};
+
 class Specification {
  public:
   struct Options {
-    int max_eval_order = kMaxOrder;  // 8..kMaxOrder (EV-INIT-MAXORDER); other values are clamped
+    int max_eval_order = kMaxOrder;     // 8..kMaxOrder (EV-INIT-MAXORDER); other values are clamped
+    int texture_units = kTextureUnits;  // 1..kTextureUnits; other values are clamped
   };
 
   // Makes a context in the initial state of the GL (EV-INIT-*).
@@ -198,6 +211,16 @@ class Specification {
   // because an implementation may record several until they are queried. GetError returns the first error
   // since the last GetError.
   const std::vector<GLenum>& permitted_errors() const { return permitted_errors_; }
+  // Returns how often the last command raised an error: more than once only if it called lists.
+  std::size_t raised_errors() const { return raised_errors_; }
+
+  // Returns what the documents permit as the answer to the last command, if it was a query by Get, GetMap or
+  // GetnMap that was not rejected; otherwise nothing.
+  const std::vector<PermittedValue>& permitted_answer() const { return permitted_answer_; }
+
+  // Returns true if Get answers the queries of this name, or Enable accepts it. Other names may belong to
+  // parts of the GL that have no state here.
+  bool has_state(GLenum name) const { return answer(name).has_value(); }
 
  private:
   struct CurrentValues {
@@ -260,6 +283,7 @@ class Specification {
       kNormalized
     } kind;  // kNormalized: colours and normals
     std::vector<double> values;
+    bool is_limit = false;  // the least value that an implementation may have
   };
 
   // Returns the index of a map target in maps_.
@@ -273,6 +297,7 @@ class Specification {
                 std::type_identity_t<Parameters>... arguments) {
     if (!construction_ || list_depth_ > 0) return false;
     permitted_errors_.clear();
+    raised_errors_ = 0;
     construction_->list.push_back([=](Specification& gl) { (gl.*command)(arguments...); });
     return construction_->mode == GL_COMPILE;
   }
@@ -293,6 +318,10 @@ class Specification {
   template <typename T>
   void get(GLenum pname, T* params);
   std::optional<Answer> answer(GLenum pname) const;
+  // Writes the first permitted answers, and keeps all of them for permitted_answer().
+  template <typename T>
+  void write(std::vector<PermittedValue> values, T* params);
+  bool is_texture_unit(GLenum texture) const;
   // Returns the state of an enable, or nothing if `cap` does not name one.
   std::optional<bool> enabled(GLenum cap) const;
   void set_enabled(GLenum cap, bool enabled);
@@ -324,7 +353,9 @@ class Specification {
   Vertex current_vertex() const;
 
   int max_eval_order_;
+  int texture_units_;
   std::array<std::shared_ptr<const Map>, 2 * kMapKinds> maps_;  // MAP1 targets, then MAP2 targets
+  std::array<bool, 2 * kMapKinds> defined_{};                   // false while a map is the initial one
   Attributes attributes_;
   std::vector<SavedAttributes> attribute_stack_;
   std::map<GLuint, DisplayList> lists_;
@@ -335,6 +366,8 @@ class Specification {
   std::size_t meshes_ = 0;  // number of EvalMesh2 commands so far
   GLenum error_ = GL_NO_ERROR;
   std::vector<GLenum> permitted_errors_;
+  std::size_t raised_errors_ = 0;
+  std::vector<PermittedValue> permitted_answer_;
 };
 
 }  // namespace evalcts::reference

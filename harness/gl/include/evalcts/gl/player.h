@@ -57,7 +57,8 @@ class Trace {
 
   std::size_t size() const { return results_.size(); }
 
-  // Returns a trace with the answers of these commands only, renumbered from 0 in the given order.
+  // Returns a trace with the answers of these commands only, renumbered from 0 in the given order. A negative
+  // position gives an empty answer.
   Trace of(const std::vector<int>& commands) const;
 
   // Replace an answer. Judging the changed trace shows whether a failure depends on this answer.

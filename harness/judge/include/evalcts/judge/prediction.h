@@ -23,19 +23,36 @@ struct Prediction {
   bool has_meshes() const;  // true if EvalMesh2 draws any of the primitives
 };
 
-// Predicts the primitives and the first error of a case. Commands that the specification does not support
-// (pixel store, buffers, matrices) do not concern evaluators and are skipped, also in display lists. No other
-// command may use their results.
+// What becomes of Enable, Disable, IsEnabled and Get with names of state that the executable specification
+// does not have, and of maps of the targets of NV_vertex_program. An error that GetError asks for behind such
+// a command is always predicted, because it is then intended.
+enum class OtherState {
+  kRejected,  // the specification raises INVALID_ENUM
+  kSkipped    // they belong to other parts of the GL, and nothing is predicted of them
+};
+
+// Returns for each command of the case whether the executable specification has it. Commands of other parts
+// of the GL (pixel store, buffers, matrices) are never known. Throws std::invalid_argument for a case of
+// several contexts.
+std::vector<bool> specified_commands(const gl::Case& script, OtherState other);
+// Returns the case with these commands only, without other state. No command may use the result of one that
+// is left out.
+gl::Case only_specified(const gl::Case& script);
+
+// Predicts the primitives and the first error of a case.
 Prediction predict(const gl::Case& script, int max_eval_order);
 
-// Returns true if a command of the case raises an error according to the specification, as far as it supports
-// the commands. Also returns true for a case with several contexts, because the specification has only one.
+// Returns true if a command of the case raises an error according to the specification. Also returns true for
+// a case with several contexts, because the specification has only one.
 bool may_raise_an_error(const gl::Case& script, int max_eval_order);
 
 // The complete result of a case on the executable specification.
 struct Specified {
   Prediction prediction;
-  gl::Trace answers;                        // answers of the commands; queried values are correctly rounded
+  std::vector<bool> known;  // specified_commands(); nothing is predicted of other commands
+  gl::Trace answers;        // answers of the commands; queried values are correctly rounded
+  // What the documents permit as the answer of each query, see reference::Specification.
+  std::vector<std::vector<reference::PermittedValue>> permitted;
   std::vector<std::vector<GLenum>> errors;  // errors that each command may raise; empty for most commands
   // Answers that each GetError may give, the likeliest first; empty for other commands. Distributed
   // implementations may keep several errors until they are queried (GL 2.1 section 2.5).
@@ -44,9 +61,9 @@ struct Specified {
   std::vector<bool> inside;            // true if a primitive is open after the command
 };
 
-// Runs the case on the specification. Throws std::logic_error if the specification does not support one of
-// the commands.
-Specified specify(const gl::Case& script, int max_eval_order);
+// Runs the specified_commands() of the case on the specification.
+Specified specify(const gl::Case& script, int max_eval_order, int texture_units = reference::kTextureUnits,
+                  OtherState other = OtherState::kRejected);
 
 // Returns a case that draws the predicted primitives with explicit vertices: all values correctly rounded,
 // and colour, normal and texture coordinates of unit 0 before each vertex. Evaluation must have the same

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <evalcts/gl/check.h>
@@ -42,8 +43,22 @@ class CheckedTrace {
   void expect_values_near(gl::Ref query, const std::vector<T>& expected, double relative) {
     check_values(query, {expected.begin(), expected.end()}, relative);
   }
+  // Checks that the query wrote as many values as there are elements in `permitted`, each in one of the
+  // intervals [first, second] of its element. `expected`: the likeliest values, for the message.
+  using Intervals = std::vector<std::pair<double, double>>;
+  void expect_permitted(gl::Ref query, const std::vector<Intervals>& permitted,
+                        const std::vector<double>& expected);
+  // Returns true if that check succeeds.
+  bool is_permitted(gl::Ref query, const std::vector<Intervals>& permitted) const;
+  // Returns the values that the query wrote.
+  std::vector<double> written_values(gl::Ref query) const;
+  // True for GetBooleanv, GetIntegerv, GetFloatv and GetDoublev.
+  bool is_query_of_state(gl::Ref query) const;
   // Checks that the query did not write to its array.
   void expect_nothing_written(gl::Ref query);
+  // Returns the number of checks that have failed so far.
+  std::size_t failures() const { return failures_; }
+
   // Checks that two queries gave the same answer, bit for bit. Succeeds if one of them was left
   // out (index -1).
   void expect_same(gl::Ref before, gl::Ref after);
@@ -58,7 +73,6 @@ class CheckedTrace {
 
  private:
   void check_values(gl::Ref query, const std::vector<double>& expected, double relative);
-  std::vector<double> written_values(gl::Ref query) const;
   // `check`: the condition that a C program can decide.
   void fail(gl::Check check, const std::string& message, const std::string& expected,
             const std::string& captured);
@@ -76,6 +90,7 @@ class CheckedTrace {
   gl::DeliveredCase delivered_;
   gl::Trace trace_;
   std::function<std::optional<Plot>()> plot_;
+  std::size_t failures_ = 0;
 };
 
 }  // namespace evalcts

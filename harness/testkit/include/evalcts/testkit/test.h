@@ -43,6 +43,8 @@ class Test {
   const ImplementationInfo& gl() const { return subject_.info; }
   // Returns the largest order that the implementation must accept (see ImplementationInfo).
   int max_order() const { return gl().max_order(); }
+  // Returns the number of texture units that tests use, 1 to 8.
+  int texture_units() const;
   // Returns the order above which all orders must be rejected. Throws NotObservable if MAX_EVAL_ORDER is not
   // answered, because the limit may then be any order from 8 on.
   int order_limit() const;
@@ -104,12 +106,17 @@ class Test {
   CheckedTrace play(const gl::Case& script);
 
   // Runs the case, and judges all answers of its commands, including errors, and all emitted vertices by the
-  // executable specification, within the permitted tolerances (the accuracy rule, EV-GETMAP-FLOAT). If an
-  // error is missing that is due between Begin and End, other commands have to raise it there. Throws
-  // NotObservable.
-  void judge(const gl::Case& script);
+  // executable specification, within the permitted tolerances (the accuracy rule, EV-GETMAP-FLOAT). Which of
+  // the test's requirements a wrong answer violates, says the table in blame.cpp. If an error is missing that
+  // is due between Begin and End, other commands have to raise it there. Throws NotObservable.
+  void judge(const gl::Case& script, Outcomes outcomes = Outcomes::kAll);
   // The same with a given outcome on the specification. Vertices are not judged through a delivery.
   void judge(const gl::Case& script, const Specified& specified, Outcomes outcomes = Outcomes::kAll);
+
+  // Makes the answers of these queries of the next judged case a snapshot: an answer violates a requirement
+  // only if the same query has had another answer earlier, and the specification says that it does not
+  // change. Whether the answers themselves are right, other tests judge.
+  void compare_only(const std::vector<gl::Ref>& queries);
 
   // Runs the case with Enable(CULL_FACE), IsEnabled(LIGHTING) or GetIntegerv(MATRIX_MODE) in place of the
   // commands, queries by Is or Get that are rejected between Begin and End. Throws NotObservable if these
@@ -166,6 +173,10 @@ class Test {
  private:
   gl::DeliveredCase begin_case(const gl::Case& script);
   void judge_answers(const gl::Case& script, const Specified& specified);
+  void judge_answer(CheckedTrace& checked, const Specified& specified, gl::Ref query);
+  void judge_snapshot(CheckedTrace& checked, const Specified& specified, const gl::Case& script,
+                      gl::Ref query);
+  void require_rounding_of_other_state();
   const Capture& choose_capture(Attributes required, PrimitiveKinds kinds);
   void note_capture(const Capture& capture);
 
@@ -203,6 +214,7 @@ class Test {
   Attributes unobserved_ = 0;  // required attributes that no capture shows
   // The commands and queries that can_call() and can_query_grid() found missing: "glMap1d (missing)".
   std::set<std::string> missing_;
+  std::set<int> snapshot_;  // positions of the queries of compare_only()
   std::uint64_t cases_ = 0, failed_cases_ = 0, last_failed_case_ = 0;
   std::mt19937 random_;
 };
