@@ -9,7 +9,7 @@
 #include <evalcts/fuzz/random_program.h>
 #include <evalcts/judge/prediction.h>
 #include <evalcts/testkit/registration.h>
-#include "checked_case.h"
+#include "maps.h"
 
 namespace evalcts::suite_after_random_commands {
 namespace {
@@ -180,26 +180,37 @@ EVALCTS_TEST(AfterRandomCommands, State, kMust, "EV-CUR-GRIDMAPS")
   });
 };
 
+// Returns the commands of the past that ask for nothing, because other tests judge the answers.
+gl::Case without_queries(const gl::Case& past) {
+  gl::Case rest(past.identity());
+  for (const gl::Command& command : past.commands()) {
+    const std::string_view name = gl::name_of(command.entry);
+    if (!name.starts_with("glGet") && !name.starts_with("glIs")) rest.add(command);
+  }
+  return rest;
+}
+
 EVALCTS_TEST(AfterRandomCommands, Refuses, kMust, "EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT")
 (Test& t) {
   after_random_commands(t, [&](const gl::Case& past) {
-    CheckedCase c(t, past);
-    const std::vector<gl::Ref> before = c.query_everything();
+    gl::Case c = without_queries(past);
+    c.GetError();
+    take_snapshot(t, c);
     for (const auto& [name, doubles] : existing_forms(t)) {
       Map curve = random_map(t, GL_MAP1_VERTEX_3, 4), net = random_map(t, GL_MAP2_VERTEX_4, {2, 2});
       curve.ustride = 2;
-      define(c, curve, doubles);
-      c.expect_error(GL_INVALID_VALUE);
       net.u2 = net.u1;
-      define(c, net, doubles);
-      c.expect_error(GL_INVALID_VALUE);
+      for (const Map& map : {curve, net}) {
+        define(c, map, doubles);
+        c.GetError();
+      }
     }
     c.MapGrid2f(2, 0, 1, 0, 0, 1);
-    c.expect_error(GL_INVALID_VALUE);
+    c.GetError();
     c.EvalMesh2(GL_POINTS, 0, 1, 0, 1);
-    c.expect_error(GL_INVALID_ENUM);
-    c.expect_unchanged(before);
-    c.check();
+    c.GetError();
+    take_snapshot(t, c);
+    t.judge(c, Outcomes::kAnswers);
   });
 };
 

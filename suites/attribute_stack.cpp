@@ -4,7 +4,7 @@
 
 #include <evalcts/testkit/registration.h>
 
-#include "checked_case.h"
+#include "maps.h"
 
 namespace evalcts::suite_attribute_stack {
 namespace {
@@ -36,41 +36,36 @@ void set(gl::Case& c, const State& state) {
   c.MapGrid2f(state.segments + 1, two[0], two[1], state.segments + 2, two[2], two[3]);
 }
 
-void expect_enables(CheckedCase& c, const State& state) {
+void ask_for_enables(gl::Case& c) {
   for (std::size_t i = 0; i < gl::kMap1Targets.size(); ++i) {
-    c.expect_enabled(gl::kMap1Targets[i], enabled(state, i));
-    c.expect_enabled(gl::kMap2Targets[i], enabled(state, i + 1));
+    c.IsEnabled(gl::kMap1Targets[i]);
+    c.IsEnabled(gl::kMap2Targets[i]);
   }
 }
-void expect_auto_normal(CheckedCase& c, const State& state) {
-  c.expect_enabled(GL_AUTO_NORMAL, state.auto_normal);
+bool can_query_grids(Test& t) {
+  return t.can_query_grid(GL_MAP1_GRID_SEGMENTS) && t.can_query_grid(GL_MAP1_GRID_DOMAIN) &&
+         t.can_query_grid(GL_MAP2_GRID_SEGMENTS) && t.can_query_grid(GL_MAP2_GRID_DOMAIN);
 }
-bool can_query_grids(CheckedCase& c) {
-  return c.can_query_grid(GL_MAP1_GRID_SEGMENTS) && c.can_query_grid(GL_MAP1_GRID_DOMAIN) &&
-         c.can_query_grid(GL_MAP2_GRID_SEGMENTS) && c.can_query_grid(GL_MAP2_GRID_DOMAIN);
+void ask_for_grids(Test& t, gl::Case& c) {
+  if (!can_query_grids(t)) return;
+  c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
+  c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2));
+  c.GetIntegerv(GL_MAP2_GRID_SEGMENTS, gl::out<GLint>(2));
+  c.GetFloatv(GL_MAP2_GRID_DOMAIN, gl::out<GLfloat>(4));
 }
-void expect_grids(CheckedCase& c, const State& state) {
-  if (!can_query_grids(c)) return;
-  c.expect_values(c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1)),
-                  std::vector<GLint>{state.segments});
-  c.expect_values(c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2)), grid1(state));
-  c.expect_values(c.GetIntegerv(GL_MAP2_GRID_SEGMENTS, gl::out<GLint>(2)),
-                  std::vector<GLint>{state.segments + 1, state.segments + 2});
-  c.expect_values(c.GetFloatv(GL_MAP2_GRID_DOMAIN, gl::out<GLfloat>(4)), grid2(state));
-}
-void expect_all(CheckedCase& c, const State& state) {
-  expect_enables(c, state);
-  expect_auto_normal(c, state);
-  expect_grids(c, state);
+void ask_for_all(Test& t, gl::Case& c) {
+  ask_for_enables(c);
+  c.IsEnabled(GL_AUTO_NORMAL);
+  ask_for_grids(t, c);
 }
 
-// Returns a case that sets kBefore, pushes the groups of the mask, sets kAfter and pops. Expects the push to
-// change nothing.
-CheckedCase pushed_and_popped(Test& t, GLbitfield mask) {
-  CheckedCase c(t, "set, push, set otherwise, pop");
+// Returns a case that sets kBefore, pushes the groups of the mask, sets kAfter and pops, with queries after
+// the push.
+gl::Case pushed_and_popped(Test& t, GLbitfield mask) {
+  gl::Case c("set, push, set otherwise, pop");
   set(c, kBefore);
   c.PushAttrib(mask);
-  expect_all(c, kBefore);
+  ask_for_all(t, c);
   set(c, kAfter);
   c.PopAttrib();
   return c;
@@ -108,91 +103,84 @@ constexpr Named<GLbitfield> kOthers[] = {
 // Returns true if the version has AUTO_NORMAL in the enable group.
 bool enable_bit_has_auto_normal(const Test& t) { return t.gl().at_least(1, 1); }
 
-void expect_all_restored(Test& t, const Named<GLbitfield>& mask) {
-  CheckedCase c = pushed_and_popped(t, mask.value);
-  expect_all(c, kBefore);
-  c.expect_no_error();
-  c.check();
+void judge_all(Test& t, const Named<GLbitfield>& mask) {
+  gl::Case c = pushed_and_popped(t, mask.value);
+  ask_for_all(t, c);
+  c.GetError();
+  t.judge(c, Outcomes::kAnswers);
 }
 
 EVALCTS_TEST(AttributeStack, EvalBit, kMust, "EV-ATTRIB-EVALBIT", "EV-API-ENUM-OTHER",
              combine(kWithEval).by(in_lists()))
-(Test& t, const Named<GLbitfield>& mask) { expect_all_restored(t, mask); };
+(Test& t, const Named<GLbitfield>& mask) { judge_all(t, mask); };
 
 EVALCTS_TEST(AttributeStack, AllBits, kMust, "EV-ATTRIB-ALL", combine(kWithAll).by(in_lists()))
-(Test& t, const Named<GLbitfield>& mask) { expect_all_restored(t, mask); };
+(Test& t, const Named<GLbitfield>& mask) { judge_all(t, mask); };
 
 EVALCTS_TEST(AttributeStack, EnableBit, kMust, "EV-ATTRIB-ENABLEBIT", by(in_lists()))
 (Test& t) {
-  CheckedCase c = pushed_and_popped(t, GL_ENABLE_BIT);
-  expect_enables(c, kBefore);
-  if (enable_bit_has_auto_normal(t)) expect_auto_normal(c, kBefore);
-  c.expect_no_error();
-  c.check();
+  gl::Case c = pushed_and_popped(t, GL_ENABLE_BIT);
+  ask_for_enables(c);
+  if (enable_bit_has_auto_normal(t)) c.IsEnabled(GL_AUTO_NORMAL);
+  c.GetError();
+  t.judge(c, Outcomes::kAnswers);
 };
 
 // Each enable alone is restored, both to disabled and to enabled.
 EVALCTS_TEST(AttributeStack, EachEnable, kMust, "EV-ATTRIB-ENABLEBIT", "EV-ATTRIB-EVALBIT")
 (Test& t) {
   for (const GLbitfield mask : {GL_ENABLE_BIT, GL_EVAL_BIT}) {
-    CheckedCase c(t, mask == GL_ENABLE_BIT ? "ENABLE_BIT" : "EVAL_BIT");
+    gl::Case c(mask == GL_ENABLE_BIT ? "ENABLE_BIT" : "EVAL_BIT");
     for (const GLenum cap : all_caps()) {
       if (cap == GL_AUTO_NORMAL && !enable_bit_has_auto_normal(t)) continue;
       c.PushAttrib(mask);
       c.Enable(cap);
       c.PopAttrib();
-      c.expect_enabled(cap, false);
+      c.IsEnabled(cap);
       c.Enable(cap);
       c.PushAttrib(mask);
       c.Disable(cap);
       c.PopAttrib();
-      c.expect_enabled(cap, true);
+      c.IsEnabled(cap);
       c.Disable(cap);
     }
-    c.check();
+    t.judge(c, Outcomes::kAnswers);
   }
 };
 
 EVALCTS_TEST(AttributeStack, EnableBitHasNoGrids, kMust, "EV-ATTRIB-ENABLEBIT-NOGRID", by(in_lists()))
 (Test& t) {
-  CheckedCase c(t, "set, push ENABLE_BIT, set otherwise, pop");
-  if (!can_query_grids(c)) throw NotObservable("queries of grids are rejected");
+  if (!can_query_grids(t)) throw NotObservable("queries of grids are rejected");
+  gl::Case c("set, push ENABLE_BIT, set otherwise, pop");
   set(c, kBefore);
   c.PushAttrib(GL_ENABLE_BIT);
   set(c, kAfter);
   c.PopAttrib();
-  expect_grids(c, kAfter);
-  c.check();
+  ask_for_grids(t, c);
+  t.judge(c, Outcomes::kAnswers);
 };
 
 EVALCTS_TEST(AttributeStack, OtherBits, kMust, "EV-ATTRIB-OTHERBITS", combine(kOthers).by(in_lists()))
-(Test& t, const Named<GLbitfield>& mask) {
-  CheckedCase c = pushed_and_popped(t, mask.value);
-  expect_all(c, kAfter);
-  c.check();
-};
+(Test& t, const Named<GLbitfield>& mask) { judge_all(t, mask); };
 
 // Maps belong to no attribute group: PopAttrib does not change their ORDER, DOMAIN and COEFF.
 EVALCTS_TEST(AttributeStack, MapsStay, kMust, "EV-ATTRIB-NOMAPS",
              combine((std::vector<Named<GLbitfield>>{kWithEval[0], kWithAll[0], kWithAll[1]})).by(in_lists()))
 (Test& t, const Named<GLbitfield>& mask) {
   for (const bool again : {true, false}) {
-    CheckedCase c(t, again ? "maps defined, pushed, defined again, popped" : "maps defined, pushed, popped");
-    std::vector<Map> maps;
+    gl::Case c(again ? "maps defined, pushed, defined again, popped" : "maps defined, pushed, popped");
     const auto define_all = [&](int order) {
-      maps.clear();
       for (const GLenum target : all_targets()) {
         const Map map = random_map(t, target, {order, order + 1});
-        maps.push_back(map.two ? over(map, {0, 1}, {0, 2.0 + order}) : over(map, {-1.0 * order, 1}));
-        define(c, maps.back());
+        define(c, map.two ? over(map, {0, 1}, {0, 2.0 + order}) : over(map, {-1.0 * order, 1}));
       }
     };
     define_all(3);
     c.PushAttrib(mask.value);
     if (again) define_all(4);
     c.PopAttrib();
-    for (const Map& map : maps) c.expect_map(map);
-    c.check();
+    for (const GLenum target : all_targets()) query_map(t, c, target);
+    t.judge(c, Outcomes::kAnswers);
   }
 };
 
@@ -293,18 +281,18 @@ EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredEnables, kMust, "EV-ATTRIB-EVA
 
 EVALCTS_TEST(AttributeStack, Nested, kMust, "EV-ATTRIB-NEST", by(in_lists()))
 (Test& t) {
-  CheckedCase c(t, "two levels, popped one after the other");
+  gl::Case c("two levels, popped one after the other");
   set(c, kBefore);
   c.PushAttrib(GL_EVAL_BIT);
   set(c, kAfter);
   c.PushAttrib(GL_EVAL_BIT);
   set(c, kLast);
-  expect_all(c, kLast);
+  ask_for_all(t, c);
   c.PopAttrib();
-  expect_all(c, kAfter);
+  ask_for_all(t, c);
   c.PopAttrib();
-  expect_all(c, kBefore);
-  c.check();
+  ask_for_all(t, c);
+  t.judge(c, Outcomes::kAnswers);
 };
 
 // The same with other masks that contain the enables, and three levels.
@@ -312,7 +300,7 @@ EVALCTS_TEST(
     AttributeStack, NestedEnables, kMust, "EV-ATTRIB-NEST",
     combine((std::vector<Named<GLbitfield>>{{"ENABLE_BIT", GL_ENABLE_BIT}, kWithAll[0]})).by(in_lists()))
 (Test& t, const Named<GLbitfield>& mask) {
-  CheckedCase c(t, "three levels, popped one after the other");
+  gl::Case c("three levels, popped one after the other");
   const State states[] = {kBefore, kAfter, kLast, kAfter};
   for (const State& state : states) {
     set(c, state);
@@ -320,17 +308,17 @@ EVALCTS_TEST(
   }
   for (int level = 2; level >= 0; --level) {
     c.PopAttrib();
-    expect_enables(c, states[level]);
-    if (enable_bit_has_auto_normal(t)) expect_auto_normal(c, states[level]);
+    ask_for_enables(c);
+    if (enable_bit_has_auto_normal(t)) c.IsEnabled(GL_AUTO_NORMAL);
   }
-  c.check();
+  t.judge(c, Outcomes::kAnswers);
 };
 
 // PopAttrib restores only the groups that were pushed at its level.
 EVALCTS_TEST(AttributeStack, NestedGroups, kMust, "EV-ATTRIB-NEST", "EV-ATTRIB-ENABLEBIT-NOGRID",
              by(in_lists()))
 (Test& t) {
-  CheckedCase c(t, "EVAL_BIT, in it ENABLE_BIT, in it CURRENT_BIT");
+  gl::Case c("EVAL_BIT, in it ENABLE_BIT, in it CURRENT_BIT");
   set(c, kBefore);
   c.PushAttrib(GL_EVAL_BIT);
   set(c, kAfter);
@@ -338,13 +326,13 @@ EVALCTS_TEST(AttributeStack, NestedGroups, kMust, "EV-ATTRIB-NEST", "EV-ATTRIB-E
   set(c, kLast);
   c.PushAttrib(GL_CURRENT_BIT);
   c.PopAttrib();
-  expect_all(c, kLast);
+  ask_for_all(t, c);
   c.PopAttrib();
-  expect_enables(c, kAfter);
-  expect_grids(c, kLast);
+  ask_for_enables(c);
+  ask_for_grids(t, c);
   c.PopAttrib();
-  expect_all(c, kBefore);
-  c.check();
+  ask_for_all(t, c);
+  t.judge(c, Outcomes::kAnswers);
 };
 
 // Throws NotObservable if PopAttrib does not undo such changes to the size of points either.
@@ -375,18 +363,18 @@ EVALCTS_TEST(AttributeStack, NestedBehindOtherGroups, kMust, "EV-ATTRIB-NEST",
 (Test& t, const Named<GLbitfield>& inner) {
   require_undone_behind(t, inner.value);
   for (const GLbitfield outer : {GL_EVAL_BIT, GL_ENABLE_BIT}) {
-    CheckedCase c(t, outer == GL_EVAL_BIT ? "in EVAL_BIT" : "in ENABLE_BIT");
+    gl::Case c(outer == GL_EVAL_BIT ? "in EVAL_BIT" : "in ENABLE_BIT");
     set(c, kBefore);
     c.PushAttrib(outer);
     c.PushAttrib(inner.value);
     set(c, kAfter);
     c.PopAttrib();
-    expect_all(c, kAfter);
+    ask_for_all(t, c);
     c.PopAttrib();
-    expect_enables(c, kBefore);
-    if (outer == GL_EVAL_BIT || enable_bit_has_auto_normal(t)) expect_auto_normal(c, kBefore);
-    expect_grids(c, outer == GL_EVAL_BIT ? kBefore : kAfter);
-    c.check();
+    ask_for_enables(c);
+    if (outer == GL_EVAL_BIT || enable_bit_has_auto_normal(t)) c.IsEnabled(GL_AUTO_NORMAL);
+    ask_for_grids(t, c);
+    t.judge(c, Outcomes::kAnswers);
   }
 };
 
@@ -394,7 +382,7 @@ EVALCTS_TEST(AttributeStack, NestedBehindOtherGroups, kMust, "EV-ATTRIB-NEST",
 EVALCTS_TEST(AttributeStack, NestedDeeply, kMust, "EV-ATTRIB-NEST")
 (Test& t) {
   constexpr GLint kDepth = 16;
-  CheckedCase c(t, "sixteen levels, each with settings of its own");
+  gl::Case c("sixteen levels, each with settings of its own");
   const auto state = [](GLint depth) { return State{depth % 2 == 0, depth % 3 == 0, 1 + depth}; };
   for (GLint depth = 0; depth < kDepth; ++depth) {
     set(c, state(depth));
@@ -403,10 +391,10 @@ EVALCTS_TEST(AttributeStack, NestedDeeply, kMust, "EV-ATTRIB-NEST")
   set(c, kLast);
   for (GLint depth = kDepth; depth-- > 0;) {
     c.PopAttrib();
-    expect_all(c, state(depth));
+    ask_for_all(t, c);
   }
-  c.expect_no_error();
-  c.check();
+  c.GetError();
+  t.judge(c, Outcomes::kAnswers);
 };
 
 }  // namespace

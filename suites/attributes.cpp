@@ -13,7 +13,6 @@
 #include <reference/acceptance.h>
 #include <reference/component.h>
 #include <reference/map.h>
-#include "checked_case.h"
 #include "dimensions.h"
 #include "grid_cases.h"
 
@@ -99,9 +98,8 @@ EVALCTS_TEST(Attributes, IndexDoesNothingInRGBA, kMust, "EV-ATTR-INDEX-RGBA/1-D"
   c.Enable(GL_MAP1_INDEX);
   evaluate_some(c);
   t.expect_emission(c, kPosition | kColor);
-  CheckedCase queried(t, c);
-  queried.expect_values(queried.GetFloatv(GL_CURRENT_INDEX, gl::out<GLfloat>(1)), {9});
-  queried.check();
+  c.GetFloatv(GL_CURRENT_INDEX, gl::out<GLfloat>(1));
+  t.judge(c, Outcomes::kAnswers);
 };
 
 // Commands that draw points with maps over [0.5,2], in v over [-1,0.25], and a grid of 4 by 2 segments.
@@ -258,7 +256,7 @@ EVALCTS_TEST(Attributes, TextureMapsFeedUnit0, kMust, "EV-ATTR-UNIT0/1-D", "EV-A
   gl::Case c("evaluated with TEXTURE1 active; units 1 and up hold current values");
   define(c, random_map(t, target, 3));
   enable_visibly(c, target);
-  for (int unit = 0; unit < t.gl().texture_units && unit < 8; ++unit)
+  for (int unit = 0; unit < t.texture_units(); ++unit)
     c.MultiTexCoord4f(GL_TEXTURE0 + static_cast<GLenum>(unit), 10.0f + static_cast<float>(unit), 0.5f, 0.25f,
                       2.0f);
   c.ActiveTexture(GL_TEXTURE1);

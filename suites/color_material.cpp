@@ -3,7 +3,6 @@
 
 #include <evalcts/judge/prediction.h>
 #include <evalcts/testkit/registration.h>
-#include "checked_case.h"
 #include "drawings.h"
 
 namespace evalcts::suite_color_material {
@@ -233,15 +232,16 @@ EVALCTS_TEST(ColorMaterial, NoVertexMap, kMust, "EV-CMAT-NOVERTEX/1-D",
              combine(kSomeTracked).by(every_command()))
 (Test& t, GLenum tracked) {
   t.require(1, 1);
-  CheckedCase c(t, "queried before and after");
+  gl::Case c("queried before and after");
   light(c);
   track(c, tracked);
   define_maps(c);
   c.Disable(GL_MAP1_VERTEX_3);
   const std::vector<gl::Ref> before = query_materials(c);
   draw_points(c);
-  c.expect_same(before, query_materials(c));
-  c.check();
+  const std::vector<gl::Ref> after = query_materials(c);
+  CheckedTrace checked = t.play(c);
+  expect_unchanged(checked, before, after);
 };
 
 EVALCTS_TEST(ColorMaterial, NextVertexWithoutVertexMap, kMust, "EV-CMAT-NOVERTEX/1-D",

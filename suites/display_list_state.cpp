@@ -3,7 +3,6 @@
 
 #include <evalcts/testkit/registration.h>
 
-#include "checked_case.h"
 #include "display_lists.h"
 
 namespace evalcts::suite_display_lists {
@@ -85,34 +84,32 @@ EVALCTS_TEST(DisplayLists, ActiveTextureOfTheCall, kMust, "EV-DL-ACTIVETEX", com
   t.require(1, 3, "GL_ARB_multitexture");
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_COLOR_4}) {
     const Map map = random_map(t, target, 3);
-    CheckedCase c(t, label(target) + ": compiled under TEXTURE1, called under TEXTURE0, then under TEXTURE1");
+    gl::Case c(label(target) + ": compiled under TEXTURE1, called under TEXTURE0, then under TEXTURE1");
     c.ActiveTexture(GL_TEXTURE1);
     compile(c, kList, [&](gl::Case& list) { define(list, map, form.doubles); });
     c.ActiveTexture(GL_TEXTURE0);
     c.CallList(kList);
-    c.expect_no_error();
-    c.expect_map(map, form.doubles);
+    c.GetError();
+    query_map(t, c, target, form.doubles);
     define(c, random_map(t, target, 2), form.doubles);
-    const std::vector<gl::Ref> before = c.query_everything();
+    take_snapshot(t, c);
     c.ActiveTexture(GL_TEXTURE1);
     c.CallList(kList);
-    c.expect_error(GL_INVALID_OPERATION);
+    c.GetError();
     c.ActiveTexture(GL_TEXTURE0);
-    c.expect_unchanged(before);
-    c.check();
+    take_snapshot(t, c);
+    t.judge(c, Outcomes::kAnswers);
   }
   for (const GLenum target : {GL_MAP2_VERTEX_4, GL_MAP2_NORMAL}) {
-    const Map map = random_map(t, target, {3, 2});
-    CheckedCase c(t, label(target) + ": compiled under TEXTURE0, called under TEXTURE1, then under TEXTURE0");
-    compile(c, kList, [&](gl::Case& list) { define(list, map, form.doubles); });
-    c.ActiveTexture(GL_TEXTURE1);
-    c.CallList(kList);
-    c.expect_error(GL_INVALID_OPERATION);
-    c.ActiveTexture(GL_TEXTURE0);
-    c.CallList(kList);
-    c.expect_no_error();
-    c.expect_map(map, form.doubles);
-    c.check();
+    gl::Case c(label(target) + ": compiled under TEXTURE0, called under TEXTURE1, then under TEXTURE0");
+    compile(c, kList, [&](gl::Case& list) { define(list, random_map(t, target, {3, 2}), form.doubles); });
+    for (const GLenum unit : {GL_TEXTURE1, GL_TEXTURE0}) {
+      c.ActiveTexture(unit);
+      c.CallList(kList);
+      c.GetError();
+    }
+    query_map(t, c, target, form.doubles);
+    t.judge(c, Outcomes::kAnswers);
   }
 };
 
@@ -120,83 +117,82 @@ EVALCTS_TEST(DisplayLists, ActiveTextureOfTheCall, kMust, "EV-DL-ACTIVETEX", com
 EVALCTS_TEST(DisplayLists, ActiveTextureInTheList, kMust, "EV-DL-ACTIVETEX")
 (Test& t) {
   t.require(1, 3, "GL_ARB_multitexture");
-  const Map good = random_map(t, GL_MAP1_VERTEX_3, 3);
-  CheckedCase c(t, "Map1 after ActiveTexture(TEXTURE1), and after ActiveTexture(TEXTURE0)");
+  gl::Case c("Map1 after ActiveTexture(TEXTURE1), and after ActiveTexture(TEXTURE0)");
   compile(c, kList, [&](gl::Case& list) {
     list.ActiveTexture(GL_TEXTURE1);
     define(list, random_map(t, GL_MAP1_NORMAL, 3));
     list.ActiveTexture(GL_TEXTURE0);
-    define(list, good);
+    define(list, random_map(t, GL_MAP1_VERTEX_3, 3));
   });
   c.CallList(kList);
-  c.expect_error(GL_INVALID_OPERATION);
-  c.expect_no_error();
-  c.expect_orders(GL_MAP1_NORMAL, {1});
-  c.expect_map(good);
-  c.check();
+  c.GetError();
+  c.GetError();
+  c.GetMapiv(GL_MAP1_NORMAL, GL_ORDER, gl::out<GLint>(1));
+  query_map(t, c, GL_MAP1_VERTEX_3);
+  t.judge(c, Outcomes::kAnswers);
 };
 
 // GetMap returns its values when it is issued, and writes nothing when the list is called.
 EVALCTS_TEST(DisplayLists, QueriesAreNotCompiled, kMust, "EV-DL-GETMAP", combine(kForms))
 (Test& t, const Form& form) {
-  CheckedCase c(t, "GetMap and IsEnabled between compiled commands");
-  const Map old = random_map(t, GL_MAP1_COLOR_4, 2), changed = random_map(t, GL_MAP1_COLOR_4, 3);
-  define(c, old, form.doubles);
+  gl::Case c("GetMap and IsEnabled between compiled commands");
+  const auto ask = [&] {
+    query_map(t, c, GL_MAP1_COLOR_4, form.doubles);
+    c.IsEnabled(GL_MAP1_COLOR_4);
+  };
+  define(c, random_map(t, GL_MAP1_COLOR_4, 2), form.doubles);
   c.NewList(kList, GL_COMPILE);
-  define(c, changed, form.doubles);
+  define(c, random_map(t, GL_MAP1_COLOR_4, 3), form.doubles);
   c.Enable(GL_MAP1_COLOR_4);
-  c.expect_map(old, form.doubles);
-  c.expect_enabled(GL_MAP1_COLOR_4, false);
+  ask();
   c.EndList();
   c.CallList(kList);
-  c.expect_map(changed, form.doubles);
-  c.expect_enabled(GL_MAP1_COLOR_4, true);
-  c.check();
+  ask();
+  t.judge(c, Outcomes::kAnswers);
 };
 
 EVALCTS_TEST(DisplayLists, GetnMapIsNotCompiled, kMust, "EV-DL-GETMAP")
 (Test& t) {
   t.require(4, 5, "GL_ARB_robustness");
-  CheckedCase c(t, "GetnMapfv between compiled commands");
-  const Map old = make_map1(GL_MAP1_INDEX, {1, 2}), changed = make_map1(GL_MAP1_INDEX, {3, 4, 5});
-  define(c, old);
+  gl::Case c("GetnMapfv between compiled commands");
+  define(c, make_map1(GL_MAP1_INDEX, {1, 2}));
   c.NewList(kList, GL_COMPILE);
-  define(c, changed);
-  c.expect_values(c.GetnMapfv(GL_MAP1_INDEX, GL_COEFF, 64, gl::out<GLfloat>(16)), {1, 2});
+  define(c, make_map1(GL_MAP1_INDEX, {3, 4, 5}));
+  c.GetnMapfv(GL_MAP1_INDEX, GL_COEFF, 64, gl::out<GLfloat>(16));
   c.EndList();
   c.CallList(kList);
-  c.expect_values(c.GetnMapfv(GL_MAP1_INDEX, GL_COEFF, 64, gl::out<GLfloat>(16)), {3, 4, 5});
-  c.check();
+  c.GetnMapfv(GL_MAP1_INDEX, GL_COEFF, 64, gl::out<GLfloat>(16));
+  t.judge(c, Outcomes::kAnswers);
 };
 
 namespace {
 
 constexpr GLenum kModes[] = {GL_COMPILE, GL_COMPILE_AND_EXECUTE};
 
-// Appends all queries of evaluator state in all their forms; GetnMap only if `getn`.
-std::vector<gl::Ref> ask_in_every_form(Test& t, gl::Case& c, bool getn) {
-  std::vector<gl::Ref> answers;
+// Appends all queries of evaluator state in all their forms, to be compared; GetnMap only if `getn`.
+void ask_in_every_form(Test& t, gl::Case& c, bool getn) {
+  std::vector<gl::Ref> queries;
   constexpr std::size_t kRoom = 64;
   constexpr GLsizei kBytes = kRoom * sizeof(GLint);
   for (const GLenum target : {GL_MAP1_COLOR_4, GL_MAP2_NORMAL})
     for (const GLenum query : {GL_ORDER, GL_DOMAIN, GL_COEFF}) {
-      for (const Getter& form : existing_getters(t)) answers.push_back(form.get(c, target, query, kRoom));
+      for (const Getter& form : existing_getters(t)) queries.push_back(form.get(c, target, query, kRoom));
       if (!getn) continue;
-      answers.push_back(c.GetnMapfv(target, query, kBytes, gl::out<GLfloat>(kRoom)));
-      answers.push_back(c.GetnMapdv(target, query, 2 * kBytes, gl::out<GLdouble>(kRoom)));
-      answers.push_back(c.GetnMapiv(target, query, kBytes, gl::out<GLint>(kRoom)));
+      queries.push_back(c.GetnMapfv(target, query, kBytes, gl::out<GLfloat>(kRoom)));
+      queries.push_back(c.GetnMapdv(target, query, 2 * kBytes, gl::out<GLdouble>(kRoom)));
+      queries.push_back(c.GetnMapiv(target, query, kBytes, gl::out<GLint>(kRoom)));
     }
   for (const GLenum state :
        {GL_MAP1_COLOR_4, GL_MAP2_NORMAL, GL_AUTO_NORMAL, GL_MAX_EVAL_ORDER, GL_MAP1_GRID_DOMAIN,
         GL_MAP1_GRID_SEGMENTS, GL_MAP2_GRID_DOMAIN, GL_MAP2_GRID_SEGMENTS}) {
-    answers.push_back(c.GetBooleanv(state, gl::out<GLboolean>(4)));
-    answers.push_back(c.GetIntegerv(state, gl::out<GLint>(4)));
-    answers.push_back(c.GetFloatv(state, gl::out<GLfloat>(4)));
-    if (t.can_call(gl::EntryPoint::GetDoublev)) answers.push_back(c.GetDoublev(state, gl::out<GLdouble>(4)));
+    queries.push_back(c.GetBooleanv(state, gl::out<GLboolean>(4)));
+    queries.push_back(c.GetIntegerv(state, gl::out<GLint>(4)));
+    queries.push_back(c.GetFloatv(state, gl::out<GLfloat>(4)));
+    if (t.can_call(gl::EntryPoint::GetDoublev)) queries.push_back(c.GetDoublev(state, gl::out<GLdouble>(4)));
   }
   for (const GLenum cap : {GL_MAP1_COLOR_4, GL_MAP2_NORMAL, GL_AUTO_NORMAL})
-    answers.push_back(c.IsEnabled(cap));
-  return answers;
+    queries.push_back(c.IsEnabled(cap));
+  t.compare_only(queries);
 }
 
 // Queries between NewList and EndList return the state of the moment, which compiled commands change only if
@@ -212,18 +208,16 @@ EVALCTS_TEST(DisplayLists, EveryQueryInAnOpenList, kMust, "EV-DL-GETMAP", combin
     for (const GLenum cap : {GL_MAP1_COLOR_4, GL_MAP2_NORMAL, GL_AUTO_NORMAL})
       on ? c.Enable(cap) : c.Disable(cap);
   };
-  CheckedCase c(t, "asked before the list, in it and after it");
+  gl::Case c("asked before the list, in it and after it");
   set(c, 2, false);
-  const std::vector<gl::Ref> before = ask_in_every_form(t, c, getn);
+  ask_in_every_form(t, c, getn);
   c.NewList(kList, mode);
   set(c, 4, true);
-  const std::vector<gl::Ref> inside = ask_in_every_form(t, c, getn);
+  ask_in_every_form(t, c, getn);
   c.EndList();
-  const std::vector<gl::Ref> after = ask_in_every_form(t, c, getn);
-  c.expect_same(mode == GL_COMPILE ? before : after, inside);
-  c.expect_same(inside, after);
-  c.expect_no_error();
-  c.check();
+  ask_in_every_form(t, c, getn);
+  c.GetError();
+  t.judge(c, Outcomes::kAnswers);
 };
 
 }  // namespace

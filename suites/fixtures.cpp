@@ -45,6 +45,8 @@ void require_texture_units(const Test& t) {
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
 }
 
+GLenum last_unit(const Test& t) { return GL_TEXTURE0 + static_cast<GLenum>(t.texture_units()) - 1; }
+
 void require_extension(const Test& t, const std::string& extension) {
   if (!t.gl().extensions.contains(extension)) throw NotSupported("needs " + extension);
 }
@@ -80,14 +82,6 @@ Failure failure_of(const gl::Case& c, std::string what, std::string message, std
   failure.expected = std::move(expected);
   failure.captured = std::move(captured);
   return failure;
-}
-
-void expect_query_rejected(Test& t, gl::Case c, gl::Ref query, std::initializer_list<GLenum> allowed) {
-  const gl::Ref first = c.GetError(), second = c.GetError();
-  CheckedTrace checked = t.play(c);
-  checked.expect_error(first, allowed);
-  checked.expect_no_error(second);
-  checked.expect_nothing_written(query);
 }
 
 }  // namespace evalcts

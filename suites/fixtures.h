@@ -53,6 +53,8 @@ gl::Case with_current_values(std::string identity, const CurrentValues& values =
 
 // Throws NotSupported unless there are at least two texture units.
 void require_texture_units(const Test& t);
+// Returns the last texture unit that tests use.
+GLenum last_unit(const Test& t);
 // Throws NotSupported if the extension is not advertised. For extensions that never became part of a GL
 // version.
 void require_extension(const Test& t, const std::string& extension);
@@ -67,9 +69,5 @@ bool same_vertex(const ObservedVertex& a, const ObservedVertex& b, Attributes at
 // Makes a failure for a test that has a judge of its own. `what`: the value that is wrong.
 Failure failure_of(const gl::Case& c, std::string what, std::string message, std::string expected,
                    std::string captured);
-
-// Runs `c` with two GetError appended. Expects the first to return one of `allowed` and the second NO_ERROR,
-// and `query`, a command of `c`, to write nothing.
-void expect_query_rejected(Test& t, gl::Case c, gl::Ref query, std::initializer_list<GLenum> allowed);
 
 }  // namespace evalcts

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <evalcts/testkit/registration.h>
-#include "checked_case.h"
 #include "dimensions.h"
 #include "grid_cases.h"
+#include "maps.h"
 
 namespace evalcts::suite_long_primitives {
 namespace {

@@ -6,7 +6,6 @@
 
 #include <evalcts/testkit/registration.h>
 
-#include "checked_case.h"
 #include "dimensions.h"
 #include "rejection.h"
 
@@ -36,30 +35,27 @@ std::vector<Orders> some_orders(int max) {
   return {{1, 1}, {2, 3}, {3, 2}, {4, 4}, {1, 5}, {5, 1}, {max, 1}, {1, max}, {2, max}, {max, 3}, {max, max}};
 }
 
-// Expects queries after the commands to return the maps.
-void expect_maps(Test& t, const gl::Case& commands, const std::vector<Map>& maps, bool doubles = false) {
-  CheckedCase c(t, commands);
-  for (const Map& map : maps) c.expect_map(map, doubles);
-  c.check();
+// Judges queries of the maps after the commands.
+void judge_maps(Test& t, gl::Case c, const std::vector<Map>& maps, bool doubles = false) {
+  for (const Map& map : maps) query_map(t, c, map.target, doubles);
+  t.judge(c, Outcomes::kAnswers);
 }
 
-// Defines a map and expects no error, and queries to return the map.
-void expect_defined(CheckedCase& c, const Map& map, bool doubles,
-                    gl::AfterCall after = gl::AfterCall::kKeep) {
+// Defines a map, and asks for an error and for the map.
+void define_and_query(Test& t, gl::Case& c, const Map& map, bool doubles,
+                      gl::AfterCall after = gl::AfterCall::kKeep) {
   define(c, map, doubles, after);
-  c.expect_no_error();
-  c.expect_map(map, doubles);
+  c.GetError();
+  query_map(t, c, map.target, doubles);
 }
 
-// Defines `others`, then the maps `first` and `second` of the target of one of them, and expects queries to
-// return `second` for this target and the others unchanged.
-void expect_replaced(Test& t, gl::Case c, std::vector<Map> others, const Map& first, const Map& second) {
+// Judges queries of the maps `others` after the two maps of the target of one of them.
+void judge_replaced(Test& t, gl::Case c, const std::vector<Map>& others, const Map& first,
+                    const Map& second) {
   for (const Map& other : others) define(c, other);
   define(c, first);
   define(c, second);
-  for (Map& other : others)
-    if (other.target == second.target) other = second;
-  expect_maps(t, c, others);
+  judge_maps(t, c, others);
 }
 
 // --- Rules of both dimensions ----------------------------------------------------------------------------
@@ -73,14 +69,14 @@ EVALCTS_TEST_PAIR(Map1State.EveryOrderAccepted, Map2State.EveryOrderAccepted, kM
     for (int v = 1; v <= (two ? small : 1); ++v) all.push_back({u, v});
   if (two)
     for (const int order : {1, 2, max - 1, max}) all.insert(all.end(), {{order, max}, {max, order}});
-  CheckedCase c(t, two ? "all small pairs, and those with MAX" : "orders 1 to MAX");
+  gl::Case c(two ? "all small pairs, and those with MAX" : "orders 1 to MAX");
   for (const Orders& orders : all) {
     const Map map = two ? random_map(t, form.target, orders) : random_map(t, form.target, orders.u, 4);
     define(c, map, form.doubles);
-    c.expect_no_error();
-    c.expect_orders(form.target, map.orders());
+    c.GetError();
+    c.GetMapiv(form.target, GL_ORDER, gl::out<GLint>(map.orders().size()));
   }
-  c.check();
+  t.judge(c, Outcomes::kAnswers);
 };
 
 // The number of values per point k determines the least stride that is accepted, and the number of values of
@@ -88,26 +84,19 @@ EVALCTS_TEST_PAIR(Map1State.EveryOrderAccepted, Map2State.EveryOrderAccepted, kM
 EVALCTS_TEST_PAIR(Map1State.ValuesPerPoint, Map2State.ValuesPerPoint, kMust, decide("EV-MAP1-K", "EV-MAP2-K"),
                   kEachTarget)
 (Test& t, bool two, GLenum target) {
-  const int k = gl::components_of(target), count = (two ? 6 : 3) * k;
-  CheckedCase c(t, "strides k and k-1; size of COEFF");
+  const int k = gl::components_of(target);
+  gl::Case c("strides k and k-1; size of COEFF");
   const Map map = random_map(t, target, {3, 2}, k, k);
   define(c, map);
-  c.expect_no_error();
-  const gl::Ref coefficients = c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(two ? 64 : 32));
+  c.GetError();
+  c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(two ? 64 : 32));
   for (const Direction& direction : directions(two)) {
     Map narrow = two ? map : random_map(t, target, 3, k);
     narrow.*direction.stride = k - 1;
     define(c, narrow);
-    c.expect_error(GL_INVALID_VALUE);
+    c.GetError();
   }
-  c.expect([=](CheckedTrace& checked) {
-    const std::size_t written = checked.trace().written(coefficients);
-    checked.expect(written == static_cast<std::size_t>(count), coefficients,
-                   fmt::format("COEFF of a map of order {0} does not answer {1}*k values", two ? "3x2" : "3",
-                               two ? 6 : 3),
-                   fmt::format("{} values", count), fmt::format("{} values", written));
-  });
-  c.check();
+  t.judge(c, Outcomes::kAnswers);
 };
 
 // Each map is queried after its definition, and two maps may have members in common, so that a library that
@@ -115,8 +104,8 @@ EVALCTS_TEST_PAIR(Map1State.ValuesPerPoint, Map2State.ValuesPerPoint, kMust, dec
 EVALCTS_TEST_PAIR(Map1State.ReplaceAfterQuery, Map2State.ReplaceAfterQuery, kMust,
                   decide("EV-MAP1-REPLACE", "EV-MAP2-REPLACE"), kEachTarget)
 (Test& t, bool two, GLenum target) {
-  CheckedCase c(t, two ? "the same values in other shapes, over other domains; another vorder"
-                       : "another domain, other points, another order, the first once more");
+  gl::Case c(two ? "the same values in other shapes, over other domains; another vorder"
+                 : "another domain, other points, another order, the first once more");
   std::vector<Map> maps;
   if (two) {
     const std::vector<double> values =
@@ -132,8 +121,8 @@ EVALCTS_TEST_PAIR(Map1State.ReplaceAfterQuery, Map2State.ReplaceAfterQuery, kMus
     maps = {first, over(first, {-1, 3}), over(random_map(t, target, 4, 5), {-1, 3}),
             random_map(t, target, 2, 4), first};
   }
-  for (const Map& map : maps) expect_defined(c, map, false);
-  c.check();
+  for (const Map& map : maps) define_and_query(t, c, map, false);
+  t.judge(c, Outcomes::kAnswers);
 };
 
 EVALCTS_TEST_PAIR(Map1State.Independent, Map2State.Independent, kMust,
@@ -143,7 +132,7 @@ EVALCTS_TEST_PAIR(Map1State.Independent, Map2State.Independent, kMust,
   for (const bool reversed : {false, true}) {
     gl::Case c(reversed ? "defined from the last to the first" : "defined from the first to the last");
     for (std::size_t i = 0; i < maps.size(); ++i) define(c, maps[reversed ? maps.size() - 1 - i : i]);
-    expect_maps(t, c, maps);
+    judge_maps(t, c, maps);
   }
 };
 
@@ -153,19 +142,13 @@ EVALCTS_TEST_PAIR(Map1State.LeavesMap2Alone, Map2State.LeavesTheRestAlone, kMust
                   decide("EV-MAP1-REPLACE", "EV-MAP2-REPLACE"), by(list_deliveries()))
 (Test& t, bool two) {
   for (const Form& form : existing_forms(t, {two})) {
-    CheckedCase c(t, fmt::format("all nine defined, {} form", form.name));
+    gl::Case c(fmt::format("all nine defined, {} form", form.name));
     if (two)
       for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, 3));
-    std::vector<gl::Ref> before = c.query_everything();
+    take_snapshot(t, c);
     for (const Map& map : nine_maps(t, two)) define(c, map, form.doubles);
-    std::vector<gl::Ref> after = c.query_everything();
-    // The four queries of each map that is defined may change. MAP1 maps come first, MAP2 maps last.
-    for (std::vector<gl::Ref>* queries : {&before, &after}) {
-      const auto first = two ? queries->end() - 4 * 9 : queries->begin();
-      queries->erase(first, first + 4 * 9);
-    }
-    c.expect_same(before, after);
-    c.check();
+    take_snapshot(t, c);
+    t.judge(c, Outcomes::kAnswers);
   }
 };
 
@@ -179,24 +162,26 @@ EVALCTS_TEST_PAIR(Map1State.EnableUntouched, Map2State.EnableUntouched, kMust,
     define(c, random_map(t, form.target, constant ? Orders{1, 1} : Orders{3, 2}, two ? 15 : 4, 4),
            form.doubles);
   };
-  CheckedCase c(t, "all disabled; it alone enabled; all enabled");
+  const auto ask = [&](gl::Case& c) {
+    for (const GLenum cap : caps) c.IsEnabled(cap);
+  };
+  gl::Case c("all disabled; it alone enabled; all enabled");
   for (const int stage : {0, 1, 2}) {
     if (stage == 1) c.Enable(form.target);
     if (stage == 2)
       for (const GLenum other : caps) c.Enable(other);
     for (const bool constant : {false, true}) {
       define_map(c, constant);
-      for (const GLenum other : caps)
-        c.expect_enabled(other, stage == 2 || (stage == 1 && other == form.target));
+      ask(c);
     }
   }
-  c.check();
+  t.judge(c, Outcomes::kAnswers);
 
-  CheckedCase first(t, "enabled before anything was defined");
+  gl::Case first("enabled before anything was defined");
   for (const GLenum other : caps) first.Enable(other);
   define_map(first, false);
-  for (const GLenum other : caps) first.expect_enabled(other, true);
-  first.check();
+  ask(first);
+  t.judge(first, Outcomes::kAnswers);
 };
 
 // Points are read from client memory, whatever the pixel store modes and (in the next test) the bound
@@ -204,28 +189,28 @@ EVALCTS_TEST_PAIR(Map1State.EnableUntouched, Map2State.EnableUntouched, kMust,
 EVALCTS_TEST_PAIR(Map1State.PixelStoreIgnored, Map2State.PixelStoreIgnored, kMust,
                   decide("EV-MAP1-NOPIXELSTORE", "EV-MAP2-ADDRESS"), kEachTargetForm)
 (Test& t, bool two, const TargetForm& form) {
-  CheckedCase c(t, "swapped bytes, row length, skips, alignment");
+  gl::Case c("swapped bytes, row length, skips, alignment");
   c.PixelStorei(GL_UNPACK_SWAP_BYTES, GL_TRUE);
   c.PixelStorei(GL_UNPACK_LSB_FIRST, GL_TRUE);
   c.PixelStorei(GL_UNPACK_ROW_LENGTH, 7);
   c.PixelStorei(GL_UNPACK_SKIP_ROWS, 1);
   c.PixelStorei(GL_UNPACK_SKIP_PIXELS, 3);
   c.PixelStorei(GL_UNPACK_ALIGNMENT, 8);
-  expect_defined(c, random_map(t, form.target, {4, 3}, two ? 20 : 5, 5), form.doubles);
-  c.check();
+  define_and_query(t, c, random_map(t, form.target, {4, 3}, two ? 20 : 5, 5), form.doubles);
+  t.judge(c, Outcomes::kAnswers);
 };
 
 EVALCTS_TEST_PAIR(Map1State.BuffersIgnored, Map2State.BuffersIgnored, kMust,
                   decide("EV-MAP1-NOBUFFER", "EV-MAP2-ADDRESS"), kEachTargetForm)
 (Test& t, bool two, const TargetForm& form) {
   t.require(1, 5, "GL_ARB_vertex_buffer_object");
-  CheckedCase c(t, "ARRAY_BUFFER and, from 2.1 on, PIXEL_UNPACK_BUFFER bound");
+  gl::Case c("ARRAY_BUFFER and, from 2.1 on, PIXEL_UNPACK_BUFFER bound");
   const gl::ResultOf buffer{c.GenBuffers(1, gl::out<GLuint>(1)).index, 0};
   c.BindBuffer(GL_ARRAY_BUFFER, buffer);
   c.BufferData(GL_ARRAY_BUFFER, 4096, nullptr, GL_STATIC_DRAW);
   if (t.gl().at_least(2, 1)) c.BindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
-  expect_defined(c, random_map(t, form.target, {4, 3}, two ? 20 : 5, 5), form.doubles);
-  c.check();
+  define_and_query(t, c, random_map(t, form.target, {4, 3}, two ? 20 : 5, 5), form.doubles);
+  t.judge(c, Outcomes::kAnswers);
 };
 
 // --- One-dimensional maps --------------------------------------------------------------------------------
@@ -233,37 +218,35 @@ EVALCTS_TEST_PAIR(Map1State.BuffersIgnored, Map2State.BuffersIgnored, kMust,
 EVALCTS_TEST(Map1State, Stride, kMust, "EV-MAP1-STRIDE", "EV-MAP1-PADDING", kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
   const int k = gl::components_of(form.target);
+  gl::Case c("strides k to 2^16 + k, orders 1 to MAX");
   for (const int stride : {k, k + 1, 2 * k, 17, 257, 1000, 0x10000 + k})
     for (const int order : {1, 2, 5, t.max_order()}) {
       if (stride > 0x10000 && order != 2) continue;  // a point takes half a megabyte
-      const Map map = random_map(t, form.target, order, stride);
-      CheckedCase c(t, fmt::format("stride {} order {}", stride, order));
-      expect_defined(c, map, form.doubles);
-      c.check();
+      define_and_query(t, c, random_map(t, form.target, order, stride), form.doubles);
     }
+  t.judge(c, Outcomes::kAnswers);
 };
 
 EVALCTS_TEST(Map1State, SmallestStride, kMust, "EV-MAP1-STRIDE-MIN", kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
+  gl::Case c("stride k, orders 1, 2 and MAX");
   for (const int order : {1, 2, t.max_order()}) {
-    CheckedCase c(t, fmt::format("stride k, order {}", order));
     define(c, random_map(t, form.target, order, gl::components_of(form.target)), form.doubles);
-    c.expect_no_error();
-    c.expect_orders(form.target, {order});
-    c.check();
+    c.GetError();
+    c.GetMapiv(form.target, GL_ORDER, gl::out<GLint>(1));
   }
+  t.judge(c, Outcomes::kAnswers);
 };
 
 EVALCTS_TEST(Map1State, CopyOnCall, kMust, "EV-MAP1-COPY", combine(kTreatments).by(list_deliveries()))
 (Test& t, const Treatment& treatment) {
-  for (const TargetForm& form : existing_target_forms(t, kCurves))
+  for (const TargetForm& form : existing_target_forms(t, kCurves)) {
+    gl::Case c(form.name);
     for (const int order : {1, 4, t.max_order()})
-      for (const int stride : {gl::components_of(form.target), 5}) {
-        const Map map = random_map(t, form.target, order, stride);
-        gl::Case c(fmt::format("{} order {} stride {}", form.name, order, stride));
-        define(c, map, form.doubles, treatment.after);
-        expect_maps(t, c, {map}, form.doubles);
-      }
+      for (const int stride : {gl::components_of(form.target), 5})
+        define_and_query(t, c, random_map(t, form.target, order, stride), form.doubles, treatment.after);
+    t.judge(c, Outcomes::kAnswers);
+  }
 };
 
 EVALCTS_TEST(Map1State, CopyOnCallEvaluated, kMust, "EV-MAP1-COPY",
@@ -298,7 +281,7 @@ EVALCTS_TEST(Map1State, SamePointerNewPoints, kMust, "EV-MAP1-COPY", "EV-MAP1-RE
   define_in_slot(queried, random_map(t, form.target, 3, 5), form.doubles, 0);
   const Map second = random_map(t, form.target, 3, 5);
   define_in_slot(queried, second, form.doubles, 0);
-  expect_maps(t, queried, {second}, form.doubles);
+  judge_maps(t, queried, {second}, form.doubles);
 };
 
 EVALCTS_TEST(Map1State, Replace, kMust, "EV-MAP1-REPLACE", kEachTarget(kCurves))
@@ -307,8 +290,8 @@ EVALCTS_TEST(Map1State, Replace, kMust, "EV-MAP1-REPLACE", kEachTarget(kCurves))
        {std::pair{5, 2}, {2, 5}, {4, 4}, {1, 1}, {1, t.max_order()}, {t.max_order(), 1}}) {
     const Map first = over(random_map(t, target, before, 4), {3, 4});
     const Map second = over(random_map(t, target, after, 6), {-1, 0.5});
-    expect_replaced(t, gl::Case(fmt::format("order {} then {}", before, after)), nine_maps(t, kCurves), first,
-                    second);
+    judge_replaced(t, gl::Case(fmt::format("order {} then {}", before, after)), nine_maps(t, kCurves), first,
+                   second);
   }
 };
 
@@ -321,7 +304,7 @@ EVALCTS_TEST(Map1State, IndependentLongMaps, kMust, "EV-MAP1-INDEP", by(list_del
       maps.push_back(random_map(t, target, t.max_order() - fewer, 4));
       define(c, maps.back());
     }
-    expect_maps(t, c, maps);
+    judge_maps(t, c, maps);
   }
 };
 
@@ -353,75 +336,72 @@ EVALCTS_TEST(Map1State, Live, kMust, "EV-MAP1-LIVE",
 
 // --- Two-dimensional maps --------------------------------------------------------------------------------
 
-// Expects maps of these layouts to be stored. The memory of each net ends before an inaccessible page.
-void expect_layouts(Test& t, const TargetForm& form, bool shared) {
+// Judges maps of these layouts. The memory of each net ends before an inaccessible page.
+void judge_layouts(Test& t, const TargetForm& form, bool shared) {
   for (const Layout& layout : kLayouts) {
     if (layout.shared != shared) continue;
-    CheckedCase c(t, layout.name);
+    gl::Case c(layout.name);
     for (const Orders& orders : some_orders(t.max_order()))
-      expect_defined(c, random_map(t, form.target, orders, layout), form.doubles);
-    c.check();
+      define_and_query(t, c, random_map(t, form.target, orders, layout), form.doubles);
+    t.judge(c, Outcomes::kAnswers);
   }
 }
 
 EVALCTS_TEST(Map2State, Layouts, kMust, "EV-MAP2-ADDRESS", "EV-MAP2-PADDING", "EV-MAP2-STRIDE-FREE",
              kEachTargetForm(kSurfaces))
-(Test& t, const TargetForm& form) { expect_layouts(t, form, false); };
+(Test& t, const TargetForm& form) { judge_layouts(t, form, false); };
 
 EVALCTS_TEST(Map2State, SharedPoints, kMust, "EV-MAP2-STRIDE-FREE", "EV-MAP2-ADDRESS",
              kEachTargetForm(kSurfaces))
-(Test& t, const TargetForm& form) { expect_layouts(t, form, true); };
+(Test& t, const TargetForm& form) { judge_layouts(t, form, true); };
 
 EVALCTS_TEST(Map2State, LargeStrides, kMust, "EV-MAP2-ADDRESS", "EV-MAP2-PADDING", "EV-MAP2-STRIDE-FREE",
              kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) {
-  CheckedCase c(t, "strides up to 1000");
+  gl::Case c("strides up to 1000");
   for (const auto& [ustride, vstride] :
        {std::pair{1000, 17}, {17, 1000}, {257, 64}, {64, 257}, {300, 5}, {5, 300}})
     for (const auto& [u, v] : {Orders{3, 4}, {4, 3}, {1, 6}, {6, 1}})
-      expect_defined(c, random_map(t, form.target, {u, v}, ustride, vstride), form.doubles);
+      define_and_query(t, c, random_map(t, form.target, {u, v}, ustride, vstride), form.doubles);
   // These strides need more than 16 bits.
-  expect_defined(c, random_map(t, form.target, {2, 3}, 0x10000 + 20, 5), form.doubles);
-  expect_defined(c, random_map(t, form.target, {3, 2}, 5, 0x10000 + 20), form.doubles);
-  c.check();
+  define_and_query(t, c, random_map(t, form.target, {2, 3}, 0x10000 + 20, 5), form.doubles);
+  define_and_query(t, c, random_map(t, form.target, {3, 2}, 5, 0x10000 + 20), form.doubles);
+  t.judge(c, Outcomes::kAnswers);
 };
 
 // The same net in row-major and in column-major order is the same map.
 EVALCTS_TEST(Map2State, SameNetEitherWay, kMust, "EV-MAP2-ADDRESS", kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) {
   const int k = gl::components_of(form.target);
-  CheckedCase c(t, "3x5 in both orders of memory");
+  gl::Case c("3x5 in both orders of memory");
   const std::vector<double> net = random_values(t.random(), static_cast<std::size_t>(3 * 5 * k));
-  std::vector<gl::Ref> answers;
   for (const Layout& layout : {kLayouts[0], kLayouts[1]}) {
     define(c, random_map(t, form.target, {2, 2}), form.doubles);  // overwrites the previous net
     define(c, make_map2(form.target, 3, 5, layout.ustride(k, 3, 5), layout.vstride(k, 3, 5), net),
            form.doubles);
-    answers.push_back(c.GetMapdv(form.target, GL_COEFF, gl::out<GLdouble>(net.size())));
+    query_map(t, c, form.target, true);
   }
-  c.expect_same(answers[0], answers[1]);
-  for (const gl::Ref answer : answers) c.expect_values_near(answer, net);
-  c.check();
+  t.judge(c, Outcomes::kAnswers);
 };
 
 EVALCTS_TEST(Map2State, StridesCountValues, kMust, "EV-MAP2-STRIDE-UNITS", kEachTarget(kSurfaces))
 (Test& t, GLenum target) {
-  CheckedCase c(t, "the same integers in both forms");
+  gl::Case c("the same integers in both forms");
   for (const auto& [ustride, vstride] : {std::pair{24, 6}, {6, 24}, {7, 50}, {5, 5}})
     for (const Form& form : existing_forms(t, {kSurfaces}))
-      expect_defined(c, random_map(t, target, {4, 3}, ustride, vstride), form.doubles);
-  c.check();
+      define_and_query(t, c, random_map(t, target, {4, 3}, ustride, vstride), form.doubles);
+  t.judge(c, Outcomes::kAnswers);
 };
 
 EVALCTS_TEST(Map2State, CopyOnCall, kMust, "EV-MAP2-COPY", combine(kTreatments).by(list_deliveries()))
 (Test& t, const Treatment& treatment) {
   for (const TargetForm& form : existing_target_forms(t, kSurfaces)) {
-    CheckedCase c(t, form.name);
+    gl::Case c(form.name);
     const int max = t.max_order();
     for (const Layout& layout : kLayouts)
       for (const auto& [u, v] : {Orders{1, 1}, {3, 4}, {max, 2}, {max, max}})
-        expect_defined(c, random_map(t, form.target, {u, v}, layout), form.doubles, treatment.after);
-    c.check();
+        define_and_query(t, c, random_map(t, form.target, {u, v}, layout), form.doubles, treatment.after);
+    t.judge(c, Outcomes::kAnswers);
   }
 };
 
@@ -432,7 +412,7 @@ EVALCTS_TEST(Map2State, CopiesOfAll, kMust, "EV-MAP2-COPY", combine(kTreatments)
   for (const Form& form : existing_forms(t, {kSurfaces})) {
     gl::Case c(fmt::format("all nine, form {}", form.name));
     for (const Map& map : maps) define(c, map, form.doubles, treatment.after);
-    expect_maps(t, c, maps, form.doubles);
+    judge_maps(t, c, maps, form.doubles);
   }
 };
 
@@ -440,14 +420,13 @@ EVALCTS_TEST(Map2State, CopiesOfAll, kMust, "EV-MAP2-COPY", combine(kTreatments)
 EVALCTS_TEST(Map2State, SamePointerNewPoints, kMust, "EV-MAP2-COPY", "EV-MAP2-REPLACE",
              kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) {
-  CheckedCase c(t, "three definitions through one array");
+  gl::Case c("three definitions through one array");
   for (int round = 0; round < 3; ++round) {
-    const Map map = random_map(t, form.target, {4, 3}, 15, 5);
-    define_in_slot(c, map, form.doubles, 0);
-    c.expect_no_error();
-    c.expect_map(map, form.doubles);
+    define_in_slot(c, random_map(t, form.target, {4, 3}, 15, 5), form.doubles, 0);
+    c.GetError();
+    query_map(t, c, form.target, form.doubles);
   }
-  c.check();
+  t.judge(c, Outcomes::kAnswers);
 };
 
 EVALCTS_TEST(Map2State, Replace, kMust, "EV-MAP2-REPLACE", kEachTarget(kSurfaces))
@@ -466,7 +445,7 @@ EVALCTS_TEST(Map2State, Replace, kMust, "EV-MAP2-REPLACE", kEachTarget(kSurfaces
     };
     const Map first = over(random_map(t, target, before, kLayouts[2]), {3, 4}, {-7, -8});
     const Map second = over(random_map(t, target, after, kLayouts[3]), {-1, 0.5}, {11, 13});
-    expect_replaced(t, gl::Case(shown(before) + " then " + shown(after)), others, first, second);
+    judge_replaced(t, gl::Case(shown(before) + " then " + shown(after)), others, first, second);
   }
 };
 
@@ -480,7 +459,7 @@ EVALCTS_TEST(Map2State, IndependentLargeNets, kMust, "EV-MAP2-REPLACE", by(list_
       maps.push_back(random_map(t, target, {u, v}));
       define(c, maps.back());
     }
-    expect_maps(t, c, maps);
+    judge_maps(t, c, maps);
   }
 };
 
@@ -495,7 +474,7 @@ EVALCTS_TEST(Map2State, Namesakes, kMust, "EV-MAP1-VS-MAP2/2-D", kEachTargetForm
     if (two_first) define(c, two, form.doubles);
     define(c, one, form.doubles);
     if (!two_first) define(c, two, form.doubles);
-    expect_maps(t, c, {one, two}, form.doubles);
+    judge_maps(t, c, {one, two}, form.doubles);
   }
 };
 

@@ -310,6 +310,8 @@ std::vector<gl::Ref> query_everything(Test& t, gl::Case& c) {
   return t.append_optional(c, queries);
 }
 
+void take_snapshot(Test& t, gl::Case& c) { t.compare_only(query_everything(t, c)); }
+
 void expect_unchanged(CheckedTrace& checked, const std::vector<gl::Ref>& before,
                       const std::vector<gl::Ref>& after) {
   for (std::size_t i = 0; i < before.size(); ++i) checked.expect_same(before[i], after[i]);
@@ -330,6 +332,10 @@ MapQuery query_map(gl::Case& c, GLenum target, int max_order, bool doubles) {
     query.coefficients = c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(room));
   }
   return query;
+}
+
+MapQuery query_map(Test& t, gl::Case& c, GLenum target, bool doubles) {
+  return query_map(c, target, t.max_order(), doubles && t.can_call(gl::EntryPoint::GetMapdv));
 }
 
 void expect_map(CheckedTrace& checked, const MapQuery& query, const Map& map, bool doubles) {

@@ -249,6 +249,9 @@ void evaluate_all(gl::Case& c, bool two, const std::vector<At>& arguments, bool 
 std::vector<gl::Ref> query_everything(Test& t, gl::Case& c);
 void expect_unchanged(CheckedTrace& checked, const std::vector<gl::Ref>& before,
                       const std::vector<gl::Ref>& after);
+// Appends the same queries. What the test judges of them is whether answers stay the same (see
+// Test::compare_only).
+void take_snapshot(Test& t, gl::Case& c);
 
 // A form of GetMap; `get` appends the query with an array of `room` elements.
 struct Getter {
@@ -271,6 +274,8 @@ struct MapQuery {
   gl::Ref order, domain, coefficients;
 };
 MapQuery query_map(gl::Case& c, GLenum target, int max_order, bool doubles = false);
+// The same for a test, with doubles only if the implementation has GetMapdv.
+MapQuery query_map(Test& t, gl::Case& c, GLenum target, bool doubles = false);
 // Expects the answers to be the map's, to a relative error of 1e-5. `doubles` is that of the call of
 // query_map().
 void expect_map(CheckedTrace& checked, const MapQuery& query, const Map& map, bool doubles = false);

@@ -7,7 +7,7 @@
 
 #include <evalcts/gl/contexts.h>
 #include <evalcts/testkit/registration.h>
-#include "checked_case.h"
+#include "maps.h"
 #include "rejection.h"
 
 namespace evalcts::suite_profiles {
@@ -66,14 +66,20 @@ struct Removed {
 // Expects each of the calls to raise one of its errors in a context of the kind. Throws NotObservable if the
 // context is of another kind.
 void expect_removed(Test& t, GLuint kind, const std::string& identity, const std::vector<Removed>& calls) {
-  CheckedCase c(t, identity);
+  gl::Case c(identity);
   const Entered entered = enter(c, kind);
-  c.expect([=](CheckedTrace& checked) { require_removed(checked, entered, kind); });
+  std::vector<gl::Ref> errors;
   for (const Removed& removed : calls) {
     removed.call(c);
-    c.expect_error(removed.error, removed.other);
+    errors.push_back(c.GetError());
   }
-  c.check();
+  CheckedTrace checked = t.play(c);
+  require_removed(checked, entered, kind);
+  for (std::size_t i = 0; i < calls.size(); ++i) {
+    std::vector<GLenum> allowed = {calls[i].error};
+    if (calls[i].other != calls[i].error) allowed.push_back(calls[i].other);
+    checked.expect_error(errors[i], allowed);
+  }
 }
 void expect_removed(Test& t, GLuint kind, const std::string& identity, const std::vector<Calls>& calls,
                     GLenum error) {
@@ -120,17 +126,17 @@ EVALCTS_TEST(Profiles, Gets, kMust, "EV-PROF-CORE-GET", combine(kRemoved))
   expect_removed(t, removed.value, "every Get of the state of evaluators", calls, GL_INVALID_ENUM);
 };
 
-// Expects all commands, maps, enables and queries to exist, and evaluation to work.
-void expect_everything(Test& t) {
-  CheckedCase c(t, "every command, map, switch and Get");
+// Judges all commands, maps, enables and queries, and evaluation.
+void judge_everything(Test& t) {
+  gl::Case c("every command, map, switch and Get");
   for (const GLenum target : all_targets()) {
     define(c, random_map(t, target, {3, 2}));
-    c.expect_no_error();
+    c.GetError();
   }
   for (const GLenum name : all_caps()) {
     c.Enable(name);
-    c.expect_no_error();
-    c.expect_enabled(name, true);
+    c.GetError();
+    c.IsEnabled(name);
   }
   std::vector<NamedCalls> commands = commands_without_queries();
   std::ranges::move(queries_of_maps(), std::back_inserter(commands));
@@ -139,15 +145,11 @@ void expect_everything(Test& t) {
     if (draws) c.Begin(GL_POINTS);
     command.issue(c);
     if (draws) c.End();
-    c.expect_no_error();
+    c.GetError();
   }
-  const gl::Ref order = c.GetIntegerv(GL_MAX_EVAL_ORDER, gl::out<GLint>(1));
-  c.expect_no_error();
-  c.expect([=](CheckedTrace& checked) {
-    const GLint limit = checked.trace().values<GLint>(order)[0];
-    checked.expect(limit >= 8, order, "MAX_EVAL_ORDER is less than 8", "8 or more", fmt::format("{}", limit));
-  });
-  c.check();
+  c.GetIntegerv(GL_MAX_EVAL_ORDER, gl::out<GLint>(1));
+  c.GetError();
+  t.judge(c, Outcomes::kAnswers);
 
   gl::Case drawn("vertices of maps of all kinds");
   for (const GLenum target : kKinds2[1].targets) define_and_enable(drawn, random_map(t, target, {3, 2}));
@@ -173,7 +175,7 @@ void expect_everything(Test& t) {
 EVALCTS_TEST(Profiles, Compatibility, kMust, "EV-PROF-COMPAT")
 (Test& t) {
   t.require(3, 1);
-  expect_everything(t);
+  judge_everything(t);
 };
 
 // GL 3.0 only: the test above covers later versions.
@@ -181,19 +183,15 @@ EVALCTS_TEST(Profiles, Deprecated, kMust, "EV-PROF-DEPRECATED")
 (Test& t) {
   t.require(3, 0);
   if (t.gl().at_least(3, 1)) throw NotSupported("a rule of GL 3.0, and this is GL " + t.gl().version);
-  expect_everything(t);
+  judge_everything(t);
 };
 
 // In a no-error context legal commands work without an error. (Illegal ones are undefined there.)
 EVALCTS_TEST(Profiles, NoError, kMust, "EV-PROF-NOERROR")
 (Test& t) {
-  CheckedCase c(t, "legal commands in a no-error context");
+  gl::Case c("legal commands in a no-error context");
   std::optional<Entered> entered;  // empty if the default context is a no-error context
   if (!t.gl().no_error) entered = enter(c, EVALCTS_NO_ERROR);
-  c.expect([=](CheckedTrace& checked) {
-    if (entered && !has_bit(checked, entered->flags, GL_CONTEXT_FLAG_NO_ERROR_BIT))
-      throw NotObservable("the context that was asked for is of another kind");
-  });
   const Map curve = random_map(t, GL_MAP1_VERTEX_4, 5);
   const Map net = random_map(t, GL_MAP2_COLOR_4, {3, 2});
   define(c, curve);
@@ -205,12 +203,18 @@ EVALCTS_TEST(Profiles, NoError, kMust, "EV-PROF-NOERROR")
   c.EvalCoord1f(0.25f);
   c.EvalPoint1(3);
   c.End();
-  c.expect_map(curve);
-  c.expect_values(c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2)), {-1, 3});
-  c.expect_enabled(GL_MAP1_VERTEX_4, true);
-  c.expect_enabled(GL_MAP2_COLOR_4, false);
-  c.expect_no_error();
-  c.check();
+  const MapQuery query = query_map(t, c, curve.target);
+  const gl::Ref domain = c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2)),
+                enabled = c.IsEnabled(GL_MAP1_VERTEX_4), disabled = c.IsEnabled(GL_MAP2_COLOR_4),
+                error = c.GetError();
+  CheckedTrace checked = t.play(c);
+  if (entered && !has_bit(checked, entered->flags, GL_CONTEXT_FLAG_NO_ERROR_BIT))
+    throw NotObservable("the context that was asked for is of another kind");
+  expect_map(checked, query, curve);
+  checked.expect_values(domain, std::vector<GLfloat>{-1, 3});
+  checked.expect_result(enabled, GL_TRUE);
+  checked.expect_result(disabled, GL_FALSE);
+  checked.expect_no_error(error);
 };
 
 }  // namespace

@@ -1,9 +1,7 @@
-// Checks of commands that have to be rejected: each raises one of its errors, once, and leaves all state
-// unchanged.
+// Programs of commands that have to be rejected: each raises its error, once, and leaves all state unchanged.
 #pragma once
 
 #include <functional>
-#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -39,15 +37,11 @@ enum class Prepared { kMaps1, kEverything };
 // `odd_enabled` chooses which half and, with kEverything, enables AUTO_NORMAL.
 void prepare(gl::Case& c, Prepared prepared, bool odd_enabled);
 
-// Runs the bad calls one after the other in a prepared context and expects each to raise one of the allowed
-// errors, once, and the queries of query_everything() to have the same answers after the last call as before
-// the first one. A bad call between Begin and End appends these itself.
-void expect_rejected(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,
-                     std::initializer_list<GLenum> allowed, Prepared prepared = Prepared::kEverything);
-
-// Expects these values of a GetIntegerv of floating-point state. Throws NotObservable if GetIntegerv rounds
-// FOG_START wrongly as well.
-void expect_rounded(Test& t, CheckedTrace& checked, gl::Ref query, const std::vector<GLint>& expected);
+// Judges the bad calls, one after the other, in a prepared context: each raises its error, once, and the
+// snapshot after the last call is the one before the first. A bad call between Begin and End appends these
+// itself.
+void judge_rejected(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,
+                    Prepared prepared = Prepared::kEverything);
 
 // --- Bad maps --------------------------------------------------------------------------------------------
 
@@ -71,8 +65,7 @@ Calls defining(const Map& map, bool doubles);
 // Returns the calls between Begin(mode) and End, after a Vertex if `after_vertex`.
 Calls in_primitive(GLenum mode, bool after_vertex, const Calls& calls);
 
-// The same for the definition of a bad map. If it is one-dimensional, only one-dimensional maps are prepared.
-void expect_rejected(Test& t, const std::string& identity, const Map& bad, bool doubles,
-                     std::initializer_list<GLenum> allowed);
+// The same for definitions of bad maps. If they are one-dimensional, only one-dimensional maps are prepared.
+void judge_rejected(Test& t, const std::string& identity, const std::vector<Map>& bad, bool doubles);
 
 }  // namespace evalcts
