@@ -259,6 +259,13 @@ struct AppliedBaseline {
   std::vector<std::string> unused_signatures;
 };
 
+std::vector<std::string> names_of(const std::vector<ListedTest>& tests) {
+  std::vector<std::string> names;
+  for (const ListedTest& test : tests) names.push_back(test.name);
+  std::ranges::sort(names);
+  return names;
+}
+
 // Compares the result with its baseline. If --write-baseline is given, the baseline is updated first.
 AppliedBaseline apply_baseline(RunResult& result, const RunOptions& options, const RunRequest& request,
                                const std::vector<ListedTest>& all_tests) {
@@ -270,7 +277,8 @@ AppliedBaseline apply_baseline(RunResult& result, const RunOptions& options, con
       const BaselineFiles renewed =
           baseline.renewed(result, request.baseline, result.file_label(), request.baselines);
       if (!baseline.name().empty() || !renewed.entries.empty())
-        renewed.write(baseline_of(options.baseline, places().baselines).folder);
+        renewed.with_patterns(names_of(all_tests))
+            .write(baseline_of(options.baseline, places().baselines).folder);
       baseline = baseline.with(renewed);
     } catch (const BadBaseline& error) {
       applied.problem = error.what();
@@ -297,6 +305,8 @@ int run(const RunOptions& options, const std::string& shard) {
     request.baseline = wanted.name;
   }
   const std::vector<ListedTest> all_tests = list_tests(request.suite_program);
+  const std::vector<std::string> names = names_of(all_tests);
+  for (BaselineFiles& files : request.baselines) files = files.expanded(names);
   request.tests = chosen_tests(options, all_tests, request);
   if (const std::string wrong = wrong_filter(options, all_tests, request.depth); !wrong.empty())
     return wrong_use(wrong);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <evalcts/results/files.h>
+#include <evalcts/results/test_patterns.h>
 
 namespace evalcts {
 namespace {
@@ -243,6 +244,58 @@ std::vector<BaselineFiles> BaselineFiles::read_all(const fs::path& folder) {
                                     base ? "an overlay itself" : "not in this folder"));
   }
   return all;
+}
+
+BaselineFiles BaselineFiles::expanded(const std::vector<std::string>& tests) const {
+  const auto is_pattern = [](const std::string& text) { return text.find('*') != std::string::npos; };
+  BaselineFiles files = *this;
+  for (const auto& [pattern, entry] : entries) {
+    if (!is_pattern(pattern)) continue;
+    const std::vector<std::string> matched = tests_of(pattern, tests);
+    if (!matched.empty()) files.entries.erase(pattern);
+    for (const std::string& test : matched) files.entries.emplace(test, entry);
+  }
+  for (const auto& [pattern, by_depth] : signatures) {
+    if (!is_pattern(pattern)) continue;
+    std::vector<std::string> matched = tests_of(pattern, tests);
+    std::erase_if(matched, [&](const std::string& test) { return !files.entries.contains(test); });
+    if (!matched.empty()) files.signatures.erase(pattern);
+    for (const std::string& test : matched)
+      for (const auto& [depth, signature] : by_depth) files.signatures[test].emplace(depth, signature);
+  }
+  return files;
+}
+
+BaselineFiles BaselineFiles::with_patterns(const std::vector<std::string>& tests) const {
+  BaselineFiles files = *this;
+  files.entries.clear();
+  std::map<std::pair<std::string, std::string>, std::set<std::string>> by_entry;
+  for (const auto& [test, entry] : entries) by_entry[{entry.status, entry.reason}].insert(test);
+  for (const auto& [entry, names] : by_entry) {
+    std::set<std::string> others(tests.begin(), tests.end());
+    for (const std::string& test : names) others.erase(test);
+    for (const std::string& pattern : patterns_for(names, others))
+      files.entries[pattern] = {entry.first, entry.second};
+  }
+
+  files.signatures.clear();
+  std::map<std::pair<std::string, std::string>, std::set<std::string>> by_signature;
+  for (const auto& [test, by_depth] : signatures)
+    for (const auto& [depth, signature] : by_depth) {
+      if (entries.contains(test))
+        by_signature[{depth, signature}].insert(test);
+      else
+        files.signatures[test][depth] = signature;
+    }
+  for (const auto& [key, names] : by_signature) {
+    const auto& [depth, signature] = key;
+    std::set<std::string> others;  // with another signature, or none
+    for (const auto& [test, entry] : entries)
+      if (!names.contains(test)) others.insert(test);
+    for (const std::string& pattern : patterns_for(names, others))
+      files.signatures[pattern][depth] = signature;
+  }
+  return files;
 }
 
 void BaselineFiles::write(const fs::path& folder) const {

@@ -1,5 +1,6 @@
 // Tests reading, applying, overlaying and updating baselines.
 #include <evalcts/results/baseline.h>
+#include <evalcts/results/test_patterns.h>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -168,6 +169,55 @@ TEST_F(Baselines, SignaturesWithoutEntryAreIgnored) {
   EXPECT_EQ(read("m").stale_entries(listed({"A.B", "A.C"})), std::vector<std::string>{});
   read("m").renewed(record({}), "m", "").write(folder_);
   EXPECT_EQ(BaselineFiles::read(folder_, "m").signatures.size(), 1u);
+}
+
+// --- Patterns
+
+const std::vector<std::string> kTests = {
+    "A.B",         "A.B/EvalCoord1d", "A.B/EvalCoord1f", "A.B/EvalCoord2d",
+    "A.BC/MAP1_f", "A.D/X",           "A.D/X/Nested",    "A.D/Y/Nested"};
+
+TEST_F(Baselines, PatternsStandForTests) {
+  write("m-fails.txt",
+        std::string(kHeader) +
+            "# reason\nA.B/EvalCoord1*,Fail\nA.Gone/*,Fail\n\n# other\nA.B/EvalCoord1f,Crash\n");
+  write("m-signatures.txt", "A.B*,quick,1-b\nA.B/EvalCoord1f,quick,2-f\nA.D*,quick,1-d\n");
+  const BaselineFiles files = BaselineFiles::read(folder_, "m").expanded(kTests);
+  ASSERT_EQ(files.entries.size(), 3u);
+  EXPECT_EQ(files.entries.at("A.B/EvalCoord1d").status, "Fail");
+  EXPECT_EQ(files.entries.at("A.B/EvalCoord1f").status, "Crash") << "an entry for one test takes precedence";
+  EXPECT_TRUE(files.entries.contains("A.Gone/*")) << "it is stale";
+  EXPECT_EQ(files.signatures.at("A.B/EvalCoord1d").at("quick"), "1-b");
+  EXPECT_EQ(files.signatures.at("A.B/EvalCoord1f").at("quick"), "2-f");
+  EXPECT_FALSE(files.signatures.contains("A.B/EvalCoord2d")) << "it has no entry";
+  EXPECT_TRUE(files.signatures.contains("A.D*")) << "it is unused";
+}
+
+TEST_F(Baselines, AreWrittenWithFewPatternsThatMatchNothingElse) {
+  BaselineFiles files;
+  files.name = "m";
+  for (const char* name : {"A.B/EvalCoord1d", "A.B/EvalCoord1f", "A.D/X/Nested", "A.D/Y/Nested"}) {
+    files.entries[name] = {"Fail", "reason"};
+    files.signatures[name]["quick"] = std::string(name).starts_with("A.B") ? "1-b" : "1-d";
+  }
+  files.signatures["A.D/X/Nested"]["quick"] = "2-d";
+  const BaselineFiles few = files.with_patterns(kTests);
+  const auto names = [](const auto& map) {
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : map) keys.push_back(key);
+    return keys;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names(few.entries), (Names{"A.B/EvalCoord1*", "A.D/*/Nested"})) << "A.D/X does not fail";
+  EXPECT_EQ(names(few.signatures), (Names{"A.B/EvalCoord1*", "A.D/X/Nested", "A.D/Y/Nested"}));
+  const BaselineFiles again = few.expanded(kTests);
+  EXPECT_EQ(names(again.entries), names(files.entries));
+  EXPECT_EQ(again.signatures, files.signatures);
+}
+
+TEST(Patterns, DoNotReachIntoFunctionsWithLongerNames) {
+  EXPECT_EQ(patterns_for({"A.B", "A.B/X"}, {"A.BC", "A.BC/X"}), (std::vector<std::string>{"A.B", "A.B/X"}));
+  EXPECT_EQ(patterns_for({"A.B", "A.B/X"}, {"A.C"}), std::vector<std::string>{"A.B*"});
 }
 
 TEST_F(Baselines, SkipsAndFlakesAreRegularExpressionsWithReasons) {

@@ -420,7 +420,10 @@ void Specification::get(GLenum pname, T* params) {
   if (reject_if({{inside(), GL_INVALID_OPERATION}, {!found, GL_INVALID_ENUM}}) || params == nullptr) return;
   std::vector<PermittedValue> values = permitted<T>(
       found->values, found->kind == Answer::Kind::kNormalized ? ToInteger::kNormalized : ToInteger::kRounded);
-  for (PermittedValue& value : values) value.is_least = found->is_limit && !std::is_same_v<T, GLboolean>;
+  for (PermittedValue& value : values) {
+    value.is_exact = found->kind == Answer::Kind::kFloatingPoint && to_single(value.state) == value.state;
+    value.is_least = found->is_limit && !std::is_same_v<T, GLboolean>;
+  }
   write(std::move(values), params);
 }
 

@@ -337,7 +337,8 @@ EVALCTS_RULES(GetMapSilentInPolygons, production, kMust, "EV-GETMAP-ERR-BEGINEND
               skip(GetMapfv | GetnMapfv, kOpenMode == GL_POLYGON));
 EVALCTS_RULES(GetSilentInTriangles, production, kMust, "EV-GET-ERR-BEGINEND",
               "GetIntegerv of the number of segments in TRIANGLES does nothing and raises nothing",
-              skip(GetIntegerv, kOpenMode == GL_TRIANGLES));
+              skip(GetIntegerv, kOpenMode == GL_TRIANGLES &&
+                                    (kName == GL_MAP1_GRID_SEGMENTS || kName == GL_MAP2_GRID_SEGMENTS)));
 EVALCTS_RULES(GetMapRefusedOnLastUnit, production, kMust, "EV-GETMAP-NOUNIT",
               "GetMapdv raises INVALID_OPERATION on units above 1, which have no evaluators",
               instead(GetMapdv, kUnit > GL_TEXTURE1 && is_map(kTarget), error(GL_INVALID_OPERATION)));

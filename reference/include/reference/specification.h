@@ -29,12 +29,13 @@
 
 namespace evalcts::reference {
 
-// What the documents permit as one value of the answer to a query.
+// One value of the answer to a query, as far as the documents permit it.
 struct PermittedValue {
   double state = 0;  // the value before its conversion to the type of the query
   // Permitted results of the conversion, the likeliest first. Beyond these, floats and doubles may be rounded
   // to single precision in other ways (EV-GETMAP-FLOAT, EV-GETMAP-DOUBLE).
   std::vector<double> answers;
+  bool is_exact = false;  // a float of the state other than colours and normals, which Get returns unchanged
   bool is_least = false;  // a limit of the implementation: any greater value is permitted as well
   // Only the reference pages give the value (an initial domain), or documents disagree so far that it must
   // not be judged (integers for colours and normals outside [-1,1], C-GETMAPIV-NORM).

@@ -23,7 +23,7 @@ struct Prediction {
   bool has_meshes() const;  // true if EvalMesh2 draws any of the primitives
 };
 
-// What becomes of Enable, Disable, IsEnabled and Get with names of state that the executable specification
+// The treatment of Enable, Disable, IsEnabled and Get with names of state that the executable specification
 // does not have, and of maps of the targets of NV_vertex_program. An error that GetError asks for behind such
 // a command is always predicted, because it is then intended.
 enum class OtherState {
@@ -51,7 +51,7 @@ struct Specified {
   Prediction prediction;
   std::vector<bool> known;  // specified_commands(); nothing is predicted of other commands
   gl::Trace answers;        // answers of the commands; queried values are correctly rounded
-  // What the documents permit as the answer of each query, see reference::Specification.
+  // The permitted answers of each query, see reference::Specification.
   std::vector<std::vector<reference::PermittedValue>> permitted;
   std::vector<std::vector<GLenum>> errors;  // errors that each command may raise; empty for most commands
   // Answers that each GetError may give, the likeliest first; empty for other commands. Distributed

@@ -4,7 +4,8 @@
 // A baseline is stored as plain text files in one folder, in the format of GL driver CI. The reason of an
 // entry is the comment above it (the same for all entries up to the next empty line), and every entry needs
 // one.
-// NAME-fails.txt has lines "test name,Status" (Fail, Crash, Timeout). The comments at its top form the
+// NAME-fails.txt has lines "test name,Status" (Fail, Crash, Timeout); in a name, * stands for any characters.
+// The comments at its top form the
 // header, which states the implementations that the files are for:
 //   # vendor: TEXT            part of GL_VENDOR
 //   # renderer: TEXT          part of GL_RENDERER
@@ -14,10 +15,11 @@
 //   # depth: thorough         runs at this depth only
 //   # extends: BASE           makes the files an overlay
 // NAME-signatures.txt has lines "test name,depth,signature": the failing cases of the test, so that a known
-// failure cannot hide a new one. A signature belongs to its depth and to seed 1, and is ignored if its test
-// has no entry. NAME-skips.txt has regular expressions (ECMAScript, found anywhere in the name) for tests
-// that are not run and get the verdict `skipped`. NAME-flakes.txt has regular expressions for tests whose
-// fail, crash, timeout or pass is never unexpected.
+// failure cannot hide a new one. A pattern stands for all its tests with an entry in the same files. A
+// signature belongs to its depth and to seed 1, and is ignored if its test has no entry. NAME-skips.txt has
+// regular expressions (ECMAScript, found anywhere in the name) for tests that are not run and get the verdict
+// `skipped`. NAME-flakes.txt has regular expressions for tests whose fail, crash, timeout or pass is never
+// unexpected.
 //
 // An overlay holds only the differences from BASE for one driver, window system or range of versions. The
 // status "Pass" withdraws an entry of BASE, and a signature replaces the one in BASE. The baseline of an
@@ -89,6 +91,13 @@ struct BaselineFiles {
   // Reads all files of a folder (none if it does not exist), in the order of their names. Throws BadBaseline,
   // also if the base of an overlay is missing.
   static std::vector<BaselineFiles> read_all(const std::filesystem::path& folder);
+
+  // Returns the files with the tests that patterns of `tests` (sorted) stand for in place of these patterns.
+  // An entry for a test takes precedence over patterns. A pattern that matches no test stays.
+  BaselineFiles expanded(const std::vector<std::string>& tests) const;
+  // Returns the files with patterns in place of several tests with the same status and reason, or with the
+  // same signature. They expand to these files.
+  BaselineFiles with_patterns(const std::vector<std::string>& tests) const;
 
   // Writes the fails and the signatures; the files of skips and flakes are maintained by hand. Throws
   // std::runtime_error.
