@@ -350,7 +350,7 @@ EVALCTS_TEST(DisplayLists, CalledTwiceSameBits, kMust, "EV-DL-REPEAT", combine(k
       mismatch.expected = std::to_string(all);
       mismatch.captured = std::to_string(vertices.size());
       mismatch.message = fmt::format("{} vertices are drawn, expected {}", vertices.size(), all);
-      mismatch.of = Mismatch::Of::kVertices;
+      mismatch.kind = Mismatch::Kind::kVertices;
       return mismatches;
     }
     for (std::size_t i = 0; i < once; ++i) {

@@ -117,11 +117,11 @@ class FeedbackBuffer final : public Capture {
   bool loses_vertices_beyond_float() const override { return true; }  // 0 * infinity is clipped
 
   Observation observe(Implementation& implementation, const gl::Case& script,
-                      const Wanted& asked) const override {
-    const Attributes wanted = asked.attributes;
+                      const CaptureRequest& request) const override {
+    const Attributes wanted = request.attributes;
     std::optional<Observation> observation;
     const auto pass = [&](TextureCoordinatesHold hold, Attributes gives) {
-      Observation seen = run_passes(implementation, script, hold, asked);
+      Observation seen = run_passes(implementation, script, hold, request);
       seen.attributes = gives;
       if (!observation) {
         observation = std::move(seen);
@@ -150,15 +150,16 @@ class FeedbackBuffer final : public Capture {
  private:
   // Runs one pass, or one for q and one for the other components.
   Observation run_passes(Implementation& implementation, const gl::Case& script, TextureCoordinatesHold hold,
-                         const Wanted& asked) const {
-    if (!separate_last_) return run_pass(implementation, script, hold, Components::kAll, asked.most_vertices);
+                         const CaptureRequest& request) const {
+    if (!separate_last_)
+      return run_pass(implementation, script, hold, Components::kAll, request.most_vertices);
     Observation observation =
-        run_pass(implementation, script, hold, Components::kWithoutLast, asked.most_vertices);
+        run_pass(implementation, script, hold, Components::kWithoutLast, request.most_vertices);
     const bool shows_last =
         hold == TextureCoordinatesHold::kPosition ||
-        (hold == TextureCoordinatesHold::kTexture && (asked.attributes & kTextureCoordinate0));
+        (hold == TextureCoordinatesHold::kTexture && (request.attributes & kTextureCoordinate0));
     if (!shows_last) return observation;
-    const Observation last = run_pass(implementation, script, hold, Components::kLast, asked.most_vertices);
+    const Observation last = run_pass(implementation, script, hold, Components::kLast, request.most_vertices);
     merge(observation, last, [](ObservedVertex& vertex, const ObservedVertex& more) {
       vertex.position[3] = more.position[0];
       vertex.texture_coordinate[0][3] = more.texture_coordinate[0][0];

@@ -284,14 +284,14 @@ class Pixels final : public Capture {
   bool takes(PrimitiveKinds kinds) const override { return kinds == kPoints; }
 
   Observation observe(Implementation& implementation, const gl::Case& script,
-                      const Wanted& wanted) const override {
+                      const CaptureRequest& request) const override {
     Observation observation;
     observation.attributes = attributes_;
     const Windows windows(script);
     std::vector<ObservedVertex> vertices;
     for (std::size_t window = 0; window < windows.count(); ++window)
       observe_window(implementation, windows, window, vertices, observation);
-    observation.overflow = vertices.size() > wanted.most_vertices;
+    observation.overflow = vertices.size() > request.most_vertices;
     if (!vertices.empty()) observation.primitives.push_back({GL_POINTS, std::move(vertices)});
     return observation;
   }

@@ -29,7 +29,7 @@ class Sink final : public Capture {
   Attributes inexact_attributes() const override { return color_error_ ? kColor : 0u; }
 
   Observation observe(Implementation& implementation, const gl::Case& script,
-                      const Wanted& wanted) const override {
+                      const CaptureRequest& request) const override {
     const std::unique_ptr<Context> context = implementation.create_context();
     Observation observation;
     if (gl::has(context->table(), gl::EntryPoint::GetError)) {
@@ -44,7 +44,7 @@ class Sink final : public Capture {
     observation.color_error = color_error_.value_or(0);
     observation.units = kTextureUnits;
     observation.primitives = context->take_emitted();
-    observation.overflow = observation.vertex_count() > wanted.most_vertices;
+    observation.overflow = observation.vertex_count() > request.most_vertices;
     return observation;
   }
 

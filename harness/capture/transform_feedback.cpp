@@ -54,10 +54,10 @@ class TransformFeedback final : public Capture {
   bool takes(PrimitiveKinds kinds) const override { return can_record(kinds); }
 
   Observation observe(Implementation& implementation, const gl::Case& script,
-                      const Wanted& wanted) const override {
-    const auto kind = static_cast<PrimitiveKind>(wanted.kinds);
+                      const CaptureRequest& request) const override {
+    const auto kind = static_cast<PrimitiveKind>(request.kinds);
     const RecordedVaryings recorded =
-        record_varyings(implementation, shader_, script, kind, wanted.most_vertices);
+        record_varyings(implementation, shader_, script, kind, request.most_vertices);
     Observation observation;
     observation.attributes = attributes();
     observation.units = units_;

@@ -87,7 +87,7 @@ class Writer {
  public:
   explicit Writer(const CProgram& program) : program_(program), commands_(program.script->commands()) {
     if (const Check* check = program.check) {
-      if (check->answer.of == Answer::Of::kReturned) kept_.insert(check->answer.command.index);
+      if (check->answer.kind == Answer::Kind::kReturned) kept_.insert(check->answer.command.index);
       for (const Ref command : check->recorded) kept_.insert(command.index);
       kept_.insert({check->answer.command.index, check->other.index});
     }
@@ -285,12 +285,12 @@ class Writer {
 
   std::string answer_text(const Answer& answer) {
     const int command = answer.command.index;
-    switch (answer.of) {
-      case Answer::Of::kReturned:
+    switch (answer.kind) {
+      case Answer::Kind::kReturned:
         return fmt::format("(double)result_{}", command);
-      case Answer::Of::kElement:
+      case Answer::Kind::kElement:
         return fmt::format("(double)array_{}[{}]", command, answer.element);
-      case Answer::Of::kWritten:
+      case Answer::Kind::kWritten:
         text_ += fmt::format(
             "\n/* How many elements hold something else than the filler. */\nstatic size_t written(void) {{\n"
             "  size_t bytes = sizeof array_{0};\n"
@@ -298,11 +298,11 @@ class Writer {
             "  return (bytes + sizeof *array_{0} - 1) / sizeof *array_{0};\n}}\n",
             command);
         return "(double)written()";
-      case Answer::Of::kLeftOver:
+      case Answer::Kind::kLeftOver:
         return "(double)glGetError()";
-      case Answer::Of::kEmittedValue:
+      case Answer::Kind::kEmittedValue:
         return fmt::format("(double)emitted[{}]", answer.element);
-      case Answer::Of::kEmittedVertices:
+      case Answer::Kind::kEmittedVertices:
         return "(double)emitted_vertices";
     }
     return "0";
@@ -322,17 +322,17 @@ class Writer {
         },
         4);
     call.pop_back();  // the semicolon
-    if (check.rule == Check::Rule::kWithin && check.answer.of == Answer::Of::kElement)
+    if (check.rule == Check::Rule::kWithin && check.answer.kind == Answer::Kind::kElement)
       return fmt::format("values[{}] of {}", check.answer.element, call);
-    if (check.rule == Check::Rule::kWithin && check.answer.of == Answer::Of::kWritten)
+    if (check.rule == Check::Rule::kWithin && check.answer.kind == Answer::Kind::kWritten)
       return "number of values written by " + call;
     return call;
   }
 
   // Returns true if the type of the answer is an integer.
   bool is_whole(const Answer& answer) const {
-    if (answer.of == Answer::Of::kEmittedValue) return false;
-    if (answer.of != Answer::Of::kElement) return true;
+    if (answer.kind == Answer::Kind::kEmittedValue) return false;
+    if (answer.kind != Answer::Kind::kElement) return true;
     const Output* output = output_of(commands_.at(static_cast<std::size_t>(answer.command.index)));
     return output && output->type != Scalar::kF32 && output->type != Scalar::kF64;
   }

@@ -365,7 +365,7 @@ std::vector<const ObservedVertex*> flat(const Observation& observation) {
 
 // Returns the captured vertex for each vertex of the case that was captured; the first one, if there are
 // several.
-std::map<std::size_t, const ObservedVertex*> by_vertex(const Seen& seen) {
+std::map<std::size_t, const ObservedVertex*> by_vertex(const OrderedObservation& seen) {
   std::map<std::size_t, const ObservedVertex*> vertices;
   const auto all = flat(seen.observation);
   for (std::size_t i = 0; i < std::min(all.size(), seen.topology.vertices.size()); ++i)
@@ -390,7 +390,7 @@ Judgement judge_until(std::size_t most, const Prediction& prediction, const Topo
     mismatch.expected = describe(topology.shape);
     mismatch.captured = describe(shape) + (observation.overflow ? " or more" : "");
     mismatch.message = fmt::format("{} came out, {} should have", mismatch.captured, mismatch.expected);
-    mismatch.of = Mismatch::Of::kVertices;
+    mismatch.kind = Mismatch::Kind::kVertices;
     mismatch.got = static_cast<double>(flat(observation).size());
     mismatch.lowest = mismatch.highest = static_cast<double>(topology.vertices.size());
     judgement.mismatches.push_back(std::move(mismatch));
@@ -438,7 +438,7 @@ Topology with_meshes_in_own_order(const Prediction& prediction, Topology topolog
   return in_own < wrong(topology, in_own + 1) ? *std::move(own) : topology;
 }
 
-std::string disagreement(const Seen& a, const Seen& b) {
+std::string disagreement(const OrderedObservation& a, const OrderedObservation& b) {
   const auto first = by_vertex(a);
   const auto second = by_vertex(b);
   if (first.size() != second.size())

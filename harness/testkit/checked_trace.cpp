@@ -31,7 +31,7 @@ std::string list(const std::vector<double>& values) {
 }
 
 gl::Check at_most_written(gl::Ref query, std::size_t count) {
-  return {.answer = {.of = gl::Answer::Of::kWritten, .command = query},
+  return {.answer = {.kind = gl::Answer::Kind::kWritten, .command = query},
           .accepted = {{0.0, static_cast<double>(count)}}};
 }
 
@@ -92,7 +92,7 @@ void CheckedTrace::expect_error(gl::Ref get_error, const std::vector<GLenum>& al
   const gl::Command& subject = command({std::max(get_error.index - 1, 0)});
   const bool none_allowed = allowed.front() == GL_NO_ERROR;
   const char* kind = none_allowed ? "spurious error" : got == GL_NO_ERROR ? "missing error" : "wrong error";
-  gl::Check check{.answer = {.of = gl::Answer::Of::kReturned, .command = get_error, .is_error = true}};
+  gl::Check check{.answer = {.kind = gl::Answer::Kind::kReturned, .command = get_error, .is_error = true}};
   for (const GLenum error : allowed) check.accepted.emplace_back(error, error);
   fail(std::move(check),
        fmt::format("{}: after {} glGetError gives {}, expected {}", kind, gl::to_c(subject, 4), captured,
@@ -103,7 +103,7 @@ void CheckedTrace::expect_error(gl::Ref get_error, const std::vector<GLenum>& al
 void CheckedTrace::expect_result(gl::Ref asked, std::int64_t expected) {
   const std::int64_t got = trace_.result(asked);
   if (got == expected) return;
-  fail({.answer = {.of = gl::Answer::Of::kReturned, .command = asked},
+  fail({.answer = {.kind = gl::Answer::Kind::kReturned, .command = asked},
         .accepted = {{static_cast<double>(expected), static_cast<double>(expected)}}},
        fmt::format("{} returns {}, expected {}", gl::to_c(command(asked), 4), got, expected),
        std::to_string(expected), std::to_string(got));
@@ -171,7 +171,7 @@ void CheckedTrace::expect_permitted(gl::Ref query, const std::vector<Intervals>&
          fmt::format("{} writes {} values, expected {}", call, written, expected.size()), list(expected),
          list(written_values(query)));
   } else if (i < expected.size()) {
-    fail({.answer = {.of = gl::Answer::Of::kElement, .command = query, .element = i},
+    fail({.answer = {.kind = gl::Answer::Kind::kElement, .command = query, .element = i},
           .accepted = permitted[i]},
          fmt::format("{} answers {}, expected {}", call, list(written_values(query)), list(expected)),
          list(expected), list(written_values(query)));

@@ -29,7 +29,8 @@ std::string attribute_in(const std::string& what) {
 // True if the mismatch of a control may have the same root cause as a failure in `what`.
 bool explains(const Mismatch& mismatch, const std::string& what) {
   const std::string failed = attribute_in(what), wrong = attribute_in(mismatch.what);
-  return failed.empty() || mismatch.of == Mismatch::Of::kVertices || wrong == "position" || wrong == failed;
+  return failed.empty() || mismatch.kind == Mismatch::Kind::kVertices || wrong == "position" ||
+         wrong == failed;
 }
 
 // Returns the first capability without effect on vertices that the library accepts; none if it accepts none.
@@ -96,7 +97,7 @@ void ExplicitControl::run_controls(const Observed& observed) {
   if (observed.script.commands().size() <= kMostCommands)
     controls.push_back(gl::with_explicit_commands(observed.script, idle, gl::Arguments::kArray));
   for (const gl::Case& control : controls) {
-    std::optional<Seen> seen;
+    std::optional<ControlObservation> seen;
     try {
       seen = observe_control(control, *observed.capture, observed.judged);
     } catch (const gl::MissingEntryPoint&) {
@@ -107,7 +108,7 @@ void ExplicitControl::run_controls(const Observed& observed) {
 }
 
 Attributes ExplicitControl::lost_attributes(const gl::Case& script, const Capture& capture) const {
-  const std::optional<Seen> seen =
+  const std::optional<ControlObservation> seen =
       observe_control(gl::with_explicit_vertices(script), capture, capture.shown());
   Attributes lost = 0;
   for (Attributes attribute = 1; seen && attribute <= kAllAttributes; attribute <<= 1)
@@ -116,19 +117,19 @@ Attributes ExplicitControl::lost_attributes(const gl::Case& script, const Captur
   return lost;
 }
 
-std::optional<ExplicitControl::Seen> ExplicitControl::observe_control(const gl::Case& control,
-                                                                      const Capture& capture,
-                                                                      Attributes judged) const {
+std::optional<ExplicitControl::ControlObservation> ExplicitControl::observe_control(const gl::Case& control,
+                                                                                    const Capture& capture,
+                                                                                    Attributes judged) const {
   Prediction prediction = predict(control, subject_.info.max_order());
   const PrimitiveKinds kinds = kinds_of(prediction);
   if (!capture.takes(kinds)) return std::nullopt;
   Topology topology = subject_.topologies->find(prediction, capture, *subject_.implementation);
   Observation observation =
       capture.observe(*subject_.implementation, control, {judged, most_vertices_of(prediction) + 8, kinds});
-  return Seen{std::move(prediction), std::move(topology), std::move(observation)};
+  return ControlObservation{std::move(prediction), std::move(topology), std::move(observation)};
 }
 
-std::vector<Mismatch> ExplicitControl::mismatches(const Seen& seen, Attributes judged) const {
+std::vector<Mismatch> ExplicitControl::mismatches(const ControlObservation& seen, Attributes judged) const {
   return judge(seen.prediction, seen.topology, seen.observation,
                {.attributes = judged, .version = subject_.info.version_number()})
       .mismatches;

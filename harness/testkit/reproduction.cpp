@@ -90,17 +90,17 @@ class Experiment {
   }
 
  private:
-  using Of = gl::Answer::Of;
+  using Kind = gl::Answer::Kind;
 
   const Pass& pass() const { return passes_[check_.pass]; }
 
   bool find_in_pass() {
-    switch (mismatch_.of) {
-      case Mismatch::Of::kValue:
+    switch (mismatch_.kind) {
+      case Mismatch::Kind::kValue:
         return find_emitted_value() || find_element();
-      case Mismatch::Of::kError:
+      case Mismatch::Kind::kError:
         return find_error();
-      case Mismatch::Of::kVertices:
+      case Mismatch::Kind::kVertices:
         return find_count();
     }
     return false;
@@ -114,7 +114,7 @@ class Experiment {
         for (std::size_t v = 0; v < gl::kEmittedValues; ++v, ++index) {
           ObservedVertex vertex = pass().emitted[i].vertices[k];
           if (same_bits(*value_of(vertex, v), got()) &&
-              decides({Of::kEmittedValue, {}, index},
+              decides({Kind::kEmittedValue, {}, index},
                       [&](Pass& changed) { *value_of(changed.emitted[i].vertices[k], v) = other; }))
             return true;
         }
@@ -127,7 +127,7 @@ class Experiment {
       if (!trace.has_output(command) || trace.type(command) != gl::Scalar::kF32) continue;
       const std::vector<float> values = trace.values<float>(command);
       for (std::size_t e = 0; e < values.size(); ++e)
-        if (same_bits(values[e], got()) && decides({Of::kElement, command, e}, [&](Pass& changed) {
+        if (same_bits(values[e], got()) && decides({Kind::kElement, command, e}, [&](Pass& changed) {
               changed.trace.replace_element(command, e, other_value());
             }))
           return true;
@@ -140,7 +140,7 @@ class Experiment {
     for (gl::Ref command = last_command(); command.index >= 0; --command.index)
       if (commands[static_cast<std::size_t>(command.index)].entry == gl::EntryPoint::GetError &&
           static_cast<double>(pass().trace.result(command)) == mismatch_.got &&
-          decides({Of::kReturned, command, 0, true}, [&](Pass& changed) {
+          decides({Kind::kReturned, command, 0, true}, [&](Pass& changed) {
             changed.trace.replace_result(command, static_cast<std::int64_t>(mismatch_.lowest));
           }))
         return true;
@@ -152,7 +152,7 @@ class Experiment {
   // requires a different one.
   bool find_count() {
     if (!pass().emitted.empty() && mismatch_.got != mismatch_.lowest) {
-      check_.answer = {Of::kEmittedVertices};
+      check_.answer = {Kind::kEmittedVertices};
       return true;
     }
     const gl::Trace& trace = pass().trace;
@@ -161,7 +161,7 @@ class Experiment {
       if (array && (trace.type(command) != gl::Scalar::kU32 || trace.capacity(command) != 1)) continue;
       const std::int64_t answer = array ? trace.values<std::uint32_t>(command)[0] : trace.result(command);
       const std::int64_t other = answer == 0 ? 13 : 0;
-      if (!decides({Of::kReturned, command}, [&](Pass& changed) {
+      if (!decides({Kind::kReturned, command}, [&](Pass& changed) {
             if (array)
               changed.trace.replace_element(command, 0, static_cast<double>(other));
             else

@@ -32,7 +32,7 @@ Mismatch wrong_error(GLenum got, GLenum expected) {
   mismatch.captured = gl::error_name(got);
   mismatch.message =
       fmt::format("the commands leave {} behind, expected {}", mismatch.captured, mismatch.expected);
-  mismatch.of = Mismatch::Of::kError;
+  mismatch.kind = Mismatch::Kind::kError;
   mismatch.got = got;
   mismatch.lowest = mismatch.highest = expected;
   return mismatch;
@@ -147,7 +147,7 @@ CheckedTrace Test::play(const gl::Case& written) {
     failure.what = "glGetError";
     failure.expected = "GL_NO_ERROR";
     failure.captured = captured;
-    const gl::Check check{.answer = {.of = gl::Answer::Of::kLeftOver, .is_error = true},
+    const gl::Check check{.answer = {.kind = gl::Answer::Kind::kLeftOver, .is_error = true},
                           .accepted = {{GL_NO_ERROR, GL_NO_ERROR}},
                           .what = "an error left behind"};
     fail(
@@ -207,49 +207,53 @@ JudgeOptions Test::options_for(const gl::Case& script, const Capture& capture, A
 }
 
 // Observes the case through one capture, or through several captures that must agree. Throws NotObservable.
-std::vector<Test::Look> Test::look_at(const gl::Case& script, const Prediction& prediction,
-                                      Attributes required, std::size_t most_vertices) {
+std::vector<Test::CapturedObservation> Test::observe_by_captures(const gl::Case& script,
+                                                                 const Prediction& prediction,
+                                                                 Attributes required,
+                                                                 std::size_t most_vertices) {
   const PrimitiveKinds kinds = kinds_of(prediction);
   const bool cross_checked =
       Schedule(record_.name).is_cross_checked(subject_.depth, prediction.primitives.size());
-  std::vector<Look> looks;
+  std::vector<CapturedObservation> observations;
   for (const Capture* capture : subject_.captures->showing_most(
            required, kinds, prediction.has_nonpositive_w(), cross_checked ? subject_.captures->size() : 1)) {
     // The first capture shows all attributes that it can; the others check the required attributes.
-    const Attributes wanted = looks.empty() ? capture->shown() : capture->shown_of(required);
+    const Attributes wanted = observations.empty() ? capture->shown() : capture->shown_of(required);
     Topology topology = subject_.topologies->find(prediction, *capture, *subject_.implementation);
     // The explicit primitives, from which the topology was learned, are not part of the case.
-    if (looks.empty() && subject_.reproduction) subject_.reproduction->begin_case(script);
+    if (observations.empty() && subject_.reproduction) subject_.reproduction->begin_case(script);
     Observation observation =
         capture->observe(*subject_.implementation, script, {wanted, most_vertices, kinds});
     if (std::optional<Topology> quads = match_quads(prediction, observation)) topology = *std::move(quads);
     if (!judges_order_of_meshes_)
       topology = with_meshes_in_own_order(prediction, std::move(topology), observation,
                                           options_for(script, *capture, required));
-    looks.push_back({capture, std::move(topology), std::move(observation)});
+    observations.push_back({capture, std::move(topology), std::move(observation)});
     note_capture(*capture);
   }
-  const Look& first = looks.front();
-  for (std::size_t i = 1; i < looks.size(); ++i) {
-    Observation other = looks[i].observation;
+  const CapturedObservation& first = observations.front();
+  for (std::size_t i = 1; i < observations.size(); ++i) {
+    Observation other = observations[i].observation;
     // Automatic normals differ between captures with and without a vertex shader (EV-AUTON-SHADER).
     if (prediction.has_automatic_normals() &&
         (other.attributes & kShaderNormal) != (first.observation.attributes & kShaderNormal))
       other.attributes &= ~static_cast<Attributes>(kNormal);
-    const std::string differs = disagreement({first.observation, first.topology}, {other, looks[i].topology});
+    const std::string differs =
+        disagreement({first.observation, first.topology}, {other, observations[i].topology});
     if (!differs.empty())
       throw NotObservable(fmt::format("untrusted: {} and {} disagree in case {}: {}", first.capture->name(),
-                                      looks[i].capture->name(), script.identity(), differs));
+                                      observations[i].capture->name(), script.identity(), differs));
   }
-  return looks;
+  return observations;
 }
 
 void Test::judge_emission(const gl::Case& script, const Prediction& prediction, Attributes required,
                           Thoroughness thoroughness) {
   // There is room for some surplus vertices, so that a message can state their number.
   const std::size_t room = most_vertices_of(prediction) + 8;
-  const std::vector<Look> looks = look_at(script, prediction, required, room);
-  const auto& [capture, topology, observation] = looks.front();  // the other captures agree
+  const std::vector<CapturedObservation> observations =
+      observe_by_captures(script, prediction, required, room);
+  const auto& [capture, topology, observation] = observations.front();  // the other captures agree
   if (observation.error_observed && observation.error != GL_NO_ERROR && observation.error != prediction.error)
     control_.require_no_such_error(script, {observation.error});
   JudgeOptions options = options_for(script, *capture, required);
@@ -276,7 +280,7 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
   }
   if (capture->loses_vertices_beyond_float())
     for (const Mismatch& mismatch : judgement.mismatches)
-      if (mismatch.of == Mismatch::Of::kVertices && prediction.has_positions_beyond_float())
+      if (mismatch.kind == Mismatch::Kind::kVertices && prediction.has_positions_beyond_float())
         throw NotObservable(fmt::format("{} loses vertices whose position is beyond float: {}",
                                         capture->name(), mismatch.message));
   unobserved_ |= required & kAllAttributes & ~capture->shown_of(required);
@@ -295,12 +299,12 @@ void Test::expect_observation(const gl::Case& written, Attributes required, std:
   const gl::Case script = begin_case(written).script;
   const Capture& capture = choose_capture(required, kinds);
   if (judged == Judged::kInLists) control_.set_observed(script, capture, required);
-  const Wanted wanted{required, most_vertices, kinds};
+  const CaptureRequest wanted{required, most_vertices, kinds};
   const Observation seen = capture.observe(*subject_.implementation, script, wanted);
   fail_each(script, capture, wanted, seen, judge(seen), judge);
 }
 
-void Test::fail_each(const gl::Case& script, const Capture& capture, const Wanted& wanted,
+void Test::fail_each(const gl::Case& script, const Capture& capture, const CaptureRequest& wanted,
                      const Observation& seen, const std::vector<Mismatch>& mismatches, const OwnJudge& judge,
                      const Prediction* prediction) {
   for (const Mismatch& mismatch : mismatches) {
@@ -317,7 +321,7 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Wante
     }
     failure.capture = capture.name();
     const bool is_seen_in_plot =
-        !prediction || mismatch.of == Mismatch::Of::kVertices || mismatch.what.starts_with("position");
+        !prediction || mismatch.kind == Mismatch::Kind::kVertices || mismatch.what.starts_with("position");
     if (is_seen_in_plot && (seen.attributes & kPosition) && !has_plot())
       failure.plot = prediction ? plot_of(*prediction, seen) : plot_of(seen);
     std::optional<gl::Check> check;

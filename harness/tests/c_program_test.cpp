@@ -54,15 +54,15 @@ TEST_F(CProgram, OfProductionChecksWhatCameThroughTheSink) {
     return build_and_start(
         gl::to_c({.context = "production", .library = {}, .script = &c, .check = &check, .trace = nullptr}));
   };
-  using Of = gl::Answer::Of;
-  const gl::Answer y_of_second{Of::kEmittedValue, {}, gl::kEmittedValues + 1};
+  using Kind = gl::Answer::Kind;
+  const gl::Answer y_of_second{Kind::kEmittedValue, {}, gl::kEmittedValues + 1};
   EXPECT_EQ(outcome(y_of_second, 1, 1).code, 0);
   const Outcome wrong = outcome(y_of_second, 1.5, 2);
   EXPECT_EQ(wrong.code, 1);
   EXPECT_EQ(wrong.text, "it: expected [1.5, 2], got 1 (0x1p+0)\nthe failure shows\n");
-  EXPECT_EQ(outcome({Of::kEmittedVertices}, 2, 2).code, 0);
-  EXPECT_EQ(outcome({Of::kEmittedVertices}, 3, 3).code, 1);
-  EXPECT_EQ(outcome({Of::kLeftOver, {}, 0, true}, 0, 0).code, 0);
+  EXPECT_EQ(outcome({Kind::kEmittedVertices}, 2, 2).code, 0);
+  EXPECT_EQ(outcome({Kind::kEmittedVertices}, 3, 3).code, 1);
+  EXPECT_EQ(outcome({Kind::kLeftOver, {}, 0, true}, 0, 0).code, 0);
 }
 
 TEST_F(CProgram, AnswersOfEveryKind) {
@@ -81,23 +81,23 @@ TEST_F(CProgram, AnswersOfEveryKind) {
     return build_and_start(
         gl::to_c({.context = "production", .library = {}, .script = &c, .check = &check, .trace = &trace}));
   };
-  using Of = gl::Answer::Of;
+  using Kind = gl::Answer::Kind;
   using Rule = gl::Check::Rule;
-  const gl::Answer returned_error{Of::kReturned, error, 0, true};
+  const gl::Answer returned_error{Kind::kReturned, error, 0, true};
   EXPECT_EQ(outcome({.answer = returned_error, .accepted = {{0, 0}}, .expected = "GL_NO_ERROR"}).code, 0);
   const Outcome missing_error =
       outcome({.answer = returned_error, .accepted = {{0x500, 0x500}}, .expected = "GL_INVALID_ENUM"});
   EXPECT_EQ(missing_error.code, 1);
   EXPECT_TRUE(contains(missing_error.text, "glGetError(): expected GL_INVALID_ENUM, got GL_NO_ERROR"));
-  EXPECT_EQ(outcome({.answer = {Of::kElement, order, 0}, .accepted = {{2, 2}}}).code, 0);
-  const Outcome wrong_order = outcome({.answer = {Of::kElement, order, 0}, .accepted = {{3, 3}}});
+  EXPECT_EQ(outcome({.answer = {Kind::kElement, order, 0}, .accepted = {{2, 2}}}).code, 0);
+  const Outcome wrong_order = outcome({.answer = {Kind::kElement, order, 0}, .accepted = {{3, 3}}});
   EXPECT_EQ(wrong_order.code, 1);
   EXPECT_TRUE(contains(wrong_order.text,
                        "values[0] of glGetMapiv(GL_MAP1_INDEX, GL_ORDER, values): expected 3, got 2"));
-  EXPECT_EQ(outcome({.answer = {Of::kElement, values, 1}, .accepted = {{7, 7}}}).code, 0);
-  EXPECT_EQ(outcome({.answer = {Of::kWritten, values}, .accepted = {{0, 2}}}).code, 0);
-  EXPECT_EQ(outcome({.answer = {Of::kWritten, values}, .accepted = {{0, 1}}}).code, 1);
-  EXPECT_EQ(outcome({.answer = {Of::kReturned, enabled}, .accepted = {{1, 1}}}).code, 1);
+  EXPECT_EQ(outcome({.answer = {Kind::kElement, values, 1}, .accepted = {{7, 7}}}).code, 0);
+  EXPECT_EQ(outcome({.answer = {Kind::kWritten, values}, .accepted = {{0, 2}}}).code, 0);
+  EXPECT_EQ(outcome({.answer = {Kind::kWritten, values}, .accepted = {{0, 1}}}).code, 1);
+  EXPECT_EQ(outcome({.answer = {Kind::kReturned, enabled}, .accepted = {{1, 1}}}).code, 1);
   EXPECT_EQ(outcome({.rule = Rule::kSame, .answer = {.command = again}, .other = values}).code, 0);
   EXPECT_EQ(outcome({.rule = Rule::kSame, .answer = {.command = later}, .other = values}).code, 1);
   // The program fails because its answers are equal to the recorded ones.
@@ -124,7 +124,7 @@ TEST_F(CProgram, OtherContexts) {
   c.OtherContextEVALCTS(0);
   const gl::Ref first = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
   const auto outcome = [&](const char* context, const char* library, gl::Ref query, double segments) {
-    const gl::Check check{.answer = {.of = gl::Answer::Of::kElement, .command = query},
+    const gl::Check check{.answer = {.kind = gl::Answer::Kind::kElement, .command = query},
                           .accepted = {{segments, segments}},
                           .what = "segments"};
     return build_and_start(
@@ -152,7 +152,7 @@ TEST_F(CProgram, ContextsFromAProviderAndFromAnotherLibrary) {
   const gl::Ref query = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
   const auto outcome = [&](const char* context, const char* context_library, const char* library,
                            double segments) {
-    const gl::Check check{.answer = {.of = gl::Answer::Of::kElement, .command = query},
+    const gl::Check check{.answer = {.kind = gl::Answer::Kind::kElement, .command = query},
                           .accepted = {{segments, segments}},
                           .what = "segments"};
     return build_and_start(gl::to_c({.context = context,
@@ -178,7 +178,7 @@ TEST_F(CProgram, FallsBackToTheExtensionOfACommand) {
   gl::Case c("active texture");
   c.ActiveTexture(GL_TEXTURE1);
   const gl::Ref query = c.GetIntegerv(GL_ACTIVE_TEXTURE, gl::out<GLint>(1));
-  const gl::Check check{.answer = {.of = gl::Answer::Of::kElement, .command = query},
+  const gl::Check check{.answer = {.kind = gl::Answer::Kind::kElement, .command = query},
                         .accepted = {{GL_TEXTURE1, GL_TEXTURE1}},
                         .what = "unit"};
   setenv("EVALCTS_DRILL", "older", 1);
@@ -238,7 +238,7 @@ TEST_F(CProgram, FindsTheAnswerThatAMismatchRestsOn) {
   ASSERT_EQ(record.verdict, Verdict::kFail);
   ASSERT_TRUE(reproduction.check());
   const gl::Check& check = *reproduction.check();
-  EXPECT_EQ(check.answer.of, gl::Answer::Of::kEmittedValue);
+  EXPECT_EQ(check.answer.kind, gl::Answer::Kind::kEmittedValue);
   EXPECT_EQ(check.answer.element, gl::kEmittedValues + 2);
   EXPECT_LT(check.accepted.front().first, 1.5);
   EXPECT_GT(check.accepted.front().second, 1.5);

@@ -48,9 +48,9 @@ class SyntheticCapture final : public Capture {
   bool takes(PrimitiveKinds kinds) const override { return (kinds & ~traits_.takes) == 0; }
 
   // Does not split primitives.
-  Observation observe(Implementation&, const gl::Case& script, const Wanted& wanted) const override {
+  Observation observe(Implementation&, const gl::Case& script, const CaptureRequest& request) const override {
     ++observations;
-    last_wanted = wanted;
+    last_request = request;
     Observation observation;
     observation.attributes = shown();
     for (const reference::Primitive& predicted : predict(script, 8).primitives) {
@@ -71,7 +71,7 @@ class SyntheticCapture final : public Capture {
 
   int proofs = 0;
   mutable int observations = 0;
-  mutable Wanted last_wanted;
+  mutable CaptureRequest last_request;
 
  private:
   CaptureTraits traits_;

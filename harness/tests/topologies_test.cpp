@@ -49,9 +49,9 @@ TEST_F(TopologiesTest, TheOrderOfExplicitVerticesIsLearned) {
   const Topology topology = find(predicted({{GL_LINES, 2}, {GL_LINE_STRIP, 3}}), capture);
   EXPECT_EQ(topology.vertices, (std::vector<std::size_t>{1, 0, 4, 3, 2}));
   EXPECT_EQ(topology.shape, (Shape{{GL_LINES, 2}, {GL_LINE_STRIP, 3}}));
-  EXPECT_EQ(capture.last_wanted.attributes, kPosition);
-  EXPECT_EQ(capture.last_wanted.kinds, kLines);
-  EXPECT_EQ(capture.last_wanted.most_vertices, 10u);
+  EXPECT_EQ(capture.last_request.attributes, kPosition);
+  EXPECT_EQ(capture.last_request.kinds, kLines);
+  EXPECT_EQ(capture.last_request.most_vertices, 10u);
 }
 
 TEST_F(TopologiesTest, TextureCoordinatesNumberTheVerticesWherePositionsDoNotShow) {

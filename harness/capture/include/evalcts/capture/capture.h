@@ -14,7 +14,7 @@
 namespace evalcts {
 
 // Requirements of an observation.
-struct Wanted {
+struct CaptureRequest {
   Attributes attributes = 0;       // attributes to observe; more may be observed
   std::size_t most_vertices = 0;   // largest number of captured vertices; more set Observation::overflow
   PrimitiveKinds kinds = kPoints;  // kinds of primitives that the case draws
@@ -60,7 +60,7 @@ class Capture {
   // Runs the case and returns its output with at least the wanted attributes. Throws NotObservable, and all
   // exceptions of gl::play.
   virtual Observation observe(Implementation& implementation, const gl::Case& script,
-                              const Wanted& wanted) const = 0;
+                              const CaptureRequest& request) const = 0;
 };
 
 // Returns new captures in order of preference: sink, transform feedback, feedback buffer, pixels.

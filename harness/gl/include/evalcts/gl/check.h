@@ -13,7 +13,7 @@ namespace evalcts::gl {
 
 // A number that an executed case answered.
 struct Answer {
-  enum class Of {
+  enum class Kind {
     kReturned,         // the value that a command returned
     kElement,          // an element of the array that a command wrote
     kWritten,          // the number of leading elements of its array that a command wrote
@@ -21,7 +21,7 @@ struct Answer {
     kEmittedValue,     // one of the values of the emitted vertices, in the order of EmittedLayout
     kEmittedVertices,  // the number of emitted vertices
   };
-  Of of = Of::kReturned;
+  Kind kind = Kind::kReturned;
   Ref command = {};
   std::size_t element = 0;
   bool is_error = false;  // an enumerant of GetError, shown by its name

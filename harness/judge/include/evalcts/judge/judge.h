@@ -28,7 +28,7 @@ struct Mismatch {
   double condition_aware = 0;
 
   // The captured value and the interval as numbers: `got` is outside [lowest, highest].
-  enum class Of { kValue, kVertices, kError } of = Of::kValue;
+  enum class Kind { kValue, kVertices, kError } kind = Kind::kValue;
   double got = 0, lowest = 0, highest = 0;
 };
 
@@ -63,8 +63,8 @@ Judgement judge(const Prediction& prediction, const Observation& observation, co
 Topology with_meshes_in_own_order(const Prediction& prediction, Topology topology,
                                   const Observation& observation, const JudgeOptions& options);
 
-// An observation, and the topology of the capture that made it.
-struct Seen {
+// An observation, and the topology of the capture that made it, which gives the order of its vertices.
+struct OrderedObservation {
   const Observation& observation;
   const Topology& topology;
 };
@@ -72,6 +72,6 @@ struct Seen {
 // Compares two observations of the same case in the attributes that both have: bit for bit, except that -0
 // and subnormals are compared as real numbers, to 2^-126. Returns an empty string or a description of the
 // difference.
-std::string disagreement(const Seen& a, const Seen& b);
+std::string disagreement(const OrderedObservation& a, const OrderedObservation& b);
 
 }  // namespace evalcts

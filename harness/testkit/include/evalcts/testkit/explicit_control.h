@@ -46,16 +46,16 @@ class ExplicitControl {
     Attributes judged;
   };
 
-  struct Seen {
+  struct ControlObservation {
     Prediction prediction;
     Topology topology;
     Observation observation;
   };
   void run_controls(const Observed& observed);
   // Observes a case without evaluation; empty if the capture does not take its primitives.
-  std::optional<Seen> observe_control(const gl::Case& control, const Capture& capture,
-                                      Attributes judged) const;
-  std::vector<Mismatch> mismatches(const Seen& seen, Attributes judged) const;
+  std::optional<ControlObservation> observe_control(const gl::Case& control, const Capture& capture,
+                                                    Attributes judged) const;
+  std::vector<Mismatch> mismatches(const ControlObservation& seen, Attributes judged) const;
 
   const Subject& subject_;
   std::optional<Observed> observed_;

@@ -118,12 +118,6 @@ class Test {
   // change. Whether the answers themselves are right, other tests judge.
   void compare_only(const std::vector<gl::Ref>& queries);
 
-  // Runs the case with Enable(CULL_FACE), IsEnabled(LIGHTING) or GetIntegerv(MATRIX_MODE) in place of the
-  // commands, queries by Is or Get that are rejected between Begin and End. Throws NotObservable if these
-  // take effect or raise no error: the library has then lost the Begin, for example in a display list, or
-  // raises no errors at all.
-  void require_rejections_in_primitives(const gl::Case& script, const Specified& specified);
-
   // Observes the output of the case through the best capture, and judges it against the executable
   // specification at the level of the test. In one test of 32 (at thorough depth in all tests), other
   // captures observe it, too, and must agree. All attributes that the capture shows are judged.
@@ -138,7 +132,7 @@ class Test {
   // unobserved. For tests that can judge each attribute without the others. Throws NotObservable.
   Attributes shown_exactly(Attributes required, PrimitiveKinds kinds = kPoints);
   // Observes a case that draws these kinds of primitives through the first capture that shows `required`. The
-  // test judges the observation itself. `most_vertices`: see Wanted. Throws NotObservable.
+  // test judges the observation itself. `most_vertices`: see CaptureRequest. Throws NotObservable.
   Observation observe(const gl::Case& script, Attributes required, std::size_t most_vertices,
                       PrimitiveKinds kinds = kPoints);
   // Returns the mismatches of an observation; may throw NotObservable.
@@ -172,6 +166,11 @@ class Test {
 
  private:
   gl::DeliveredCase begin_case(const gl::Case& script);
+  // Runs the case with Enable(CULL_FACE), IsEnabled(LIGHTING) or GetIntegerv(MATRIX_MODE) in place of the
+  // commands, queries by Is or Get that are rejected between Begin and End. Throws NotObservable if these
+  // take effect or raise no error: the library has then lost the Begin, for example in a display list, or
+  // raises no errors at all.
+  void require_rejections_in_primitives(const gl::Case& script, const Specified& specified);
   void judge_answers(const gl::Case& script, const Specified& specified);
   void judge_answer(CheckedTrace& checked, const Specified& specified, gl::Ref query);
   void judge_snapshot(CheckedTrace& checked, const Specified& specified, const gl::Case& script,
@@ -184,21 +183,21 @@ class Test {
   // and in a list of the simplest kind. The requirement of the form of lists is violated only if both pass.
   void blame_list_or_commands(const std::function<void(Test&)>& body);
 
-  // One capture's observation of a case.
-  struct Look {
+  // The observation of a case by one capture.
+  struct CapturedObservation {
     const Capture* capture;
     Topology topology;
     Observation observation;
   };
   JudgeOptions options_for(const gl::Case& script, const Capture& capture, Attributes required) const;
-  std::vector<Look> look_at(const gl::Case& script, const Prediction& prediction, Attributes required,
-                            std::size_t most_vertices);
+  std::vector<CapturedObservation> observe_by_captures(const gl::Case& script, const Prediction& prediction,
+                                                       Attributes required, std::size_t most_vertices);
   enum class Thoroughness { kAllVertices, kFirstWrongVertex };
   void judge_emission(const gl::Case& delivered, const Prediction& prediction, Attributes required,
                       Thoroughness thoroughness);
   // Adds a failure for each of `mismatches`, which `judge` has found in the observation `seen`. If there is a
   // prediction, the first failure in positions or vertices gets a plot, otherwise the first failure.
-  void fail_each(const gl::Case& script, const Capture& capture, const Wanted& wanted,
+  void fail_each(const gl::Case& script, const Capture& capture, const CaptureRequest& wanted,
                  const Observation& seen, const std::vector<Mismatch>& mismatches, const OwnJudge& judge,
                  const Prediction* prediction = nullptr);
 
