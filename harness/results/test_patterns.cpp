@@ -67,7 +67,7 @@ std::vector<std::string> patterns_of_function(const std::vector<std::string>& na
   std::vector<std::string> patterns;
   std::set<std::string> left(names.begin(), names.end());
   while (!left.empty()) {
-    // Of the patterns that match most of these names, the most specific one.
+    // The most specific one of the patterns that match most of these names.
     using Rank = std::tuple<std::ptrdiff_t, std::ptrdiff_t, std::size_t>;
     const auto rank = [&](const auto& each) {
       return Rank{
