@@ -15,7 +15,7 @@ struct Conclusion {
   // The reasons why a run that has started is not green: "3 new failures", "1 stale baseline entry
   // (--strict): NAME".
   std::vector<std::string> problems;
-  // "No new failures; 574 known (baseline mesa)", or the problems in place of "No new failures"; "Not judged:
+  // "No new failures; 578 known (baseline mesa)", or the problems in place of "No new failures"; "Not judged:
   // REASON" for a run that has not started.
   std::string text;
 };
