@@ -136,29 +136,36 @@ void Test::judge_answer(CheckedTrace& checked, const Specified& specified, gl::R
   checked.expect_permitted(query, accepted(permitted, tolerance), expected);
 }
 
-void Test::judge_snapshot(CheckedTrace& checked, const Specified& specified, const gl::Case& script,
-                          gl::Ref query) {
+gl::Ref Test::same_as(const Specified& specified, const gl::Case& script, gl::Ref query) const {
   const gl::Trace& expected = specified.answers;
+  const std::vector<gl::Command>& commands = script.commands();
   for (const int earlier : snapshot_) {
-    const gl::Ref before{earlier};
-    const auto& commands = script.commands();
-    if (earlier >= query.index || !expected.same(before, expected, query) ||
-        !is_same_query(commands[static_cast<std::size_t>(earlier)],
-                       commands[static_cast<std::size_t>(query.index)]))
-      continue;
-    return checked.expect_same(before, query);
+    if (earlier >= query.index) break;
+    if (expected.same({earlier}, expected, query) &&
+        is_same_query(commands[static_cast<std::size_t>(earlier)],
+                      commands[static_cast<std::size_t>(query.index)]))
+      return {earlier};
   }
+  return {};
 }
 
 void Test::judge_answers(const gl::Case& script, const Specified& specified) {
   CheckedTrace checked = play(script);
-  const auto is_missing = [&](std::size_t i) {
+  const gl::Trace& trace = checked.trace();
+  // A Begin that is lost shows in missing errors, or in effects of commands that are legal outside of a
+  // primitive; their error is then that of End.
+  const auto may_have_lost_begin = [&](std::size_t i) {
+    const gl::Ref command{static_cast<int>(i)};
     const std::vector<GLenum>& due = specified.error_answers[i];
-    return !due.empty() && std::ranges::count(due, GLenum{GL_NO_ERROR}) == 0 &&
-           checked.trace().error({static_cast<int>(i)}) == GL_NO_ERROR;
+    if (!due.empty()) return std::ranges::count(due, trace.error(command)) == 0;
+    if (snapshot_.contains(command.index)) {
+      const gl::Ref before = same_as(specified, script, command);
+      return before.index >= 0 && !trace.same(before, trace, command);
+    }
+    return specified.known[i] && !trace.same(command, specified.answers, command);
   };
   for (std::size_t i = 0; i < script.commands().size(); ++i)
-    if (is_missing(i)) {
+    if (may_have_lost_begin(i)) {
       require_rejections_in_primitives(script, specified);
       break;
     }
@@ -178,7 +185,7 @@ void Test::judge_answers(const gl::Case& script, const Specified& specified) {
     } else if (snapshot_.contains(command.index)) {
       blame(Observed::kChange);
       // Without an error, an effect is no wonder.
-      if (errors_are_right) judge_snapshot(checked, specified, script, command);
+      if (errors_are_right) checked.expect_same(same_as(specified, script, command), command);
     } else if (specified.answers.has_output(command) && !specified.errors[i].empty()) {
       blame(Observed::kWritten);
       checked.expect_nothing_written(command);

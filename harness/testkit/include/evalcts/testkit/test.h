@@ -173,8 +173,8 @@ class Test {
   void require_rejections_in_primitives(const gl::Case& script, const Specified& specified);
   void judge_answers(const gl::Case& script, const Specified& specified);
   void judge_answer(CheckedTrace& checked, const Specified& specified, gl::Ref query);
-  void judge_snapshot(CheckedTrace& checked, const Specified& specified, const gl::Case& script,
-                      gl::Ref query);
+  // Returns the first query of the snapshot with which this one must agree; -1 if there is none.
+  gl::Ref same_as(const Specified& specified, const gl::Case& script, gl::Ref query) const;
   void require_rounding_of_other_state();
   const Capture& choose_capture(Attributes required, PrimitiveKinds kinds);
   void note_capture(const Capture& capture);
