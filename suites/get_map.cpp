@@ -287,8 +287,8 @@ EVALCTS_TEST_PAIR(Get.Grid1, Get.Grid2, kMust, decide("EV-GET-GRIDDOMAIN/1-D", "
   t.judge(c, Outcomes::kAnswers);
 };
 
-// Not a program for the specification: the answer is a limit of the implementation, and all forms give the
-// same.
+// The specification cannot judge this test, because the answer is a limit of the implementation, which all
+// forms of Get have to give.
 EVALCTS_TEST(Get, MaxEvalOrder, kMust, "EV-GET-MAXORDER")
 (Test& t) {
   gl::Case c("every form, before and after maps are defined");

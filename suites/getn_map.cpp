@@ -81,8 +81,8 @@ void judge_sizes(Test& t, bool two, const Getter& getter, const std::string& ide
   t.judge(c, Outcomes::kAnswers);
 }
 
-// Not a program for the specification: the answers are compared with those of GetMap, which other tests
-// judge.
+// This test compares two answers, and does not let the specification judge them, because other tests judge
+// those of GetMap.
 EVALCTS_TEST_PAIR(GetnMap.SameAsGetMap, GetnMap.SameAsGetMap2, kMust, "EV-GETN-SAME", combine(kGetters))
 (Test& t, bool two, const Getter& getter) {
   gl::Case c = with_maps(t, two, "every target and query, room to spare");

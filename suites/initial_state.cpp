@@ -137,7 +137,8 @@ EVALCTS_TEST_PAIR(InitialState.MeshesOverGrid1, InitialState.MeshesOverGrid2, kM
   }
 };
 
-// Not a program for the specification: the limit of the implementation decides what the test defines.
+// The specification cannot judge this test, because the limit of the implementation decides which maps are
+// defined.
 EVALCTS_TEST(InitialState, MaxEvalOrder, kMust, "EV-INIT-MAXORDER/1-D")
 (Test& t) {
   t.require_initial_state();

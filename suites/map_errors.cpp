@@ -145,6 +145,54 @@ EVALCTS_TEST_PAIR(Map1Errors.LegalCallAfterwards, Map2Errors.LegalCallAfterwards
   t.judge(c, Outcomes::kAnswers);
 };
 
+// Changes of a legal map that leave it legal, unusual as they are; EV-MAP-NOERR-OTHER lists them.
+std::vector<std::function<void(Map&)>> legal_changes(bool two) {
+  std::vector<std::function<void(Map&)>> changes = {
+      [](Map& m) { m.ustride = 1000; },
+      [](Map& m) { m.uorder = m.vorder = 1, m.ustride = 4000; },
+      [](Map& m) { m.u1 = 1, m.u2 = 0; },
+      [](Map& m) { m.u1 = 1, m.u2 = 0, m.uorder = 1; },
+      [](Map& m) { m.u1 = -1e6, m.u2 = -1e5; },
+      [](Map& m) { m.u1 = -0x1p31, m.u2 = 0x1p31; },
+      [](Map& m) { m.u1 = std::nextafter(1.0f, 2.0f), m.u2 = 1; },
+      [](Map&) {},  // all points are equal
+      [](Map& m) {
+        for (std::size_t i = 0; i < m.points.size(); ++i) m.points[i] = i % 2 ? -0.0 : std::ldexp(1.0, -140);
+      }};
+  if (!two) return changes;
+  const std::function<void(Map&)> of_surfaces[] = {
+      [](Map& m) { m.vstride = 1000; }, [](Map& m) { m.ustride = 900, m.vstride = 1000; },
+      [](Map& m) { m.uorder = m.vorder = 1, m.ustride = 4000, m.vstride = 4090; },
+      // With order 1 the stride is not used, however large it is (U-STRIDE-HUGE).
+      [](Map& m) { m.uorder = 1, m.ustride = kHighest; }, [](Map& m) { m.vorder = 1, m.vstride = kHighest; },
+      [](Map& m) { m.v1 = 1, m.v2 = 0; }, [](Map& m) { m.u1 = m.v1 = 7, m.u2 = m.v2 = -2; },
+      // The domain of v is that of u reversed.
+      [](Map& m) { m.u1 = 0, m.u2 = 1, m.v1 = 1, m.v2 = 0; }, [](Map& m) { m.v1 = -3, m.v2 = -2; },
+      [](Map& m) { m.v1 = 0x1p31, m.v2 = -0x1p31; },
+      [](Map& m) { m.v1 = 1, m.v2 = std::nextafter(1.0f, 2.0f); }};
+  changes.insert(changes.end(), std::begin(of_surfaces), std::end(of_surfaces));
+  return changes;
+}
+
+EVALCTS_TEST_PAIR(Map1Errors.NoOtherCondition, Map2Errors.NoOtherCondition, kMust,
+                  decide("EV-MAP-NOERR-OTHER/1-D", "EV-MAP-NOERR-OTHER/2-D"), kEachTargetForm)
+(Test& t, bool two, const TargetForm& form) {
+  gl::Case c(
+      "large strides, reversed, negative, large and narrow domains, repeated points, negative zeros, "
+      "subnormals");
+  int count = 0;
+  for (const auto& change : legal_changes(two)) {
+    // The order alternates, so that the query shows if the call was silently ignored.
+    Map map = legal_map(form.target);
+    map.uorder = 2 + count++ % 2;
+    change(map);
+    define(c, map, form.doubles);
+    c.GetError();
+    c.GetMapiv(form.target, GL_ORDER, gl::out<GLint>(map.orders().size()));
+  }
+  t.judge(c, Outcomes::kAnswers);
+};
+
 // --- One-dimensional maps --------------------------------------------------------------------------------
 
 // Judges legal_map() of this order with each of the values of the parameter.
@@ -280,41 +328,6 @@ EVALCTS_TEST(Map1Errors, RefusedWhileAnErrorWaits, kMust, "EV-MAP1-ERR-NOEFFECT"
   t.judge(c, Outcomes::kAnswers);
 };
 
-// Judges legal maps with each of these changes. The order alternates, so that the query shows if the call was
-// silently ignored.
-void judge_accepted(Test& t, const TargetForm& form, const std::string& identity,
-                    const std::vector<std::function<void(Map&)>>& changes) {
-  gl::Case c(identity);
-  int count = 0;
-  for (const auto& change : changes) {
-    Map map = legal_map(form.target);
-    map.uorder = 2 + count++ % 2;
-    change(map);
-    define(c, map, form.doubles);
-    c.GetError();
-    c.GetMapiv(form.target, GL_ORDER, gl::out<GLint>(map.orders().size()));
-  }
-  t.judge(c, Outcomes::kAnswers);
-}
-
-void store_subnormals(Map& map) {
-  for (std::size_t i = 0; i < map.points.size(); ++i) map.points[i] = i % 2 ? -0.0 : std::ldexp(1.0, -140);
-}
-
-// Unusual arguments that are legal; EV-MAP-NOERR-OTHER lists them.
-EVALCTS_TEST(Map1Errors, NoOtherCondition, kMust, "EV-MAP-NOERR-OTHER/1-D", kEachTargetForm(kCurves))
-(Test& t, const TargetForm& form) {
-  judge_accepted(
-      t, form,
-      "large strides, reversed, negative, large and narrow domains, repeated points, negative "
-      "zeros, subnormals",
-      {[](Map& m) { m.ustride = 1000; }, [](Map& m) { m.uorder = 1, m.ustride = 4000; },
-       [](Map& m) { m.u1 = 1, m.u2 = 0; }, [](Map& m) { m.u1 = 1, m.u2 = 0, m.uorder = 1; },
-       [](Map& m) { m.u1 = -1e6, m.u2 = -1e5; }, [](Map& m) { m.u1 = -0x1p31, m.u2 = 0x1p31; },
-       [](Map& m) { m.u1 = std::nextafter(1.0f, 2.0f), m.u2 = 1; }, [](Map&) {},  // all points are equal
-       store_subnormals});
-};
-
 // --- Two-dimensional maps --------------------------------------------------------------------------------
 
 EVALCTS_TEST_PAIR(Map2Errors.UOrder, Map2Errors.VOrder, kMust,
@@ -440,29 +453,6 @@ EVALCTS_TEST(Map2Errors, SeveralAtOnce, kMust, "EV-MAP-ERR-ANY/2-D", "EV-MAP2-ER
        {spoiled([](Map& m) { m.target = GL_MAP1_VERTEX_4; }), spoiled([](Map& m) { m.vorder = 0; })})
     inside.push_back(in_primitive(GL_LINES, false, defining(map, form.doubles)));
   judge_rejected(t, "target or order, between Begin and End", inside);
-};
-
-// Unusual arguments that are legal; EV-MAP-NOERR-OTHER lists them.
-EVALCTS_TEST(Map2Errors, NoOtherCondition, kMust, "EV-MAP-NOERR-OTHER/2-D", kEachTargetForm(kSurfaces))
-(Test& t, const TargetForm& form) {
-  judge_accepted(
-      t, form,
-      "large strides, reversed, negative, large and narrow domains, repeated points, negative zeros, "
-      "subnormals",
-      {[](Map& m) { m.ustride = 1000; }, [](Map& m) { m.vstride = 1000; },
-       [](Map& m) { m.ustride = 900, m.vstride = 1000; },
-       [](Map& m) { m.uorder = m.vorder = 1, m.ustride = 4000, m.vstride = 4090; },
-       // With order 1 the stride is not used, however large it is (U-STRIDE-HUGE).
-       [](Map& m) { m.uorder = 1, m.ustride = kHighest; }, [](Map& m) { m.vorder = 1, m.vstride = kHighest; },
-       [](Map& m) { m.u1 = 1, m.u2 = 0; }, [](Map& m) { m.v1 = 1, m.v2 = 0; },
-       [](Map& m) { m.u1 = m.v1 = 7, m.u2 = m.v2 = -2; },
-       // The domain of v is that of u reversed.
-       [](Map& m) { m.u1 = 0, m.u2 = 1, m.v1 = 1, m.v2 = 0; },
-       [](Map& m) { m.u1 = -1e6, m.u2 = -1e5, m.v1 = -3, m.v2 = -2; },
-       [](Map& m) { m.u1 = -0x1p31, m.u2 = 0x1p31, m.v1 = 0x1p31, m.v2 = -0x1p31; },
-       [](Map& m) { m.u1 = std::nextafter(1.0f, 2.0f), m.u2 = 1; },
-       [](Map& m) { m.v1 = 1, m.v2 = std::nextafter(1.0f, 2.0f); }, [](Map&) {},  // all points are equal
-       store_subnormals});
 };
 
 }  // namespace

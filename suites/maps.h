@@ -249,8 +249,7 @@ void evaluate_all(gl::Case& c, bool two, const std::vector<At>& arguments, bool 
 std::vector<gl::Ref> query_everything(Test& t, gl::Case& c);
 void expect_unchanged(CheckedTrace& checked, const std::vector<gl::Ref>& before,
                       const std::vector<gl::Ref>& after);
-// Appends the same queries. What the test judges of them is whether answers stay the same (see
-// Test::compare_only).
+// Appends the same queries. The test judges whether their answers stay the same (see Test::compare_only).
 void take_snapshot(Test& t, gl::Case& c);
 
 // A form of GetMap; `get` appends the query with an array of `room` elements.

@@ -394,8 +394,8 @@ EVALCTS_TEST_PAIR(Numeric.ResultsAfterSpecials1, Numeric.ResultsAfterSpecials2, 
 };
 
 // Non-finite values in meshes of all modes crash nothing and do not affect other maps and enables, and maps
-// can be defined afterwards. Not a program for the specification, which does not say whether a domain of NaN
-// is an error (U-NAN-DOMAIN).
+// can be defined afterwards. The specification cannot judge this test, because no document says whether a
+// domain of NaN is an error (U-NAN-DOMAIN).
 EVALCTS_TEST_PAIR(Numeric.StateAfterSpecials1, Numeric.StateAfterSpecials2, kMust,
                   decide("EV-NUM-SPECIAL-SAFE/1-D", "EV-NUM-SPECIAL-SAFE/2-D"),
                   combine(kFeeds).by(in_lists()))

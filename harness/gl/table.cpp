@@ -13,12 +13,10 @@ namespace {
 struct Description {
   std::string_view name;
   std::string_view kinds;
-  bool is_of_harness;
 };
 
 constexpr std::array<Description, kEntryPointCount> kDescriptions = {{
-#define GL_ENTRY(name, kinds) {"gl" #name, kinds, false},
-#define HARNESS_ENTRY(name, kinds) {"gl" #name, kinds, true},
+#define GL_ENTRY(name, kinds) {"gl" #name, kinds},
 #include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
 }};
@@ -87,8 +85,6 @@ std::string name_in_extension(std::string_view name) {
 std::string_view parameter_kinds(EntryPoint entry) {
   return kDescriptions[static_cast<std::size_t>(entry)].kinds;
 }
-
-bool is_of_harness(EntryPoint entry) { return kDescriptions[static_cast<std::size_t>(entry)].is_of_harness; }
 
 bool has(const Table& table, EntryPoint entry) {
   switch (entry) {

@@ -199,12 +199,19 @@ BaselineFiles BaselineFiles::read(const fs::path& folder, const std::string& nam
   for (const Line& line : lines) {
     const std::vector<std::string> parts = fields(line.text);
     if (parts.size() != 2) throw line.bad("expected 'test name,Status'");
-    const bool withdraws = !header.extends.empty() && parts[1] == "Pass";
-    if (parts[1] != "Fail" && parts[1] != "Crash" && parts[1] != "Timeout" && !withdraws)
-      throw line.bad(
-          fmt::format("the status '{}' is not Fail, Crash, Timeout, or (in an overlay) Pass", parts[1]));
+    if (parts[1] != "Fail" && parts[1] != "Crash" && parts[1] != "Timeout" && parts[1] != "Pass")
+      throw line.bad(fmt::format("the status '{}' is not Fail, Crash, Timeout or Pass", parts[1]));
     if (!files.entries.emplace(parts[0], Entry{parts[1], line.reason}).second)
       throw line.bad(fmt::format("a second entry for {}", parts[0]));
+  }
+  for (const auto& [test, entry] : files.entries) {
+    const auto has_pattern_of = [&name_of_test = test](const auto& each) {
+      return each.second.status != "Pass" && !tests_of(each.first, {name_of_test}).empty();
+    };
+    if (entry.status == "Pass" && header.extends.empty() &&
+        std::ranges::none_of(files.entries, has_pattern_of))
+      throw BadBaseline(fmt::format("{}: no pattern expects a failure of {}, so that '{},Pass' has no effect",
+                                    fails.string(), test, test));
   }
   if (header.vendor.empty() && header.renderer.empty() && header.version.text().empty() &&
       (header.extends.empty() || header.implementations.empty()))
@@ -255,6 +262,9 @@ BaselineFiles BaselineFiles::expanded(const std::vector<std::string>& tests) con
     if (!matched.empty()) files.entries.erase(pattern);
     for (const std::string& test : matched) files.entries.emplace(test, entry);
   }
+  // In a base, "Pass" takes a test out of a pattern. In an overlay, it withdraws the entry of the base.
+  if (header.extends.empty())
+    std::erase_if(files.entries, [](const auto& each) { return each.second.status == "Pass"; });
   for (const auto& [pattern, by_depth] : signatures) {
     if (!is_pattern(pattern)) continue;
     std::vector<std::string> matched = tests_of(pattern, tests);

@@ -1,4 +1,4 @@
-// Says which of its requirements a test sees violated by a wrong observation.
+// The requirements of a test that a wrong observation violates.
 #pragma once
 
 #include <vector>

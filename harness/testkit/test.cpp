@@ -299,12 +299,12 @@ void Test::expect_observation(const gl::Case& written, Attributes required, std:
   const gl::Case script = begin_case(written).script;
   const Capture& capture = choose_capture(required, kinds);
   if (judged == Judged::kInLists) control_.set_observed(script, capture, required);
-  const CaptureRequest wanted{required, most_vertices, kinds};
-  const Observation seen = capture.observe(*subject_.implementation, script, wanted);
-  fail_each(script, capture, wanted, seen, judge(seen), judge);
+  const CaptureRequest request{required, most_vertices, kinds};
+  const Observation seen = capture.observe(*subject_.implementation, script, request);
+  fail_each(script, capture, request, seen, judge(seen), judge);
 }
 
-void Test::fail_each(const gl::Case& script, const Capture& capture, const CaptureRequest& wanted,
+void Test::fail_each(const gl::Case& script, const Capture& capture, const CaptureRequest& request,
                      const Observation& seen, const std::vector<Mismatch>& mismatches, const OwnJudge& judge,
                      const Prediction* prediction) {
   for (const Mismatch& mismatch : mismatches) {
@@ -327,7 +327,7 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Captu
     std::optional<gl::Check> check;
     if (subject_.reproduction)
       check = subject_.reproduction->check_of(mismatch, mismatches, [&](Implementation& implementation) {
-        return judge(capture.observe(implementation, script, wanted));
+        return judge(capture.observe(implementation, script, request));
       });
     fail(
         std::move(failure), [&] { return gl::all_calls(script); }, check,

@@ -193,6 +193,14 @@ TEST_F(Baselines, PatternsStandForTests) {
   EXPECT_TRUE(files.signatures.contains("A.D*")) << "it is unused";
 }
 
+TEST_F(Baselines, PassTakesATestOutOfAPattern) {
+  write("m-fails.txt", std::string(kHeader) + "# reason\nA.D/*,Fail\n\n# mended\nA.D/X,Pass\n");
+  const BaselineFiles files = BaselineFiles::read(folder_, "m").expanded(kTests);
+  EXPECT_EQ(files.entries.size(), 2u);
+  EXPECT_TRUE(files.entries.contains("A.D/X/Nested"));
+  EXPECT_FALSE(files.entries.contains("A.D/X"));
+}
+
 TEST_F(Baselines, AreWrittenWithFewPatternsThatMatchNothingElse) {
   BaselineFiles files;
   files.name = "m";

@@ -4,6 +4,7 @@
 #include <reference/rational.h>
 #include <reference/rounding.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,6 +16,17 @@ GLint saturate(const Integer& value) {
   if (value < Limits::min()) return Limits::min();
   if (value > Limits::max()) return Limits::max();
   return static_cast<GLint>(value);
+}
+
+// Appends the integers that are nearest to a value, unless they are there already.
+void append_nearest(const Rational& value, std::vector<GLint>& integers) {
+  const Rational half = Rational(1) / 2;
+  const Integer nearest = round_to_integer(value);
+  std::vector<Integer> all = {nearest};
+  if (value - Rational(nearest) == half) all.push_back(nearest + 1);
+  if (Rational(nearest) - value == half) all.push_back(nearest - 1);
+  for (const Integer& integer : all)
+    if (std::ranges::count(integers, saturate(integer)) == 0) integers.push_back(saturate(integer));
 }
 
 }  // namespace
@@ -46,6 +58,21 @@ GLint normalized_to_integer(GLdouble value) {
   if (!std::isfinite(value)) return to_integer(value);
   const Rational scale = Rational::power_of_two(32) - 1;
   return saturate(round_to_integer((scale * value - 1) / 2));
+}
+
+std::vector<GLint> permitted_integers(GLdouble value) {
+  if (!std::isfinite(value)) return {to_integer(value)};
+  std::vector<GLint> integers;
+  append_nearest(value, integers);
+  return integers;
+}
+
+std::vector<GLint> permitted_normalized_integers(GLdouble value) {
+  std::vector<GLint> integers = {normalized_to_integer(value)};
+  if (!std::isfinite(value) || value == 0) return integers;
+  append_nearest(((Rational::power_of_two(32) - 1) * value - 1) / 2, integers);
+  append_nearest((Rational::power_of_two(31) - 1) * value, integers);
+  return integers;
 }
 
 }  // namespace evalcts::reference

@@ -58,22 +58,12 @@ std::vector<double> permitted<GLboolean>(double value, ToInteger) {
 template <>
 std::vector<double> permitted<GLint>(double value, ToInteger conversion) {
   std::vector<double> answers;
-  const auto permit = [&](GLint answer) {
-    if (std::ranges::count(answers, answer) == 0) answers.push_back(answer);
+  const auto permit = [&](const std::vector<GLint>& integers) {
+    for (const GLint integer : integers)
+      if (std::ranges::count(answers, integer) == 0) answers.push_back(integer);
   };
-  if (conversion != ToInteger::kNormalized) {
-    permit(to_integer(value));
-    // n + 1/2 may be rounded up or down.
-    permit(to_integer(std::ceil(value - 0.5)));
-    permit(to_integer(std::floor(value + 0.5)));
-  }
-  if (conversion != ToInteger::kRounded) {
-    permit(normalized_to_integer(value));
-    // The rule of GL 4.2, in which 0 is 0.
-    constexpr double kLargest = std::numeric_limits<GLint>::max();
-    permit(to_integer(std::ceil(kLargest * value - 0.5)));
-    permit(to_integer(std::floor(kLargest * value + 0.5)));
-  }
+  if (conversion != ToInteger::kNormalized) permit(permitted_integers(value));
+  if (conversion != ToInteger::kRounded) permit(permitted_normalized_integers(value));
   return answers;
 }
 template <>

@@ -240,6 +240,14 @@ TEST(PermittedAnswers, OfMapsRoundHalvesUpOrDown) {  // EV-GETMAP-ROUND
   EXPECT_EQ(permitted(gl, 3), std::vector<double>{3});
   EXPECT_EQ(gl.permitted_answer()[3].state, 3.25);
   EXPECT_EQ(i[1], 2) << "the first permitted answer";
+  // The numbers next to 1/2 are no halves, although x + 1/2 is rounded to 1 in double precision.
+  const GLdouble near_halves[] = {0.5 - 0x1p-54, -0.5 + 0x1p-54, 0.5 + 0x1p-53, 0x1p31};
+  gl.Map1d(GL_MAP1_TEXTURE_COORD_4, 0, 1, 4, 1, near_halves);
+  gl.GetMapiv(GL_MAP1_TEXTURE_COORD_4, GL_COEFF, i);
+  EXPECT_EQ(permitted(gl, 0), std::vector<double>{0});
+  EXPECT_EQ(permitted(gl, 1), std::vector<double>{0});
+  EXPECT_EQ(permitted(gl, 2), std::vector<double>{1});
+  EXPECT_EQ(permitted(gl, 3), std::vector<double>{2147483647});
 }
 
 TEST(PermittedAnswers, OfColorsAndNormalsAreRoundedOrNormalized) {  // C-GETMAPIV-NORM

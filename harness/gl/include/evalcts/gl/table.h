@@ -43,9 +43,6 @@ std::string_view name_of(EntryPoint entry);
 // Returns one letter for each parameter, see entry_points.def.
 std::string_view parameter_kinds(EntryPoint entry);
 
-// Returns true for commands of the harness (contexts.h, requests.h), which are not part of any GL.
-bool is_of_harness(EntryPoint entry);
-
 // Returns true if the table has an address for the command.
 bool has(const Table& table, EntryPoint entry);
 

@@ -39,7 +39,7 @@ std::vector<bool> specified_commands(const gl::Case& script, OtherState other);
 // is left out.
 gl::Case only_specified(const gl::Case& script);
 
-// Predicts the primitives and the first error of a case.
+// Predicts the primitives and the first error of a case, from its specified_commands() with kRejected.
 Prediction predict(const gl::Case& script, int max_eval_order);
 
 // Returns true if a command of the case raises an error according to the specification. Also returns true for

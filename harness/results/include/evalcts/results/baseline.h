@@ -70,7 +70,7 @@ struct BaselineFiles {
   };
 
   struct Entry {
-    std::string status;  // Fail, Crash, Timeout; in an overlay also Pass
+    std::string status;  // Fail, Crash, Timeout, Pass
     std::string reason;
   };
 
@@ -93,7 +93,8 @@ struct BaselineFiles {
   static std::vector<BaselineFiles> read_all(const std::filesystem::path& folder);
 
   // Returns the files with the tests that patterns of `tests` (sorted) stand for in place of these patterns.
-  // An entry for a test takes precedence over patterns. A pattern that matches no test stays.
+  // An entry for a test takes precedence over patterns; the status "Pass" takes the test out of them. A
+  // pattern that matches no test stays.
   BaselineFiles expanded(const std::vector<std::string>& tests) const;
   // Returns the files with patterns in place of several tests with the same status and reason, or with the
   // same signature. They expand to these files.

@@ -106,16 +106,17 @@ class Test {
   CheckedTrace play(const gl::Case& script);
 
   // Runs the case, and judges all answers of its commands, including errors, and all emitted vertices by the
-  // executable specification, within the permitted tolerances (the accuracy rule, EV-GETMAP-FLOAT). Which of
-  // the test's requirements a wrong answer violates, says the table in blame.cpp. If an error is missing that
-  // is due between Begin and End, other commands have to raise it there. Throws NotObservable.
+  // executable specification, within the permitted tolerances (the accuracy rule, EV-GETMAP-FLOAT). The table
+  // in blame.cpp says which of the test's requirements a wrong answer violates. If an answer is wrong in a
+  // case with commands that are rejected between Begin and End, other commands have to be rejected there,
+  // too. Throws NotObservable.
   void judge(const gl::Case& script, Outcomes outcomes = Outcomes::kAll);
   // The same with a given outcome on the specification. Vertices are not judged through a delivery.
   void judge(const gl::Case& script, const Specified& specified, Outcomes outcomes = Outcomes::kAll);
 
   // Makes the answers of these queries of the next judged case a snapshot: an answer violates a requirement
   // only if the same query has had another answer earlier, and the specification says that it does not
-  // change. Whether the answers themselves are right, other tests judge.
+  // change. Other tests judge whether the answers themselves are right.
   void compare_only(const std::vector<gl::Ref>& queries);
 
   // Observes the output of the case through the best capture, and judges it against the executable
@@ -175,6 +176,7 @@ class Test {
   void judge_answer(CheckedTrace& checked, const Specified& specified, gl::Ref query);
   // Returns the first query of the snapshot with which this one must agree; -1 if there is none.
   gl::Ref same_as(const Specified& specified, const gl::Case& script, gl::Ref query) const;
+  // Throws NotObservable if GetIntegerv rounds FOG_START wrongly.
   void require_rounding_of_other_state();
   const Capture& choose_capture(Attributes required, PrimitiveKinds kinds);
   void note_capture(const Capture& capture);
@@ -197,7 +199,7 @@ class Test {
                       Thoroughness thoroughness);
   // Adds a failure for each of `mismatches`, which `judge` has found in the observation `seen`. If there is a
   // prediction, the first failure in positions or vertices gets a plot, otherwise the first failure.
-  void fail_each(const gl::Case& script, const Capture& capture, const CaptureRequest& wanted,
+  void fail_each(const gl::Case& script, const Capture& capture, const CaptureRequest& request,
                  const Observation& seen, const std::vector<Mismatch>& mismatches, const OwnJudge& judge,
                  const Prediction* prediction = nullptr);
 
