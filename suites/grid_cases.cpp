@@ -45,6 +45,14 @@ std::vector<Grid> probed_grids(Test& t) {
     if (std::abs(grid.last - grid.first) / static_cast<float>(grid.segments) > 4e-5f * std::max(end, 1.0f))
       grids.push_back(grid);
   };
+  // Rising and falling grids for which N steps from either end miss the other one, with and without a fused
+  // multiply-add.
+  for (const Grid& grid :
+       {Grid{43, 0x1.99999ap-4f, 0x1.ccccccp-1f}, Grid{3, -0x1.96d10ap+0f, 0x1.60d5a8p-1f},
+        Grid{2, 0x1.956204p-6f, -0x1.38192ep-4f}, Grid{53, -0x1.915a96p+1f, 0x1.1fbb18p-1f},
+        Grid{18, -0x1.ab04e4p+0f, -0x1.89ef66p-6f}, Grid{39, 0x1.e445ap+1f, -0x1.62c9ap+1f},
+        Grid{1, 0x1.58e3dep-4f, -0x1.6da474p-4f}, Grid{1, -0x1.83183ep-4f, 0x1.e0cd8ap-1f}})
+    add(grid);
   for (const Grid& grid : awkward_grids()) add(grid);
   for (int segments = 1; segments <= t.by_depth(60, 300, 1000); ++segments) add({segments, 0.1f, 0.7f});
   for (int i = 0; i < t.by_depth(60, 300, 3000); ++i) {
@@ -55,14 +63,6 @@ std::vector<Grid> probed_grids(Test& t) {
   // Grids of one segment for which first + (last - first) is not last in single precision.
   for (const auto& [first, last] : {std::pair{33.3f, 0.1f}, {977.7f, -0.3f}, {-811.3f, 2.1f}, {52.7f, 1e-3f}})
     add({1, first, last});
-  // Rising and falling grids for which N steps from either end miss the other one, with and without a fused
-  // multiply-add.
-  for (const Grid& grid :
-       {Grid{43, 0x1.99999ap-4f, 0x1.ccccccp-1f}, Grid{3, -0x1.96d10ap+0f, 0x1.60d5a8p-1f},
-        Grid{2, 0x1.956204p-6f, -0x1.38192ep-4f}, Grid{53, -0x1.915a96p+1f, 0x1.1fbb18p-1f},
-        Grid{18, -0x1.ab04e4p+0f, -0x1.89ef66p-6f}, Grid{39, 0x1.e445ap+1f, -0x1.62c9ap+1f},
-        Grid{1, 0x1.58e3dep-4f, -0x1.6da474p-4f}, Grid{1, -0x1.83183ep-4f, 0x1.e0cd8ap-1f}})
-    add(grid);
   return grids;
 }
 
@@ -129,13 +129,13 @@ void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind
     define_probe(c, along, end);
     map_grid(c, along, grid);
     c.TexCoord1f(tag++);
+    draw(c, grid);
+    c.TexCoord1f(tag++);
     draw_at(c, along, kind, end);
     c.TexCoord1f(tag++);
     draw_at(c, along, kind, std::nextafter(end, end + 1));
     c.TexCoord1f(tag++);
     draw_at(c, along, kind, std::nextafter(end, end - 1));
-    c.TexCoord1f(tag++);
-    draw(c, grid);
   }
 
   const auto judge = [&](const Observation& seen) {
@@ -146,11 +146,11 @@ void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind
         if (number >= Probed::kTags * probed.size()) continue;
         Probed& of = probed[number / Probed::kTags];
         const float x = vertex.position[0];
-        if (number % Probed::kTags == 0) {
+        if (number % Probed::kTags == 1) {
           of.at_end = x;
-        } else if (number % Probed::kTags == 1) {
-          of.at_next = x;
         } else if (number % Probed::kTags == 2) {
+          of.at_next = x;
+        } else if (number % Probed::kTags == 3) {
           of.at_previous = x;
         } else if (std::abs(x) < 0.5f) {
           of.near_end.push_back(x);

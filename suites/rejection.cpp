@@ -91,10 +91,21 @@ void judge_rejected(Test& t, const std::string& identity, const std::vector<Call
 }
 
 Map legal_map(GLenum target) {
-  std::vector<double> points(4096, 0.5);
-  if (reference::is_map2_target(target)) return {target, 0, 1, 0, 1, 12, 4, 2, 3, std::move(points)};
   const int k = std::max(gl::components_of(target), 1);
-  return {target, 0, 1, 0, 1, k, k, 3, 1, std::move(points)};
+  if (reference::is_map2_target(target)) return with_room({target, 0, 1, 0, 1, 12, 4, 2, 3, {}});
+  return with_room({target, 0, 1, 0, 1, k, k, 3, 1, {}});
+}
+
+Map with_room(Map map) {
+  constexpr std::size_t kMostValues = 4, kFewest = 64;
+  const auto reach = [&](int order, int stride) {
+    if (order <= 1) return std::size_t{0};
+    return static_cast<std::size_t>(order - 1) *
+           std::max(static_cast<std::size_t>(std::max(stride, 0)), kMostValues);
+  };
+  const std::size_t needed = reach(map.uorder, map.ustride) + reach(map.vorder, map.vstride) + kMostValues;
+  map.points.resize(std::max(needed, kFewest), 0.5);
+  return map;
 }
 
 std::vector<Direction> directions(bool two) {
@@ -116,7 +127,7 @@ Calls in_primitive(GLenum mode, bool after_vertex, const Calls& calls) {
 
 void judge_rejected(Test& t, const std::string& identity, const std::vector<Map>& bad, bool doubles) {
   std::vector<Calls> calls;
-  for (const Map& map : bad) calls.push_back(defining(map, doubles));
+  for (const Map& map : bad) calls.push_back(defining(with_room(map), doubles));
   judge_rejected(t, identity, calls, bad.front().two ? Prepared::kEverything : Prepared::kMaps1);
 }
 

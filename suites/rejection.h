@@ -45,9 +45,11 @@ void judge_rejected(Test& t, const std::string& identity, const std::vector<Call
 
 // --- Bad maps --------------------------------------------------------------------------------------------
 
-// Returns a legal map, of which a test then changes one argument. It has 4096 values, far more than it needs,
-// so that a library that reads the points before it rejects the call stays within the array.
+// Returns a legal map, of which a test then changes one argument.
 Map legal_map(GLenum target);
+// Gives the map so many values that a library which reads the points before it rejects the call stays within
+// the array: points of four values at strides of at least four, and 64 values or more.
+Map with_room(Map map);
 
 // The members of Map that belong to one direction.
 struct Direction {

@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
@@ -12,10 +10,10 @@
 #include <evalcts/faults/fault_table.h>
 #include <evalcts/results/coverage.h>
 #include <evalcts/runner/question.h>
-#include <evalcts/runner/suite_child.h>
 #include "command.h"
 #include "help.h"
 #include "places.h"
+#include "specified_run.h"
 #include "terminal.h"
 #include "wrap.h"
 
@@ -80,45 +78,19 @@ void explain_ambiguity(const Ambiguity& entry) {
     paragraph(fmt::format("{}={}: {}", entry.id, reading, meaning), 4);
 }
 
-// A folder for temporary files, which the destructor removes.
-class Scratch {
- public:
-  Scratch() : path_((fs::temp_directory_path() / "evalcts-explain-XXXXXX").string()) {
-    if (!mkdtemp(path_.data())) throw std::runtime_error("cannot make a temporary folder");
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  fs::path path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
 // The run of a test on the executable specification, where it passes.
 struct TestRun {
   std::optional<CaseStarted> first;  // its first case that is not a control
   std::optional<TestRecord> record;
 };
 
-TestRun run_on_specification(const std::string& test, const fs::path& scratch) {
-  constexpr double kLook = 0.01, kPatience = 60;  // seconds
-  const fs::path list = scratch / "test.txt", events = scratch / "events.jsonl";
-  std::ofstream(list) << test << '\n';
+TestRun run_of(const std::string& test) {
   TestRun run;
-  SuiteChild child(
-      {places().suite_program.string(), "--implementation", "reference", "--depth", "quick", "--tests",
-       list.string(), "--records", events.string(), "--trace-cases", "--die-with-parent", "--gtest_brief=1"},
-      events, scratch / "log.txt", {kPatience});
-  const auto take = [&](const Event& event) {
+  run_on_specification({test}, [&](const Event& event) {
     if (const auto* started = std::get_if<CaseStarted>(&event); started && !started->is_control)
       if (!run.first) run.first = *started;
     if (const auto* finished = std::get_if<TestFinished>(&event)) run.record = finished->record;
-  };
-  while (!child.look(kLook, {}, take)) continue;
+  });
   return run;
 }
 
@@ -187,8 +159,8 @@ void explain_test(const ListedTest& test) {
       paragraph(id.text() + ": " + requirement->text);
       paragraph("Source: " + requirement->source, 4);
     }
+  explain_cases(run_of(test.name));
   const Scratch scratch;
-  explain_cases(run_on_specification(test.name, scratch.path()));
   explain_faults(test, scratch.path());
 }
 

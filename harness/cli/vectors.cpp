@@ -5,13 +5,18 @@
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <sstream>
 
+#include <evalcts/gl/case_json.h>
+#include <evalcts/results/filter.h>
 #include <evalcts/results/requirements.h>
+#include <evalcts/runner/question.h>
 #include <evalcts/vectors/lint.h>
 #include <evalcts/vectors/write.h>
 #include "command.h"
 #include "places.h"
+#include "specified_run.h"
 #include "vectors.h"
 
 namespace evalcts::cli {
@@ -34,6 +39,36 @@ std::string content_of(const fs::path& file) {
 
 }  // namespace
 
+namespace {
+
+// Suites about values, which the files of values have, and about relations between the answers to two cases.
+constexpr char kSuitesOfValues[] = "Map1Values.*:Map2Values.*:Metamorphic.*:Numeric.*:Map?Accuracy.*";
+
+// Returns the cases of the tests of quick depth, in the order of their names. Only what citable text demands
+// is in the vectors, so tests of other levels are left out. Throws std::runtime_error.
+std::vector<vectors::SuiteCase> cases_of_suite() {
+  std::map<std::string, std::vector<std::string>> requirements;
+  std::vector<std::string> names;
+  for (const ListedTest& test : list_tests(places().suite_program)) {
+    if (test.level != Level::kMust || test.from != Depth::kQuick || is_chosen(test.name, kSuitesOfValues))
+      continue;
+    names.push_back(test.name);
+    for (const RequirementId& each : test.requirements) requirements[test.name].push_back(each.id);
+  }
+  std::vector<vectors::SuiteCase> cases;
+  std::string running;
+  const bool is_complete = run_on_specification(names, [&](const Event& event) {
+    if (const auto* test = std::get_if<TestStarted>(&event)) running = test->name;
+    if (const auto* started = std::get_if<CaseStarted>(&event))
+      if (!started->is_control && !started->commands.empty())
+        cases.push_back({running, requirements[running], gl::parse_case(started->commands)});
+  });
+  if (!is_complete) throw std::runtime_error("the suite does not run to its end on the specification");
+  return cases;
+}
+
+}  // namespace
+
 int write_vectors(const VectorsOptions& options) {
   const fs::path folder = options.output.empty() ? places().vectors : fs::path(options.output);
   std::error_code error;
@@ -44,7 +79,7 @@ int write_vectors(const VectorsOptions& options) {
   }
   std::size_t cases = 0, bytes = 0;
   try {
-    vectors::write_all(folder, [&](const vectors::Written& written) {
+    vectors::write_all(folder, cases_of_suite(), [&](const vectors::Written& written) {
       std::cout << fmt::format("{:<12} {:>5} cases {:>9} bytes\n", written.kind, written.cases,
                                written.bytes);
       cases += written.cases;

@@ -79,7 +79,7 @@ std::vector<Surface> Map::surfaces() const {
 
 Map initial_map(GLenum target) {
   const Kind& row = *kind(target);
-  return {target, {}, {}, {row.initial_point.begin(), row.initial_point.begin() + row.components}};
+  return {target, {}, {}, {row.initial_point.begin(), row.initial_point.begin() + row.components}, true};
 }
 
 }  // namespace evalcts::reference

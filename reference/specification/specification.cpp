@@ -21,6 +21,11 @@ bool holds_colors_or_normals(GLenum target) {
          target == GL_MAP2_NORMAL;
 }
 
+bool is_texture_target(GLenum target) {
+  return (target >= GL_MAP1_TEXTURE_COORD_1 && target <= GL_MAP1_TEXTURE_COORD_4) ||
+         (target >= GL_MAP2_TEXTURE_COORD_1 && target <= GL_MAP2_TEXTURE_COORD_4);
+}
+
 // Returns the least stride of a target. A stride that is too small for every target may be reported even if
 // the target is invalid (EV-MAP-ERR-ANY).
 int least_stride(GLenum target) { return std::max(values_per_point(target), 1); }
@@ -31,11 +36,11 @@ constexpr GLsizei kAnySize = std::numeric_limits<GLsizei>::max();
 // Returns the answer to a query of a map; empty if `query` does not name one.
 std::vector<double> answer_of_map(const Map& map, GLenum query) {
   using Values = std::vector<double>;
-  const auto& [target, u, v, points] = map;
+  const Map::Direction &u = map.u, &v = map.v;
   const bool two = map.is_two_dimensional();
   switch (query) {
     case GL_COEFF:
-      return points;
+      return map.points;
     case GL_ORDER:
       return two ? Values{double(u.order), double(v.order)} : Values{double(u.order)};
     case GL_DOMAIN:
@@ -176,7 +181,6 @@ void Specification::define(Objections objections, std::shared_ptr<const Map> map
   objections.push_back({attributes_.active_texture != 0, GL_INVALID_OPERATION});  // EV-MAP*-ERR-ACTIVETEX
   if (reject_if(objections) || map == nullptr) return;
   maps_[slot(map->target)] = map;
-  defined_[slot(map->target)] = true;
 }
 
 void Specification::Map1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order,
@@ -323,7 +327,8 @@ void Specification::get_map(GLenum target, GLenum query, GLsizei size, T* v) {
       permitted<T>(values, may_be_normalized ? ToInteger::kEither : ToInteger::kRounded);
   for (PermittedValue& value : answer) {
     const bool is_ambiguous = may_be_normalized && std::is_same_v<T, GLint> && std::abs(value.state) > 1;
-    value.is_advisory = is_ambiguous || (query == GL_DOMAIN && !defined_[slot(target)]);
+    value.is_advisory = is_ambiguous || (query == GL_DOMAIN && maps_[slot(target)]->is_initial);
+    if (query == GL_COEFF && maps_[slot(target)]->is_initial && is_texture_target(target)) value.since = 11;
   }
   write(std::move(answer), v);
 }

@@ -14,6 +14,8 @@ from .values import check_values
 SEQUENCES = ("errors", "get_map", "state")
 KINDS = ("map1_eval", "map2_eval", "grid", "auto_normal", *SEQUENCES)
 CHUNK = 8
+# The name of a test in the id of a sequence: the function, which is the theme, and its parameters.
+TEST = r"([A-Za-z0-9]+\.[A-Za-z0-9]+)(?:/[A-Za-z0-9_.-]+)*"
 
 
 class File:
@@ -107,7 +109,8 @@ def _check_names(found):
         if not isinstance(case, dict):
             raise Malformed(f"cases[{i}]: not an object")
         name = case.get("id")
-        parts = isinstance(name, str) and re.fullmatch(rf"{found['kind']}\.([a-z0-9-]+)\.[1-9][0-9]*", name)
+        theme = TEST if found["kind"] in SEQUENCES else "([a-z0-9-]+)"
+        parts = isinstance(name, str) and re.fullmatch(rf"{found['kind']}\.{theme}\.[1-9][0-9]*", name)
         if not parts:
             raise Malformed(f"cases[{i}]: id {show(name)} is not kind, theme and number")
         if name in ids:

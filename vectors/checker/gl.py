@@ -17,7 +17,7 @@ from .gl_names import (ALL_MAPS, COMPILE_MODES, ENUM, FLAGS, GROUPS, LIST_TYPES,
                        MAX_TEXTURE_UNITS, MESH_MODES, MODES, NAME_TYPES, OPERATION, OTHER_FLAGS, OVERFLOW,
                        TEXTURE0, UNDERFLOW, VALUE, enumerant, groups_of, unit_of)
 from .maps import FORMATS, TARGETS, Map
-from .number import BINARY32, Malformed, read_float, show
+from .number import BINARY32, BINARY64, Malformed, read_float, show
 from .report import FIRST_VERSION
 
 # Limits that the files assume of the implementation.
@@ -449,12 +449,16 @@ class Context:
         return codes
 
     def get_map(self, form, target, query, *rest):
+        answer = self.maps[target].answer(query)
         if self.maps[target].is_initial:
             # Only the reference pages give the initial domain, and GL 1.0 does not give initial texture coordinates.
             self.advisory_step = query == "GL_DOMAIN"
             if query == "GL_COEFF" and "TEXTURE" in target:
                 self.need("1.1")
-        return self.maps[target].answer(query)
+        if form[1] == "i" and any(value.kind == "either" and abs(read_float(value.value, BINARY64)) > 1
+                                  for value in answer):
+            self.advisory_step = True
+        return answer
 
     def get_errors(self, form, name, out):
         return set() if self.state(name) else {ENUM}

@@ -6,8 +6,8 @@ from .number import Malformed, show
 ENUM, VALUE, OPERATION = "GL_INVALID_ENUM", "GL_INVALID_VALUE", "GL_INVALID_OPERATION"
 OVERFLOW, UNDERFLOW = "GL_STACK_OVERFLOW", "GL_STACK_UNDERFLOW"
 
-# The files use no more units than all implementations with multitexturing have.
-TEXTURE0, MAX_TEXTURE_UNITS = 0x84C0, 2
+# Cases that use more than two units have a flag.
+TEXTURE0, MAX_TEXTURE_UNITS = 0x84C0, 8
 UNITS = {f"GL_TEXTURE{i}": TEXTURE0 + i for i in range(MAX_TEXTURE_UNITS)}
 # Types of CallLists: the kind of array that holds the names, and its number of items for a name.
 LIST_TYPES = {"GL_BYTE": ("i8", 1), "GL_UNSIGNED_BYTE": ("u8", 1), "GL_SHORT": ("i16", 1),

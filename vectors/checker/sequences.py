@@ -13,8 +13,8 @@ from .values import check_component, check_normal
 OUTPUTS = {"Boolean": "u8", "Integer": "i32", "Float": "f32", "Double": "f64",
            "i": "i32", "f": "f32", "d": "f64"}
 HALF = Fraction(1, 2)
-# More vertices in a step are summarised.
-MOST_LISTED = 64
+# The steps of a case list this number of vertices; those of further steps are summarised.
+MOST_LISTED = 24
 DIGESTED = "position", "color", "normal", "texture_coordinates"
 EMITTERS = ("End", "EvalMesh1", "EvalMesh2", "CallList", "CallLists")
 
@@ -23,8 +23,7 @@ def check_sequence(kind, case, report):
     members(case, "case", "id requirements flags level since steps")
     if not isinstance(case["steps"], list) or not case["steps"]:
         raise Malformed("steps: not a list with something in it")
-    context = Context()
-    rounded_only = "normalized-reading" in case["flags"]
+    context, listed = Context(), 0
     for i, step in enumerate(case["steps"]):
         where = f"steps[{i}]"
         members(step, where, "call", "errors answers emits level")
@@ -36,8 +35,8 @@ def check_sequence(kind, case, report):
         except Malformed as fault:
             raise Malformed(f"{where}: {show(call[0])}: {fault}") from None
         _check_errors(f"{where}.errors", context, step, report)
-        _check_answers(f"{where}.answers", call, answer, step, report, rounded_only)
-        _check_emits(f"{where}.emits", context, step, report)
+        _check_answers(f"{where}.answers", call, answer, step, report)
+        listed += _check_emits(f"{where}.emits", context, step, listed, report)
         report.same(f"{where}.level", ADVISORY if context.advisory_step else MUST, step.get("level", MUST))
     report.same("level", ADVISORY if context.advisory else MUST, case["level"])
     report.same("since", context.since, case["since"])
@@ -66,8 +65,7 @@ def _check_set(where, expected, found, report):
         report.differ(where, sorted(expected, key=str), found)
 
 
-def _check_answers(where, call, answer, step, report, rounded_only):
-    """Compares answers. Integer answers of colours and normals may be scaled, unless the case is about rounding."""
+def _check_answers(where, call, answer, step, report):
     if not isinstance(answer, list):
         if "answers" in step:
             raise Malformed(f"{where}: {call[0]} answers nothing")
@@ -78,8 +76,6 @@ def _check_answers(where, call, answer, step, report, rounded_only):
     kind = _kind_of_answer(call, form)
     if kind in OUTPUTS.values():
         _check_room(where, call[-1], kind, len(answer))
-    if rounded_only:
-        answer = [value._replace(kind="float") if value.kind == "either" else value for value in answer]
     if kind != "u8" and [value.kind for value in answer] == ["limit"]:
         report.same(where, [[{"at_least": answer[0].value}]], step["answers"])
         return
@@ -115,7 +111,7 @@ def accepted_answers(value, kind):
     if kind == "u8":
         return {int(x != 0)}
     if value.kind in ("scaled", "either"):
-        return None if abs(x) > 1 else _scaled(x) | (_rounded(x) if value.kind == "either" else set())
+        return _scaled(x) | (_rounded(x) if value.kind == "either" else set())
     return _rounded(x)
 
 
@@ -136,24 +132,27 @@ def _rounded(x):
 
 
 def _scaled(x):
-    """Returns a number in [-1, 1] scaled to the range of int, by the older and the newer rule; 0 stays 0."""
+    """Returns a number scaled by the greatest int, by the older and the newer rule; 0 stays 0."""
     return {0} if x == 0 else _rounded(((2**32 - 1) * x - 1) / 2) | _rounded((2**31 - 1) * x)
 
 
-def _check_emits(where, context, step, report):
+def _check_emits(where, context, step, listed, report):
+    """Returns the number of vertices that the step lists; `listed` is that of the steps before."""
     emitted, context.emitted = context.emitted, []
     if ("emits" in step) != (step["call"][0] in EMITTERS):
         raise Malformed(f"{where}: {'not here' if 'emits' in step else 'missing'}")
     if "emits" not in step:
-        return
-    if sum(len(primitive.vertices) for primitive in emitted) > MOST_LISTED:
+        return 0
+    count = sum(len(primitive.vertices) for primitive in emitted)
+    if listed + count > MOST_LISTED:
         _check_summary(where, context, emitted, step["emits"], report)
-        return
+        return 0
     for member, primitive, found in report.pairs(where, emitted, step["emits"]):
         members(found, member, "mode vertices")
         report.same(f"{member}.mode", primitive.mode, found["mode"])
         for place, vertex, entry in report.pairs(f"{member}.vertices", primitive.vertices, found["vertices"]):
             _check_vertex(place, context, vertex, entry, report)
+    return count
 
 
 def _check_summary(where, context, emitted, found, report):

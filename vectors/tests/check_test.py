@@ -304,7 +304,7 @@ class Sequences(unittest.TestCase):
         self.assertEqual(accepted("integer", 2**31 - 1, "f64"), {"0x1.fffffffcp+30"})
         self.assertEqual(accepted("integer", 2**31 - 1, "f32"), {"0x1.fffffep+30", "0x1p+31"})
         self.assertEqual(accepted("either", "0x1p+0", "i32"), {1, 2**31 - 1})
-        self.assertIsNone(accepted("either", "0x1p+1", "i32"))
+        self.assertEqual(accepted("either", "0x1p+1", "i32"), {2, 2**31 - 1})
 
     def test_meshes(self):
         context = self.run_all(("EvalMesh1", "GL_FILL", 0, 1), ("EvalMesh2", "GL_LINE", 0, 1, 0, 2))
@@ -372,6 +372,9 @@ class Sequences(unittest.TestCase):
         self.assertEqual(found((*query, "GL_ORDER", room)), ("must", "1.0", ["must"]))
         self.assertEqual(found(define(gl.ONE), (*query, "GL_DOMAIN", room), (*query, "GL_COEFF", room)),
                          ("must", "1.0", ["must"] * 3))
+        color = ("Map1f", "GL_MAP1_COLOR_4", gl.ZERO, gl.ONE, 4, 1, {"f32": ["0x1p+1"] * 4})
+        integers = ("GetMapiv", "GL_MAP1_COLOR_4", "GL_COEFF", {"out": "i32", "count": 4})
+        self.assertEqual(found(integers, color, integers)[2], ["must", "must", "advisory"])
         self.assertEqual(found(("ActiveTexture", "GL_TEXTURE1"))[1], "1.3")
         self.assertEqual(found(("GetnMapfv", "GL_MAP1_INDEX", "GL_COEFF", 64, room))[1], "4.5")
         push = "PushAttrib", "GL_ENABLE_BIT"

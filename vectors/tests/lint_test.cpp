@@ -184,14 +184,14 @@ TEST(Lint, TellsThemesApart) {
 }
 
 TEST(Lint, KnowsThatRefusedQueriesAnswerNothing) {
-  json file = shipped("errors", "errors.enable-begin-end.1");
+  json file = shipped("get_map", "get_map.GetMap.BetweenBeginAndEnd/GetMapfv.1");
   EXPECT_EQ(complaint(file), "");
-  // The first query is between Begin and End, the second one outside.
-  file["cases"][0]["steps"][2]["answers"] = json::parse("[[0]]");
-  EXPECT_EQ(complaint(file), "errors.enable-begin-end.1: step 2: a rejected query has an answer");
-  file = shipped("errors", "errors.getmap-target.1");
+  file["cases"][0]["steps"][1]["answers"] = json::parse(R"([["0x0p+0"]])");
+  EXPECT_EQ(complaint(file),
+            "get_map.GetMap.BetweenBeginAndEnd/GetMapfv.1: step 1: a rejected query has an answer");
+  file = shipped("get_map", "get_map.GetMap.BadQuery/GetMapfv.1");
   file["cases"][0]["steps"][0]["answers"] = json::parse(R"([["0x0p+0"]])");
-  EXPECT_EQ(complaint(file), "errors.getmap-target.1: step 0: a rejected query has an answer");
+  EXPECT_EQ(complaint(file), "get_map.GetMap.BadQuery/GetMapfv.1: step 0: a rejected query has an answer");
 }
 
 TEST(Lint, SaysWhatIsMalformed) {

@@ -3,7 +3,7 @@
 
     record_detections.py BUILD_FOLDER [--check] [--jobs N] [NAME...]
 
-`vectors` is the first case of the theme that has to detect it. `suite` is a test of quick depth that detects it,
+`vectors` is the first case that detects it, of an evaluator the first of its theme. `suite` is a test of quick depth that detects it,
 otherwise the recorded test of another depth, or null; then `reason`, written by hand, says why. Each wrong
 evaluator or state machine runs as a sink (python_sink.c) through the tests, the likely ones first, until one
 fails that the correct machine passes. If names ("evaluator: NAME", "state machine: NAME") are given, the entries

@@ -1,4 +1,4 @@
-"""Wrong state machines, each with the theme of the vectors that has to detect it."""
+"""Wrong state machines. Sequences of the vectors have to detect each (detections.json says which)."""
 
 from checker.accuracy import Grid
 from checker.gl import Value
@@ -52,7 +52,7 @@ def _summed(rounding, along=(0, 1)):
             while len(sums_of) <= upto:
                 sums_of.append(rounding(sums_of[-1] + step))
             return sums_of[upto]
-        grids = [sums(n, first, last, i) if d in along else
+        grids = [sums(n, first, last, i) if d in along and 0 <= i <= 10**5 else
                  Grid(n, read_float(first, BINARY64), read_float(last, BINARY64), i)
                  for d, ((n, first, last), i) in enumerate(zip(self.grids[dimension], indices))]
         self.evaluate(dimension, grids)
@@ -352,188 +352,186 @@ def _with_flag(machine, flag, value, arguments):
     machine.enabled[flag] = before
 
 
-# Name: (kind.theme, {method or attribute of Machine: its replacement}).
+# Name: {method or attribute of Machine: its replacement}.
 WRONG_STATE_MACHINES = {
     # Ends of grids
-    "last end by float arithmetic": ("state.exact-ends", _counted_from_first(f32)),
-    "last end by double arithmetic": ("state.exact-ends", _counted_from_first(f64)),
-    "first end by float arithmetic": ("state.exact-ends", _counted_from_last(f32)),
-    "last end of strips of lines": ("state.exact-ends", _counted_from_first(f32, _mode("GL_LINE_STRIP"))),
-    "last end of strips of quads": ("state.exact-ends", _counted_from_first(f32, _mode("GL_QUAD_STRIP"))),
-    "last end of v": ("state.exact-ends", _counted_from_first(f32, lambda m, d, g: d == 1)),
-    "first end of v in quads": ("state.exact-ends", _counted_from_last(f32, lambda m, d, g: (
-        d == 1 and m.primitive.mode == "GL_QUAD_STRIP"))),
-    "last end of u in two dimensions": ("state.exact-ends", _counted_from_first(f32, lambda m, d, g: (
-        d == 0 and m.primitive.mode != "GL_LINE_STRIP"))),
+    "last end by float arithmetic": _counted_from_first(f32),
+    "last end by double arithmetic": _counted_from_first(f64),
+    "first end by float arithmetic": _counted_from_last(f32),
+    "last end of strips of lines": _counted_from_first(f32, _mode("GL_LINE_STRIP")),
+    "last end of strips of quads": _counted_from_first(f32, _mode("GL_QUAD_STRIP")),
+    "last end of v": _counted_from_first(f32, lambda m, d, g: d == 1),
+    "first end of v in quads": _counted_from_last(f32, lambda m, d, g: (
+        d == 1 and m.primitive.mode == "GL_QUAD_STRIP")),
+    "last end of u in two dimensions": _counted_from_first(f32, lambda m, d, g: (
+        d == 0 and m.primitive.mode != "GL_LINE_STRIP")),
     # Long meshes
-    "arguments of curves summed up": ("state.long-mesh1", _summed(f32)),
-    "arguments of surfaces summed up": ("state.long-mesh2", _summed(f32)),
-    "arguments summed up along u": ("state.long-mesh2", _summed(f32, (0,))),
-    "arguments summed up along v": ("state.long-mesh2", _summed(f32, (1,))),
-    "forward differences in float": ("state.steep-mesh", _forward_differences(f32)),
-    "forward differences in double": ("state.steep-mesh", _forward_differences(f64)),
+    "arguments of curves summed up": _summed(f32),
+    "arguments of surfaces summed up": _summed(f32),
+    "arguments summed up along u": _summed(f32, (0,)),
+    "arguments summed up along v": _summed(f32, (1,)),
+    "forward differences in float": _forward_differences(f32),
+    "forward differences in double": _forward_differences(f64),
     # Meshes and current values
-    "a mesh leaves its colour": ("state.mesh-current", _leaves("Color", "color")),
-    "a mesh leaves its normal": ("state.mesh-current", _leaves("Normal", "normal")),
-    "a mesh leaves its texture coordinates": ("state.mesh-current", _leaves("TexCoord", 0)),
-    "a mesh leaves its texture coordinates in unit 1": ("state.mesh-current", _leaves("TexCoord", 1)),
-    "a mesh leaves its index": ("state.mesh-current", _after_mesh(
-        lambda m: m.current.update(Index=["0x1p+0"]))),
-    "a mesh sets the edge flag": ("state.mesh-current", _after_mesh(lambda m: m.current.update(EdgeFlag=True))),
-    "a mesh resets the grid": ("state.mesh-current", _after_mesh(
-        lambda m: m.grids.update({1: [(1, "0x0p+0", "0x1p+0")]}))),
-    "a mesh resets the grid of v": ("state.mesh-current", _after_mesh(
-        lambda m: m.grids[2].__setitem__(1, (2, "0x0p+0", "0x1p+0")))),
-    "a mesh disables the map of colours": ("state.mesh-current", _after_mesh(
-        lambda m: m.enabled.update(GL_MAP1_COLOR_4=False))),
+    "a mesh leaves its colour": _leaves("Color", "color"),
+    "a mesh leaves its normal": _leaves("Normal", "normal"),
+    "a mesh leaves its texture coordinates": _leaves("TexCoord", 0),
+    "a mesh leaves its texture coordinates in unit 1": _leaves("TexCoord", 1),
+    "a mesh leaves its index": _after_mesh(
+        lambda m: m.current.update(Index=["0x1p+0"])),
+    "a mesh sets the edge flag": _after_mesh(lambda m: m.current.update(EdgeFlag=True)),
+    "a mesh resets the grid": _after_mesh(
+        lambda m: m.grids.update({1: [(1, "0x0p+0", "0x1p+0")]})),
+    "a mesh resets the grid of v": _after_mesh(
+        lambda m: m.grids[2].__setitem__(1, (2, "0x0p+0", "0x1p+0"))),
+    "a mesh disables the map of colours": _after_mesh(
+        lambda m: m.enabled.update(GL_MAP1_COLOR_4=False)),
     # Errors of strides, orders and lists
-    "vstride is not looked at with vorder 1": ("errors.map2-vstride-order1", _no_map_error_if(
-        lambda m, form, target, *rest: form[0] == "2" and rest[7] == 1)),
-    "vstride 0 to k - 1 is no error with vorder 1": ("errors.map2-vstride-order1", _no_map_error_if(
-        lambda m, form, target, *rest: form[0] == "2" and rest[7] == 1 and rest[6] >= 0)),
-    "MAX_EVAL_ORDER is 7": ("state.max-eval-order", {"state": lambda self, name: (
-        [Value("limit", 7)] if name == "GL_MAX_EVAL_ORDER" else Machine.state(self, name))}),
-    "orders above 7 are errors": ("state.max-eval-order", _order_limit(7)),
-    "orders above 30 are errors": ("get_map.high-order", _order_limit(30)),
-    "orders above 63 are errors": ("get_map.high-order", _order_limit(63)),
-    "lists lose errors of maps": ("errors.map1-compiled", _in_list(
-        lambda name, codes: name.startswith("Map1"))),
-    "lists lose errors of surfaces": ("errors.map2-compiled", _in_list(
-        lambda name, codes: name.startswith("Map2"))),
-    "lists lose INVALID_ENUM of maps": ("errors.map1-compiled", _in_list(
-        lambda name, codes: codes == {"GL_INVALID_ENUM"})),
-    "lists lose errors of grids": ("errors.compiled", _in_list(lambda name, codes: name.startswith("MapGrid"))),
-    "lists lose errors of meshes": ("errors.compiled", _in_list(
-        lambda name, codes: name.startswith("EvalMesh"))),
-    "lists stop at the first error": ("errors.map1-compiled", _list_stops_at_errors()),
-    "errors come when a list is compiled": ("errors.compiled", _errors_when_compiled()),
-    "lists take curves as packed": ("get_map.list-stride", _packed_in_lists(
-        lambda name, a: _with(a, _3=_size(a[0])) if name.startswith("Map1") else a)),
-    "lists take columns as packed": ("get_map.list-stride", _packed_in_lists(
-        lambda name, a: _with(a, _7=_size(a[0])) if name.startswith("Map2") else a)),
-    "lists swap the strides": ("get_map.list-stride", _packed_in_lists(
-        lambda name, a: _with(a, _3=min(a[3], a[7]), _7=min(a[3], a[7])) if name.startswith("Map2") else a)),
-    "points of order 33 and more are those of 32": ("state.high-order", {"winner": lambda self, dimension, kinds:
+    "vstride is not looked at with vorder 1": _no_map_error_if(
+        lambda m, form, target, *rest: form[0] == "2" and rest[7] == 1),
+    "vstride 0 to k - 1 is no error with vorder 1": _no_map_error_if(
+        lambda m, form, target, *rest: form[0] == "2" and rest[7] == 1 and rest[6] >= 0),
+    "MAX_EVAL_ORDER is 7": {"state": lambda self, name: (
+        [Value("limit", 7)] if name == "GL_MAX_EVAL_ORDER" else Machine.state(self, name))},
+    "orders above 7 are errors": _order_limit(7),
+    "orders above 30 are errors": _order_limit(30),
+    "orders above 63 are errors": _order_limit(63),
+    "lists lose errors of maps": _in_list(
+        lambda name, codes: name.startswith("Map1")),
+    "lists lose errors of surfaces": _in_list(
+        lambda name, codes: name.startswith("Map2")),
+    "lists lose INVALID_ENUM of maps": _in_list(
+        lambda name, codes: codes == {"GL_INVALID_ENUM"}),
+    "lists lose errors of grids": _in_list(lambda name, codes: name.startswith("MapGrid")),
+    "lists lose errors of meshes": _in_list(
+        lambda name, codes: name.startswith("EvalMesh")),
+    "lists stop at the first error": _list_stops_at_errors(),
+    "errors come when a list is compiled": _errors_when_compiled(),
+    "lists take curves as packed": _packed_in_lists(
+        lambda name, a: _with(a, _3=_size(a[0])) if name.startswith("Map1") else a),
+    "lists take columns as packed": _packed_in_lists(
+        lambda name, a: _with(a, _7=_size(a[0])) if name.startswith("Map2") else a),
+    "lists swap the strides": _packed_in_lists(
+        lambda name, a: _with(a, _3=min(a[3], a[7]), _7=min(a[3], a[7])) if name.startswith("Map2") else a),
+    "points of order 33 and more are those of 32": {"winner": lambda self, dimension, kinds:
         (
-        _cut(Machine.winner(self, dimension, kinds), 32))}),
+        _cut(Machine.winner(self, dimension, kinds), 32))},
     # Precedence of maps
-    "VERTEX_3 wins over VERTEX_4": ("state.precedence-vertex", _winner(
-        lambda kinds: kinds[::-1] if "VERTEX_4" in kinds else kinds)),
-    "TEXTURE_COORD_1 wins": ("state.precedence-texture", _winner(
-        lambda kinds: kinds[::-1] if "TEXTURE_COORD_1" in kinds else kinds)),
-    "TEXTURE_COORD_3 wins over TEXTURE_COORD_4": ("state.precedence-texture", _winner(
-        lambda kinds: [kinds[1], kinds[0], *kinds[2:]] if "TEXTURE_COORD_4" in kinds else kinds)),
-    "TEXTURE_COORD_1 wins over TEXTURE_COORD_2": ("state.precedence-texture", _winner(
-        lambda kinds: [*kinds[:2], kinds[3], kinds[2]] if "TEXTURE_COORD_4" in kinds else kinds)),
-    "curves and surfaces share the enable of colours": ("state.dimension", {
+    "VERTEX_3 wins over VERTEX_4": _winner(
+        lambda kinds: kinds[::-1] if "VERTEX_4" in kinds else kinds),
+    "TEXTURE_COORD_1 wins": _winner(
+        lambda kinds: kinds[::-1] if "TEXTURE_COORD_1" in kinds else kinds),
+    "TEXTURE_COORD_3 wins over TEXTURE_COORD_4": _winner(
+        lambda kinds: [kinds[1], kinds[0], *kinds[2:]] if "TEXTURE_COORD_4" in kinds else kinds),
+    "TEXTURE_COORD_1 wins over TEXTURE_COORD_2": _winner(
+        lambda kinds: [*kinds[:2], kinds[3], kinds[2]] if "TEXTURE_COORD_4" in kinds else kinds),
+    "curves and surfaces share the enable of colours": {
         "winner": lambda self, dimension, kinds: (
             self.maps[f"GL_MAP{dimension}_COLOR_4"].map
             if kinds == ("COLOR_4",) and self.enabled[f"GL_MAP{3 - dimension}_COLOR_4"]
-            else Machine.winner(self, dimension, kinds))}),
-    "the map of normals wins over AUTO_NORMAL": ("state.auto-normal", _instead(
+            else Machine.winner(self, dimension, kinds))},
+    "the map of normals wins over AUTO_NORMAL": _instead(
         "evaluate", lambda m, dimension, arguments: m.enabled["GL_MAP2_NORMAL"] and dimension == 2,
-        lambda m, *rest: _with_flag(m, "GL_AUTO_NORMAL", False, rest))),
+        lambda m, *rest: _with_flag(m, "GL_AUTO_NORMAL", False, rest)),
     # Enables
-    "Enable of VERTEX_4 disables VERTEX_3": ("state.precedence-vertex", _after("enable", lambda m, form, flag: (
-        form[0] == "Enable" and flag.endswith("VERTEX_4") and m.enabled.update({flag[:-1] + "3": False})))),
-    "Disable of VERTEX_4 disables VERTEX_3": ("state.precedence-vertex", _after(
+    "Enable of VERTEX_4 disables VERTEX_3": _after("enable", lambda m, form, flag: (
+        form[0] == "Enable" and flag.endswith("VERTEX_4") and m.enabled.update({flag[:-1] + "3": False}))),
+    "Disable of VERTEX_4 disables VERTEX_3": _after(
         "enable", lambda m, form, flag: (
-        form[0] == "Disable" and flag.endswith("VERTEX_4") and m.enabled.update({flag[:-1] + "3": False})))),
-    "a map enables itself": ("get_map.separate", _after(
-        "map", lambda m, form, target, *rest: m.enabled.update({target: True}))),
-    "a map disables itself": ("state.lists", _after(
-        "map", lambda m, form, target, *rest: m.enabled.update({target: False}))),
-    "Enable sets the initial map": ("state.attribute", _after("enable", lambda m, form, flag: (
-        flag in m.maps and form[0] == "Enable" and m.maps.update({flag: Machine().maps[flag]})))),
+        form[0] == "Disable" and flag.endswith("VERTEX_4") and m.enabled.update({flag[:-1] + "3": False}))),
+    "a map enables itself": _after(
+        "map", lambda m, form, target, *rest: m.enabled.update({target: True})),
+    "a map disables itself": _after(
+        "map", lambda m, form, target, *rest: m.enabled.update({target: False})),
+    "Enable sets the initial map": _after("enable", lambda m, form, flag: (
+        flag in m.maps and form[0] == "Enable" and m.maps.update({flag: Machine().maps[flag]}))),
     # Current values
-    "evaluated colours become current": ("state.attribute", _keeps("Color")),
-    "evaluated normals become current": ("state.attribute", _keeps("Normal")),
-    "evaluated texture coordinates become current": ("state.attribute", _keeps("TexCoord")),
-    "colours of maps are clamped": ("state.colors-beyond-one", {"vertex": _clamped_colors}),
+    "evaluated colours become current": _keeps("Color"),
+    "evaluated normals become current": _keeps("Normal"),
+    "evaluated texture coordinates become current": _keeps("TexCoord"),
+    "colours of maps are clamped": {"vertex": _clamped_colors},
     # Attribute stack
-    "EVAL_BIT does not save grids": ("state.attribute-stack", _saved(
-        "GL_EVAL_BIT", "enabled", "current", "list_base", "active_unit")),
-    "EVAL_BIT does not save enables": ("state.attribute-stack", _saved(
-        "GL_EVAL_BIT", "grids", "current", "list_base", "active_unit")),
-    "ENABLE_BIT does not save enables of maps": ("state.attribute-stack", _saved(
-        "GL_ENABLE_BIT", "grids", "current")),
-    "EVAL_BIT saves maps": ("state.attribute-stack", _after("push_attrib", _saves_maps)),
-    "CURRENT_BIT saves nothing": ("state.attribute-stack", _saved("GL_CURRENT_BIT", "enabled", "grids")),
-    "PopAttrib pops two levels": ("state.attribute-stack", _after(
-        "pop_attrib", lambda m, form: m.stack and m.stack.pop())),
+    "EVAL_BIT does not save grids": _saved(
+        "GL_EVAL_BIT", "enabled", "current", "list_base", "active_unit"),
+    "EVAL_BIT does not save enables": _saved(
+        "GL_EVAL_BIT", "grids", "current", "list_base", "active_unit"),
+    "ENABLE_BIT does not save enables of maps": _saved(
+        "GL_ENABLE_BIT", "grids", "current"),
+    "EVAL_BIT saves maps": _after("push_attrib", _saves_maps),
+    "CURRENT_BIT saves nothing": _saved("GL_CURRENT_BIT", "enabled", "grids"),
+    "PopAttrib pops two levels": _after(
+        "pop_attrib", lambda m, form: m.stack and m.stack.pop()),
     # Maps and grids
-    "curves and surfaces share enables": ("state.enables", _after("enable", lambda m, form, flag: (
-        flag.startswith("GL_MAP") and m.enabled.update({flag.replace("MAP1", "MAP2"): form[0] == "Enable"})))),
-    "MapGrid2 sets the grid of curves": ("state.grid-state", _after("map_grid", lambda m, form, *a: (
-        form[0] == "2" and m.grids.update({1: [m.grids[2][0]]})))),
-    "MapGrid1 sets the grid of surfaces": ("errors.grid-legal", _after("map_grid", lambda m, form, *a: (
-        form[0] == "1" and m.grids[2].__setitem__(0, m.grids[1][0])))),
-    "erroneous grids of v set that of u": ("errors.grid2-vsegments", _before(
-        "map_grid_errors", _sets_first_direction)),
-    "erroneous maps set order 1": ("errors.map1-order-low", {"map_errors": _sets_order_1}),
-    "u1 = u2 is no error": ("errors.map1-domain", _no_map_error_if(
-        lambda m, form, target, first, last, *rest: first == last)),
-    "equal ends of v are no error": ("errors.map2-vdomain", _no_map_error_if(
-        lambda m, form, target, *rest: form[0] == "2" and rest[4] == rest[5])),
-    "order 0 is no error": ("errors.map1-order-low", _no_map_error_if(
-        lambda m, form, target, a, b, stride, order, *rest: order == 0)),
-    "vorder 0 is no error": ("errors.map2-vorder-low", _no_map_error_if(
-        lambda m, form, target, *rest: form[0] == "2" and rest[7] == 0)),
-    "stride k - 1 is no error": ("errors.map1-stride", _no_map_error_if(
+    "curves and surfaces share enables": _after("enable", lambda m, form, flag: (
+        flag.startswith("GL_MAP") and m.enabled.update({flag.replace("MAP1", "MAP2"): form[0] == "Enable"}))),
+    "MapGrid2 sets the grid of curves": _after("map_grid", lambda m, form, *a: (
+        form[0] == "2" and m.grids.update({1: [m.grids[2][0]]}))),
+    "MapGrid1 sets the grid of surfaces": _after("map_grid", lambda m, form, *a: (
+        form[0] == "1" and m.grids[2].__setitem__(0, m.grids[1][0]))),
+    "erroneous grids of v set that of u": _before(
+        "map_grid_errors", _sets_first_direction),
+    "erroneous maps set order 1": {"map_errors": _sets_order_1},
+    "u1 = u2 is no error": _no_map_error_if(
+        lambda m, form, target, first, last, *rest: first == last),
+    "equal ends of v are no error": _no_map_error_if(
+        lambda m, form, target, *rest: form[0] == "2" and rest[4] == rest[5]),
+    "order 0 is no error": _no_map_error_if(
+        lambda m, form, target, a, b, stride, order, *rest: order == 0),
+    "vorder 0 is no error": _no_map_error_if(
+        lambda m, form, target, *rest: form[0] == "2" and rest[7] == 0),
+    "stride k - 1 is no error": _no_map_error_if(
         lambda m, form, target, a, b, stride, *rest: (
-            target in m.maps and stride == m.maps[target].map.size - 1))),
-    "maps of unit 1 are no error": ("errors.map1-active-texture", _errors("map_errors", lambda m, codes, *a: (
-        codes - {"GL_INVALID_OPERATION"}))),
+            target in m.maps and stride == m.maps[target].map.size - 1)),
+    "maps of unit 1 are no error": _errors("map_errors", lambda m, codes, *a: (
+        codes - {"GL_INVALID_OPERATION"})),
     # Meshes
-    "meshes from i2 to i1": ("state.mesh1", _mesh(lambda i: [*sorted(i[:2]), *(sorted(i[2:]))])),
-    "meshes leave out the last point": ("state.mesh1", _mesh(lambda i: [i[0], i[1] - 1, *i[2:]])),
-    "meshes leave out the last row": ("state.mesh2", _mesh(lambda i: [*i[:3], i[3] - 1] if len(i) == 4 else i)),
-    "meshes begin at 0": ("state.mesh1", _mesh(lambda i: [max(i[0], 0), *i[1:]])),
-    "meshes end at the last segment of v": ("state.mesh2", {"eval_mesh": lambda self, form, mode, *i: (
+    "meshes from i2 to i1": _mesh(lambda i: [*sorted(i[:2]), *(sorted(i[2:]))]),
+    "meshes leave out the last point": _mesh(lambda i: [i[0], i[1] - 1, *i[2:]]),
+    "meshes leave out the last row": _mesh(lambda i: [*i[:3], i[3] - 1] if len(i) == 4 else i),
+    "meshes begin at 0": _mesh(lambda i: [max(i[0], 0), *i[1:]]),
+    "meshes end at the last segment of v": {"eval_mesh": lambda self, form, mode, *i: (
         Machine.eval_mesh(self, form, mode, *i[:3], min(i[3], self.grids[2][1][0])) if len(i) == 4
-        else Machine.eval_mesh(self, form, mode, *i))}),
-    "line meshes have lines of constant u only": ("state.mesh2", _instead(
-        "eval_mesh", lambda m, form, mode, *i: mode == "GL_LINE" and len(i) == 4, _line_mesh)),
-    "quads are turned": ("state.mesh2", {"primitive_of": _turned_strips}),
-    "FILL is accepted for curves": ("errors.mesh1-mode", {"eval_mesh_errors": lambda self, form, mode, *i: (
+        else Machine.eval_mesh(self, form, mode, *i))},
+    "line meshes have lines of constant u only": _instead(
+        "eval_mesh", lambda m, form, mode, *i: mode == "GL_LINE" and len(i) == 4, _line_mesh),
+    "quads are turned": {"primitive_of": _turned_strips},
+    "FILL is accepted for curves": {"eval_mesh_errors": lambda self, form, mode, *i: (
         set() if mode == "GL_FILL" else Machine.eval_mesh_errors(self, form, mode, *i)),
         "eval_mesh": lambda self, form, mode, *i: (
-            None if mode == "GL_FILL" and form[0] == "1" else Machine.eval_mesh(self, form, mode, *i))}),
+            None if mode == "GL_FILL" and form[0] == "1" else Machine.eval_mesh(self, form, mode, *i))},
     # Between Begin and End
-    "maps may be defined between Begin and End": ("errors.map1-begin-end", _allowed_inside("map")),
-    "grids may be set between Begin and End": ("errors.grid-begin-end", _allowed_inside("map_grid")),
-    "maps may be enabled between Begin and End": ("errors.enable-begin-end", _allowed_inside("enable")),
-    "attributes may be pushed between Begin and End": ("errors.attribute-stack", _allowed_inside(
-        "push_attrib", "pop_attrib")),
-    "maps may be queried between Begin and End": ("errors.getmap-begin-end", _allowed_inside("get_map")),
+    "maps may be defined between Begin and End": _allowed_inside("map"),
+    "grids may be set between Begin and End": _allowed_inside("map_grid"),
+    "maps may be enabled between Begin and End": _allowed_inside("enable"),
+    "maps may be queried between Begin and End": _allowed_inside("get_map"),
     # Errors
-    "INVALID_VALUE is not raised": ("errors.map1-domain", _without_error("GL_INVALID_VALUE")),
-    "INVALID_ENUM is not raised": ("errors.map1-target", _without_error("GL_INVALID_ENUM")),
-    "INVALID_ENUM is INVALID_VALUE": ("errors.map1-target", _with_code("GL_INVALID_VALUE", "GL_INVALID_ENUM")),
-    "INVALID_VALUE is INVALID_OPERATION": ("errors.map1-order-low", _with_code(
-        "GL_INVALID_OPERATION", "GL_INVALID_VALUE")),
+    "INVALID_VALUE is not raised": _without_error("GL_INVALID_VALUE"),
+    "INVALID_ENUM is not raised": _without_error("GL_INVALID_ENUM"),
+    "INVALID_ENUM is INVALID_VALUE": _with_code("GL_INVALID_VALUE", "GL_INVALID_ENUM"),
+    "INVALID_VALUE is INVALID_OPERATION": _with_code(
+        "GL_INVALID_OPERATION", "GL_INVALID_VALUE"),
     # Queries
-    "ORDER answers degrees": ("get_map.defined", _answers("GL_ORDER", lambda m, t, found: [
-        Value(kind, x - 1) for kind, x in found])),
-    "ORDER answers vorder first": ("get_map.defined", _answers("GL_ORDER", lambda m, t, found: found[::-1])),
-    "DOMAIN answers v first": ("get_map.defined", _answers(
-        "GL_DOMAIN", lambda m, t, found: [*found[2:], *found[:2]])),
-    "DOMAIN answers the ends in ascending order": ("get_map.defined", _answers(
+    "ORDER answers degrees": _answers("GL_ORDER", lambda m, t, found: [
+        Value(kind, x - 1) for kind, x in found]),
+    "ORDER answers vorder first": _answers("GL_ORDER", lambda m, t, found: found[::-1]),
+    "DOMAIN answers v first": _answers(
+        "GL_DOMAIN", lambda m, t, found: [*found[2:], *found[:2]]),
+    "DOMAIN answers the ends in ascending order": _answers(
         "GL_DOMAIN", lambda m, t, found: (
         [x for i in range(0, len(found), 2) for x in sorted(
-            found[i:i + 2], key=lambda end: read_float(end.value, BINARY64))]))),
-    "COEFF answers columns": ("get_map.layout", _answers("GL_COEFF", _transposed_answers)),
-    "COEFF answers the last point first": ("get_map.layout", _answers(
-        "GL_COEFF", lambda m, t, found: found[::-1])),
+            found[i:i + 2], key=lambda end: read_float(end.value, BINARY64))])),
+    "COEFF answers columns": _answers("GL_COEFF", _transposed_answers),
+    "COEFF answers the last point first": _answers(
+        "GL_COEFF", lambda m, t, found: found[::-1]),
     # Display lists
-    "lists are executed twice": ("state.lists", {"call": lambda self, name: (
-        [Machine.call(self, name) for _ in "12"] and None)}),
-    "COMPILE executes": ("state.lists", {"issue": _executes_while_compiling}),
-    "COMPILE_AND_EXECUTE does not execute": ("state.lists", {"issue": _never_executes_while_compiling}),
-    "lists in lists are not called": ("state.lists", {"call": lambda self, name: (
-        None if self.nesting else Machine.call(self, name))}),
-    "EndList does not keep the list": ("state.lists", {"end_list": lambda self, form: (
-        setattr(self, "open_list", None))}),
+    "lists are executed twice": {"call": lambda self, name: (
+        [Machine.call(self, name) for _ in "12"] and None)},
+    "COMPILE executes": {"issue": _executes_while_compiling},
+    "COMPILE_AND_EXECUTE does not execute": {"issue": _never_executes_while_compiling},
+    "lists in lists are not called": {"call": lambda self, name: (
+        None if self.nesting else Machine.call(self, name))},
+    "EndList does not keep the list": {"end_list": lambda self, form: (
+        setattr(self, "open_list", None))},
 }
 
 

@@ -16,7 +16,7 @@ inline constexpr const char* kFormat = "evalcts-vectors-1";
 // Version of the schema. The second number is incremented if members are added.
 inline constexpr const char* kSchemaVersion = "1.1";
 // Incremented with each change of the cases.
-inline constexpr const char* kGeneratorVersion = "3";
+inline constexpr const char* kGeneratorVersion = "4";
 
 // The value of `since` of a case whose answers all versions of GL require.
 inline constexpr const char* kFirstVersion = "1.0";

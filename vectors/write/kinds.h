@@ -1,6 +1,10 @@
 // The functions that make the seven files.
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include <evalcts/vectors/write.h>
 #include "document.h"
 
 namespace evalcts::vectors {
@@ -9,8 +13,8 @@ Document map1_eval();
 Document map2_eval();
 Document grid();
 Document auto_normal();
-Document errors();
-Document get_map();
-Document state();
+// Makes a file of sequences, "errors", "get_map" or "state", from those of the cases that belong to it.
+Document sequences(const std::string& kind, const std::string& description,
+                   const std::vector<SuiteCase>& cases);
 
 }  // namespace evalcts::vectors

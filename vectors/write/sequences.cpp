@@ -9,11 +9,9 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
-#include <stdexcept>
 
-#include <evalcts/gl/numbers.h>
+#include <evalcts/gl/case_json.h>
 #include <evalcts/gl/tokens.h>
 #include <evalcts/judge/prediction.h>
 #include <evalcts/results/hash.h>
@@ -29,102 +27,134 @@ using gl::Scalar;
 // MAX_EVAL_ORDER of the executable specification. Cases with orders above 8, the minimum, have a flag.
 constexpr int kMaxEvalOrder = 64;
 
+std::string name_of(const gl::Command& command) { return std::string(gl::name_of(command.entry).substr(2)); }
+GLenum token(const gl::Value& value) { return static_cast<GLenum>(std::get<std::int64_t>(value)); }
+double real(const gl::Value& value) {
+  const auto* const single = std::get_if<float>(&value);
+  return single ? *single : std::get<double>(value);
+}
+
 // --- Commands
 
-std::string bits(std::int64_t mask) {
-  constexpr std::pair<GLbitfield, const char*> kBits[] = {
-      {GL_CURRENT_BIT, "GL_CURRENT_BIT"}, {GL_LIGHTING_BIT, "GL_LIGHTING_BIT"},
-      {GL_ENABLE_BIT, "GL_ENABLE_BIT"},   {GL_EVAL_BIT, "GL_EVAL_BIT"},
-      {GL_LIST_BIT, "GL_LIST_BIT"},       {GL_TEXTURE_BIT, "GL_TEXTURE_BIT"}};
+// Returns the number of texture units that the commands use: one more than the largest that they name, at
+// least 1. Units 8 to 31 exist on some implementations only.
+int texture_units_of(const gl::Command& command) {
+  const std::string name = name_of(command);
+  if (name != "ActiveTexture" && !name.starts_with("MultiTexCoord")) return 1;
+  const GLenum unit = token(command.arguments[0]) - GL_TEXTURE0;
+  return unit < 32 ? static_cast<int>(unit) + 1 : 1;
+}
+
+std::string bits(GLbitfield mask) {
+  constexpr std::pair<GLbitfield, const char*> kBits[] = {{GL_CURRENT_BIT, "GL_CURRENT_BIT"},
+                                                          {GL_POINT_BIT, "GL_POINT_BIT"},
+                                                          {GL_LINE_BIT, "GL_LINE_BIT"},
+                                                          {GL_POLYGON_BIT, "GL_POLYGON_BIT"},
+                                                          {GL_POLYGON_STIPPLE_BIT, "GL_POLYGON_STIPPLE_BIT"},
+                                                          {GL_PIXEL_MODE_BIT, "GL_PIXEL_MODE_BIT"},
+                                                          {GL_LIGHTING_BIT, "GL_LIGHTING_BIT"},
+                                                          {GL_FOG_BIT, "GL_FOG_BIT"},
+                                                          {GL_DEPTH_BUFFER_BIT, "GL_DEPTH_BUFFER_BIT"},
+                                                          {GL_ACCUM_BUFFER_BIT, "GL_ACCUM_BUFFER_BIT"},
+                                                          {GL_STENCIL_BUFFER_BIT, "GL_STENCIL_BUFFER_BIT"},
+                                                          {GL_VIEWPORT_BIT, "GL_VIEWPORT_BIT"},
+                                                          {GL_TRANSFORM_BIT, "GL_TRANSFORM_BIT"},
+                                                          {GL_ENABLE_BIT, "GL_ENABLE_BIT"},
+                                                          {GL_COLOR_BUFFER_BIT, "GL_COLOR_BUFFER_BIT"},
+                                                          {GL_HINT_BIT, "GL_HINT_BIT"},
+                                                          {GL_EVAL_BIT, "GL_EVAL_BIT"},
+                                                          {GL_LIST_BIT, "GL_LIST_BIT"},
+                                                          {GL_TEXTURE_BIT, "GL_TEXTURE_BIT"},
+                                                          {GL_SCISSOR_BIT, "GL_SCISSOR_BIT"}};
   if (mask == GL_ALL_ATTRIB_BITS) return "GL_ALL_ATTRIB_BITS";
   std::string names;
-  for (const auto& [bit, name] : kBits) {
-    if ((mask & bit) == 0) continue;
-    names += (names.empty() ? "" : "|") + std::string(name);
-    mask &= ~static_cast<std::int64_t>(bit);
-  }
-  if (mask != 0 || names.empty()) throw std::logic_error("a bit without a name");
+  for (const auto& [bit, name] : kBits)
+    if ((mask & bit) != 0) {
+      names += (names.empty() ? "" : "|") + std::string(name);
+      mask &= ~bit;
+    }
+  if (mask != 0 || names.empty()) throw HasNoForm("a bit without a name");
   return names;
 }
 
-Json integer(std::int64_t value, char kind) {
-  const auto token = static_cast<GLenum>(value);
-  if (kind == 'b') return bits(value);
-  const std::string name = kind == 'm' ? gl::primitive_name(token) : kind == 'e' ? gl::token_name(token) : "";
-  if (name.starts_with("GL_")) return name;
-  return value;
-}
-
-const char* name_of(Scalar type) {
-  switch (type) {
-    case Scalar::kF32:
-      return "f32";
-    case Scalar::kF64:
-      return "f64";
-    case Scalar::kI32:
-      return "i32";
-    case Scalar::kU32:
-      return "u32";
-    case Scalar::kU8:
-      return "u8";
-    default:
-      throw std::logic_error("a type of elements that vectors do not have");
+// Returns an argument with its real numbers as hexadecimal texts, and without what happens to arrays after
+// the call.
+Json in_hexadecimal(const nlohmann::json& argument) {
+  if (argument.is_number_float()) return hexadecimal(argument.get<double>());
+  if (argument.is_number_integer()) return argument.get<std::int64_t>();
+  if (argument.is_string()) return argument.get<std::string>();
+  if (argument.is_null()) throw HasNoForm("a null pointer");
+  if (argument.contains("out"))
+    return {{"out", argument["out"].get<std::string>()}, {"count", argument["count"].get<std::size_t>()}};
+  for (const char* const type : {"f32", "f64", "i32", "u32", "u8"}) {
+    if (!argument.contains(type)) continue;
+    Json values = Json::array();
+    for (const nlohmann::json& element : argument[type]) values.push_back(in_hexadecimal(element));
+    return {{type, std::move(values)}};
   }
+  throw HasNoForm("a type of elements that vectors do not have");
 }
 
-bool is_real(Scalar type) { return type == Scalar::kF32 || type == Scalar::kF64; }
-
-template <class T>
-std::vector<T> elements(const std::vector<std::byte>& bytes) {
-  std::vector<T> values(bytes.size() / sizeof(T));
-  if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
-  return values;
+// Returns the "call" of a command. Throws HasNoForm.
+Json call_of(const gl::Command& command) {
+  if (texture_units_of(command) > reference::kTextureUnits) throw HasNoForm("texture units above 7");
+  gl::Case one;
+  one.add(command);
+  Json call = Json::array();
+  try {
+    const nlohmann::json commands = gl::to_json(one);
+    for (const nlohmann::json& argument : commands[0]) call.push_back(in_hexadecimal(argument));
+  } catch (const std::invalid_argument& problem) {
+    throw HasNoForm(problem.what());
+  }
+  if (command.entry == gl::EntryPoint::PushAttrib)
+    call[1] = bits(static_cast<GLbitfield>(std::get<std::int64_t>(command.arguments[0])));
+  return call;
 }
 
-Json array(const gl::Input& input) {
-  if (is_real(input.type)) return hexadecimals(gl::elements(input));
-  if (input.type == Scalar::kU8) return elements<std::uint8_t>(input.bytes);
-  if (input.type == Scalar::kU32) return elements<std::uint32_t>(input.bytes);
-  return elements<std::int32_t>(input.bytes);
+// Returns the case up to the first command that makes another context.
+gl::Case of_first_context(const gl::Case& script) {
+  gl::Case start;
+  for (const gl::Command& command : script.commands()) {
+    if (name_of(command).ends_with("EVALCTS")) break;
+    start.add(command);
+  }
+  return start;
 }
 
-Json argument(const gl::Value& value, char kind) {
-  if (const auto* number = std::get_if<std::int64_t>(&value)) return integer(*number, kind);
-  if (const auto* single = std::get_if<float>(&value)) return hexadecimal(*single);
-  if (const auto* real = std::get_if<double>(&value)) return hexadecimal(*real);
-  if (const auto* input = std::get_if<gl::Input>(&value)) return {{name_of(input->type), array(*input)}};
-  if (const auto* output = std::get_if<gl::Output>(&value))
-    return {{"out", name_of(output->type)}, {"count", output->count}};
-  throw std::logic_error("a kind of argument that vectors do not have");
-}
+// The first commands of a case, as far as the specification has them.
+struct Start {
+  gl::Case script;
+  std::vector<Json> calls;
+};
 
-std::string name_of(const gl::Command& command) { return std::string(gl::name_of(command.entry).substr(2)); }
+// The JSON text of all calls of a case has at most this size.
+constexpr std::size_t kMostBytesOfCalls = 24'000;
 
-Json call(const gl::Command& command) {
-  const std::string_view kinds = gl::parameter_kinds(command.entry);
-  Json data = Json::array({name_of(command)});
-  for (std::size_t i = 0; i < command.arguments.size(); ++i)
-    data.push_back(argument(command.arguments[i], kinds[i]));
-  return data;
+// Returns the commands up to the first without a form, and within kMostBytesOfCalls. Commands of other parts
+// of the GL are left out.
+Start start_of(const gl::Case& script) {
+  const std::vector<bool> known = specified_commands(script, OtherState::kSkipped);
+  Start start;
+  try {
+    std::size_t bytes = 0;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      if (!known[i]) continue;
+      Json call = call_of(script.commands()[i]);
+      if ((bytes += call.dump().size()) > kMostBytesOfCalls) break;
+      start.script.add(script.commands()[i]);
+      start.calls.push_back(std::move(call));
+    }
+  } catch (const HasNoForm&) {
+    return start;
+  }
+  return start;
 }
 
 // --- Answers
 
 // The minimum of MAX_EVAL_ORDER.
 constexpr int kLeastMaxEvalOrder = 8;
-
-// Returns the integers nearest to a value. Cases with other readings of GetMapiv (C-GETMAPIV-NORM) have a
-// flag.
-Json accepted_integers(double exact) {
-  using Limits = std::numeric_limits<GLint>;
-  const double low = std::ceil(exact - 0.5), high = std::floor(exact + 0.5);  // differ only for n + 1/2
-  Json values = Json::array();
-  for (const double value : {low, high}) {
-    const auto saturated = static_cast<GLint>(std::clamp<double>(value, Limits::min(), Limits::max()));
-    if (values.empty() || values.back() != saturated) values.push_back(saturated);
-  }
-  return values;
-}
 
 bool asks_for_integers(const gl::Command& command) {
   const auto* name = std::get_if<std::int64_t>(&command.arguments.front());
@@ -136,8 +166,7 @@ bool asks_for_integers(const gl::Command& command) {
 Json accepted_reals(double exact, bool as_double) {
   const auto interval = accepted(Rational(exact), 0);
   if (interval) return Json::array({hexadecimal(exact == 0 ? exact : interval->low)});
-  if (std::abs(exact) > std::numeric_limits<float>::max())
-    throw std::logic_error("an answer beyond binary32");
+  if (std::abs(exact) > std::numeric_limits<float>::max()) throw HasNoForm("an answer beyond binary32");
   const float nearest = reference::round_to_float(Rational(exact));
   const float other = std::nextafter(nearest, nearest < exact ? std::numeric_limits<float>::infinity()
                                                               : -std::numeric_limits<float>::infinity());
@@ -146,28 +175,21 @@ Json accepted_reals(double exact, bool as_double) {
   return hexadecimals(values);
 }
 
-bool is_normalized(const gl::Command& command) {
-  const auto* name = std::get_if<std::int64_t>(&command.arguments.front());
-  return command.entry == gl::EntryPoint::GetIntegerv && name &&
-         (*name == GL_CURRENT_COLOR || *name == GL_CURRENT_NORMAL);
-}
-
 Json answers(const gl::Command& command, const std::vector<reference::PermittedValue>& permitted) {
-  if (is_normalized(command))
-    throw std::logic_error("colours and normals as integers are not in the vectors");
   const Scalar type = std::get<gl::Output>(command.arguments.back()).type;
   Json values = Json::array();
   for (const reference::PermittedValue& value : permitted) {
-    if (value.is_least)
+    if (value.is_least) {
       values.push_back(Json::array({{{"at_least", kLeastMaxEvalOrder}}}));
-    else if (type == Scalar::kU8)
-      values.push_back(Json::array({value.state == 0 ? 0 : 1}));
-    else if (type == Scalar::kI32)
-      values.push_back(accepted_integers(value.state));
-    else if (type == Scalar::kF64 && asks_for_integers(command))
+    } else if (type == Scalar::kU8 || type == Scalar::kI32) {
+      std::vector<int> integers(value.answers.begin(), value.answers.end());
+      std::ranges::sort(integers);
+      values.push_back(integers);
+    } else if (type == Scalar::kF64 && asks_for_integers(command)) {
       values.push_back(Json::array({hexadecimal(value.state)}));
-    else
+    } else {
       values.push_back(accepted_reals(value.state, type == Scalar::kF64));
+    }
   }
   return values;
 }
@@ -178,20 +200,6 @@ bool is_map(const gl::Command& command) {
   const std::string name = name_of(command);
   return name.starts_with("Map1") || name.starts_with("Map2");
 }
-bool is_query_of_map(const gl::Command& command) {
-  const std::string name = name_of(command);
-  return name.starts_with("GetMap") || name.starts_with("GetnMap");
-}
-bool is_texture_map(GLenum target) {
-  return (target >= GL_MAP1_TEXTURE_COORD_1 && target <= GL_MAP1_TEXTURE_COORD_4) ||
-         (target >= GL_MAP2_TEXTURE_COORD_1 && target <= GL_MAP2_TEXTURE_COORD_4);
-}
-
-double real(const gl::Value& value) {
-  const auto* const single = std::get_if<float>(&value);
-  return single ? *single : std::get<double>(value);
-}
-GLenum token(const gl::Value& value) { return static_cast<GLenum>(std::get<std::int64_t>(value)); }
 
 // Returns true if a domain has the ends +0 and -0, which are equal as numbers.
 bool has_zeros_of_both_signs(const gl::Command& map) {
@@ -203,14 +211,39 @@ bool has_zeros_of_both_signs(const gl::Command& map) {
   return false;
 }
 
+// The attributes that are listed for a vertex in addition to its position.
+struct Shown {
+  bool color = false, normal = false;
+  int texture_units = 0;
+};
+
+// Returns the attributes that commands of the case set, or that enabled maps evaluate.
+Shown shown_by(const gl::Case& script) {
+  Shown shown;
+  for (const gl::Command& command : script.commands()) {
+    const std::string name = name_of(command);
+    const GLenum cap = name == "Enable" ? token(command.arguments[0]) : 0;
+    shown.color =
+        shown.color || name.starts_with("Color") || cap == GL_MAP1_COLOR_4 || cap == GL_MAP2_COLOR_4;
+    shown.normal = shown.normal || name.starts_with("Normal") || cap == GL_AUTO_NORMAL ||
+                   cap == GL_MAP1_NORMAL || cap == GL_MAP2_NORMAL;
+    const bool evaluates = (cap >= GL_MAP1_TEXTURE_COORD_1 && cap <= GL_MAP1_TEXTURE_COORD_4) ||
+                           (cap >= GL_MAP2_TEXTURE_COORD_1 && cap <= GL_MAP2_TEXTURE_COORD_4);
+    if (evaluates || name.starts_with("TexCoord")) shown.texture_units = std::max(shown.texture_units, 1);
+    if (name.starts_with("MultiTexCoord"))
+      shown.texture_units = std::max(shown.texture_units, texture_units_of(command));
+  }
+  return shown;
+}
+
 // Finds the level of a sequence and the first version of the GL that requires its answers (INTERPRETING.md,
 // "Levels and versions").
 class Standing {
  public:
-  void see(const gl::Command& command, bool is_refused) {
+  void see(const gl::Command& command, const std::vector<reference::PermittedValue>& permitted) {
     const std::string name = name_of(command);
-    if (name == "ActiveTexture" || name.starts_with("MultiTexCoord")) need("1.3");
-    if (name.starts_with("Getn")) need("4.5");
+    if (name == "ActiveTexture" || name.starts_with("MultiTexCoord")) need(13);
+    if (name.starts_with("Getn")) need(45);
     if (name == "PushAttrib") {
       const GLenum mask = token(command.arguments[0]);
       pushes_enables_ = pushes_enables_ || ((mask & GL_ENABLE_BIT) != 0 && (mask & GL_EVAL_BIT) == 0);
@@ -218,43 +251,27 @@ class Standing {
     if ((name == "Enable" || name == "Disable" || name == "IsEnabled") &&
         token(command.arguments[0]) == GL_AUTO_NORMAL)
       names_automatic_normals_ = true;
-    if (pushes_enables_ && names_automatic_normals_) need("1.1");
-    if (is_map(command)) {
-      if (has_zeros_of_both_signs(command)) level_ = "advisory";
-      if (!is_refused) (is_compiling_ ? compiled_[list_] : defined_).insert(token(command.arguments[0]));
-    }
-    if (name == "NewList" && !is_refused) {
-      list_ = token(command.arguments[0]);
-      is_compiling_ = token(command.arguments[1]) == GL_COMPILE;
-    }
-    if (name == "EndList") is_compiling_ = false;
-    if (name == "CallList") defined_.merge(std::set(compiled_[token(command.arguments[0])]));
-    if (is_query_of_map(command) && !is_refused && is_initial(token(command.arguments[0])) &&
-        token(command.arguments[1]) == GL_COEFF && is_texture_map(token(command.arguments[0])))
-      need("1.1");
+    if (pushes_enables_ && names_automatic_normals_) need(11);
+    if (is_map(command) && has_zeros_of_both_signs(command)) level_ = "advisory";
+    for (const reference::PermittedValue& value : permitted) need(value.since);
   }
   void see(const reference::Vertex& vertex, int texture_units) {
     for (int unit = 0; unit < texture_units; ++unit)
       for (const auto& component : vertex.texture_coordinate[static_cast<std::size_t>(unit)])
         if (const auto* sample = std::get_if<reference::Sample>(&component)) {
-          if (needs_gl_2(*sample)) need("2.0");
-          if (is_initial(sample->map().target)) need("1.1");
+          if (needs_gl_2(*sample)) need(20);
+          if (sample->map().is_initial) need(11);
         }
   }
   const std::string& level() const { return level_; }
-  const std::string& since() const { return since_; }
+  std::string since() const { return fmt::format("{}.{}", since_ / 10, since_ % 10); }
 
  private:
-  void need(const std::string& version) { since_ = std::max(since_, version); }
-  bool is_initial(GLenum target) const { return !defined_.contains(target); }
+  void need(int version) { since_ = std::max(since_, version); }
 
-  std::string level_ = "must", since_ = kFirstVersion;
+  std::string level_ = "must";
+  int since_ = 10;
   bool pushes_enables_ = false, names_automatic_normals_ = false;
-  // Targets of the maps that are defined, and of those that each display list defines when it is called.
-  std::set<GLenum> defined_;
-  std::map<GLuint, std::set<GLenum>> compiled_;
-  GLuint list_ = 0;
-  bool is_compiling_ = false;
 };
 
 // --- Vertices
@@ -300,24 +317,15 @@ Json emitted(const reference::Primitive& primitive, const Shown& shown, Standing
 
 using Primitives = std::vector<const reference::Primitive*>;
 
-// The vertices of a step are summarised if there are more.
-constexpr std::size_t kMostListed = 64;
-constexpr std::size_t kSpreadSamples = 9;
+// The steps of a case list this number of vertices; those of further steps are summarised.
+constexpr std::size_t kMostListed = 24;
+// A case ends before the step with which it would draw more.
+constexpr std::size_t kMostVertices = 12'000;
 
 std::size_t vertices_of(const Primitives& primitives) {
   std::size_t count = 0;
   for (const reference::Primitive* primitive : primitives) count += primitive->vertices.size();
   return count;
-}
-
-// Returns the indices of the vertices to list: two at each end, and some spread evenly between.
-std::vector<std::size_t> sampled(std::size_t count) {
-  std::vector<std::size_t> numbers{0, 1, count - 2, count - 1};
-  for (std::size_t i = 1; i <= kSpreadSamples; ++i)
-    numbers.push_back(count * i / (kSpreadSamples + 1) + i % 3);
-  std::ranges::sort(numbers);
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  return numbers;
 }
 
 // FNV-1a hash of the bits of correctly rounded numbers, with the least significant byte first.
@@ -345,34 +353,57 @@ class Digest {
   std::uint64_t hash_ = fnv1a<std::uint64_t>("");
 };
 
+// Primitives of the same mode and size that follow each other.
+struct Run {
+  GLenum mode;
+  std::size_t size, count, first;  // `first`: index of its first vertex
+};
+
+std::vector<Run> runs_of(const Primitives& primitives) {
+  std::vector<Run> runs;
+  std::size_t vertices = 0;
+  for (const reference::Primitive* const primitive : primitives) {
+    const std::size_t size = primitive->vertices.size();
+    if (!runs.empty() && runs.back().mode == primitive->mode && runs.back().size == size)
+      ++runs.back().count;
+    else
+      runs.push_back({primitive->mode, size, 1, vertices});
+    vertices += size;
+  }
+  return runs;
+}
+
+// Returns the indices of the vertices to list: both ends of the first and the last primitive of the runs, and
+// of many vertices some spread evenly between.
+std::set<std::size_t> sampled(const std::vector<Run>& runs, std::size_t count) {
+  constexpr std::size_t kMostRuns = 3, kSpread = 3;
+  std::set<std::size_t> numbers;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (i >= kMostRuns && i + 1 < runs.size()) continue;
+    const auto& [mode, size, primitives, first] = runs[i];
+    const std::size_t last = first + size * (primitives - 1);
+    numbers.insert({first, first + size - 1, last, last + size - 1});
+  }
+  if (count > kMostListed)
+    for (std::size_t i = 1; i <= kSpread; ++i) numbers.insert(count * i / (kSpread + 1) + i % 3);
+  return numbers;
+}
+
 Json summary(const Primitives& primitives, const Shown& shown, Standing& standing) {
-  Json runs = Json::array();
+  const std::vector<Run> runs = runs_of(primitives);
   Digest digest;
   std::vector<const reference::Vertex*> vertices;
-  for (const reference::Primitive* primitive : primitives) {
-    const std::string mode = gl::primitive_name(primitive->mode);
-    const std::size_t size = primitive->vertices.size();
-    if (!runs.empty() && as_text(runs.back()[0]) == mode && runs.back()[1] == size)
-      runs.back()[2] = runs.back()[2].get<std::size_t>() + 1;
-    else
-      runs.push_back(Json::array({mode, size, 1}));
+  for (const reference::Primitive* const primitive : primitives)
     for (const reference::Vertex& vertex : primitive->vertices) {
       vertices.push_back(&vertex);
       digest.add(vertex, shown);
     }
-  }
-  Json samples = Json::array();
-  for (const std::size_t number : sampled(vertices.size()))
+  Json listed_runs = Json::array(), samples = Json::array();
+  for (const auto& [mode, size, count, first] : runs)
+    listed_runs.push_back(Json::array({gl::primitive_name(mode), size, count}));
+  for (const std::size_t number : sampled(runs, vertices.size()))
     samples.push_back({{"number", number}, {"vertex", vertex_as_json(*vertices[number], shown, standing)}});
-  return {{"primitives", std::move(runs)}, {"digest", digest.text()}, {"samples", std::move(samples)}};
-}
-
-Json emits(const Primitives& primitives, const Shown& shown, Standing& standing) {
-  if (vertices_of(primitives) > kMostListed) return summary(primitives, shown, standing);
-  Json list = Json::array();
-  for (const reference::Primitive* primitive : primitives)
-    list.push_back(emitted(*primitive, shown, standing));
-  return list;
+  return {{"primitives", std::move(listed_runs)}, {"digest", digest.text()}, {"samples", std::move(samples)}};
 }
 
 bool may_emit(const gl::Command& command) {
@@ -385,109 +416,99 @@ bool writes(const gl::Command& command) {
   return !command.arguments.empty() && std::holds_alternative<gl::Output>(command.arguments.back());
 }
 
+// Makes the steps of a case one after the other, and remembers the latest place at which the case may end:
+// outside of primitives and display lists.
+class Steps {
+ public:
+  Steps(const gl::Case& script, const Specified& specified, std::size_t most_bytes)
+      : script_(script), specified_(specified), shown_(shown_by(script)), most_bytes_(most_bytes) {}
+
+  // Adds the step of a command. Throws HasNoForm.
+  void add(std::size_t i, Json call) {
+    const gl::Command& command = script_.commands()[i];
+    const std::vector<GLenum>& raised = specified_.errors[i];
+    const auto& permitted = specified_.permitted[i];
+    Json step = {{"call", std::move(call)}};
+    for (const GLenum error : raised)
+      if (std::ranges::count(pending_, error) == 0) pending_.push_back(error);
+    if (!specified_.inside[i]) {
+      Json errors = Json::array();
+      for (const GLenum error : pending_) errors.push_back(gl::error_name(error));
+      shows_something_ = shows_something_ || !errors.empty();
+      step["errors"] = std::move(errors);
+      pending_.clear();
+    }
+    standing_.see(command, permitted);
+    if (writes(command))
+      step["answers"] = answers(command, permitted);
+    else if (returns_a_flag(command))
+      step["answers"] = raised.empty()
+                            ? Json::array({Json::array({specified_.answers.result({static_cast<int>(i)})})})
+                            : Json::array();
+    if (std::ranges::any_of(permitted, &reference::PermittedValue::is_advisory)) step["level"] = "advisory";
+    if (may_emit(command)) step["emits"] = emits(i);
+    shows_something_ = shows_something_ || step.contains("answers") || step.contains("emits");
+    bytes_ += step.dump().size();
+    steps_.push_back(std::move(step));
+    if (raised.empty() && command.entry == gl::EntryPoint::NewList) is_compiling_ = true;
+    if (raised.empty() && command.entry == gl::EntryPoint::EndList) is_compiling_ = false;
+    if (specified_.inside[i] || is_compiling_ || !shows_something_) return;
+    if (is_full()) return;
+    whole_ = {{"level", standing_.level()}, {"since", standing_.since()}, {"steps", steps_.size()}};
+  }
+  // True if further steps cannot be part of the case.
+  bool is_full() const { return bytes_ > most_bytes_ && !whole_.is_null(); }
+
+  // Returns the case up to the latest place at which it may end, if it shows anything. Throws HasNoForm.
+  Json whole() {
+    if (whole_.is_null()) throw HasNoForm("nothing to see within its first commands");
+    steps_.erase(steps_.begin() + whole_["steps"].get<std::ptrdiff_t>(), steps_.end());
+    whole_["steps"] = std::move(steps_);
+    return std::move(whole_);
+  }
+
+ private:
+  Json emits(std::size_t i) {
+    Primitives primitives;
+    for (; completed_ < specified_.completed[i]; ++completed_)
+      if (const auto& primitive = specified_.prediction.primitives[completed_]; !primitive.vertices.empty())
+        primitives.push_back(&primitive);
+    const std::size_t count = vertices_of(primitives);
+    if ((vertices_ += count) > kMostVertices) throw HasNoForm("too many vertices");
+    if (listed_ + count > kMostListed) return summary(primitives, shown_, standing_);
+    listed_ += count;
+    Json list = Json::array();
+    for (const reference::Primitive* const primitive : primitives)
+      list.push_back(emitted(*primitive, shown_, standing_));
+    return list;
+  }
+
+  const gl::Case& script_;
+  const Specified& specified_;
+  const Shown shown_;
+  const std::size_t most_bytes_;
+  Json steps_ = Json::array();
+  Standing standing_;
+  std::vector<GLenum> pending_;  // errors that were raised since the last step outside Begin and End
+  std::size_t completed_ = 0, vertices_ = 0, listed_ = 0, bytes_ = 0;
+  bool is_compiling_ = false, shows_something_ = false;
+  Json whole_;  // the case without its steps, and their number
+};
+
 }  // namespace
 
-Json sequence(const gl::Case& script, const Shown& shown) {
-  const Specified specified = specify(script, kMaxEvalOrder);
-  if (!script.commands().empty() && specified.inside.back()) throw std::logic_error("a primitive stays open");
-
-  Json steps = Json::array();
-  Standing standing;
-  std::vector<GLenum> pending;  // errors that were raised since the last step outside Begin and End
-  std::size_t completed = 0;
-  for (std::size_t i = 0; i < script.commands().size(); ++i) {
-    const gl::Command& command = script.commands()[i];
-    const gl::Ref ref{static_cast<int>(i)};
-    Json step = {{"call", call(command)}};
-    for (const GLenum error : specified.errors[i])
-      if (std::ranges::find(pending, error) == pending.end()) pending.push_back(error);
-    if (!specified.inside[i]) {
-      Json errors = Json::array();
-      for (const GLenum error : pending) errors.push_back(gl::error_name(error));
-      step["errors"] = std::move(errors);
-      pending.clear();
-    }
-    const bool is_refused = !specified.errors[i].empty();
-    standing.see(command, is_refused);
-    if (writes(command))
-      step["answers"] = answers(command, specified.permitted[i]);
-    else if (returns_a_flag(command))
-      step["answers"] =
-          is_refused ? Json::array() : Json::array({Json::array({specified.answers.result(ref)})});
-    const auto& permitted = specified.permitted[i];
-    if (std::ranges::any_of(permitted, &reference::PermittedValue::is_advisory) &&
-        token(command.arguments[1]) == GL_DOMAIN)
-      step["level"] = "advisory";
-    if (may_emit(command)) {
-      Primitives primitives;
-      for (; completed < specified.completed[i]; ++completed)
-        if (const auto& primitive = specified.prediction.primitives[completed]; !primitive.vertices.empty())
-          primitives.push_back(&primitive);
-      step["emits"] = emits(primitives, shown, standing);
-    }
-    steps.push_back(std::move(step));
+Json sequence(const gl::Case& script, std::size_t most_bytes) {
+  Start start = start_of(of_first_context(script));
+  const Specified specified = specify(start.script, kMaxEvalOrder);
+  Steps steps(start.script, specified, most_bytes);
+  try {
+    for (std::size_t i = 0; i < start.calls.size() && !steps.is_full(); ++i)
+      if (start.script.commands()[i].entry != gl::EntryPoint::GetError)
+        steps.add(i, std::move(start.calls[i]));
+  } catch (const HasNoForm&) {
+    return steps.whole();
   }
-  return {{"level", standing.level()}, {"since", standing.since()}, {"steps", std::move(steps)}};
-}
-
-void map1(gl::Case& c, Type type, GLenum target, double u1, double u2, int stride, int order,
-          const Values& points) {
-  if (type == Type::kReal)
-    c.Map1d(target, u1, u2, stride, order, points);
-  else
-    c.Map1f(target, u1, u2, stride, order, std::vector<GLfloat>(points.begin(), points.end()));
-}
-
-void map2(gl::Case& c, Type type, GLenum target, double u1, double u2, int ustride, int uorder, double v1,
-          double v2, int vstride, int vorder, const Values& points) {
-  if (type == Type::kReal)
-    c.Map2d(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  else
-    c.Map2f(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder,
-            std::vector<GLfloat>(points.begin(), points.end()));
-}
-
-void grid1(gl::Case& c, Type type, int segments, double u1, double u2) {
-  if (type == Type::kReal)
-    c.MapGrid1d(segments, u1, u2);
-  else
-    c.MapGrid1f(segments, u1, u2);
-}
-
-void grid2(gl::Case& c, Type type, int usegments, double u1, double u2, int vsegments, double v1, double v2) {
-  if (type == Type::kReal)
-    c.MapGrid2d(usegments, u1, u2, vsegments, v1, v2);
-  else
-    c.MapGrid2f(usegments, u1, u2, vsegments, v1, v2);
-}
-
-void define(gl::Case& c, Type type, const Map& map) {
-  const int k = map.components();
-  if (map.is_two_dimensional())
-    map2(c, type, map.target, map.u.first, map.u.last, k * map.v.order, map.u.order, map.v.first, map.v.last,
-         k, map.v.order, map.points);
-  else
-    map1(c, type, map.target, map.u.first, map.u.last, k, map.u.order, map.points);
-}
-
-void query_all(gl::Case& c, GLenum target, int values) {
-  const std::size_t dimensions = reference::is_map2_target(target) ? 2 : 1;
-  c.GetMapiv(target, GL_ORDER, gl::out<GLint>(dimensions));
-  c.GetMapfv(target, GL_DOMAIN, gl::out<GLfloat>(2 * dimensions));
-  c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(static_cast<std::size_t>(values)));
-}
-
-void query_grids(gl::Case& c) {
-  c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
-  c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2));
-  c.GetIntegerv(GL_MAP2_GRID_SEGMENTS, gl::out<GLint>(2));
-  c.GetFloatv(GL_MAP2_GRID_DOMAIN, gl::out<GLfloat>(4));
-}
-
-Values numbered(int count, int first) {
-  Values values;
-  for (int i = 0; i < count; ++i) values.push_back(first + i);
-  return values;
+  return steps.whole();
 }
 
 }  // namespace evalcts::vectors

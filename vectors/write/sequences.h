@@ -2,38 +2,26 @@
 #pragma once
 
 #include <evalcts/gl/case.h>
+
+#include <stdexcept>
+
 #include "document.h"
-#include "maps.h"
 
 namespace evalcts::vectors {
 
-// The attributes that are listed for a vertex in addition to its position.
-struct Shown {
-  bool color = false, normal = false;
-  int texture_units = 0;
+// The case has no form in the vectors.
+struct HasNoForm : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 // Returns {"level", "since", "steps": [...]}: each command with the errors that it may raise, its answers and
-// the primitives that it emits, by the executable specification. Throws std::logic_error for queries whose
-// answers the specification leaves open beyond a choice of roundings (integers from colours and normals,
-// values beyond binary32), and if a primitive is open at the end.
-Json sequence(const gl::Case& script, const Shown& shown = {});
-
-// Append Map1f or Map1d, and so on.
-void map1(gl::Case& c, Type type, GLenum target, double u1, double u2, int stride, int order,
-          const Values& points);
-void map2(gl::Case& c, Type type, GLenum target, double u1, double u2, int ustride, int uorder, double v1,
-          double v2, int vstride, int vorder, const Values& points);
-void grid1(gl::Case& c, Type type, int segments, double u1, double u2);
-void grid2(gl::Case& c, Type type, int usegments, double u1, double u2, int vsegments, double v1, double v2);
-// Appends the definition of a map without padding; its target determines the dimension.
-void define(gl::Case& c, Type type, const Map& map);
-// Appends queries of ORDER, DOMAIN and COEFF of a map with `values` control values.
-void query_all(gl::Case& c, GLenum target, int values);
-// Appends queries of segments and domains of both grids.
-void query_grids(gl::Case& c);
-
-// Returns small integers, each of which differs from its neighbours.
-Values numbered(int count, int first = 1);
+// the primitives that it emits, by the executable specification. GetError is left out, because the replay of
+// a sequence asks for errors after each step. Vertices have the attributes that the case sets or evaluates.
+//
+// Commands of other parts of the GL are left out. A long case is cut off outside of primitives and display
+// lists, so that its steps have at most `most_bytes` bytes of JSON text or show one thing, and before the
+// first command without a form: one that makes another context, with a texture unit above 7, with an answer
+// beyond binary32, or with an array that vectors do not have. Throws HasNoForm if the rest shows nothing.
+Json sequence(const gl::Case& script, std::size_t most_bytes);
 
 }  // namespace evalcts::vectors

@@ -38,6 +38,7 @@ struct Map {
   // Control points without the padding of the caller's strides: component c of R_ij is points[(i * v.order +
   // j) * k + c]. GetMap returns them in this order (C-COEFF-ORDER).
   std::vector<double> points;
+  bool is_initial = false;  // true for the map of a new context
 
   bool is_two_dimensional() const { return is_map2_target(target); }
   int components() const { return values_per_point(target); }

@@ -40,6 +40,7 @@ struct PermittedValue {
   // Only the reference pages give the value (an initial domain), or documents disagree so far that it must
   // not be judged (integers for colours and normals outside [-1,1], C-GETMAPIV-NORM).
   bool is_advisory = false;
+  int since = 10;  // the first version (10 * major + minor) whose text gives the value
 };
 
 class Specification {
@@ -356,7 +357,6 @@ class Specification {
   int max_eval_order_;
   int texture_units_;
   std::array<std::shared_ptr<const Map>, 2 * kMapKinds> maps_;  // MAP1 targets, then MAP2 targets
-  std::array<bool, 2 * kMapKinds> defined_{};                   // false while a map is the initial one
   Attributes attributes_;
   std::vector<SavedAttributes> attribute_stack_;
   std::map<GLuint, DisplayList> lists_;

@@ -6,14 +6,20 @@
 #include <string>
 #include <vector>
 
+#include <evalcts/gl/case.h>
+
 namespace evalcts::vectors {
 
 // Returns the names of all kinds: "map1_eval", "map2_eval", "grid", "auto_normal", "errors", "get_map",
 // "state".
 const std::vector<std::string>& kinds();
 
-// Returns the text of the file of a kind. Throws std::invalid_argument for another name.
-std::string text_of(const std::string& kind);
+// A case of the suite, for the kinds "errors", "get_map" and "state".
+struct SuiteCase {
+  std::string test;                       // "Map1Errors.StrideBelowK/MAP1_VERTEX_3"
+  std::vector<std::string> requirements;  // of the test
+  gl::Case script;
+};
 
 // A file that was written.
 struct Written {
@@ -22,6 +28,7 @@ struct Written {
 };
 // Writes KIND.json to the folder for each kind, atomically, and calls `wrote` after each file with its kind
 // and its numbers of cases and bytes. Throws std::runtime_error if a file cannot be written.
-void write_all(const std::filesystem::path& folder, const std::function<void(const Written&)>& wrote);
+void write_all(const std::filesystem::path& folder, const std::vector<SuiteCase>& cases,
+               const std::function<void(const Written&)>& wrote);
 
 }  // namespace evalcts::vectors

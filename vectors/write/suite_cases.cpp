@@ -1,0 +1,109 @@
+// Makes errors.json, get_map.json and state.json from the cases of the suite.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <evalcts/gl/display_lists.h>
+#include <evalcts/vectors/write.h>
+#include "kinds.h"
+#include "sequences.h"
+
+namespace evalcts::vectors {
+namespace {
+
+// Sizes of JSON text. The cases of a test function share kMostBytesOfFunction: the first case of each test
+// has its share of it, at least kLeastBytesOfCase; second and further cases follow until it is used up.
+constexpr std::size_t kMostBytesOfFunction = 30'000, kLeastBytesOfCase = 5'000;
+
+// Returns the flags by which a reader skips a case, with their meanings.
+std::vector<std::pair<std::string, std::string>> flags_of(const gl::Case& script) {
+  std::int64_t order = 0;
+  bool asks_by_size = false, uses_units = false;
+  for (const gl::Command& command : script.commands()) {
+    order = std::max(order, gl::largest_order(command));
+    const std::string_view name = gl::name_of(command.entry);
+    asks_by_size = asks_by_size || name.starts_with("glGetnMap");
+    if (name == "glActiveTexture" || name.starts_with("glMultiTexCoord")) {
+      const auto unit = std::get<std::int64_t>(command.arguments[0]) - GL_TEXTURE0;
+      uses_units = uses_units || (unit > 1 && unit < 8);
+    }
+  }
+  std::vector<std::pair<std::string, std::string>> flags;
+  if (order > 64) flags.emplace_back("max-order-64", "only where MAX_EVAL_ORDER is 64 or less");
+  if (order > 8)
+    flags.emplace_back("order-above-8", "where MAX_EVAL_ORDER is at least the order of each map");
+  if (uses_units) flags.emplace_back("texture-units-8", "only where there are 8 texture units or more");
+  if (asks_by_size) flags.emplace_back("robustness", "needs GetnMap (ARB_robustness or GL 4.5)");
+  return flags;
+}
+
+std::string function_of(const std::string& test) { return test.substr(0, test.find('/')); }
+
+std::string kind_of(const std::string& test) {
+  const std::string suite = test.substr(0, test.find('.'));
+  return suite.ends_with("Errors") ? "errors" : suite.starts_with("Get") ? "get_map" : "state";
+}
+
+struct Sequence {
+  const SuiteCase* of;
+  int number;  // of the case among those of its test, from 1
+  Json content;
+};
+
+// Returns the cases of the kind that are exported, by test function, in the order of the suite.
+std::map<std::string, std::vector<Sequence>> exported(const std::string& kind,
+                                                      const std::vector<SuiteCase>& cases) {
+  std::map<std::string, std::vector<const SuiteCase*>> by_function;
+  for (const SuiteCase& each : cases)
+    if (kind_of(each.test) == kind) by_function[function_of(each.test)].push_back(&each);
+  std::map<std::string, int> counts;
+  std::map<const SuiteCase*, int> numbers;
+  for (const SuiteCase& each : cases) numbers[&each] = ++counts[each.test];
+
+  std::map<std::string, std::vector<Sequence>> all;
+  for (auto& [function, of_function] : by_function) {
+    std::ranges::stable_sort(of_function, {}, [&](const SuiteCase* each) { return numbers[each]; });
+    const auto tests = static_cast<std::size_t>(
+        std::ranges::count_if(of_function, [&](const SuiteCase* each) { return numbers[each] == 1; }));
+    const std::size_t share =
+        std::max(kMostBytesOfFunction / std::max<std::size_t>(tests, 1), kLeastBytesOfCase);
+    std::set<std::string> texts;
+    std::size_t bytes = 0;
+    for (const SuiteCase* const each : of_function) {
+      if (bytes >= kMostBytesOfFunction && numbers[each] > 1) break;
+      try {
+        Json content = sequence(each->script, share);
+        const std::string text = content.dump();
+        if (!texts.insert(text).second) continue;
+        bytes += text.size();
+        all[function].push_back({each, numbers[each], std::move(content)});
+      } catch (const HasNoForm&) {
+        continue;
+      }
+    }
+    std::ranges::sort(all[function], {}, &Sequence::of);
+  }
+  return all;
+}
+
+}  // namespace
+
+Document sequences(const std::string& kind, const std::string& description,
+                   const std::vector<SuiteCase>& cases) {
+  Document document(kind, description);
+  for (const auto& [function, of_function] : exported(kind, cases))
+    for (const auto& [of, number, content] : of_function) {
+      Names flags = {function};
+      document.explain(function, fmt::format("the test {} of the suite", function));
+      for (const auto& [flag, meaning] : flags_of(of->script)) {
+        document.explain(flag, meaning);
+        flags.push_back(flag);
+      }
+      document.add(fmt::format("{}.{}.{}", kind, of->test, number), of->requirements, flags, content);
+    }
+  return document;
+}
+
+}  // namespace evalcts::vectors
