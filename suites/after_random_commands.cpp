@@ -31,7 +31,6 @@ void after_random_commands(Test& t, const std::function<void(gl::Case&)>& play) 
 
 // Judges the points that the commands after `past` draw: the last ones that are captured.
 void expect_last_points(Test& t, const gl::Case& past, const gl::Case& c) {
-  t.leave_current_values_to_their_rules();
   const Prediction all = predict(c, t.max_order());
   Prediction last = all;
   const std::size_t before = predict(past, t.max_order()).primitives.size();

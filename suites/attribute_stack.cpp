@@ -201,7 +201,6 @@ void draw_meshes(gl::Case& c) {
 EVALCTS_TEST(AttributeStack, EvaluatesAsRestored, kMust, "EV-ATTRIB-EVALBIT", "EV-ATTRIB-NOMAPS",
              by(gl::list_deliveries()))
 (Test& t) {
-  t.leave_current_values_to_their_rules();
   gl::Case c("points of a grid before the push, after other settings, and after the pop");
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP2_VERTEX_3, GL_MAP2_NORMAL})
     define_and_enable(c, random_map(t, target, {3, 2}));

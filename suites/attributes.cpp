@@ -315,7 +315,6 @@ EVALCTS_TEST(Precedence, MostTextureCoordinates, kMust, "EV-PREC-TEX/1-D", "EV-P
 EVALCTS_TEST(Precedence, AllSubsets, kMust, "EV-PREC-VERTEX/1-D", "EV-PREC-TEX/1-D", "EV-PREC-PERKIND/1-D",
              "EV-EN-MULTI", by(gl::curve_deliveries()))
 (Test& t) {
-  t.leave_current_values_to_their_rules();
   const unsigned step = t.depth() == Depth::kQuick ? 13 : 1;
   gl::Case c = with_current_values("subsets of the nine enables");
   for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, 3));

@@ -10,7 +10,6 @@ namespace evalcts::suite_display_lists {
 // Control points and enables, and so the precedence of maps, are those at the time of the call.
 EVALCTS_TEST(DisplayLists, MapsOfTheCall, kMust, "EV-DL-EXECSTATE-MAP", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
-  t.leave_current_values_to_their_rules();
   gl::Case c = with_maps(
       t, "compiled with some maps, called with others, with one of them off, and with none", dimension.two);
   compile_points(c, kList, dimension.two);

@@ -350,7 +350,6 @@ EVALCTS_TEST(Evaluation, DimensionsInTurn, kMust, "EV-COORD-MIXDIM", by(gl::list
 EVALCTS_TEST(Evaluation, DimensionsInTurnWithOtherMaps, kMust, "EV-COORD-MIXDIM", "EV-COORD-CURRENT",
              by(gl::list_deliveries()))
 (Test& t) {
-  t.leave_current_values_to_their_rules();
   expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_NORMAL);
 };
 

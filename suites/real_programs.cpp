@@ -389,7 +389,6 @@ const std::vector<RealProgram> kPrograms = {
 void expect_vertices(Test& t, const RealProgram& program) {
   gl::Case c("what the program draws");
   for (const Step& step : program.steps()) c.append(step.drawing);
-  t.leave_current_values_to_their_rules();
   t.expect_emission(c, program.attributes);
 }
 

@@ -37,40 +37,81 @@ std::string word_of(const gl::Command& command) {
                                        : without_form(std::string(gl::name_of(command.entry)));
 }
 
-bool uses(const gl::Case& program, EntryPoint entry) {
-  return std::ranges::any_of(program.commands(),
-                             [&](const gl::Command& command) { return command.entry == entry; });
-}
-bool uses_stem(const gl::Case& program, std::string_view stem) {
-  return std::ranges::any_of(program.commands(), [&](const gl::Command& command) {
-    return without_form(std::string(gl::name_of(command.entry))) == stem;
-  });
-}
+// --- The requirement that the minimal program of a difference violates
 
-bool has_argument(const gl::Case& program, EntryPoint entry, std::size_t position, std::int64_t wanted) {
-  return std::ranges::any_of(program.commands(), [&](const gl::Command& command) {
-    if (command.entry != entry || command.arguments.size() <= position) return false;
-    const auto* value = std::get_if<std::int64_t>(&command.arguments[position]);
-    return value && *value == wanted;
-  });
-}
+constexpr char kCallInList[] = "CallList in a list", kSurfaces[] = "surfaces only",
+               kNoVertexMap[] = "evaluation without a vertex map";
 
-// Returns true if the program evaluates while no map generates vertices.
-bool evaluates_without_vertices(const gl::Case& program) {
-  const auto enables = [&](GLenum cap) { return has_argument(program, EntryPoint::Enable, 0, cap); };
-  return (uses_stem(program, "EvalCoord1") && !enables(GL_MAP1_VERTEX_3) && !enables(GL_MAP1_VERTEX_4)) ||
-         (uses_stem(program, "EvalCoord2") && !enables(GL_MAP2_VERTEX_3) && !enables(GL_MAP2_VERTEX_4));
-}
-
-bool calls_in_a_list(const gl::Case& program) {
-  bool open = false;
+// Returns what the table below may ask for: the words of all commands ("Map1", "current value"), the commands
+// with a token ("Enable GL_AUTO_NORMAL", "EvalMesh2 GL_LINE"), and the three marks above.
+std::set<std::string> marks_of(const gl::Case& program) {
+  std::set<std::string> marks;
+  bool is_open = false;
   for (const gl::Command& command : program.commands()) {
-    if (command.entry == EntryPoint::NewList) open = true;
-    if (command.entry == EntryPoint::EndList) open = false;
-    if (open && command.entry == EntryPoint::CallList) return true;
+    const std::string name(gl::name_of(command.entry));
+    marks.insert(without_form(name));
+    for (const gl::Value& value : command.arguments)
+      if (const auto* token = std::get_if<std::int64_t>(&value))
+        marks.insert(name.substr(2) + " " +
+                     (command.entry == EntryPoint::Begin ? gl::primitive_name
+                                                         : gl::token_name)(static_cast<GLenum>(*token)));
+    if (command.entry == EntryPoint::NewList) is_open = true;
+    if (command.entry == EntryPoint::EndList) is_open = false;
+    if (is_open && command.entry == EntryPoint::CallList) marks.insert(kCallInList);
   }
-  return false;
+  const auto has = [&](const std::string& mark) { return marks.contains(mark); };
+  const bool one = has("Enable GL_MAP1_VERTEX_3") || has("Enable GL_MAP1_VERTEX_4"),
+             two = has("Enable GL_MAP2_VERTEX_3") || has("Enable GL_MAP2_VERTEX_4");
+  if ((has("EvalCoord1") && !one) || (has("EvalCoord2") && !two)) marks.insert(kNoVertexMap);
+  if (has("Map2") && !has("Map1")) marks.insert(kSurfaces);
+  return marks;
 }
+
+// A row applies to the kinds of differences that begin with `kind`, and to programs with all of the marks.
+// The first row that applies gives the requirement.
+struct Row {
+  std::string_view kind;
+  std::initializer_list<const char*> marks;
+  const char* requirement;
+};
+constexpr Row kRequirements[] = {
+    {"crash", {kCallInList}, "EV-DL-NESTED"},
+    {"crash", {"NewList"}, "EV-DL-EXECUTE"},
+    {"crash", {}, "EV-NUM-SPECIAL-SAFE"},
+    {"timeout", {kCallInList}, "EV-DL-NESTED"},
+    {"timeout", {"NewList"}, "EV-DL-EXECUTE"},
+    {"timeout", {}, "EV-NUM-SPECIAL-SAFE"},
+    {"glGetMap", {kSurfaces}, "EV-GETMAP-COEFF2"},
+    {"glGetMap", {}, "EV-GETMAP-COEFF1"},
+    {"glIsEnabled", {}, "EV-EN-GETS"},
+    {"glGetError", {"ActiveTexture", "NewList"}, "EV-DL-ACTIVETEX"},
+    {"glGetError", {"ActiveTexture", kSurfaces}, "EV-MAP2-ERR-ACTIVETEX"},
+    {"glGetError", {"ActiveTexture"}, "EV-MAP1-ERR-ACTIVETEX"},
+    {kOrder, {"EvalMesh2 GL_POINT"}, "EV-MESH2-POINT"},
+    {kOrder, {"EvalMesh2 GL_LINE"}, "EV-MESH2-LINE"},
+    {kOrder, {}, "EV-MESH2-FILL"},
+    {"glGetError", {"NewList"}, "EV-DL-ERR-ALL"},
+    {"glGetError", {kSurfaces}, "EV-MAP2-ERR-NOEFFECT"},
+    {"glGetError", {}, "EV-MAP1-ERR-NOEFFECT"},
+    {"", {"NewList GL_COMPILE_AND_EXECUTE"}, "EV-DL-COMPEXEC"},
+    {"", {kNoVertexMap, "Enable GL_AUTO_NORMAL"}, "EV-AUTON-NOVERTEX"},
+    {"", {kNoVertexMap}, "EV-COORD-NOVERTEX"},
+    {"", {"NewList"}, "EV-DL-EXECUTE"},
+    {"position", {"Enable GL_AUTO_NORMAL"}, "EV-AUTON-SAMEVERTEX"},
+    {"", {"PopAttrib"}, "EV-ATTRIB-EVALBIT"},
+    {"", {"GetFloatv GL_CURRENT_NORMAL", "Enable GL_AUTO_NORMAL"}, "EV-AUTON-CURRENT"},
+    {"", {"GetFloatv GL_CURRENT_NORMAL"}, "EV-CUR-NORMAL"},
+    {"", {"GetFloatv GL_CURRENT_TEXTURE_COORDS"}, "EV-CUR-TEX"},
+    {"glGet", {}, "EV-CUR-COLOR"},
+    {"position", {"EvalMesh1"}, "EV-MESH1-COORDS"},
+    {"position", {"EvalMesh2"}, "EV-MESH2-COORDS"},
+    {"position", {}, "EV-COORD-ASIF"},
+    {kPrimitives, {"EvalMesh1"}, "EV-MESH1-COORDS"},
+    {kPrimitives, {"EvalMesh2"}, "EV-MESH2-COORDS"},
+    {kPrimitives, {}, "EV-COORD-ASIF"},
+    {"", {"Vertex"}, "EV-CUR-NEXTVERTEX"},
+    {"", {}, "EV-COORD-CURRENT"},
+};
 
 }  // namespace
 
@@ -114,40 +155,12 @@ std::string cause_of(const gl::Case& program, const std::string& what) {
 
 std::string requirement_of(const gl::Case& program, const std::string& what) {
   const std::string kind = kind_of(what);
-  const bool two = uses_stem(program, "Map2") && !uses_stem(program, "Map1");
-  const bool list = uses(program, EntryPoint::NewList);
-  if (kind == "crash" || kind == "timeout") {
-    if (!list) return "EV-NUM-SPECIAL-SAFE";
-    return calls_in_a_list(program) ? "EV-DL-NESTED" : "EV-DL-EXECUTE";
-  }
-  if (kind.starts_with("glGetMap")) return two ? "EV-GETMAP-COEFF2" : "EV-GETMAP-COEFF1";
-  if (kind == "glIsEnabled") return "EV-EN-GETS";
-  if (kind == "glGetError" && uses(program, EntryPoint::ActiveTexture))
-    return list ? "EV-DL-ACTIVETEX" : two ? "EV-MAP2-ERR-ACTIVETEX" : "EV-MAP1-ERR-ACTIVETEX";
-  if (kind == kOrder)
-    return has_argument(program, EntryPoint::EvalMesh2, 0, GL_POINT)  ? "EV-MESH2-POINT"
-           : has_argument(program, EntryPoint::EvalMesh2, 0, GL_LINE) ? "EV-MESH2-LINE"
-                                                                      : "EV-MESH2-FILL";
-  if (kind == "glGetError" && list) return "EV-DL-ERR-ALL";
-  if (kind == "glGetError") return two ? "EV-MAP2-ERR-NOEFFECT" : "EV-MAP1-ERR-NOEFFECT";
-  if (has_argument(program, EntryPoint::NewList, 1, GL_COMPILE_AND_EXECUTE)) return "EV-DL-COMPEXEC";
-  if (evaluates_without_vertices(program))
-    return has_argument(program, EntryPoint::Enable, 0, GL_AUTO_NORMAL) ? "EV-AUTON-NOVERTEX"
-                                                                        : "EV-COORD-NOVERTEX";
-  if (list) return "EV-DL-EXECUTE";
-  if (kind == "position" && has_argument(program, EntryPoint::Enable, 0, GL_AUTO_NORMAL))
-    return "EV-AUTON-SAMEVERTEX";
-  if (uses(program, EntryPoint::PopAttrib)) return "EV-ATTRIB-EVALBIT";
-  if (has_argument(program, EntryPoint::GetFloatv, 0, GL_CURRENT_NORMAL))
-    return has_argument(program, EntryPoint::Enable, 0, GL_AUTO_NORMAL) ? "EV-AUTON-CURRENT"
-                                                                        : "EV-CUR-NORMAL";
-  if (has_argument(program, EntryPoint::GetFloatv, 0, GL_CURRENT_TEXTURE_COORDS)) return "EV-CUR-TEX";
-  if (kind.starts_with("glGet")) return "EV-CUR-COLOR";
-  if (kind != "position" && kind != kPrimitives)
-    return uses_stem(program, "Vertex") ? "EV-CUR-NEXTVERTEX" : "EV-COORD-CURRENT";
-  if (uses(program, EntryPoint::EvalMesh1)) return "EV-MESH1-COORDS";
-  if (uses(program, EntryPoint::EvalMesh2)) return "EV-MESH2-COORDS";
-  return "EV-COORD-ASIF";
+  const std::set<std::string> marks = marks_of(program);
+  const auto applies = [&](const Row& row) {
+    return kind.starts_with(row.kind) &&
+           std::ranges::all_of(row.marks, [&](const char* mark) { return marks.contains(mark); });
+  };
+  return std::ranges::find_if(kRequirements, applies)->requirement;
 }
 
 std::optional<gl::Case> reduced_to(const std::string& cause, const gl::Case& program,

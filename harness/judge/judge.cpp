@@ -111,7 +111,8 @@ class VertexJudge {
     mismatch.captured = text(got);
     mismatch.exact = text(expected);
     if (attribute != kPosition)
-      mismatch.rule_of_current_values = is_evaluated_ ? "EV-COORD-CURRENT" : "EV-CUR-NEXTVERTEX";
+      mismatch.current_of =
+          is_evaluated_ ? Mismatch::CurrentOf::kEvaluatedVertex : Mismatch::CurrentOf::kExplicitVertex;
     mismatch.ulp = std::isfinite(expected)
                        ? reference::ulp_distance(got, Rational(static_cast<double>(expected)))
                        : std::numeric_limits<double>::infinity();

@@ -169,10 +169,6 @@ void Test::judge_answers(const gl::Case& script, const Specified& specified) {
       require_rejections_in_primitives(script, specified);
       break;
     }
-  const auto blame = [&](Observed observed) {
-    decided_ = violated_by(observed, record_.requirements);
-    if (decided_ == record_.requirements) decided_.clear();  // all of them
-  };
   bool errors_are_right = true;
   for (std::size_t i = 0; i < script.commands().size(); ++i) {
     const gl::Ref command{static_cast<int>(i)};

@@ -14,6 +14,7 @@
 #include <evalcts/gl/display_lists.h>
 #include <evalcts/results/hash.h>
 #include <evalcts/testkit/reproduction.h>
+#include "blame.h"
 #include "plot.h"
 #include "schedule.h"
 
@@ -329,10 +330,20 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Captu
       check = subject_.reproduction->check_of(mismatch, mismatches, [&](Implementation& implementation) {
         return judge(capture.observe(implementation, script, request));
       });
+    const std::vector<RequirementId> decided = decided_;
+    if (decided_.empty() && mismatch.current_of == Mismatch::CurrentOf::kEvaluatedVertex)
+      blame(Observed::kEvaluatedVertex);
+    if (decided_.empty() && mismatch.current_of == Mismatch::CurrentOf::kExplicitVertex)
+      blame(Observed::kExplicitVertex);
     fail(
-        std::move(failure), [&] { return gl::all_calls(script); }, check,
-        judges_current_values_ ? std::string() : mismatch.rule_of_current_values);
+        std::move(failure), [&] { return gl::all_calls(script); }, check);
+    decided_ = decided;
   }
+}
+
+void Test::blame(Observed observed) {
+  decided_ = violated_by(observed, record_.requirements);
+  if (decided_ == record_.requirements) decided_.clear();  // all of them
 }
 
 bool Test::has_plot() const {
@@ -358,14 +369,12 @@ void Test::follows(const std::string& text, const std::string& reading) {
 }
 
 void Test::fail(Failure failure, const std::function<std::vector<std::string>()>& calls,
-                const std::optional<gl::Check>& check, const std::string& rule) {
+                const std::optional<gl::Check>& check) {
   control_.require_explicit_vertices(failure.what);
   const auto violate = [&](const RequirementId& id) {
     if (std::ranges::count(record_.violated, id) == 0) record_.violated.push_back(id);
   };
-  if (!rule.empty()) {
-    violate(rule);
-  } else if (!decided_.empty()) {
+  if (!decided_.empty()) {
     std::ranges::for_each(decided_, violate);
   } else {
     violates_all_ = true;

@@ -79,16 +79,15 @@ TEST(Violated, AllRequirementsOfATestThatDoesNotTellThemApart) {
 }
 
 TEST(Violated, CurrentValuesHaveARuleOfTheirOwn) {
-  const Body body = [](evalcts::Test& t) {
-    t.leave_current_values_to_their_rules();
-    t.expect_emission(curve(), kPosition | kColor);
-  };
-  TestRecord record = record_of(evaluation_that_sets_the_color, {"EV-A"}, body);
+  const Body body = [](evalcts::Test& t) { t.expect_emission(curve(), kPosition | kColor); };
+  TestRecord record = record_of(evaluation_that_sets_the_color, {"EV-PREC-TEX"}, body);
   EXPECT_EQ(record.blamed(), Ids{"EV-COORD-CURRENT"});
-  EXPECT_EQ(record.hidden(), Ids{"EV-A"});
-  // Values that a map supplies are the subject of the test.
-  record = record_of(evaluation_elsewhere, {"EV-A"}, body);
+  EXPECT_EQ(record.hidden(), Ids{"EV-PREC-TEX"});
+  record = record_of(evaluation_that_sets_the_color, {"EV-PREC-TEX", "EV-A"}, body);
   EXPECT_EQ(record.blamed(), Ids{"EV-A"});
+  // Values that a map supplies are the subject of the test.
+  record = record_of(evaluation_elsewhere, {"EV-PREC-TEX"}, body);
+  EXPECT_EQ(record.blamed(), Ids{"EV-PREC-TEX"});
 }
 
 TEST(Violated, ExpectationsDecideRequirements) {

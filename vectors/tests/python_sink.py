@@ -86,7 +86,7 @@ def _subject():
     kind, _, name = os.environ.get("EVALCTS_WRONG", "").partition(": ")
     if not kind:
         return Evaluator(), Machine, {}
-    methods = {"evaluator": WRONG_EVALUATORS, "state machine": WRONG_STATE_MACHINES}[kind][name][1]
+    methods = WRONG_EVALUATORS[name][1] if kind == "evaluator" else WRONG_STATE_MACHINES[name]
     if kind == "evaluator":
         return evaluator_of(methods), Machine, methods
     return Evaluator(), machine_of(methods), methods

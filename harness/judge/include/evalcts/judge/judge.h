@@ -21,9 +21,8 @@ struct Mismatch {
   std::string expected;  // the interval, or the value
   std::string captured;
   std::string exact;  // decimal and hex float
-  // The requirement on values that no map supplies, for such a value: EV-COORD-CURRENT in an evaluated
-  // vertex, EV-CUR-NEXTVERTEX in an explicit one. Otherwise empty.
-  std::string rule_of_current_values;
+  // The vertex, if the value should be a current value other than the position.
+  enum class CurrentOf { kNothing, kEvaluatedVertex, kExplicitVertex } current_of = CurrentOf::kNothing;
   double ulp = 0;
   double condition_aware = 0;
 

@@ -25,6 +25,8 @@
 
 namespace evalcts {
 
+enum class Observed : unsigned;  // see blame.h
+
 // Thrown if a requirement does not apply to the implementation, because its version or extension is not
 // supported, or because the implementation is a sink that does not declare the feature.
 struct NotSupported : std::runtime_error {
@@ -80,10 +82,6 @@ class Test {
   // Returns the requirement of this test with the given ID, or the half of it that the test decides. Throws
   // std::logic_error if the test does not decide it.
   RequirementId requirement(const std::string& id) const;
-
-  // Excludes values that no map supplies from the subject of the test. A wrong value of this kind violates
-  // Mismatch::rule_of_current_values, and leaves the test's own requirements undecided.
-  void leave_current_values_to_their_rules() { judges_current_values_ = false; }
 
   // Makes the test judge the order in which EvalMesh2 draws. Other tests accept the points, lines and
   // polygons of a mesh in any order, so that an implementation with another order fails only in the tests of
@@ -156,9 +154,8 @@ class Test {
   // Adds a failure. Throws NotObservable if the control of the observed case fails in the same way.
   // `calls`: returns the calls of the case; called only for failures that are kept in full.
   // `check`: decides the failure in a stand-alone C program.
-  // `rule`: the violated requirement; empty: those of decide().
   void fail(Failure failure, const std::function<std::vector<std::string>()>& calls = {},
-            const std::optional<gl::Check>& check = {}, const std::string& rule = {});
+            const std::optional<gl::Check>& check = {});
   // True if a failure has a plot already: one is enough for a test.
   bool has_plot() const;
 
@@ -166,6 +163,8 @@ class Test {
   void run(const std::function<void(Test&)>& body);
 
  private:
+  // Makes the next failures violate the requirements to which the table of blame gives the observation.
+  void blame(Observed observed);
   gl::DeliveredCase begin_case(const gl::Case& script);
   // Runs the case with Enable(CULL_FACE), IsEnabled(LIGHTING) or GetIntegerv(MATRIX_MODE) in place of the
   // commands, queries by Is or Get that are rejected between Begin and End. Throws NotObservable if these
@@ -205,7 +204,7 @@ class Test {
 
   const Subject& subject_;
   TestRecord& record_;
-  bool judges_order_of_meshes_ = false, judges_current_values_ = true;
+  bool judges_order_of_meshes_ = false;
   std::vector<RequirementId> decided_;
   bool violates_all_ = false;  // a failure violates all requirements of the test
   gl::Delivery delivery_;
