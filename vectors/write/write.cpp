@@ -9,53 +9,44 @@
 namespace evalcts::vectors {
 namespace {
 
-struct Kind {
+struct ValueKind {
   const char* name;
-  std::function<Document(const std::vector<SuiteCase>&)> make;
+  Document (*make)();
 };
+constexpr ValueKind kValues[] = {
+    {"map1_eval", map1_eval}, {"map2_eval", map2_eval}, {"grid", grid}, {"auto_normal", auto_normal}};
 
-// Returns a kind of sequences.
-Kind of_suite(const char* name, const char* description) {
-  return {name, [=](const std::vector<SuiteCase>& cases) { return sequences(name, description, cases); }};
-}
-// Returns a kind that needs no cases of the suite.
-Kind of_values(const char* name, Document (*make)()) {
-  return {name, [=](const std::vector<SuiteCase>&) { return make(); }};
-}
-
-const std::vector<Kind>& all() {
-  static const std::vector<Kind> kAll = {
-      of_values("map1_eval", map1_eval),
-      of_values("map2_eval", map2_eval),
-      of_values("grid", grid),
-      of_values("auto_normal", auto_normal),
-      of_suite("errors",
-               "Which errors commands raise, and that a command which raises one does nothing else."),
-      of_suite("get_map", "The answers to queries."),
-      of_suite("state",
-               "Sequences of commands: errors, answers to queries, and the vertices that are drawn.")};
-  return kAll;
-}
+struct SequenceKind {
+  const char *name, *description;
+};
+constexpr SequenceKind kSequences[] = {
+    {"errors", "Which errors commands raise, and that a command which raises one does nothing else."},
+    {"get_map", "The answers to queries."},
+    {"state", "Sequences of commands: errors, answers to queries, and the vertices that are drawn."}};
 
 }  // namespace
 
 const std::vector<std::string>& kinds() {
   static const std::vector<std::string> kNames = [] {
-    std::vector<std::string> list;
-    for (const Kind& kind : all()) list.emplace_back(kind.name);
-    return list;
+    std::vector<std::string> names;
+    for (const ValueKind& kind : kValues) names.emplace_back(kind.name);
+    for (const SequenceKind& kind : kSequences) names.emplace_back(kind.name);
+    return names;
   }();
   return kNames;
 }
 
-void write_all(const std::filesystem::path& folder, const std::vector<SuiteCase>& cases,
+void write_all(const std::filesystem::path& folder,
+               const std::function<std::vector<SuiteCase>()>& cases_of_suite,
                const std::function<void(const Written&)>& wrote) {
-  for (const Kind& kind : all()) {
-    const Document document = kind.make(cases);
+  const auto write = [&](const Document& document) {
     const std::string text = document.text();
-    write_atomically(folder / fmt::format("{}.json", kind.name), text);
-    wrote({kind.name, document.size(), text.size()});
-  }
+    write_atomically(folder / fmt::format("{}.json", document.kind()), text);
+    wrote({document.kind(), document.size(), text.size()});
+  };
+  for (const ValueKind& kind : kValues) write(kind.make());
+  const std::vector<SuiteCase> cases = cases_of_suite();
+  for (const auto& [name, description] : kSequences) write(sequences(name, description, cases));
 }
 
 }  // namespace evalcts::vectors
