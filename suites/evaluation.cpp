@@ -349,9 +349,7 @@ EVALCTS_TEST(Evaluation, DimensionsInTurn, kMust, "EV-COORD-MIXDIM", by(gl::list
 // dimension.
 EVALCTS_TEST(Evaluation, DimensionsInTurnWithOtherMaps, kMust, "EV-COORD-MIXDIM", "EV-COORD-CURRENT",
              by(gl::list_deliveries()))
-(Test& t) {
-  expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_NORMAL);
-};
+(Test& t) { expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_NORMAL); };
 
 EVALCTS_TEST_PAIR(Evaluation.NoArgumentIsAnError, Evaluation.NoArgumentIsAnError2, kMust,
                   decide("EV-COORD-NOERR/1-D", "EV-COORD-NOERR/2-D"), combine(kForms))

@@ -47,7 +47,7 @@ constexpr Row kBlame[] = {
     {"EV-DL-ERR-CONTINUE", Kinds{Observed::kAnswer} | kCurrent},
     {"EV-DL-ERR-ALL", Kinds{Observed::kError, Observed::kChange} | kCurrent},
     {"-ERR-", Kinds{Observed::kError, Observed::kCompilingError} | kCurrent},
-    // Which map is used shows in the values that maps supply.
+    // The choice of a map shows in the values that maps supply.
     {"EV-PREC-", kAllButCurrent},
     {"EV-EN-MULTI", kAllButCurrent},
     {"EV-DL-EXECSTATE-MAP", kAllButCurrent},

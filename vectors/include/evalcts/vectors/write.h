@@ -27,8 +27,8 @@ struct Written {
   std::size_t cases, bytes;
 };
 // Writes KIND.json to the folder for each kind, atomically, and calls `wrote` after each file with its kind
-// and its numbers of cases and bytes. `cases_of_suite` returns the cases of all tests whose cases are vectors,
-// in their order. Throws std::runtime_error if a file cannot be written.
+// and its numbers of cases and bytes. `cases_of_suite` returns the cases of all tests whose cases are
+// vectors, in their order. Throws std::runtime_error if a file cannot be written.
 void write_all(const std::filesystem::path& folder,
                const std::function<std::vector<SuiteCase>()>& cases_of_suite,
                const std::function<void(const Written&)>& wrote);
