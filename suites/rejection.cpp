@@ -97,14 +97,19 @@ Map legal_map(GLenum target) {
 }
 
 Map with_room(Map map) {
-  constexpr std::size_t kMostValues = 4, kFewest = 64;
-  const auto reach = [&](int order, int stride) {
-    if (order <= 1) return std::size_t{0};
-    return static_cast<std::size_t>(order - 1) *
-           std::max(static_cast<std::size_t>(std::max(stride, 0)), kMostValues);
+  constexpr std::size_t kMostValues = 4, kFewest = 64, kMost = 8192;
+  // A library may take an order that is not positive for one modulo a power of two.
+  const auto points = [](int order) { return static_cast<std::size_t>(order > 0 ? order : 64); };
+  const auto values = [&](int stride) {
+    return std::max(static_cast<std::size_t>(std::max(stride, 0)), kMostValues);
   };
-  const std::size_t needed = reach(map.uorder, map.ustride) + reach(map.vorder, map.vstride) + kMostValues;
-  map.points.resize(std::max(needed, kFewest), 0.5);
+  const std::size_t u = points(map.uorder), v = points(map.vorder);
+  const auto extent = [&](int along_u, int along_v) {
+    return (u - 1) * values(along_u) + (v - 1) * values(along_v) +
+           (map.two ? std::min(values(along_u), values(along_v)) : values(along_u));
+  };
+  const std::size_t swapped = std::min(extent(map.vstride, map.ustride), kMost);
+  map.points.resize(std::max({extent(map.ustride, map.vstride), swapped, u * v * kMostValues, kFewest}), 0.5);
   return map;
 }
 

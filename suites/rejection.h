@@ -48,7 +48,8 @@ void judge_rejected(Test& t, const std::string& identity, const std::vector<Call
 // Returns a legal map, of which a test then changes one argument.
 Map legal_map(GLenum target);
 // Gives the map so many values that a library which reads the points before it rejects the call stays within
-// the array: points of four values at strides of at least four, and 64 values or more.
+// the array, also if it takes the points as packed or exchanges the strides. The values behind the last point
+// are there, too (U-TAIL).
 Map with_room(Map map);
 
 // The members of Map that belong to one direction.

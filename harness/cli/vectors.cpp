@@ -37,11 +37,7 @@ std::string content_of(const fs::path& file) {
   return content.str();
 }
 
-}  // namespace
-
-namespace {
-
-// Suites about values, which the files of values have, and about relations between the answers to two cases.
+// Suites about values, which have files of their own, and about relations between two cases.
 constexpr char kSuitesOfValues[] = "Map1Values.*:Map2Values.*:Metamorphic.*:Numeric.*:Map?Accuracy.*";
 
 // Returns the cases of the tests of quick depth, in the order of their names. Only what citable text demands
@@ -56,13 +52,16 @@ std::vector<vectors::SuiteCase> cases_of_suite() {
     for (const RequirementId& each : test.requirements) requirements[test.name].push_back(each.id);
   }
   std::vector<vectors::SuiteCase> cases;
-  std::string running;
+  std::string running, failing;
   const bool is_complete = run_on_specification(names, [&](const Event& event) {
     if (const auto* test = std::get_if<TestStarted>(&event)) running = test->name;
     if (const auto* started = std::get_if<CaseStarted>(&event))
       if (!started->is_control && !started->commands.empty())
         cases.push_back({running, requirements[running], gl::parse_case(started->commands)});
+    if (const auto* finished = std::get_if<TestFinished>(&event); finished && finished->record.is_bad())
+      failing = finished->record.name;
   });
+  if (!failing.empty()) throw std::runtime_error(fmt::format("{} fails on the specification", failing));
   if (!is_complete) throw std::runtime_error("the suite does not run to its end on the specification");
   return cases;
 }

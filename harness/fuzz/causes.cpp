@@ -52,9 +52,7 @@ std::set<std::string> marks_of(const gl::Case& program) {
     marks.insert(without_form(name));
     for (const gl::Value& value : command.arguments)
       if (const auto* token = std::get_if<std::int64_t>(&value))
-        marks.insert(name.substr(2) + " " +
-                     (command.entry == EntryPoint::Begin ? gl::primitive_name
-                                                         : gl::token_name)(static_cast<GLenum>(*token)));
+        marks.insert(name.substr(2) + " " + gl::token_name(static_cast<GLenum>(*token)));
     if (command.entry == EntryPoint::NewList) is_open = true;
     if (command.entry == EntryPoint::EndList) is_open = false;
     if (is_open && command.entry == EntryPoint::CallList) marks.insert(kCallInList);

@@ -56,6 +56,7 @@ constexpr Row kBlame[] = {
     {"EV-ATTRIB-NOMAPS", kAllButCurrent},
     // Requirements on all vertices of any program.
     {"EV-COORD-ASIF", kAllButCurrent},
+    {"EV-DL-REPEAT", kAllButCurrent},
     {"EV-BE-ORDER", kAllButCurrent},
 };
 

@@ -13,7 +13,7 @@ from .values import check_component, check_normal
 OUTPUTS = {"Boolean": "u8", "Integer": "i32", "Float": "f32", "Double": "f64",
            "i": "i32", "f": "f32", "d": "f64"}
 HALF = Fraction(1, 2)
-# The steps of a case list this number of vertices; those of further steps are summarised.
+# The steps of a case list at most this number of vertices; those of a step that would list more are summarised.
 MOST_LISTED = 24
 DIGESTED = "position", "color", "normal", "texture_coordinates"
 EMITTERS = ("End", "EvalMesh1", "EvalMesh2", "CallList", "CallLists")

@@ -21,7 +21,7 @@ TEST(Document, HasOneCaseALine) {
   EXPECT_EQ(document.text(), R"({
  "format": "evalcts-vectors-1",
  "schemaVersion": "1.1",
- "generatorVersion": "4",
+ "generatorVersion": "3",
  "kind": "grid",
  "description": "Words.",
  "numberOfTests": 3,

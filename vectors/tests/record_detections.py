@@ -3,9 +3,9 @@
 
     record_detections.py BUILD_FOLDER [--check] [--jobs N] [NAME...]
 
-`vectors` is the first case that detects it, of an evaluator the first of its theme. `suite` is a test of quick depth that detects it,
-otherwise the recorded test of another depth, or null; then `reason`, written by hand, says why. Each wrong
-evaluator or state machine runs as a sink (python_sink.c) through the tests, the likely ones first, until one
+`vectors` is the first case that detects it (for an evaluator, the first of its theme). `suite` is a test of quick
+depth that detects it, otherwise the recorded test of another depth, or null; then `reason`, written by hand,
+says why. Each wrong evaluator or state machine runs as a sink (python_sink.c) through the tests, the likely ones first, until one
 fails that the correct machine passes. If names ("evaluator: NAME", "state machine: NAME") are given, the entries
 of all others are kept. With --check nothing is written: all recorded tests must exist, and those of the names
 must pass with the correct machine and fail with the wrong one.

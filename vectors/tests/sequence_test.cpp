@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t kLong = 1'000'000;
 
-Json steps(const gl::Case& c) { return sequence(c, kLong)["steps"]; }
+Json sequence_of(const gl::Case& c) { return sequence(cut_off(c, kLong)); }
+Json steps(const gl::Case& c) { return sequence_of(c)["steps"]; }
 
 TEST(Sequence, NamesCommandsAndArguments) {
   gl::Case c;
@@ -84,7 +85,7 @@ TEST(Sequence, AnswersNothingWhereTheQueryIsRefused) {
 
 // Returns {level, since, names of the commands whose step has a level}.
 Json standing(const gl::Case& c) {
-  const Json found = sequence(c, kLong);
+  const Json found = sequence_of(c);
   Json list = Json::array({found["level"], found["since"]});
   for (const Json& step : found["steps"])
     if (step.contains("level")) list.push_back(step["call"][0]);
@@ -215,13 +216,16 @@ TEST(Sequence, HasTheCommandsOfEvaluatorsOnly) {
   EXPECT_EQ(as_text(all[0]["call"][0]), "IsEnabled");
 }
 
-// A case ends before what it does not show, and outside of primitives and lists.
+// A case ends outside of primitives and lists, and before what has no form.
 TEST(Sequence, IsCutOffWhereItMayEnd) {
   const auto size_with = [](const std::function<void(gl::Case&)>& more, std::size_t most = kLong) {
     gl::Case c;
     c.IsEnabled(GL_MAP1_INDEX);
     more(c);
-    return sequence(c, most)["steps"].size();
+    return sequence(cut_off(c, most))["steps"].size();
+  };
+  const auto long_end = [](gl::Case& c) {
+    for (int i = 0; i < 100; ++i) c.MapGrid1f(2, 0, 1);
   };
   EXPECT_EQ(size_with([](gl::Case& c) { c.MapGrid1f(2, 0, 1); }), 2u);
   EXPECT_EQ(size_with([](gl::Case& c) { c.Begin(GL_POINTS); }), 1u);
@@ -238,11 +242,27 @@ TEST(Sequence, IsCutOffWhereItMayEnd) {
   EXPECT_EQ(size_with([](gl::Case& c) { c.ActiveTexture(GL_TEXTURE7); }), 2u);
   EXPECT_EQ(size_with([](gl::Case& c) { c.ActiveTexture(GL_TEXTURE7 + 1); }), 1u);
   EXPECT_EQ(size_with([](gl::Case& c) { c.OtherContextEVALCTS(1); }), 1u);
-  EXPECT_EQ(size_with([](gl::Case& c) { c.MapGrid1f(2, 0, 1); }, 10), 1u);
+  EXPECT_EQ(size_with(long_end), 101u);
+  EXPECT_LT(size_with(long_end, 10), 60u);
   gl::Case open;
   open.Begin(GL_POINTS);
   open.IsEnabled(GL_MAP1_INDEX);
   EXPECT_THROW(steps(open), HasNoForm);
+}
+
+// A case does not end before the first error, vertex and call of a list that it has.
+TEST(Sequence, ShowsWhatTheCaseIsAbout) {
+  const auto kept = [](const std::function<void(gl::Case&)>& last) {
+    gl::Case c;
+    c.Enable(GL_MAP1_VERTEX_3);
+    c.IsEnabled(GL_MAP1_INDEX);
+    for (int i = 0; i < 100; ++i) c.MapGrid1f(2, 0, 1);
+    last(c);
+    return sequence(cut_off(c, 10))["steps"].size();
+  };
+  EXPECT_EQ(kept([](gl::Case& c) { c.MapGrid1f(0, 0, 1); }), 103u);
+  EXPECT_EQ(kept([](gl::Case& c) { c.EvalMesh1(GL_POINT, 0, 1); }), 103u);
+  EXPECT_EQ(kept([](gl::Case& c) { c.CallList(7); }), 103u);
 }
 
 }  // namespace

@@ -112,41 +112,30 @@ Json call_of(const gl::Command& command) {
   return call;
 }
 
-// Returns the case up to the first command that makes another context.
-gl::Case of_first_context(const gl::Case& script) {
-  gl::Case start;
+// The JSON text of all calls of a case has at most this size.
+constexpr std::size_t kMostBytesOfCalls = 60'000;
+
+// Returns the first commands of a case, up to the first without a form, and within kMostBytesOfCalls.
+// Commands of other parts of the GL are left out.
+gl::Case with_form(const gl::Case& script) {
+  gl::Case first_context;
   for (const gl::Command& command : script.commands()) {
     if (name_of(command).ends_with("EVALCTS")) break;
-    start.add(command);
+    first_context.add(command);
   }
-  return start;
-}
-
-// The first commands of a case, as far as the specification has them.
-struct Start {
-  gl::Case script;
-  std::vector<Json> calls;
-};
-
-// The JSON text of all calls of a case has at most this size.
-constexpr std::size_t kMostBytesOfCalls = 24'000;
-
-// Returns the commands up to the first without a form, and within kMostBytesOfCalls. Commands of other parts
-// of the GL are left out.
-Start start_of(const gl::Case& script) {
-  const std::vector<bool> known = specified_commands(script, OtherState::kSkipped);
-  Start start;
-  try {
-    std::size_t bytes = 0;
-    for (std::size_t i = 0; i < known.size(); ++i) {
-      if (!known[i]) continue;
-      Json call = call_of(script.commands()[i]);
-      if ((bytes += call.dump().size()) > kMostBytesOfCalls) break;
-      start.script.add(script.commands()[i]);
-      start.calls.push_back(std::move(call));
+  const std::vector<bool> known = specified_commands(first_context, OtherState::kSkipped);
+  gl::Case start;
+  std::size_t bytes = 0;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const gl::Command& command = script.commands()[i];
+    if (!known[i]) continue;
+    try {
+      bytes += call_of(command).dump().size();
+    } catch (const HasNoForm&) {
+      break;
     }
-  } catch (const HasNoForm&) {
-    return start;
+    if (bytes > kMostBytesOfCalls) break;
+    start.add(command);
   }
   return start;
 }
@@ -317,7 +306,8 @@ Json emitted(const reference::Primitive& primitive, const Shown& shown, Standing
 
 using Primitives = std::vector<const reference::Primitive*>;
 
-// The steps of a case list this number of vertices; those of further steps are summarised.
+// The steps of a case list at most this number of vertices; those of a step that would list more are
+// summarised.
 constexpr std::size_t kMostListed = 24;
 // A case ends before the step with which it would draw more.
 constexpr std::size_t kMostVertices = 12'000;
@@ -416,25 +406,23 @@ bool writes(const gl::Command& command) {
   return !command.arguments.empty() && std::holds_alternative<gl::Output>(command.arguments.back());
 }
 
-// Makes the steps of a case one after the other, and remembers the latest place at which the case may end:
-// outside of primitives and display lists.
+// Makes the steps of a case one after the other.
 class Steps {
  public:
-  Steps(const gl::Case& script, const Specified& specified, std::size_t most_bytes)
-      : script_(script), specified_(specified), shown_(shown_by(script)), most_bytes_(most_bytes) {}
+  Steps(const gl::Case& script, const Specified& specified)
+      : script_(script), specified_(specified), shown_(shown_by(script)) {}
 
   // Adds the step of a command. Throws HasNoForm.
-  void add(std::size_t i, Json call) {
+  void add(std::size_t i) {
     const gl::Command& command = script_.commands()[i];
     const std::vector<GLenum>& raised = specified_.errors[i];
     const auto& permitted = specified_.permitted[i];
-    Json step = {{"call", std::move(call)}};
+    Json step = {{"call", call_of(command)}};
     for (const GLenum error : raised)
       if (std::ranges::count(pending_, error) == 0) pending_.push_back(error);
     if (!specified_.inside[i]) {
       Json errors = Json::array();
       for (const GLenum error : pending_) errors.push_back(gl::error_name(error));
-      shows_something_ = shows_something_ || !errors.empty();
       step["errors"] = std::move(errors);
       pending_.clear();
     }
@@ -447,24 +435,12 @@ class Steps {
                             : Json::array();
     if (std::ranges::any_of(permitted, &reference::PermittedValue::is_advisory)) step["level"] = "advisory";
     if (may_emit(command)) step["emits"] = emits(i);
-    shows_something_ = shows_something_ || step.contains("answers") || step.contains("emits");
     bytes_ += step.dump().size();
     steps_.push_back(std::move(step));
-    if (raised.empty() && command.entry == gl::EntryPoint::NewList) is_compiling_ = true;
-    if (raised.empty() && command.entry == gl::EntryPoint::EndList) is_compiling_ = false;
-    if (specified_.inside[i] || is_compiling_ || !shows_something_) return;
-    if (is_full()) return;
-    whole_ = {{"level", standing_.level()}, {"since", standing_.since()}, {"steps", steps_.size()}};
   }
-  // True if further steps cannot be part of the case.
-  bool is_full() const { return bytes_ > most_bytes_ && !whole_.is_null(); }
-
-  // Returns the case up to the latest place at which it may end, if it shows anything. Throws HasNoForm.
-  Json whole() {
-    if (whole_.is_null()) throw HasNoForm("nothing to see within its first commands");
-    steps_.erase(steps_.begin() + whole_["steps"].get<std::ptrdiff_t>(), steps_.end());
-    whole_["steps"] = std::move(steps_);
-    return std::move(whole_);
+  std::size_t bytes() const { return bytes_; }
+  Json sequence() && {
+    return {{"level", standing_.level()}, {"since", standing_.since()}, {"steps", std::move(steps_)}};
   }
 
  private:
@@ -486,29 +462,90 @@ class Steps {
   const gl::Case& script_;
   const Specified& specified_;
   const Shown shown_;
-  const std::size_t most_bytes_;
   Json steps_ = Json::array();
   Standing standing_;
   std::vector<GLenum> pending_;  // errors that were raised since the last step outside Begin and End
   std::size_t completed_ = 0, vertices_ = 0, listed_ = 0, bytes_ = 0;
-  bool is_compiling_ = false, shows_something_ = false;
-  Json whole_;  // the case without its steps, and their number
+};
+
+// The places at which a case may end: outside of primitives and display lists, and behind the first of each
+// of the things that it shows: an error, a vertex, the call of a list, or, without these, an answer or an
+// emission of nothing.
+class PossibleEnds {
+ public:
+  PossibleEnds(const gl::Case& script, const Specified& specified) : script_(script), specified_(specified) {
+    const auto count = static_cast<int>(script.commands().size());
+    due_ = {
+        .error = std::ranges::any_of(specified.errors, [](const auto& errors) { return !errors.empty(); }),
+        .vertex = specified.prediction.vertex_count() > 0,
+        .call = std::ranges::any_of(script.commands(), is_call)};
+    for (int i = 0; i < count && !due_.error && !due_.vertex && !due_.call; ++i)
+      due_.answer = due_.answer || shows_an_answer(script.commands()[static_cast<std::size_t>(i)]);
+  }
+
+  // Returns true if the case may end behind the command. Asks for all commands in order.
+  bool may_end_behind(std::size_t i) {
+    const gl::Command& command = script_.commands()[i];
+    const bool is_rejected = !specified_.errors[i].empty();
+    if (!is_rejected && command.entry == gl::EntryPoint::NewList) is_compiling_ = true;
+    if (!is_rejected && command.entry == gl::EntryPoint::EndList) is_compiling_ = false;
+    seen_.error = seen_.error || is_rejected;
+    for (; completed_ < specified_.completed[i]; ++completed_)
+      seen_.vertex = seen_.vertex || !specified_.prediction.primitives[completed_].vertices.empty();
+    seen_.call = seen_.call || (!is_compiling_ && is_call(command));
+    seen_.answer = seen_.answer || (!is_compiling_ && shows_an_answer(command));
+    return !specified_.inside[i] && !is_compiling_ && seen_.error >= due_.error &&
+           seen_.vertex >= due_.vertex && seen_.call >= due_.call && seen_.answer >= due_.answer &&
+           (due_.error || due_.vertex || due_.call || due_.answer);
+  }
+
+ private:
+  struct Things {
+    bool error = false, vertex = false, call = false, answer = false;
+  };
+  static bool is_call(const gl::Command& command) { return name_of(command).starts_with("CallList"); }
+  static bool shows_an_answer(const gl::Command& command) {
+    return writes(command) || returns_a_flag(command) || may_emit(command);
+  }
+
+  const gl::Case& script_;
+  const Specified& specified_;
+  Things due_, seen_;
+  std::size_t completed_ = 0;
+  bool is_compiling_ = false;
 };
 
 }  // namespace
 
-Json sequence(const gl::Case& script, std::size_t most_bytes) {
-  Start start = start_of(of_first_context(script));
-  const Specified specified = specify(start.script, kMaxEvalOrder);
-  Steps steps(start.script, specified, most_bytes);
+gl::Case cut_off(const gl::Case& whole, std::size_t most_bytes) {
+  constexpr std::size_t kAtLeastMore = 3'000;  // bytes behind the first place at which the case may end
+  const gl::Case script = with_form(whole);
+  const Specified specified = specify(script, kMaxEvalOrder);
+  Steps steps(script, specified);
+  PossibleEnds possible(script, specified);
+  std::size_t kept = 0, most = std::numeric_limits<std::size_t>::max();
   try {
-    for (std::size_t i = 0; i < start.calls.size() && !steps.is_full(); ++i)
-      if (start.script.commands()[i].entry != gl::EntryPoint::GetError)
-        steps.add(i, std::move(start.calls[i]));
-  } catch (const HasNoForm&) {
-    return steps.whole();
+    for (std::size_t i = 0; i < script.commands().size(); ++i) {
+      if (script.commands()[i].entry != gl::EntryPoint::GetError) steps.add(i);
+      if (kept > 0 && steps.bytes() > most) break;
+      if (!possible.may_end_behind(i)) continue;
+      if (kept == 0) most = std::max(most_bytes, steps.bytes() + kAtLeastMore);
+      kept = i + 1;
+    }
+  } catch (const HasNoForm&) {  // the case ends before that step
   }
-  return steps.whole();
+  if (kept == 0) throw HasNoForm("nothing to see within its first commands");
+  gl::Case left;
+  for (std::size_t i = 0; i < kept; ++i) left.add(script.commands()[i]);
+  return left;
+}
+
+Json sequence(const gl::Case& script) {
+  const Specified specified = specify(script, kMaxEvalOrder);
+  Steps steps(script, specified);
+  for (std::size_t i = 0; i < script.commands().size(); ++i)
+    if (script.commands()[i].entry != gl::EntryPoint::GetError) steps.add(i);
+  return std::move(steps).sequence();
 }
 
 }  // namespace evalcts::vectors

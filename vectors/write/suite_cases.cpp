@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include <evalcts/gl/display_lists.h>
 #include <evalcts/vectors/write.h>
 #include "kinds.h"
 #include "sequences.h"
@@ -14,7 +13,8 @@ namespace evalcts::vectors {
 namespace {
 
 // Sizes of JSON text. The cases of a test function share kMostBytesOfFunction: the first case of each test
-// has its share of it, at least kLeastBytesOfCase; second and further cases follow until it is used up.
+// has its share of it, at least kLeastBytesOfCase; second and further cases follow until it is used up. First
+// cases may take more, because a case is not cut off before it shows something, but not twice as much.
 constexpr std::size_t kMostBytesOfFunction = 30'000, kLeastBytesOfCase = 5'000;
 
 // Returns the flags by which a reader skips a case, with their meanings.
@@ -47,8 +47,9 @@ std::string kind_of(const std::string& test) {
 }
 
 struct Sequence {
-  const SuiteCase* of;
+  const SuiteCase* suite_case;
   int number;  // of the case among those of its test, from 1
+  gl::Case script;
   Json content;
 };
 
@@ -72,18 +73,19 @@ std::map<std::string, std::vector<Sequence>> exported(const std::string& kind,
     std::set<std::string> texts;
     std::size_t bytes = 0;
     for (const SuiteCase* const each : of_function) {
-      if (bytes >= kMostBytesOfFunction && numbers[each] > 1) break;
+      if (bytes >= (numbers[each] == 1 ? 2 : 1) * kMostBytesOfFunction) break;
       try {
-        Json content = sequence(each->script, share);
+        gl::Case script = cut_off(each->script, share);
+        Json content = sequence(script);
         const std::string text = content.dump();
         if (!texts.insert(text).second) continue;
         bytes += text.size();
-        all[function].push_back({each, numbers[each], std::move(content)});
+        all[function].push_back({each, numbers[each], std::move(script), std::move(content)});
       } catch (const HasNoForm&) {
         continue;
       }
     }
-    std::ranges::sort(all[function], {}, &Sequence::of);
+    std::ranges::sort(all[function], {}, &Sequence::suite_case);
   }
   return all;
 }
@@ -94,14 +96,15 @@ Document sequences(const std::string& kind, const std::string& description,
                    const std::vector<SuiteCase>& cases) {
   Document document(kind, description);
   for (const auto& [function, of_function] : exported(kind, cases))
-    for (const auto& [of, number, content] : of_function) {
+    for (const auto& [suite_case, number, script, content] : of_function) {
       Names flags = {function};
       document.explain(function, fmt::format("the test {} of the suite", function));
-      for (const auto& [flag, meaning] : flags_of(of->script)) {
+      for (const auto& [flag, meaning] : flags_of(script)) {
         document.explain(flag, meaning);
         flags.push_back(flag);
       }
-      document.add(fmt::format("{}.{}.{}", kind, of->test, number), of->requirements, flags, content);
+      document.add(fmt::format("{}.{}.{}", kind, suite_case->test, number), suite_case->requirements, flags,
+                   content);
     }
   return document;
 }
