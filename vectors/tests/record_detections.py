@@ -184,7 +184,8 @@ def write(suite, names, jobs):
             detections[name] = entry
             print(name, entry, flush=True)
             known = {each: detections[each] for each in ALL if each in detections}
-            RECORD.write_text(json.dumps(known, indent=1) + "\n")
+            lines = (f" {json.dumps(each)}: {json.dumps(entry)}" for each, entry in known.items())
+            RECORD.write_text("{\n" + ",\n".join(lines) + "\n}\n")
 
 
 def main():
