@@ -1,4 +1,4 @@
-// Runs tests of the suite on the executable specification, where they pass.
+// Runs tests of the suite on the executable specification, and observes their cases.
 #pragma once
 
 #include <filesystem>

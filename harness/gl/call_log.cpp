@@ -64,30 +64,8 @@ const char* after_call(AfterCall after) {
 
 // Returns a mask of attribute groups or buffers by their names, if there are few.
 std::string bits(GLbitfield mask) {
-  constexpr std::pair<GLbitfield, const char*> kBits[] = {{GL_CURRENT_BIT, "GL_CURRENT_BIT"},
-                                                          {GL_POINT_BIT, "GL_POINT_BIT"},
-                                                          {GL_LINE_BIT, "GL_LINE_BIT"},
-                                                          {GL_POLYGON_BIT, "GL_POLYGON_BIT"},
-                                                          {GL_LIGHTING_BIT, "GL_LIGHTING_BIT"},
-                                                          {GL_FOG_BIT, "GL_FOG_BIT"},
-                                                          {GL_DEPTH_BUFFER_BIT, "GL_DEPTH_BUFFER_BIT"},
-                                                          {GL_STENCIL_BUFFER_BIT, "GL_STENCIL_BUFFER_BIT"},
-                                                          {GL_VIEWPORT_BIT, "GL_VIEWPORT_BIT"},
-                                                          {GL_TRANSFORM_BIT, "GL_TRANSFORM_BIT"},
-                                                          {GL_ENABLE_BIT, "GL_ENABLE_BIT"},
-                                                          {GL_COLOR_BUFFER_BIT, "GL_COLOR_BUFFER_BIT"},
-                                                          {GL_EVAL_BIT, "GL_EVAL_BIT"},
-                                                          {GL_LIST_BIT, "GL_LIST_BIT"},
-                                                          {GL_TEXTURE_BIT, "GL_TEXTURE_BIT"},
-                                                          {GL_SCISSOR_BIT, "GL_SCISSOR_BIT"}};
-  std::vector<const char*> names;
-  GLbitfield rest = mask;
-  for (const auto& [bit, name] : kBits) {
-    if (!(mask & bit)) continue;
-    names.push_back(name);
-    rest &= ~bit;
-  }
-  if (rest || names.empty() || names.size() > 4) return fmt::format("0x{:X}", mask);
+  const std::vector<const char*> names = names_of_bits(mask);
+  if (names.empty() || names.size() > 4) return fmt::format("0x{:X}", mask);
   return fmt::format("{}", fmt::join(names, " | "));
 }
 
@@ -126,6 +104,36 @@ std::string argument(const Value& value, char kind, std::size_t most_elements) {
 }
 
 }  // namespace
+
+std::vector<const char*> names_of_bits(GLbitfield mask) {
+  constexpr std::pair<GLbitfield, const char*> kBits[] = {{GL_CURRENT_BIT, "GL_CURRENT_BIT"},
+                                                          {GL_POINT_BIT, "GL_POINT_BIT"},
+                                                          {GL_LINE_BIT, "GL_LINE_BIT"},
+                                                          {GL_POLYGON_BIT, "GL_POLYGON_BIT"},
+                                                          {GL_POLYGON_STIPPLE_BIT, "GL_POLYGON_STIPPLE_BIT"},
+                                                          {GL_PIXEL_MODE_BIT, "GL_PIXEL_MODE_BIT"},
+                                                          {GL_LIGHTING_BIT, "GL_LIGHTING_BIT"},
+                                                          {GL_FOG_BIT, "GL_FOG_BIT"},
+                                                          {GL_DEPTH_BUFFER_BIT, "GL_DEPTH_BUFFER_BIT"},
+                                                          {GL_ACCUM_BUFFER_BIT, "GL_ACCUM_BUFFER_BIT"},
+                                                          {GL_STENCIL_BUFFER_BIT, "GL_STENCIL_BUFFER_BIT"},
+                                                          {GL_VIEWPORT_BIT, "GL_VIEWPORT_BIT"},
+                                                          {GL_TRANSFORM_BIT, "GL_TRANSFORM_BIT"},
+                                                          {GL_ENABLE_BIT, "GL_ENABLE_BIT"},
+                                                          {GL_COLOR_BUFFER_BIT, "GL_COLOR_BUFFER_BIT"},
+                                                          {GL_HINT_BIT, "GL_HINT_BIT"},
+                                                          {GL_EVAL_BIT, "GL_EVAL_BIT"},
+                                                          {GL_LIST_BIT, "GL_LIST_BIT"},
+                                                          {GL_TEXTURE_BIT, "GL_TEXTURE_BIT"},
+                                                          {GL_SCISSOR_BIT, "GL_SCISSOR_BIT"}};
+  std::vector<const char*> names;
+  for (const auto& [bit, name] : kBits) {
+    if ((mask & bit) == 0) continue;
+    names.push_back(name);
+    mask &= ~bit;
+  }
+  return mask == 0 ? names : std::vector<const char*>();
+}
 
 std::string c_constant(float value) { return constant(value, "f"); }
 std::string c_constant(double value) { return constant(value, ""); }

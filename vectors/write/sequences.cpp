@@ -2,6 +2,7 @@
 #include "sequences.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <reference/map.h>
 #include <reference/rounding.h>
 
@@ -11,6 +12,7 @@
 #include <limits>
 #include <set>
 
+#include <evalcts/gl/call_log.h>
 #include <evalcts/gl/case_json.h>
 #include <evalcts/gl/tokens.h>
 #include <evalcts/judge/prediction.h>
@@ -46,35 +48,10 @@ int texture_units_of(const gl::Command& command) {
 }
 
 std::string bits(GLbitfield mask) {
-  constexpr std::pair<GLbitfield, const char*> kBits[] = {{GL_CURRENT_BIT, "GL_CURRENT_BIT"},
-                                                          {GL_POINT_BIT, "GL_POINT_BIT"},
-                                                          {GL_LINE_BIT, "GL_LINE_BIT"},
-                                                          {GL_POLYGON_BIT, "GL_POLYGON_BIT"},
-                                                          {GL_POLYGON_STIPPLE_BIT, "GL_POLYGON_STIPPLE_BIT"},
-                                                          {GL_PIXEL_MODE_BIT, "GL_PIXEL_MODE_BIT"},
-                                                          {GL_LIGHTING_BIT, "GL_LIGHTING_BIT"},
-                                                          {GL_FOG_BIT, "GL_FOG_BIT"},
-                                                          {GL_DEPTH_BUFFER_BIT, "GL_DEPTH_BUFFER_BIT"},
-                                                          {GL_ACCUM_BUFFER_BIT, "GL_ACCUM_BUFFER_BIT"},
-                                                          {GL_STENCIL_BUFFER_BIT, "GL_STENCIL_BUFFER_BIT"},
-                                                          {GL_VIEWPORT_BIT, "GL_VIEWPORT_BIT"},
-                                                          {GL_TRANSFORM_BIT, "GL_TRANSFORM_BIT"},
-                                                          {GL_ENABLE_BIT, "GL_ENABLE_BIT"},
-                                                          {GL_COLOR_BUFFER_BIT, "GL_COLOR_BUFFER_BIT"},
-                                                          {GL_HINT_BIT, "GL_HINT_BIT"},
-                                                          {GL_EVAL_BIT, "GL_EVAL_BIT"},
-                                                          {GL_LIST_BIT, "GL_LIST_BIT"},
-                                                          {GL_TEXTURE_BIT, "GL_TEXTURE_BIT"},
-                                                          {GL_SCISSOR_BIT, "GL_SCISSOR_BIT"}};
   if (mask == GL_ALL_ATTRIB_BITS) return "GL_ALL_ATTRIB_BITS";
-  std::string names;
-  for (const auto& [bit, name] : kBits)
-    if ((mask & bit) != 0) {
-      names += (names.empty() ? "" : "|") + std::string(name);
-      mask &= ~bit;
-    }
-  if (mask != 0 || names.empty()) throw HasNoForm("a bit without a name");
-  return names;
+  const std::vector<const char*> names = gl::names_of_bits(mask);
+  if (names.empty()) throw HasNoForm("a bit without a name");
+  return fmt::format("{}", fmt::join(names, "|"));
 }
 
 // Returns an argument with its real numbers as hexadecimal texts, and without what happens to arrays after

@@ -13,6 +13,9 @@ namespace evalcts::gl {
 std::string c_constant(float value);
 std::string c_constant(double value);
 
+// Returns the names of the attribute groups of a mask of PushAttrib ("GL_EVAL_BIT"); empty if a bit has none.
+std::vector<const char*> names_of_bits(GLbitfield mask);
+
 // Returns one command, such as "glMap1f(GL_MAP1_INDEX, 0x0p+0f, 0x1p+0f, 1, 2, (GLfloat[]){0x1p+0f,
 // 0x1p+1f});". Arrays longer than `most_elements` are cut ("... 96 more"); 0 means no limit.
 std::string to_c(const Command& command, std::size_t most_elements = 0);
