@@ -89,7 +89,7 @@ class VertexJudge {
         return fmt::format("{}{}.{} of vertex {}", name, number, components[i], index_);
       };
       if (const auto* given = std::get_if<float>(&expected[i])) {
-        given_value(attribute, what, clamped ? std::clamp(*given, 0.0f, 1.0f) : *given, got[i], is_current,
+        given_value(what, clamped ? std::clamp(*given, 0.0f, 1.0f) : *given, got[i], is_current,
                     capture_error);
       } else {
         evaluated_value(what, std::get<Sample>(expected[i]), got[i], clamped, capture_error);
@@ -98,8 +98,7 @@ class VertexJudge {
   }
 
   template <class What>
-  void given_value(Attribute attribute, const What& what, float expected, float got, bool is_current,
-                   double capture_error) {
+  void given_value(const What& what, float expected, float got, bool is_current, double capture_error) {
     if (expected == got || (std::isnan(expected) && std::isnan(got))) return;
     if (std::abs(static_cast<double>(expected) - static_cast<double>(got)) <= capture_error) return;
     Mismatch mismatch;
@@ -110,7 +109,7 @@ class VertexJudge {
     mismatch.expected = text(expected);
     mismatch.captured = text(got);
     mismatch.exact = text(expected);
-    if (attribute != kPosition)
+    if (is_current)
       mismatch.current_of =
           is_evaluated_ ? Mismatch::CurrentOf::kEvaluatedVertex : Mismatch::CurrentOf::kExplicitVertex;
     mismatch.ulp = std::isfinite(expected)
