@@ -65,6 +65,18 @@ EVALCTS_TEST(Evaluation, CurrentValuesOfTheMoment, kMust, "EV-COORD-CURRENT/1-D"
   t.expect_emission(c, kUnit0);
 };
 
+// No float can hold the position, and the vertex is there nevertheless. Random search has found this case.
+EVALCTS_TEST(Evaluation, PointBeyondFloat, kMust, "EV-COORD-ASIF/1-D")
+(Test& t) {
+  gl::Case c("argument 1000 on a line that ends at 3e38");
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Map1d(GL_MAP1_VERTEX_3, 0, 1, 3, 2, std::vector<GLdouble>{0, 0, 0, 3e38, 0, 0});
+  c.Begin(GL_POINTS);
+  c.EvalCoord1f(1000);
+  c.End();
+  t.judge(c);
+};
+
 // After a map is disabled, vertices have the current value, whatever was evaluated before.
 EVALCTS_TEST(Evaluation, MapSwitchedOff, kMust, "EV-COORD-CURRENT/1-D",
              combine((std::vector<GLenum>{GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_1,

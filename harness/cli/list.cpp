@@ -1,4 +1,4 @@
-// `evalcts list`: prints the implementations, requirements, interpretations, tests, faults or baselines.
+// `evalcts list`: prints the implementations, requirements, interpretations, tests, faults or known bugs.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,7 +8,7 @@
 
 #include <evalcts/backends/implementation.h>
 #include <evalcts/faults/fault_table.h>
-#include <evalcts/results/baseline.h>
+#include <evalcts/results/known_bugs.h>
 #include <evalcts/results/json.h>
 #include <evalcts/results/requirements.h>
 #include <evalcts/results/serialization.h>
@@ -24,7 +24,7 @@ namespace {
 using nlohmann::json;
 
 const std::vector<std::string> kLists = {"implementations", "requirements", "interpretations",
-                                         "tests",           "faults",       "baselines"};
+                                         "tests",           "faults",       "bugs"};
 
 void list_implementations(bool as_json) {
   json all = json::array();
@@ -42,21 +42,21 @@ void list_implementations(bool as_json) {
   if (as_json) std::cout << json{{"implementations", all}}.dump(1) << "\n";
 }
 
-// Prints the shipped baselines and overlays, each with its header and the number of its entries.
-void list_baselines(bool as_json) {
+// Prints the known bugs, each with the versions that have it.
+void list_bugs(bool as_json) {
   json all = json::array();
-  for (const BaselineFiles& files : BaselineFiles::read_all(places().baselines)) {
-    json header = json::object();
-    for (const auto& [key, value] : files.header.fields()) header[key] = value;
-    all.push_back({{"name", files.name}, {"header", header}, {"entries", files.entries.size()}});
-    if (as_json) continue;
-    std::vector<std::string> fields;
-    for (const auto& [key, value] : files.header.fields())
-      fields.push_back(fmt::format("{}: {}", key, value));
-    std::cout << fmt::format("{:<20} {:>4} entries   {}\n", files.name, files.entries.size(),
-                             fmt::join(fields, "; "));
+  for (const KnownBug& bug : known_bugs()) {
+    json tests = json::array();
+    for (const FailingTests& failing : bug.tests)
+      for (const std::string& pattern : failing.tests) tests.push_back(pattern);
+    all.push_back({{"id", bug.id},
+                   {"title", bug.title},
+                   {"affects", bug.affects.text()},
+                   {"requirements", texts_of(bug.requirements)},
+                   {"tests", tests}});
+    if (!as_json) std::cout << fmt::format("{:<32} {}: {}\n", bug.id, bug.affects.text(), bug.title);
   }
-  if (as_json) std::cout << json{{"baselines", all}}.dump(1) << "\n";
+  if (as_json) std::cout << json{{"bugs", all}}.dump(1) << "\n";
 }
 
 int list(const std::string& what, bool as_json) {
@@ -65,8 +65,8 @@ int list(const std::string& what, bool as_json) {
   };
   if (what == "implementations") {
     list_implementations(as_json);
-  } else if (what == "baselines") {
-    list_baselines(as_json);
+  } else if (what == "bugs") {
+    list_bugs(as_json);
   } else if (what == "interpretations") {
     if (as_json)
       std::cout << interpretations_as_json() << "\n";
@@ -119,7 +119,7 @@ std::function<int()> define_list(CLI::App& app, const Call&) {
 }  // namespace
 
 const Command kListCommand = {
-    "list", "list implementations, requirements, interpretations, tests, faults or baselines",
+    "list", "list implementations, requirements, interpretations, tests, faults or known bugs",
     R"(  $ evalcts list implementations
   $ evalcts list tests --json)",
     define_list};

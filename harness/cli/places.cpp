@@ -18,7 +18,6 @@ Places places() {
     return {.suite_program = folder / "evalcts-suite",
             .faulty_suite_program = folder / "evalcts-faulty-suite",
             .output = top / "reports/out",
-            .baselines = top / "suites/baselines",
             .vectors = top / "vectors",
             .production_headers = top / "production/include",
             .production_library = fs::weakly_canonical(folder / "../../production/libglevaluator.a")};
@@ -26,7 +25,6 @@ Places places() {
   return {.suite_program = folder / "evalcts-suite",
           .faulty_suite_program = folder / "evalcts-faulty-suite",
           .output = fs::current_path() / "evalcts-results",
-          .baselines = data / "baselines",
           .vectors = data / "vectors",
           .production_headers = {},
           .production_library = {}};

@@ -12,7 +12,6 @@ namespace evalcts::cli {
 struct Places {
   std::filesystem::path suite_program, faulty_suite_program;
   std::filesystem::path output;
-  std::filesystem::path baselines;
   std::filesystem::path vectors;
   // Headers and library of libglevaluator for C programs; empty in an installation, where the
   // compiler finds them.

@@ -46,7 +46,7 @@ struct RunOptions {
   int retries = 1;
   std::optional<int> jobs;  // processes for each implementation
   std::string output;       // empty: the default folder
-  std::string baseline;     // "DIR", "DIR/NAME", "NAME" or "none"; empty: the shipped baselines
+  std::string baseline;     // "DIR", "DIR/NAME" or "none"; empty: the known bugs only
   bool write_baseline = false;
   bool strict = false;
   bool no_bugs = false;
@@ -80,25 +80,17 @@ int exit_code_of(const RunResult& result, const RunOptions& options) {
   return kNothingUnexpected;
 }
 
-// The folder that a value of --baseline names, and the base or overlay in it; an empty name stands for the
-// best fit.
-struct ChosenBaseline {
+// The folder that a value of --baseline names, and the files in it; an empty name stands for those that fit.
+struct ChosenFiles {
   fs::path folder;
   std::string name;
 };
 
-// Parses a value of --baseline: "DIR", "DIR/NAME", the NAME of a shipped baseline, or empty for
-// the shipped baselines.
-ChosenBaseline baseline_of(const std::string& given, const fs::path& shipped) {
-  const auto has = [](const fs::path& folder, const std::string& name) {
-    return !name.empty() && fs::exists(folder / (name + "-fails.txt"));
-  };
-  if (given.empty()) return {shipped, ""};
+// Parses a value of --baseline: "DIR" or "DIR/NAME".
+ChosenFiles files_of(const std::string& given) {
   const fs::path path = given;
-  if (fs::is_directory(path)) return {path, ""};
-  if (path.has_parent_path() && has(path.parent_path(), path.filename().string()))
-    return {path.parent_path(), path.filename().string()};
-  if (has(shipped, given)) return {shipped, given};
+  if (!fs::is_directory(path) && path.has_filename() && fs::exists(given + "-fails.txt"))
+    return {path.has_parent_path() ? path.parent_path() : ".", path.filename().string()};
   return {path, ""};
 }
 
@@ -224,9 +216,8 @@ void find_bugs(RunResult& result, const RunRequest& request, const RunOptions& o
   // The baseline names the bugs of known failures. It is applied to the result itself later, after
   // --write-baseline.
   RunResult judged = result;
-  if (options.baseline != "none" && result.has_started())
-    Baseline::best_fit(request.baselines, result.implementation, result.pass, request.baseline, request.depth)
-        .apply(judged);
+  if (result.has_started())
+    Baseline(request.baseline, result.implementation, result.pass).apply(judged, {});
   fuzz::find_bugs(judged, bugs, [&](std::size_t done, std::size_t total) {
     line.show(request.name, fmt::format("reducing failing tests, {} of {}", done, total));
   });
@@ -259,31 +250,24 @@ struct AppliedBaseline {
   std::vector<std::string> unused_signatures;
 };
 
-std::vector<std::string> names_of(const std::vector<ListedTest>& tests) {
-  std::vector<std::string> names;
-  for (const ListedTest& test : tests) names.push_back(test.name);
-  std::ranges::sort(names);
-  return names;
-}
-
 // Compares the result with its baseline. If --write-baseline is given, the baseline is updated first.
 AppliedBaseline apply_baseline(RunResult& result, const RunOptions& options, const RunRequest& request,
                                const std::vector<ListedTest>& all_tests) {
   AppliedBaseline applied;
-  Baseline baseline = Baseline::best_fit(request.baselines, result.implementation, result.pass,
-                                         request.baseline, request.depth);
-  // If the chosen baseline is for one pass, the other pass must not write it.
-  if (options.write_baseline && (request.baseline.empty() || baseline.has_part(request.baseline))) try {
-      const BaselineFiles renewed =
-          baseline.renewed(result, request.baseline, result.file_label(), request.baselines);
-      if (!baseline.name().empty() || !renewed.entries.empty())
-        renewed.with_patterns(names_of(all_tests))
-            .write(baseline_of(options.baseline, places().baselines).folder);
-      baseline = baseline.with(renewed);
+  BaselineChoice choice = request.baseline;
+  Baseline baseline(choice, result.implementation, result.pass);
+  // If the chosen files are for one pass, the other pass must not write them.
+  const bool is_chosen = choice.name.empty() || (baseline.files() && baseline.files()->name == choice.name);
+  if (options.write_baseline && is_chosen) try {
+      const BaselineFiles renewed = baseline.renewed(result, choice, result.file_label());
+      if (baseline.files() || !renewed.entries.empty()) renewed.write(files_of(options.baseline).folder);
+      std::erase_if(choice.files, [&](const BaselineFiles& files) { return files.name == renewed.name; });
+      choice.files.push_back(renewed);
+      baseline = Baseline(choice, result.implementation, result.pass);
     } catch (const BadBaseline& error) {
       applied.problem = error.what();
     }
-  baseline.apply(result);
+  baseline.apply(result, all_tests);
   result.stale_baseline_entries = baseline.stale_entries(all_tests);
   applied.unused_signatures = baseline.unused_signatures();
   return applied;
@@ -294,19 +278,19 @@ int run(const RunOptions& options, const std::string& shard) {
   RunRequest request = request_of(options, shard);
   const std::vector<ImplementationOptions> chosen = chosen_implementations(options);
   const fs::path output = request.output;
-  if (options.baseline != "none") {
-    const ChosenBaseline wanted = baseline_of(options.baseline, places().baselines);
-    if (!options.write_baseline && !fs::is_directory(wanted.folder))
-      return wrong_use(
-          fmt::format("--baseline '{}': not a directory, a baseline in a directory "
-                      "(DIR/NAME, for DIR/NAME-fails.txt), the name of a shipped baseline, or 'none'",
-                      options.baseline));
-    request.baselines = BaselineFiles::read_all(wanted.folder);
-    request.baseline = wanted.name;
+  request.baseline.known_bugs = options.baseline != "none";
+  if (options.write_baseline && (options.baseline.empty() || options.baseline == "none"))
+    return wrong_use("--write-baseline needs the folder to write into: --baseline DIR");
+  if (request.baseline.known_bugs && !options.baseline.empty()) {
+    const ChosenFiles chosen_files = files_of(options.baseline);
+    if (!options.write_baseline && !fs::is_directory(chosen_files.folder))
+      return wrong_use(fmt::format("--baseline '{}': not a directory, a baseline in a directory (DIR/NAME, for "
+                                   "DIR/NAME-fails.txt), or 'none'",
+                                   options.baseline));
+    request.baseline.files = BaselineFiles::read_all(chosen_files.folder);
+    request.baseline.name = chosen_files.name;
   }
   const std::vector<ListedTest> all_tests = list_tests(request.suite_program);
-  const std::vector<std::string> names = names_of(all_tests);
-  for (BaselineFiles& files : request.baselines) files = files.expanded(names);
   request.tests = chosen_tests(options, all_tests, request);
   if (const std::string wrong = wrong_filter(options, all_tests, request.depth); !wrong.empty())
     return wrong_use(wrong);
@@ -339,7 +323,7 @@ int run(const RunOptions& options, const std::string& shard) {
       const std::string label = result.file_label();
       result.strict = options.strict;
       AppliedBaseline applied;
-      if (options.baseline != "none" && result.has_started())
+      if (request.baseline.known_bugs && result.has_started())
         applied = apply_baseline(result, options, request, all_tests);
       write_atomically(output / fmt::format("results-{}.json", label), to_text(result));
       write_atomically(output / fmt::format("junit-{}.xml", label), reports::junit(result));
@@ -400,10 +384,10 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
       ->check(CLI::Range(1, 256));
   app.add_option("--output", options->output, "folder for results and report");
   app.add_option("--baseline", options->baseline,
-                 "known failures: a folder DIR with baselines, one of them as DIR/NAME, a shipped one by its "
-                 "NAME, or 'none' (default: the shipped one that fits the implementation)");
+                 "failures that are expected beside those of the known bugs: a folder DIR with baselines, of "
+                 "which the best fit is used, or one of them as DIR/NAME; 'none': no failure is expected");
   app.add_flag("--write-baseline", options->write_baseline,
-               "record the failures of this run as the baseline");
+               "record the unexpected failures of this run in the baseline that --baseline names");
   app.add_flag("--strict", options->strict,
                "unexpected passes and stale baseline entries change the exit code, too");
   add_repeatable(app, "--interpretation", options->interpretations,

@@ -61,15 +61,18 @@ std::string without_digits(std::string text) {
 // Returns the family of a test, "Mesh.LastIsExact" for "Mesh1.LastIsExact/LINE/Executed".
 std::string family_of(const std::string& test) { return without_digits(test.substr(0, test.find('/'))); }
 
-// Returns the known bug that the baseline names as the reason of an expected failure, "bug: ID. ..."; null if
-// it names none.
+// Returns the known bugs that the baseline names for an expected failure, the most specific one first.
+std::vector<const KnownBug*> bugs_of_baseline(const TestRecord& test) {
+  std::vector<const KnownBug*> bugs;
+  for (const std::string& id : test.known_bugs)
+    if (const KnownBug* const bug = find_known_bug(id)) bugs.push_back(bug);
+  return bugs;
+}
+
+// Returns the first of them; null if there is none.
 const KnownBug* bug_of_baseline(const TestRecord& test) {
-  constexpr std::string_view kFlaky = "flaky: ", kPrefix = "bug: ";
-  std::string_view reason = test.baseline_reason;
-  if (reason.starts_with(kFlaky)) reason.remove_prefix(kFlaky.size());
-  if (!test.expected_by_baseline || !reason.starts_with(kPrefix)) return nullptr;
-  reason.remove_prefix(kPrefix.size());
-  return find_known_bug(std::string(reason.substr(0, reason.find('.'))));
+  const std::vector<const KnownBug*> bugs = bugs_of_baseline(test);
+  return bugs.empty() ? nullptr : bugs[0];
 }
 
 // Returns the known bug that explains the test; null if there is none. The baseline names it if the test
@@ -78,9 +81,12 @@ const KnownBug* bug_of_baseline(const TestRecord& test) {
 // as the test.
 const KnownBug* known_bug_behind(const TestRecord& test, const std::string& cause, const Finding* minimal,
                                  const ProvenBugs& proven) {
-  const KnownBug* const named = bug_of_baseline(test);
   const bool compares = minimal && !is_death(test.verdict);
-  if (named && (!compares || named->signs.empty() || named->has_sign(cause, minimal->failure))) return named;
+  const std::vector<const KnownBug*> named = bugs_of_baseline(test);
+  for (const KnownBug* const bug : named)
+    if (!compares || bug->has_sign(cause, minimal->failure)) return bug;
+  for (const KnownBug* const bug : named)
+    if (bug->signs.empty()) return bug;
   const std::string place = test.place_of_death();
   for (const auto& [bug, place_of_bug] : proven)
     if (compares ? bug->has_sign(cause, minimal->failure) : !place.empty() && place == place_of_bug)

@@ -2,9 +2,11 @@
 #include <evalcts/fuzz/events.h>
 #include <evalcts/fuzz/reduction.h>
 
+#include <algorithm>
+
 #include <evalcts/gl/case_json.h>
 #include <evalcts/results/json.h>
-#include "findings_data.h"  // kFindings
+#include <evalcts/results/known_bugs.h>
 
 namespace evalcts::fuzz {
 namespace {
@@ -141,11 +143,12 @@ std::vector<std::string> parse_list(const std::string& text) {
 const std::vector<KnownFinding>& known_findings() {
   static const std::vector<KnownFinding> kAll = [] {
     std::vector<KnownFinding> findings;
-    for (const json& data : json::parse(kFindings)) {
-      findings.push_back(
-          {data.at("name"), data.at("requirement"), data.at("what"), gl::case_from_json(data.at("program"))});
-      findings.back().program.set_identity(findings.back().name);
-    }
+    for (const KnownBug& bug : known_bugs())
+      for (const FindingRecord& finding : bug.findings) {
+        findings.push_back({finding.name, finding.requirement, finding.what, gl::parse_case(finding.program)});
+        findings.back().program.set_identity(finding.name);
+      }
+    std::ranges::sort(findings, {}, &KnownFinding::name);
     return findings;
   }();
   return kAll;

@@ -1,17 +1,18 @@
 // Reads, applies and writes the files of baselines.
 #include <evalcts/results/baseline.h>
+#include <fnmatch.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <set>
 #include <sstream>
 #include <utility>
 
 #include <evalcts/results/files.h>
-#include <evalcts/results/test_patterns.h>
 
 namespace evalcts {
 namespace {
@@ -20,6 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kNotTraced = "not traced to a clause yet";
 constexpr std::uint32_t kSeedOfSignatures = 1;
+constexpr const char* kSpecial = "*?[@";  // the first characters of the parts of a pattern
 
 // Returns the status of an entry that expects the verdict; null if a baseline cannot expect it.
 const char* status_of(Verdict verdict) {
@@ -91,25 +93,18 @@ std::string trimmed(const std::string& text) {
 }
 
 // Reads "key: value" at the top of NAME-fails.txt. Any other comment there belongs to the first reason.
-void read_header_line(const Line& line, BaselineFiles::Header& header) {
+void read_header_line(const Line& line, Scope& header) {
   const std::size_t colon = line.text.find(": ");
   if (colon == std::string::npos) return;
   const std::string key = line.text.substr(0, colon), value = trimmed(line.text.substr(colon + 2));
   if (key == "vendor") header.vendor = value;
   if (key == "renderer") header.renderer = value;
-  if (key == "extends") header.extends = value;
   if (key == "implementation")
     for (const std::string& name : fields(value)) header.implementations.push_back(trimmed(name));
   if (key == "pass") {
-    const std::optional<Pass> pass = pass_named(value);
-    if (!pass)
+    header.pass = pass_named(value);
+    if (!header.pass)
       throw line.bad(fmt::format("unknown pass '{}'; known is '{}'", value, name_of(Pass::kReuseContext)));
-    header.pass = *pass;
-  }
-  if (key == "depth") {
-    header.depth = depth_named(value);
-    if (!header.depth)
-      throw line.bad(fmt::format("unknown depth '{}'; known are {}", value, fmt::join(kDepthNames, ", ")));
   }
   if (key == "version") try {
       header.version = VersionRange(value);
@@ -132,13 +127,6 @@ void read_signatures(const fs::path& path, BaselineFiles& files) {
   }
 }
 
-// Returns the files of this name; null if there are none.
-const BaselineFiles* find(const std::vector<BaselineFiles>& all, const std::string& name) {
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const auto& files) { return files.name == name; });
-  return found == all.end() ? nullptr : &*found;
-}
-
 // Appends "# text", wrapped at 100 columns, with "bug: ID." on a separate line. Reading joins
 // the lines again.
 void append_comment(const std::string& text, std::string& out) {
@@ -154,48 +142,84 @@ void append_comment(const std::string& text, std::string& out) {
   if (line != "#") end_line();
 }
 
+// Returns the ID in a reason "bug: ID. text"; empty if there is none.
+std::string bug_of(const std::string& reason) {
+  constexpr std::string_view kPrefix = "bug: ";
+  if (!reason.starts_with(kPrefix)) return {};
+  return reason.substr(kPrefix.size(), reason.find('.') - kPrefix.size());
+}
+
+// Returns "AutomaticNormals.OrderOne" for one of its tests.
+std::string function_of(const std::string& test) { return test.substr(0, test.find('/')); }
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+bool is_pattern(const std::string& text) { return text.find_first_of(kSpecial) != std::string::npos; }
+
+const std::vector<BaselineFiles::Pattern>& none() {
+  static const std::vector<BaselineFiles::Pattern> kNone;
+  return kNone;
+}
+
+std::optional<std::string> first_match(const std::vector<BaselineFiles::Pattern>& patterns,
+                                       const std::string& test) {
+  for (const BaselineFiles::Pattern& pattern : patterns)
+    if (std::regex_search(test, pattern.expression)) return pattern.reason;
+  return std::nullopt;
+}
+
+// Returns the files with this name; null if there are none.
+const BaselineFiles* find(const std::vector<BaselineFiles>& all, const std::string& name) {
+  const auto found = std::ranges::find(all, name, &BaselineFiles::name);
+  return found == all.end() ? nullptr : &*found;
+}
+
+// Returns the files that the choice names, or those with the most specific header that fits; null if there are
+// none. A header is more specific if it has more fields, or longer ones.
+const BaselineFiles* chosen_of(const BaselineChoice& choice, const ImplementationRecord& implementation,
+                               Pass pass) {
+  const auto specificity = [](const BaselineFiles& files) {
+    std::pair<std::size_t, std::size_t> sum;
+    for (const auto& [key, value] : files.header.fields()) {
+      ++sum.first;
+      sum.second += value.size();
+    }
+    return sum;
+  };
+  if (!choice.name.empty()) {
+    const BaselineFiles* const named = find(choice.files, choice.name);
+    if (!named) throw BadBaseline(fmt::format("unknown baseline '{}'", choice.name));
+    if (named->header.pass == pass) return named;
+  }
+  const BaselineFiles* best = nullptr;
+  for (const BaselineFiles& files : choice.files)
+    if (files.header.fits(implementation, pass) && (!best || specificity(*best) < specificity(files)))
+      best = &files;
+  return best;
+}
+
 }  // namespace
 
+bool stands_for(const std::string& pattern, const std::string& test) {
+  const std::size_t literal = pattern.find_first_of(kSpecial);  // fnmatch() takes long
+  if (literal == std::string::npos) return pattern == test;
+  return pattern.compare(0, literal, test, 0, literal) == 0 &&
+         fnmatch(pattern.c_str(), test.c_str(), FNM_NOESCAPE | FNM_EXTMATCH) == 0;
+}
+
 // --- files
-
-std::vector<std::pair<std::string, std::string>> BaselineFiles::Header::fields() const {
-  std::vector<std::pair<std::string, std::string>> given = {
-      {"extends", extends},
-      {"vendor", vendor},
-      {"renderer", renderer},
-      {"version", version.text()},
-      {"implementation", fmt::format("{}", fmt::join(implementations, ", "))},
-      {"pass", name_of(pass)},
-      {"depth", depth ? name_of(*depth) : ""}};
-  std::erase_if(given, [](const auto& field) { return field.second.empty(); });
-  return given;
-}
-
-BaselineFiles::Header::Specificity BaselineFiles::Header::specificity() const {
-  Specificity sum;
-  for (const auto& [key, value] : fields()) {
-    ++sum.fields;
-    sum.length += value.size();
-  }
-  return sum;
-}
-
-bool BaselineFiles::Header::fits(const ImplementationRecord& implementation, Pass for_pass,
-                                 Depth at_depth) const {
-  return for_pass == pass && depth.value_or(at_depth) == at_depth &&
-         implementation.vendor.find(vendor) != std::string::npos &&
-         implementation.renderer.find(renderer) != std::string::npos &&
-         version.contains(implementation.version) &&
-         (implementations.empty() || std::ranges::count(implementations, implementation.kind) > 0);
-}
 
 BaselineFiles BaselineFiles::read(const fs::path& folder, const std::string& name) {
   BaselineFiles files;
   files.name = name;
   const fs::path fails = folder / (name + "-fails.txt");
+  files.header.pass = Pass::kFreshContexts;
   const std::vector<Line> lines =
       entry_lines(fails, [&](const Line& line) { read_header_line(line, files.header); });
-  const Header& header = files.header;
+  const Scope& header = files.header;
   for (const Line& line : lines) {
     const std::vector<std::string> parts = fields(line.text);
     if (parts.size() != 2) throw line.bad("expected 'test name,Status'");
@@ -204,17 +228,7 @@ BaselineFiles BaselineFiles::read(const fs::path& folder, const std::string& nam
     if (!files.entries.emplace(parts[0], Entry{parts[1], line.reason}).second)
       throw line.bad(fmt::format("a second entry for {}", parts[0]));
   }
-  for (const auto& [test, entry] : files.entries) {
-    const auto has_pattern_of = [&name_of_test = test](const auto& each) {
-      return each.second.status != "Pass" && !tests_of(each.first, {name_of_test}).empty();
-    };
-    if (entry.status == "Pass" && header.extends.empty() &&
-        std::ranges::none_of(files.entries, has_pattern_of))
-      throw BadBaseline(fmt::format("{}: no pattern expects a failure of {}, so that '{},Pass' has no effect",
-                                    fails.string(), test, test));
-  }
-  if (header.vendor.empty() && header.renderer.empty() && header.version.text().empty() &&
-      (header.extends.empty() || header.implementations.empty()))
+  if (header.vendor.empty() && header.renderer.empty() && header.version.text().empty())
     throw BadBaseline(
         fmt::format("{}: the header must say which implementations the file is for: '# vendor: TEXT', "
                     "'# renderer: TEXT' or '# version: NAME A to B'",
@@ -242,70 +256,7 @@ std::vector<BaselineFiles> BaselineFiles::read_all(const fs::path& folder) {
                       (folder / (name + "-fails.txt")).string()));
   std::vector<BaselineFiles> all;
   for (const std::string& name : names) all.push_back(read(folder, name));
-  for (const BaselineFiles& files : all) {
-    if (files.header.extends.empty()) continue;
-    const BaselineFiles* const base = find(all, files.header.extends);
-    if (!base || !base->header.extends.empty())
-      throw BadBaseline(fmt::format("{}: it extends '{}', which is {}",
-                                    (folder / (files.name + "-fails.txt")).string(), files.header.extends,
-                                    base ? "an overlay itself" : "not in this folder"));
-  }
   return all;
-}
-
-BaselineFiles BaselineFiles::expanded(const std::vector<std::string>& tests) const {
-  const auto is_pattern = [](const std::string& text) { return text.find('*') != std::string::npos; };
-  BaselineFiles files = *this;
-  for (const auto& [pattern, entry] : entries) {
-    if (!is_pattern(pattern)) continue;
-    const std::vector<std::string> matched = tests_of(pattern, tests);
-    if (!matched.empty()) files.entries.erase(pattern);
-    for (const std::string& test : matched) files.entries.emplace(test, entry);
-  }
-  // In a base, "Pass" takes a test out of a pattern. In an overlay, it withdraws the entry of the base.
-  if (header.extends.empty())
-    std::erase_if(files.entries, [](const auto& each) { return each.second.status == "Pass"; });
-  for (const auto& [pattern, by_depth] : signatures) {
-    if (!is_pattern(pattern)) continue;
-    std::vector<std::string> matched = tests_of(pattern, tests);
-    std::erase_if(matched, [&](const std::string& test) { return !files.entries.contains(test); });
-    if (!matched.empty()) files.signatures.erase(pattern);
-    for (const std::string& test : matched)
-      for (const auto& [depth, signature] : by_depth) files.signatures[test].emplace(depth, signature);
-  }
-  return files;
-}
-
-BaselineFiles BaselineFiles::with_patterns(const std::vector<std::string>& tests) const {
-  BaselineFiles files = *this;
-  files.entries.clear();
-  std::map<std::pair<std::string, std::string>, std::set<std::string>> by_entry;
-  for (const auto& [test, entry] : entries) by_entry[{entry.status, entry.reason}].insert(test);
-  for (const auto& [entry, names] : by_entry) {
-    std::set<std::string> others(tests.begin(), tests.end());
-    for (const std::string& test : names) others.erase(test);
-    for (const std::string& pattern : patterns_for(names, others))
-      files.entries[pattern] = {entry.first, entry.second};
-  }
-
-  files.signatures.clear();
-  std::map<std::pair<std::string, std::string>, std::set<std::string>> by_signature;
-  for (const auto& [test, by_depth] : signatures)
-    for (const auto& [depth, signature] : by_depth) {
-      if (entries.contains(test))
-        by_signature[{depth, signature}].insert(test);
-      else
-        files.signatures[test][depth] = signature;
-    }
-  for (const auto& [key, names] : by_signature) {
-    const auto& [depth, signature] = key;
-    std::set<std::string> others;  // with another signature, or none
-    for (const auto& [test, entry] : entries)
-      if (!names.contains(test)) others.insert(test);
-    for (const std::string& pattern : patterns_for(names, others))
-      files.signatures[pattern][depth] = signature;
-  }
-  return files;
 }
 
 void BaselineFiles::write(const fs::path& folder) const {
@@ -332,160 +283,195 @@ void BaselineFiles::write(const fs::path& folder) const {
 
 // --- one implementation
 
-Baseline Baseline::best_fit(const std::vector<BaselineFiles>& all, const ImplementationRecord& implementation,
-                            Pass pass, const std::string& chosen, Depth depth) {
-  const BaselineFiles* const wanted = chosen.empty() ? nullptr : find(all, chosen);
-  if (!chosen.empty() && !wanted) throw BadBaseline(fmt::format("unknown baseline '{}'", chosen));
-  const bool is_chosen = wanted && wanted->header.pass == pass;
-  const auto more_specific = [](const BaselineFiles* a, const BaselineFiles* b) {
-    return a->header.specificity() < b->header.specificity();
-  };
-
-  const BaselineFiles* base = nullptr;
-  if (is_chosen) {
-    base = wanted->header.extends.empty() ? wanted : find(all, wanted->header.extends);
-  } else {
-    for (const BaselineFiles& files : all)
-      if (files.header.extends.empty() && files.header.fits(implementation, pass, depth) &&
-          (!base || more_specific(base, &files)))
-        base = &files;
-  }
-  if (!base) return {};
-
-  std::vector<const BaselineFiles*> overlays;
-  for (const BaselineFiles& files : all)
-    if (files.header.extends == base->name &&
-        (files.header.fits(implementation, pass, depth) || (is_chosen && &files == wanted)))
-      overlays.push_back(&files);
-  std::stable_sort(overlays.begin(), overlays.end(), more_specific);
-  std::vector<BaselineFiles> parts = {*base};
-  for (const BaselineFiles* overlay : overlays) parts.push_back(*overlay);
-  return composed(std::move(parts));
-}
-
-Baseline Baseline::composed(std::vector<BaselineFiles> parts) {
-  Baseline baseline;
-  for (const BaselineFiles& part : parts) {
-    for (const auto& [test, entry] : part.entries) {
-      if (entry.status == "Pass") {
-        baseline.entries_.erase(test);
-      } else {
-        Entry& composed = baseline.entries_[test];
-        if (composed.status != entry.status) composed.signatures.clear();  // they belong to the old status
-        composed.status = entry.status;
-        composed.reason = entry.reason;
-      }
+Baseline::Baseline(const BaselineChoice& choice, const ImplementationRecord& implementation, Pass pass,
+                   const std::vector<KnownBug>& bugs) {
+  if (choice.known_bugs)
+    for (const KnownBug& bug : bugs) {
+      if (!bug.affects.may_contain(implementation)) continue;
+      products_.insert(lower_case(bug.affects.product));
+      for (const FailingTests& failing : bug.tests)
+        if (failing.scope.fits(implementation, pass))
+          for (const std::string& tests : failing.tests)
+            lines_.push_back({tests, failing.status, fmt::format("{}: {}", bug.id, bug.title), bug.id});
     }
-    for (const auto& [test, by_depth] : part.signatures)
-      if (const auto entry = baseline.entries_.find(test); entry != baseline.entries_.end())
-        for (const auto& [depth, signature] : by_depth) entry->second.signatures[depth] = signature;
+  // The longer pattern is the more specific one.
+  std::ranges::stable_sort(lines_, std::ranges::greater(), [](const Line& line) { return line.tests.size(); });
+  if (const BaselineFiles* const chosen = chosen_of(choice, implementation, pass)) {
+    files_ = *chosen;
+    std::vector<Line> own;
+    for (const auto& [tests, entry] : files_->entries)
+      own.push_back({tests, entry.status, entry.reason, bug_of(entry.reason), true});
+    // The name of a test is more specific than any pattern.
+    std::ranges::stable_partition(own, [](const Line& line) { return !is_pattern(line.tests); });
+    lines_.insert(lines_.begin(), own.begin(), own.end());
   }
-  baseline.parts_ = std::move(parts);
-  return baseline;
 }
-
-Baseline Baseline::with(const BaselineFiles& files) const {
-  std::vector<BaselineFiles> parts = parts_;
-  for (BaselineFiles& part : parts)
-    if (part.name == files.name) part = files;
-  if (parts.empty()) parts.push_back(files);
-  return composed(std::move(parts));
-}
-
-bool Baseline::has_part(const std::string& name) const { return find(parts_, name) != nullptr; }
 
 std::string Baseline::name() const {
-  if (parts_.empty()) return {};
-  std::vector<std::string> overlays;
-  for (std::size_t i = 1; i < parts_.size(); ++i) overlays.push_back(parts_[i].name);
-  return parts_[0].name + (overlays.empty() ? "" : fmt::format(" with {}", fmt::join(overlays, ", ")));
+  std::vector<std::string> names(products_.begin(), products_.end());
+  if (files_) names.push_back(files_->name);
+  return fmt::format("{}", fmt::join(names, " with "));
 }
 
-const Baseline::Pattern* Baseline::matching(std::vector<Pattern> BaselineFiles::*patterns,
-                                            const std::string& test) const {
-  for (const BaselineFiles& part : parts_)
-    for (const Pattern& pattern : part.*patterns)
-      if (std::regex_search(test, pattern.expression)) return &pattern;
-  return nullptr;
+std::vector<const Baseline::Line*> Baseline::lines_for(const std::string& test) const {
+  std::vector<const Line*> found;
+  for (const Line& line : lines_) {
+    if (!stands_for(line.tests, test)) continue;
+    if (line.status == "Pass") break;
+    found.push_back(&line);
+  }
+  return found;
+}
+
+std::optional<std::string> Baseline::reason_for(const std::string& status, const std::string& test) const {
+  for (const Line* const line : lines_for(test))
+    if (line->status == status) return line->reason;
+  return std::nullopt;
+}
+
+std::optional<std::string> Baseline::skip(const std::string& test) const {
+  const std::optional<std::string> own = first_match(files_ ? files_->skips : none(), test);
+  return own ? own : reason_for("Skip", test);
+}
+
+std::optional<std::string> Baseline::flake(const std::string& test) const {
+  const std::optional<std::string> own = first_match(files_ ? files_->flakes : none(), test);
+  return own ? own : reason_for("Flaky", test);
+}
+
+std::set<std::string> Baseline::signatures_of(const std::string& test, Depth depth,
+                                              bool of_known_bugs) const {
+  std::set<std::string> known;
+  if (of_known_bugs && depth != Depth::kThorough)
+    for (const std::string& product : products_) {
+      const std::set<std::string>& of_product = known_signatures(product, function_of(test));
+      known.insert(of_product.begin(), of_product.end());
+    }
+  if (files_)
+    for (const auto& [tests, by_depth] : files_->signatures)
+      if (const auto found = by_depth.find(name_of(depth)); found != by_depth.end() && stands_for(tests, test))
+        known.insert(found->second);
+  return known;
 }
 
 bool Baseline::knows(const TestRecord& test, Depth depth, std::uint64_t seed) const {
-  const char* status = status_of(test.verdict);
+  const char* const status = status_of(test.verdict);
   if (!status) return false;
   if (flake(test.name)) return true;
-  const auto found = entries_.find(test.name);
-  if (found == entries_.end() || found->second.status != status) return false;
-  const auto signature = found->second.signatures.find(name_of(depth));
-  return signature == found->second.signatures.end() || seed != kSeedOfSignatures ||
-         signature->second == test.signature();
+  bool is_expected = false, of_known_bugs = false;
+  for (const Line* const line : lines_for(test.name)) {
+    if (line->status != status) continue;
+    is_expected = true;
+    of_known_bugs = of_known_bugs || !line->is_of_user;
+  }
+  if (!is_expected || seed != kSeedOfSignatures) return is_expected;
+  const std::set<std::string> known = signatures_of(test.name, depth, of_known_bugs);
+  return known.empty() || known.contains(test.signature());
 }
 
-void Baseline::apply(RunResult& result) const {
+void Baseline::apply(RunResult& result, const std::vector<ListedTest>& all) const {
   result.baseline = name();
+  const Depth depth = result.depth.value_or(Depth::kFull);
   for (TestRecord& test : result.tests) {
-    if (test.also_in_fresh_context) continue;
-    const char* status = status_of(test.verdict);
-    if (const Pattern* flaky = flake(test.name)) {
-      test.expected_by_baseline = status != nullptr;
-      test.baseline_reason = status ? "flaky: " + flaky->reason : "";
-      continue;
-    }
-    const auto found = entries_.find(test.name);
-    if (found == entries_.end()) continue;
-    const Entry& entry = found->second;
-    if (!status) {
-      // Only a pass contradicts the entry; a test that could not be judged does not.
-      if (test.verdict == Verdict::kPass) test.baseline_reason = entry.reason;
-    } else if (entry.status != status) {
-      test.message = fmt::format("the baseline expects {}, not {}: {}", entry.status, status, test.message);
-    } else if (!knows(test, result.depth.value_or(Depth::kFull), result.seed.value_or(kSeedOfSignatures))) {
+    const char* const status = status_of(test.verdict);
+    if (test.also_in_fresh_context || !status) continue;
+    const std::vector<const Line*> lines = lines_for(test.name);
+    const std::optional<std::string> flaky = flake(test.name);
+    const auto expects = [&](const Line* line) { return line->status == status || line->status == "Flaky"; };
+    const auto line = std::ranges::find_if(lines, expects);
+    if (!flaky && lines.empty()) continue;
+    if (!flaky && line == lines.end()) {
+      test.message =
+          fmt::format("the baseline expects {}, not {}: {}", lines[0]->status, status, test.message);
+    } else if (!knows(test, depth, result.seed.value_or(kSeedOfSignatures))) {
       test.message =
           fmt::format("a known failure, but other cases fail than the baseline knows: {}", test.message);
     } else {
       test.expected_by_baseline = true;
-      test.baseline_reason = entry.reason;
+      test.baseline_reason = flaky ? "flaky: " + *flaky : (*line)->reason;
+      for (const Line* const each : lines)
+        if (expects(each) && !each->bug.empty() && std::ranges::count(test.known_bugs, each->bug) == 0)
+          test.known_bugs.push_back(each->bug);
+      if (const std::string bug = flaky ? bug_of(*flaky) : ""; !bug.empty()) test.known_bugs = {bug};
     }
+  }
+  mark_unexpected_passes(result, all);
+}
+
+void Baseline::mark_unexpected_passes(RunResult& result, const std::vector<ListedTest>& all) const {
+  // The programs of known bugs are for fresh contexts.
+  std::map<std::string, std::vector<const Line*>> groups;
+  for (const Line& line : lines_)
+    if (line.status != "Pass" && line.status != "Flaky" && line.status != "Skip" &&
+        (line.is_of_user || result.pass == Pass::kFreshContexts))
+      groups[line.group()].push_back(&line);
+  std::map<std::string, TestRecord*> records;
+  for (TestRecord& test : result.tests) records[test.name] = &test;
+  for (const auto& [group, lines] : groups) {
+    std::vector<TestRecord*> passes;
+    bool is_open = false;  // a test fails, was not judged, or was not run
+    for (const ListedTest& test : all) {
+      if (test.from > result.depth.value_or(Depth::kFull) && !records.contains(test.name)) continue;
+      if (std::ranges::none_of(lines, [&](const Line* line) { return stands_for(line->tests, test.name); }))
+        continue;
+      const auto record = records.find(test.name);
+      if (record != records.end() && record->second->verdict == Verdict::kPass)
+        passes.push_back(record->second);
+      else
+        is_open = true;
+    }
+    if (is_open) continue;
+    for (TestRecord* const pass : passes)
+      if (!lines_for(pass->name).empty() && !flake(pass->name)) pass->baseline_reason = lines[0]->reason;
   }
 }
 
-std::vector<std::string> Baseline::stale_entries(const std::vector<ListedTest>& tests) const {
-  std::set<std::string> existing, stale;
-  for (const ListedTest& test : tests) existing.insert(test.name);
-  for (const BaselineFiles& part : parts_) {
-    for (const auto& [test, entry] : part.entries) {
-      if (!existing.contains(test)) stale.insert(test);
-      if (entry.status == "Pass" && !parts_[0].entries.contains(test))
-        stale.insert(
-            fmt::format("{} (Pass in {}, but {} expects no failure)", test, part.name, parts_[0].name));
+std::vector<std::string> Baseline::stale_entries(const std::vector<ListedTest>& all) const {
+  if (!files_) return {};
+  std::set<std::string> stale;
+  for (const auto& [tests, entry] : files_->entries) {
+    const auto stands = [&pattern = tests](const ListedTest& test) {
+      return stands_for(pattern, test.name);
+    };
+    if (std::ranges::none_of(all, stands)) {
+      stale.insert(tests);
+    } else if (entry.status == "Pass") {
+      const auto is_expected = [&](const Line& line) {
+        return line.status != "Pass" && std::ranges::any_of(all, [&](const ListedTest& test) {
+                 return stands(test) && stands_for(line.tests, test.name);
+               });
+      };
+      if (std::ranges::none_of(lines_, is_expected))
+        stale.insert(fmt::format("{} (Pass, but no failure is expected)", tests));
     }
-    for (const auto& [patterns, kind] : {std::pair{&part.skips, "skips"}, {&part.flakes, "flakes"}})
-      for (const Pattern& pattern : *patterns) {
-        const auto matches = [&](const std::string& name) {
-          return std::regex_search(name, pattern.expression);
-        };
-        if (std::none_of(existing.begin(), existing.end(), matches))
-          stale.insert(fmt::format("{} (in the {})", pattern.text, kind));
-      }
   }
+  for (const auto& [patterns, kind] : {std::pair{&files_->skips, "skips"}, {&files_->flakes, "flakes"}})
+    for (const BaselineFiles::Pattern& pattern : *patterns)
+      if (std::ranges::none_of(all, [&expression = pattern.expression](const ListedTest& test) {
+            return std::regex_search(test.name, expression);
+          }))
+        stale.insert(fmt::format("{} (in the {})", pattern.text, kind));
   return {stale.begin(), stale.end()};
 }
 
 std::vector<std::string> Baseline::unused_signatures() const {
-  std::set<std::string> unused;
-  for (const BaselineFiles& part : parts_)
-    for (const auto& [test, by_depth] : part.signatures)
-      if (std::ranges::none_of(parts_,
-                               [&name = test](const auto& any) { return any.entries.contains(name); }))
-        unused.insert(test);
-  return {unused.begin(), unused.end()};
+  std::vector<std::string> unused;
+  if (files_)
+    for (const auto& [tests, signatures] : files_->signatures)
+      if (std::ranges::none_of(lines_, [&pattern = tests](const Line& line) {
+            return line.status != "Pass" && (stands_for(line.tests, pattern) || stands_for(pattern, line.tests));
+          }))
+        unused.push_back(tests);
+  return unused;
 }
 
-BaselineFiles Baseline::renewed(const RunResult& result, const std::string& target,
-                                const std::string& new_name, const std::vector<BaselineFiles>& all) const {
+BaselineFiles Baseline::renewed(const RunResult& result, const BaselineChoice& choice,
+                                const std::string& new_name) const {
   BaselineFiles files;
-  std::vector<BaselineFiles> others = parts_;
-  if (parts_.empty()) {
-    if (const BaselineFiles* const existing = find(all, new_name)) {
+  if (files_) {
+    files = *files_;
+  } else {
+    if (const BaselineFiles* const existing = find(choice.files, new_name)) {
       std::vector<std::string> header;
       for (const auto& [key, value] : existing->header.fields())
         header.push_back(fmt::format("{}: {}", key, value));
@@ -497,56 +483,29 @@ BaselineFiles Baseline::renewed(const RunResult& result, const std::string& targ
     }
     const ImplementationRecord& implementation = result.implementation;
     files.name = new_name;
-    files.header.vendor = implementation.vendor;
-    files.header.renderer = implementation.renderer;
-    files.header.version = VersionRange(implementation.version);
-    files.header.implementations = {implementation.kind};
-    files.header.pass = result.pass;
-  } else {
-    if (parts_.size() > 1 && target.empty())
-      throw BadBaseline(fmt::format(
-          "the baseline of this implementation is {}: choose the one to write with --baseline FOLDER/NAME",
-          name()));
-    const auto found = std::find_if(others.begin(), others.end(), [&](const BaselineFiles& part) {
-      return target.empty() || part.name == target;
-    });
-    if (found == others.end())
-      throw BadBaseline(fmt::format("'{}' is not part of the baseline {}", target, name()));
-    files = *found;
-    others.erase(found);
+    files.header = {implementation.vendor, implementation.renderer, VersionRange(implementation.version),
+                    {implementation.kind}, result.pass};
   }
-
+  const Depth depth = result.depth.value_or(Depth::kFull);
+  const std::uint64_t seed = result.seed.value_or(kSeedOfSignatures);
   for (const std::string& test : unused_signatures()) files.signatures.erase(test);
-  const Baseline without = composed(std::move(others));
-  const std::string depth = name_of(result.depth.value_or(Depth::kFull));
-  const bool with_signatures = result.seed.value_or(kSeedOfSignatures) == kSeedOfSignatures;
+  Baseline without = *this;  // the entries of single tests
+  std::erase_if(without.lines_, [](const Line& line) { return line.is_of_user && !is_pattern(line.tests); });
+  if (without.files_)
+    std::erase_if(without.files_->signatures, [](const auto& each) { return !is_pattern(each.first); });
   for (const TestRecord& test : result.tests) {
-    const std::string& test_name = test.name;
-    if (test.also_in_fresh_context || flake(test_name)) continue;
-    const char* const status = status_of(test.verdict);
-    const auto other = without.entries().find(test_name);
-    const bool expected_anyway = other != without.entries().end();
-    const auto own = files.entries.find(test_name);
+    if (test.also_in_fresh_context || flake(test.name)) continue;
+    const auto own = files.entries.find(test.name);
     const std::string reason = own == files.entries.end() ? kNotTraced : own->second.reason;
-    if (!status) {
-      if (test.verdict != Verdict::kPass) continue;
-      files.signatures.erase(test_name);
-      files.entries.erase(test_name);
-      if (expected_anyway) files.entries[test_name] = {"Pass", reason};
+    const char* const status = status_of(test.verdict);
+    if (!status && (test.verdict != Verdict::kPass || (own != files.entries.end() && own->second.status == "Pass")))
       continue;
-    }
-    if (expected_anyway && other->second.status == status) {
-      files.entries.erase(test_name);
+    files.entries.erase(test.name);
+    if (!status || without.knows(test, depth, seed)) {
+      files.signatures.erase(test.name);
     } else {
-      files.entries[test_name] = {status, reason};
-    }
-    if (!with_signatures) continue;
-    const std::string signature = test.signature();
-    if (expected_anyway && other->second.signatures.contains(depth) &&
-        other->second.signatures.at(depth) == signature) {
-      files.signatures[test_name].erase(depth);
-    } else {
-      files.signatures[test_name][depth] = signature;
+      files.entries[test.name] = {status, reason};
+      if (seed == kSeedOfSignatures) files.signatures[test.name][name_of(depth)] = test.signature();
     }
   }
   return files;

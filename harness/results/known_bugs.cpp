@@ -6,21 +6,35 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <compare>
 #include <cstdlib>
+#include <map>
 #include <regex>
 #include <set>
+#include <sstream>
+#include <utility>
 
 #include <evalcts/results/json_object.h>
 #include <evalcts/results/requirements.h>
-#include "known_bugs_data.h"  // kKnownBugs
+#include "known_bugs_data.h"  // kKnownBugs, kKnownSignatures
 
 namespace evalcts {
 namespace {
 
 using nlohmann::json;
+
+// The implementations whose evaluators are those of the product that GL_VERSION names.
+const std::set<std::string> kWithOwnEvaluators = {"osmesa", "egl", "glx", "glx-indirect"};
+
+FailingTests read_failing_tests(const JsonObject& in) {
+  FailingTests out;
+  out.scope.renderer = in.text("renderer");
+  out.scope.version = VersionRange(in.text("version"));
+  out.scope.implementations = in.texts("implementations");
+  if (in.has("status")) out.status = in.text("status");
+  out.tests = in.texts("tests");
+  return out;
+}
 
 KnownBug read_known_bug(const JsonObject& in) {
   KnownBug out;
@@ -32,7 +46,6 @@ KnownBug read_known_bug(const JsonObject& in) {
   const std::vector<std::string> requirements = in.texts("requirements");
   out.requirements = {requirements.begin(), requirements.end()};
   out.clause = in.text("clause");
-  out.program = in.json_text("program");
   out.expected = in.text("expected");
   out.captured = in.text("captured");
   out.cause = in.text("cause");
@@ -44,28 +57,20 @@ KnownBug read_known_bug(const JsonObject& in) {
     out.signs.push_back({sign.text("cause"), sign.text("what"), sign.text("expected"), sign.text("captured"),
                          sign.text("relation")});
   });
+  FailingTests of_findings;
+  if (out.crashes) of_findings.status = "Crash";
+  in.each_object("findings", [&](const JsonObject& finding) {
+    out.findings.push_back({finding.text("name"), finding.text("requirement"), finding.text("what"),
+                            finding.json_text("program")});
+    of_findings.tests.push_back("Findings." + out.findings.back().name);
+  });
+  if (!of_findings.tests.empty()) out.tests.push_back(of_findings);
+  in.each_object("tests", [&](const JsonObject& tests) { out.tests.push_back(read_failing_tests(tests)); });
+  // `program` is the name of a finding, or commands.
+  out.program = in.json_text("program");
+  for (const FindingRecord& finding : out.findings)
+    if (out.program == json(finding.name).dump()) out.program = finding.program;
   return out;
-}
-
-// Returns the numbers at the beginning of the text: 22, 3 and 6 of "22.3.6-1".
-std::vector<int> version_numbers(const std::string& text) {
-  std::vector<int> numbers;
-  const char *at = text.data(), *const end = at + text.size();
-  for (int number = 0; at != end;) {
-    const auto [behind, error] = std::from_chars(at, end, number);
-    if (error != std::errc()) break;
-    numbers.push_back(number);
-    at = behind;
-    if (at == end || *at != '.') break;
-    ++at;
-  }
-  return numbers;
-}
-
-// Compares as many numbers of `version` with `bound` as the bound has.
-std::strong_ordering compare_versions(std::vector<int> version, const std::vector<int>& bound) {
-  version.resize(bound.size());
-  return std::lexicographical_compare_three_way(version.begin(), version.end(), bound.begin(), bound.end());
 }
 
 bool matches_whole(const std::string& expression, const std::string& text) {
@@ -104,11 +109,14 @@ std::string AffectedVersions::text() const {
 }
 
 bool AffectedVersions::contains(const ImplementationRecord& implementation) const {
-  const std::size_t at = implementation.version.find(product + " ");
-  if (at == std::string::npos || implementation.renderer.find(renderer) == std::string::npos) return false;
-  const std::vector<int> version = version_numbers(implementation.version.substr(at + product.size() + 1));
-  return !version.empty() && compare_versions(version, version_numbers(first)) >= 0 &&
-         compare_versions(version, version_numbers(last)) <= 0;
+  return implementation.renderer.find(renderer) != std::string::npos &&
+         VersionRange(fmt::format("{} {} to {}", product, first, last)).contains(implementation.version);
+}
+
+bool AffectedVersions::may_contain(const ImplementationRecord& implementation) const {
+  return kWithOwnEvaluators.contains(implementation.kind) &&
+         implementation.renderer.find(renderer) != std::string::npos &&
+         VersionRange(fmt::format("{} {} or newer", product, first)).contains(implementation.version);
 }
 
 bool BugSign::matches(const std::string& of_cause, const Failure& failure) const {
@@ -136,6 +144,21 @@ const std::vector<KnownBug>& known_bugs() {
   return kAll;
 }
 
+const std::set<std::string>& known_signatures(const std::string& product, const std::string& function) {
+  static const auto kAll = [] {
+    std::map<std::pair<std::string, std::string>, std::set<std::string>> all;
+    for (const auto& [of_product, functions] : json::parse(kKnownSignatures).items())
+      for (const auto& [name, texts] : functions.items()) {
+        std::istringstream words(texts.get<std::string>());
+        for (std::string word; words >> word;) all[{of_product, name}].insert(word);
+      }
+    return all;
+  }();
+  static const std::set<std::string> kNone;
+  const auto found = kAll.find({product, function});
+  return found == kAll.end() ? kNone : found->second;
+}
+
 const KnownBug* find_known_bug(const std::string& id) {
   const auto found = std::ranges::find(known_bugs(), id, &KnownBug::id);
   return found == known_bugs().end() ? nullptr : &*found;
@@ -143,7 +166,8 @@ const KnownBug* find_known_bug(const std::string& id) {
 
 std::vector<std::string> lint(const std::vector<KnownBug>& bugs) {
   std::vector<std::string> problems;
-  std::set<std::string> ids, signs;
+  static const std::set<std::string> kStatuses = {"Fail", "Crash", "Timeout", "Flaky", "Skip"};
+  std::set<std::string> ids, signs, findings;
   for (const KnownBug& bug : bugs) {
     const auto complain = [&](const std::string& words) {
       problems.push_back(fmt::format("{}: {}", bug.id.empty() ? "(no ID)" : bug.id, words));
@@ -180,6 +204,16 @@ std::vector<std::string> lint(const std::vector<KnownBug>& bugs) {
           complain(fmt::format("'{}' is not a regular expression: {}", expression, error.what()));
         }
     }
+    for (const FindingRecord& finding : bug.findings) {
+      if (!findings.insert(finding.name).second)
+        complain(fmt::format("another finding has the name '{}', too", finding.name));
+      if (!catalogue().find(finding.requirement))
+        complain(fmt::format("unknown requirement {} of {}", finding.requirement, finding.name));
+    }
+    if (bug.tests.empty()) complain("'tests' is empty");
+    for (const FailingTests& failing : bug.tests)
+      if (!kStatuses.contains(failing.status))
+        complain(fmt::format("unknown status '{}' of tests", failing.status));
   }
   return problems;
 }

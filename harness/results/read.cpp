@@ -124,6 +124,7 @@ TestRecord read_test(const JsonObject& in) {
   out.level = in.word("level", level_named).value_or(Level::kMust);
   out.expected_by_baseline = in.boolean("expected_by_baseline");
   out.baseline_reason = in.text("baseline_reason");
+  out.known_bugs = in.texts("known_bugs");
   out.also_in_fresh_context = in.boolean("also_in_fresh_context");
   out.message = in.text("message");
   out.cases = in.natural("cases");

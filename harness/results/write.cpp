@@ -108,6 +108,7 @@ json to_json(const TestRecord& test) {
               {"message", test.message},
               {"expected_by_baseline", test.expected_by_baseline},
               {"baseline_reason", test.baseline_reason}};
+  if (!test.known_bugs.empty()) out["known_bugs"] = test.known_bugs;
   if (!test.violated.empty()) out["violated"] = texts_of(test.violated);
   set(out, "cases", test.cases);
   set(out, "failed_cases", test.failed_cases);

@@ -99,8 +99,7 @@ class Run {
     implementation = description->implementation;
     implementation.kind = std::exchange(implementation.name, named.name);
     implementation.machine = named.machine;
-    baseline_ = Baseline::best_fit(request_.baselines, implementation, result_.pass, request_.baseline,
-                                   request_.depth);
+    baseline_ = Baseline(request_.baseline, implementation, result_.pass);
     std::vector<std::unique_ptr<Question>> proofs;
     for (const std::string& name : description->captures) proofs.push_back(ask({"--prove", name}));
     for (std::size_t i = 0; i < proofs.size(); ++i) {
@@ -181,8 +180,8 @@ class Run {
   void run_tests() {
     records_file_ = file("records", "jsonl");
     for (const ListedTest& test : request_.tests)
-      if (const Baseline::Pattern* skip = baseline_.skip(test.name))
-        add_record(test.name, Verdict::kSkipped, skip->reason).baseline_reason = skip->reason;
+      if (const std::optional<std::string> why = baseline_.skip(test.name))
+        add_record(test.name, Verdict::kSkipped, *why).baseline_reason = *why;
     int fruitless = 0;
     while (!interrupted) {
       std::vector<std::string> remaining;

@@ -321,18 +321,16 @@ TEST(Bugs, WhatIsNotReducedBelongsToTheBugOfTheBaseline) {
                failing("Mesh2.C", "EV-MESH2-FILL")};
   for (TestRecord& test : run.tests) {
     test.expected_by_baseline = true;
-    test.baseline_reason = "bug: mesa-initial-grid. EV-INIT-GRID1. GL 1.0 5.1";
+    test.known_bugs = {"mesa-initial-grid"};
   }
-  run.tests[1].baseline_reason = "flaky: bug: mesa-initial-grid. It depends on memory that was never written";
-  run.tests[2].baseline_reason = "EV-MESH2-FILL: not traced to a bug";
+  run.tests[2].known_bugs.clear();
   std::vector<Bug> bugs = bugs_of(run, {}, {}, kMaxOrder);
   ASSERT_EQ(bugs.size(), 2u);
   EXPECT_EQ(bugs[0].known, "mesa-initial-grid");
   EXPECT_EQ(bugs[0].tests, (std::vector<std::string>{"Mesh1.A", "Mesh2.B"}));
   EXPECT_EQ(bugs[0].title, find_known_bug("mesa-initial-grid")->title);
   EXPECT_EQ(bugs[1].known, "");
-  // A failure that is not the one that the baseline expects may have another cause.
-  run.tests[1].expected_by_baseline = false;
+  run.tests[1].known_bugs.clear();
   EXPECT_EQ(bugs_of(run, {}, {}, kMaxOrder).size(), 3u);
 }
 
@@ -562,10 +560,10 @@ TEST(Legal, ErrorsOfAListThatIsCalledTwiceCanBeAskedFor) {
 
 // --- from tests to bugs ------------------------------------------------------------------------------------
 
-// Runs these tests on production with the fault, and returns the result with its bugs. With a reason, a
+// Runs these tests on production with the fault, and returns the result with its bugs. If a known bug is given, a
 // baseline expects each failure for it. `reduced` is set to the number of tests that were to be reduced.
 RunResult run_with_fault(const std::string& fault, const std::vector<std::string>& tests,
-                         const std::string& baseline_reason = "", std::size_t* reduced = nullptr) {
+                         const std::string& known_bug = "", std::size_t* reduced = nullptr) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::path(testing::TempDir()) / fmt::format("evalcts-bugs-{}", getpid());
   fs::create_directories(folder);
@@ -587,8 +585,8 @@ RunResult run_with_fault(const std::string& fault, const std::vector<std::string
   })) {
   }
   for (TestRecord& test : run.tests) {
-    test.expected_by_baseline = !baseline_reason.empty();
-    test.baseline_reason = baseline_reason;
+    test.expected_by_baseline = !known_bug.empty();
+    if (!known_bug.empty()) test.known_bugs = {known_bug};
   }
   find_bugs(run, {.suite_command = suite, .jobs = 2, .seconds = 300, .scratch = folder, .limits = {}},
             [&](std::size_t, std::size_t total) {
@@ -655,7 +653,7 @@ TEST(FaultyImplementation, IsReducedOnlyAsFarAsTheBaselineDoesNotNameTheBug) {
       tests.push_back(fmt::format("Map1Errors.OrderTooLow/MAP1_{}_{}", target, form));
   std::size_t reduced = 0;
   const RunResult run =
-      run_with_fault("OrderZeroTaken", tests, "bug: mesa-getmap-saturation. A test", &reduced);
+      run_with_fault("OrderZeroTaken", tests, "mesa-getmap-saturation", &reduced);
   EXPECT_EQ(run.tests.size(), tests.size());
   EXPECT_EQ(reduced, 3u);
   // The minimal programs of the three are not those of the named bug.

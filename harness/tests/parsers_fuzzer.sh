@@ -15,12 +15,13 @@ seed v vectors/tests/sample/*.json
 seed r reports/tests/sample/results-*.json
 seed u reports/tests/sample/ulp.json
 seed s reports/published/sweep-*.json
-for file in suites/findings/*.json; do
-  { printf c; python3 -c 'import json, sys; print(json.dumps(json.load(sys.stdin)["program"]))' <"$file"; } >"$seeds/c-${file##*/}"
-done
-baselines=suites/baselines
-{ printf b; head -n 60 $baselines/mesa-fails.txt; printf '\f'
-  head -n 60 $baselines/mesa-signatures.txt; printf '\f\f'; cat $baselines/mesa-flakes.txt; } >"$seeds/b"
+python3 -c 'import json, pathlib, sys
+for bug in json.loads("[" + pathlib.Path("suites/bugs/mesa.json").read_text() + "]"):
+    for finding in bug.get("findings", []):
+        seed = pathlib.Path(sys.argv[1], "c-" + finding["name"])
+        seed.write_text("c" + json.dumps(finding["program"]))' "$seeds"
+printf 'b# version: Mesa 20.3 to 24.3\n# implementation: egl, glx\n\n# bug: mesa-a.\n# why\nA.B/@(C|D)*,Fail\nA.E,Pass\n\f%s\f%s\f%s' \
+  $'A.B*,quick,3-0c515077b74857d4\n' $'# hangs\n^C\\.\n' $'# now and then\n^A\\.(B|C)/\n' >"$seeds/b"
 printf 'amap1_eval.ordinary.1 0x1p+0 -2.5\nmap1_eval.ordinary.2 skip\n# words\nx inf nan\n' >"$seeds/a"
 printf 'lrun\n--implementation\nosmesa\n--shard\n1/2\n--jobs=2\n--interpretation\nC-V-GETN=x\n' >"$seeds/l-run"
 printf 'lulp\n--orders\n2\n--points=0x1p-3,0.7\n--at\n0.3\n--values=7' >"$seeds/l-ulp"

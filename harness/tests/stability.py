@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks that verdicts and signatures depend on nothing but the implementation: three runs, a run in a random
-order, and runs of each test alone in a separate process must give the same verdicts. Tests that the shipped baseline
-lists as flaky are left out, because the library itself decides them by chance.
+order, and runs of each test alone in a separate process must give the same verdicts. Tests that are known to be
+flaky are left out, because the library itself decides them by chance.
 
 usage: stability.py EVALCTS [--implementation NAME]... [--depth quick] [--shuffle SEED]
 

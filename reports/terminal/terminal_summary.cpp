@@ -281,11 +281,12 @@ void write_captures(Screen& screen, const RunResult& record) {
   }
 }
 
-// Names the baseline whose failures were expected, and the option that chooses another one.
+// Names the baseline whose failures were expected, and the options that change it.
 void write_baseline(Screen& screen, const RunResult& record) {
   if (!record.baseline.empty())
     screen.whole_line(
-        fmt::format("baseline: {} (--baseline NAME, DIR or none chooses another)", record.baseline),
+        fmt::format("baseline: {} (--baseline DIR adds failures that you know, none expects no failure)",
+                    record.baseline),
         Colour::kFaint);
   else if (record.unexpected_count() > 0)
     screen.whole_line("baseline: none; --baseline DIR --write-baseline records these failures as known",

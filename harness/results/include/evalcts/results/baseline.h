@@ -1,44 +1,39 @@
 // Baselines: the known failures of one implementation, each with its reason. A baseline never changes a
 // verdict. It states which results are expected, so that only a change makes a run fail.
 //
-// A baseline is stored as plain text files in one folder, in the format of GL driver CI. The reason of an
-// entry is the comment above it (the same for all entries up to the next empty line), and every entry needs
-// one.
-// NAME-fails.txt has lines "test name,Status" (Fail, Crash, Timeout); in a name, * stands for any characters.
-// The comments at its top form the
-// header, which states the implementations that the files are for:
+// Known are the failures of the known bugs (known_bugs.h), and those in the files of the user, which have the
+// format of GL driver CI. The reason of an entry is the comment above it (the same for all entries up to the
+// next empty line), and every entry needs one.
+// NAME-fails.txt has lines "test name,Status" (Fail, Crash, Timeout, or Pass, which takes a test out of what is
+// known). The comments at its top form the header, which states the implementations that the files are for:
 //   # vendor: TEXT            part of GL_VENDOR
 //   # renderer: TEXT          part of GL_RENDERER
 //   # version: RANGE          range of GL_VERSION, see version_range.h
 //   # implementation: A, B    names of implementations, see `evalcts list implementations`
 //   # pass: reuse-context     the second pass, over one shared context, instead of the first
-//   # depth: thorough         runs at this depth only
-//   # extends: BASE           makes the files an overlay
 // NAME-signatures.txt has lines "test name,depth,signature": the failing cases of the test, so that a known
-// failure cannot hide a new one. A pattern stands for all its tests with an entry in the same files. A
-// signature belongs to its depth and to seed 1, and is ignored if its test has no entry. NAME-skips.txt has
-// regular expressions (ECMAScript, found anywhere in the name) for tests that are not run and get the verdict
-// `skipped`. NAME-flakes.txt has regular expressions for tests whose fail, crash, timeout or pass is never
-// unexpected.
+// failure cannot hide a new one. A signature belongs to its depth and to seed 1. NAME-skips.txt has regular expressions (ECMAScript, found anywhere in the name) for
+// tests that are not run and get the verdict `skipped`. NAME-flakes.txt has regular expressions for tests whose
+// fail, crash, timeout or pass is never unexpected.
 //
-// An overlay holds only the differences from BASE for one driver, window system or range of versions. The
-// status "Pass" withdraws an entry of BASE, and a signature replaces the one in BASE. The baseline of an
-// implementation is the base with the most specific header, and all overlays of this base that fit, the most
-// specific one last.
+// A test name may be a pattern of the shell, in which * stands for any characters, ? for one, [ab] for one of
+// these, and @(A|B) for A or B. A pattern permits failures: some of its tests may pass. If all of them pass, or
+// all tests of a known bug, the passes are unexpected.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <regex>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include <evalcts/results/known_bugs.h>
 #include <evalcts/results/run_result.h>
-#include <evalcts/results/version_range.h>
+#include <evalcts/results/scope.h>
 
 namespace evalcts {
 
@@ -48,27 +43,11 @@ struct BadBaseline : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// True if the pattern stands for the test.
+bool stands_for(const std::string& pattern, const std::string& test);
+
 // The content of the four files with one NAME.
 struct BaselineFiles {
-  struct Header {
-    std::string vendor, renderer;
-    VersionRange version;
-    std::vector<std::string> implementations;  // empty: all
-    Pass pass = Pass::kFreshContexts;
-    std::optional<Depth> depth;  // none: all
-    std::string extends;         // empty: not an overlay
-
-    // The larger of two values belongs to the more specific header: it has more fields, or longer ones.
-    struct Specificity {
-      std::size_t fields = 0, length = 0;
-      auto operator<=>(const Specificity&) const = default;
-    };
-    Specificity specificity() const;
-    // Returns the fields of the header, in the order of the file: {"version", "Mesa 20.3 or newer"}.
-    std::vector<std::pair<std::string, std::string>> fields() const;
-    bool fits(const ImplementationRecord& implementation, Pass for_pass, Depth at_depth) const;
-  };
-
   struct Entry {
     std::string status;  // Fail, Crash, Timeout, Pass
     std::string reason;
@@ -81,93 +60,90 @@ struct BaselineFiles {
   };
 
   std::string name;
-  Header header;
-  std::map<std::string, Entry> entries;                                  // by test
-  std::map<std::string, std::map<std::string, std::string>> signatures;  // by test and depth
+  Scope header;
+  std::map<std::string, Entry> entries;                                  // by test or pattern
+  std::map<std::string, std::map<std::string, std::string>> signatures;  // by test or pattern, and depth
   std::vector<Pattern> skips, flakes;
 
   // Reads NAME-fails.txt and the other files, if they exist. Throws BadBaseline.
   static BaselineFiles read(const std::filesystem::path& folder, const std::string& name);
-  // Reads all files of a folder (none if it does not exist), in the order of their names. Throws BadBaseline,
-  // also if the base of an overlay is missing.
+  // Reads all files of a folder (none if it does not exist), in the order of their names. Throws BadBaseline.
   static std::vector<BaselineFiles> read_all(const std::filesystem::path& folder);
-
-  // Returns the files with the tests that patterns of `tests` (sorted) stand for in place of these patterns.
-  // An entry for a test takes precedence over patterns; the status "Pass" takes the test out of them. A
-  // pattern that matches no test stays.
-  BaselineFiles expanded(const std::vector<std::string>& tests) const;
-  // Returns the files with patterns in place of several tests with the same status and reason, or with the
-  // same signature. They expand to these files.
-  BaselineFiles with_patterns(const std::vector<std::string>& tests) const;
 
   // Writes the fails and the signatures; the files of skips and flakes are maintained by hand. Throws
   // std::runtime_error.
   void write(const std::filesystem::path& folder) const;
 };
 
-// The known failures of one implementation, composed of a base and its overlays. A default-constructed
-// baseline expects no failures.
+// The choice of a baseline.
+struct BaselineChoice {
+  bool known_bugs = true;                 // the failures of known bugs are expected
+  std::vector<BaselineFiles> files = {};  // the one with the most specific header that fits is used
+  std::string name = {};  // the name of the files to use regardless of their header; empty: none
+};
+
+// The known failures of one implementation. A default-constructed baseline expects no failures.
 class Baseline {
  public:
-  struct Entry {
-    std::string status;  // Fail, Crash, Timeout
-    std::string reason;
-    std::map<std::string, std::string> signatures;  // by depth; not compared at a missing depth
-  };
-  using Pattern = BaselineFiles::Pattern;
+  Baseline() = default;
+  // Throws BadBaseline if no files have the chosen name.
+  Baseline(const BaselineChoice& choice, const ImplementationRecord& implementation,
+           Pass pass = Pass::kFreshContexts, const std::vector<KnownBug>& bugs = evalcts::known_bugs());
 
-  // Returns the baseline of the implementation in the given pass and at the given depth. If `chosen` is not
-  // empty, that base or overlay is used regardless of its header, provided that it is for the pass. Throws
-  // BadBaseline if no files have the name `chosen`.
-  static Baseline best_fit(const std::vector<BaselineFiles>& all, const ImplementationRecord& implementation,
-                           Pass pass = Pass::kFreshContexts, const std::string& chosen = {},
-                           Depth depth = Depth::kFull);
-
-  // Returns this baseline with the given files in place of those with the same name, or, if it is empty, a
-  // baseline of these files.
-  Baseline with(const BaselineFiles& files) const;
-
-  // Returns the name of the baseline, such as "mesa" or "mesa with mesa.softpipe"; empty if there is none.
+  // Returns the name of the baseline, such as "mesa" or "mesa with library"; empty if there is none.
   std::string name() const;
-  // True if the base or one of the overlays has this name.
-  bool has_part(const std::string& name) const;
-  const std::map<std::string, Entry>& entries() const { return entries_; }
+  // Returns the files of the user; null if none are used.
+  const BaselineFiles* files() const { return files_ ? &*files_ : nullptr; }
 
-  // Return the pattern that excludes the test from the run, or declares it flaky; null if there is none.
-  const Pattern* skip(const std::string& test) const { return matching(&BaselineFiles::skips, test); }
-  const Pattern* flake(const std::string& test) const { return matching(&BaselineFiles::flakes, test); }
+  // Return the reason for which the test is not run, or is flaky; none if it is not.
+  std::optional<std::string> skip(const std::string& test) const;
+  std::optional<std::string> flake(const std::string& test) const;
 
-  // True if the test record is a known fail, crash or timeout. If there is a signature for the depth and the
-  // seed is 1, the failing cases must be the same, too.
+  // True if the test record is a known fail, crash or timeout. If there are signatures for the depth and the seed
+  // is 1, the failing cases must be known, too.
   bool knows(const TestRecord& test, Depth depth, std::uint64_t seed) const;
 
-  // Sets `baseline` of the result, and `expected_by_baseline` and `baseline_reason` of its tests. A known
-  // failure whose signature changed stays unexpected, and its message says so. Does not change tests that
-  // also fail in a fresh context.
-  void apply(RunResult& result) const;
+  // Sets `baseline` of the result, and `expected_by_baseline`, `baseline_reason` and `known_bugs` of its tests.
+  // A known failure whose failing cases changed stays unexpected, and its message says so. Does not change
+  // tests that also fail in a fresh context. `all`: all tests of the suite.
+  void apply(RunResult& result, const std::vector<ListedTest>& all) const;
 
-  // Returns entries for tests that no longer exist, patterns that match no test, and "Pass" entries of an
-  // overlay that withdraw nothing (`tests`: all tests of the suite).
-  std::vector<std::string> stale_entries(const std::vector<ListedTest>& tests) const;
-  // Returns the tests that have a signature but no entry.
+  // Returns entries of the user's files for tests that do not exist, patterns that match no test, and "Pass"
+  // entries of tests that are not expected to fail anyway.
+  std::vector<std::string> stale_entries(const std::vector<ListedTest>& all) const;
+  // Returns the signatures of the user's files for which no failure is expected.
   std::vector<std::string> unused_signatures() const;
 
-  // Returns files with which this baseline expects exactly the failures of the result. They replace the
-  // part called `target`; an empty `target` stands for the only part, or, if there is none, for new files
-  // called `new_name`. Their entries are the differences from the other parts. Existing reasons are kept;
-  // new entries state that their cause has not been traced. Skips and flakes are kept, flaky tests get no
-  // entry, and signatures without an entry are removed. Throws BadBaseline if no part is called `target`, if
-  // there are several parts and `target` is empty, or if the new files would replace files in `all`, which
-  // are for other implementations.
-  BaselineFiles renewed(const RunResult& result, const std::string& target, const std::string& new_name,
-                        const std::vector<BaselineFiles>& all = {}) const;
+  // Returns the user's files with an entry for each failure of the result that is not known without them, and
+  // without those of tests that pass; new files are called `new_name`. Existing reasons are kept, and so are
+  // patterns, skips and flakes; new entries state that their cause has not been traced. Flaky tests get no
+  // entry. Throws BadBaseline if the new files would replace some of the choice, which are for other
+  // implementations.
+  BaselineFiles renewed(const RunResult& result, const BaselineChoice& choice,
+                        const std::string& new_name) const;
 
  private:
-  static Baseline composed(std::vector<BaselineFiles> parts);
-  const Pattern* matching(std::vector<Pattern> BaselineFiles::*patterns, const std::string& test) const;
+  // Tests that are expected to fail for one reason.
+  struct Line {
+    std::string tests;   // pattern
+    std::string status;  // Fail, Crash, Timeout, Pass, Flaky, Skip
+    std::string reason;
+    std::string bug;  // ID of the known bug; empty: none
+    bool is_of_user = false;
 
-  std::vector<BaselineFiles> parts_;  // the base first
-  std::map<std::string, Entry> entries_;
+    // The tests of lines with the same group are expected to contain a failure.
+    const std::string& group() const { return is_of_user ? tests : bug; }
+  };
+
+  // Returns the lines for the test, the most specific one first; none if "Pass" takes it out of them.
+  std::vector<const Line*> lines_for(const std::string& test) const;
+  std::set<std::string> signatures_of(const std::string& test, Depth depth, bool of_known_bugs) const;
+  std::optional<std::string> reason_for(const std::string& status, const std::string& test) const;
+  void mark_unexpected_passes(RunResult& result, const std::vector<ListedTest>& all) const;
+
+  std::vector<Line> lines_;
+  std::set<std::string> products_;  // of the known bugs, in lower case: "mesa"
+  std::optional<BaselineFiles> files_;
 };
 
 }  // namespace evalcts

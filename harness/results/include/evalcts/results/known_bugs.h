@@ -1,11 +1,14 @@
-// The known bugs of implementations, which are stored as data in suites/bugs.
+// The register of known bugs, which is stored as data in suites/bugs: what each bug is, by which differences it
+// shows, the programs that random search has found for it, and the tests that it makes fail.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
 #include <evalcts/results/requirement_id.h>
 #include <evalcts/results/run_result.h>
+#include <evalcts/results/scope.h>
 
 namespace evalcts {
 
@@ -17,7 +20,11 @@ struct AffectedVersions {
 
   // Returns "Mesa 20.3 to 26.2 with llvmpipe".
   std::string text() const;
+  // True if this version was seen to have the bug, or is between such versions.
   bool contains(const ImplementationRecord& implementation) const;
+  // The same for the first and all newer versions, and only for implementations whose evaluators are those of
+  // the product.
+  bool may_contain(const ImplementationRecord& implementation) const;
 };
 
 // A difference by which a known bug shows. `what`, `expected` and `captured` are regular expressions that
@@ -30,6 +37,21 @@ struct BugSign {
   std::string relation;
 
   bool matches(const std::string& of_cause, const Failure& failure) const;
+};
+
+// A minimal program that random search has found, which every run replays as the test Findings.NAME.
+struct FindingRecord {
+  std::string name, requirement;
+  std::string what;     // the difference, as in Failure
+  std::string program;  // as JSON text (gl/case_json.h)
+};
+
+// Tests that a bug makes fail.
+struct FailingTests {
+  Scope scope;  // beyond the affected versions
+  // Fail, Crash or Timeout; Flaky: they may fail in any way or pass; Skip: they are not run.
+  std::string status = "Fail";
+  std::vector<std::string> tests;  // names or patterns, see baseline.h
 };
 
 struct KnownBug {
@@ -46,6 +68,8 @@ struct KnownBug {
   std::string verified;            // the way in which the bug was verified
   bool crashes = false;            // the library crashes or hangs in the program; there are no signs then
   std::vector<BugSign> signs;      // the differences by which the bug shows
+  std::vector<FindingRecord> findings;
+  std::vector<FailingTests> tests;  // Findings.NAME of `findings` included
 
   bool has_sign(const std::string& of_cause, const Failure& failure) const;
 };
@@ -54,6 +78,10 @@ struct KnownBug {
 const std::vector<KnownBug>& known_bugs();
 // Returns the known bug with this ID; null if there is none.
 const KnownBug* find_known_bug(const std::string& id);
+
+// Returns the signatures of a test function ("Map1Errors.BadTarget") in runs of the product ("mesa"): the failing
+// cases that its tests are known to have at quick or full depth, with any version or driver.
+const std::set<std::string>& known_signatures(const std::string& product, const std::string& function);
 
 // Reads {"bugs": [...]}. Throws FormatError.
 std::vector<KnownBug> parse_known_bugs(const std::string& text);

@@ -121,6 +121,8 @@ struct TestRecord {
 
   bool expected_by_baseline = false;
   std::string baseline_reason;         // empty without an entry in the baseline
+  // IDs of the known bugs that the baseline names for an expected failure, the most specific one first.
+  std::vector<std::string> known_bugs;
   bool also_in_fresh_context = false;  // second pass: the test fails in the same way in fresh contexts
   // The tests that must run before this test in the same process to make it fail. Empty: the test's own
   // earlier cases suffice. Missing: not searched for, or not found.

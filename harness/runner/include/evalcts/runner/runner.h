@@ -33,10 +33,8 @@ struct RunRequest {
   std::string command;              // the command that the user typed, for the record
   std::string program = "evalcts";  // evalcts as the user types it, for the commands shown with a failure
   bool own_output = false;          // true if the user chose the output folder
-  // The baselines to choose from. The best fit determines the tests that are not run, and the failures that
-  // are not investigated further.
-  std::vector<BaselineFiles> baselines;
-  std::string baseline;  // name of the base or overlay that the user chose; empty: the best fit
+  // Determines the tests that are not run, and the failures that are not investigated further.
+  BaselineChoice baseline;
   // The result of the first pass, with fresh contexts, if this run is the second pass; null in
   // the first pass.
   const RunResult* first_pass = nullptr;
