@@ -260,7 +260,8 @@ AppliedBaseline apply_baseline(RunResult& result, const RunOptions& options, con
   const bool is_chosen = choice.name.empty() || (baseline.files() && baseline.files()->name == choice.name);
   if (options.write_baseline && is_chosen) try {
       const BaselineFiles renewed = baseline.renewed(result, choice, result.file_label());
-      if (baseline.files() || !renewed.entries.empty()) renewed.write(files_of(options.baseline).folder);
+      if (baseline.files() || !renewed.entries.empty() || result.pass == Pass::kFreshContexts)
+        renewed.write(files_of(options.baseline).folder);
       std::erase_if(choice.files, [&](const BaselineFiles& files) { return files.name == renewed.name; });
       choice.files.push_back(renewed);
       baseline = Baseline(choice, result.implementation, result.pass);
