@@ -209,7 +209,7 @@ EVALCTS_TEST(AfterRandomCommands, Refuses, kMust, "EV-MAP1-ERR-NOEFFECT", "EV-MA
     c.EvalMesh2(GL_POINTS, 0, 1, 0, 1);
     c.GetError();
     take_snapshot(t, c);
-    t.judge(c, Outcomes::kAnswers);
+    t.judge_answers(c);
   });
 };
 

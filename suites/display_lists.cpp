@@ -96,7 +96,7 @@ EVALCTS_TEST(DisplayLists, CompilingExecutesNothing, kMust, "EV-DL-COMPILED", "E
   c.EndList();
   take_snapshot(t, c);
   c.GetError();
-  t.judge(c, Outcomes::kAnswers);
+  t.judge(c);
 };
 
 EVALCTS_TEST(DisplayLists, CompilingDrawsNothing, kMust, "EV-DL-COMPILED", combine(kDimensions))
@@ -106,7 +106,7 @@ EVALCTS_TEST(DisplayLists, CompilingDrawsNothing, kMust, "EV-DL-COMPILED", combi
   c.Begin(GL_POINTS);
   c.Vertex3f(0.25f, 0.5f, 0.75f);
   c.End();
-  t.expect_emission(c, kUnit0);
+  t.judge(c, kUnit0);
 };
 
 // --- Calling ---------------------------------------------------------------------------------------------
@@ -165,7 +165,7 @@ EVALCTS_TEST(DisplayLists, IndicesKept, kMust, "EV-DL-EXECUTE", combine(kDimensi
     eval_mesh(list, two, GL_POINT, 70000, two ? 70000 : 70001, 40000, 40001);
   });
   c.CallList(kList);
-  t.expect_emission(c, kPosition);
+  t.judge(c, kPosition);
 };
 
 EVALCTS_TEST(DisplayLists, CompileAndExecuteDrawsOnce, kMust, "EV-DL-COMPEXEC", combine(kDimensions))
@@ -176,7 +176,7 @@ EVALCTS_TEST(DisplayLists, CompileAndExecuteDrawsOnce, kMust, "EV-DL-COMPEXEC", 
   c.Vertex3f(0.25f, 0.5f, 0.75f);
   c.End();
   c.CallList(kList);
-  t.expect_emission(c, kUnit0);
+  t.judge(c, kUnit0);
 };
 
 EVALCTS_TEST(DisplayLists, CompileAndExecuteSets, kMust, "EV-DL-COMPEXEC", "EV-DL-GETMAP",
@@ -214,7 +214,7 @@ EVALCTS_TEST(DisplayLists, PointsReadWhileCompiling, kMust, "EV-DL-POINTS-COPIED
       const Map map =
           two ? random_map(t, form.target, {3, 4}, kLayouts[3]) : random_map(t, form.target, 5, 6);
       define_by_list(t, c, map, form.doubles, treatment.after);
-      t.judge(c, Outcomes::kAnswers);
+      t.judge(c);
     }
 };
 
@@ -230,7 +230,7 @@ EVALCTS_TEST(DisplayLists, SamePointerNewPoints, kMust, "EV-DL-POINTS-COPIED", c
       c.CallList(list);
       query_map(t, c, target, form.doubles);
     }
-    t.judge(c, Outcomes::kAnswers);
+    t.judge(c);
   }
 };
 
@@ -241,7 +241,7 @@ EVALCTS_TEST(DisplayLists, StrideKept1, kMust, "EV-DL-STRIDE-KEPT", combine(targ
   for (const int stride : {k, k + 1, 2 * k, 17, 257})
     for (const int order : {1, 2, 5, t.max_order()})
       define_by_list(t, c, random_map(t, form.target, order, stride), form.doubles);
-  t.judge(c, Outcomes::kAnswers);
+  t.judge(c);
 };
 
 EVALCTS_TEST(DisplayLists, StrideKept2, kMust, "EV-DL-STRIDE-KEPT", combine(target_forms(kSurfaces)))
@@ -249,7 +249,7 @@ EVALCTS_TEST(DisplayLists, StrideKept2, kMust, "EV-DL-STRIDE-KEPT", combine(targ
   gl::Case c("every layout");
   for (const Layout& layout : kLayouts)
     define_by_list(t, c, random_map(t, form.target, {3, 5}, layout), form.doubles);
-  t.judge(c, Outcomes::kAnswers);
+  t.judge(c);
 };
 
 // The commands in doubles are judged over domains whose ends are not representable in single precision.
@@ -270,7 +270,7 @@ EVALCTS_TEST(DisplayLists, DoubleForms, kMust, "EV-DL-DOUBLE", combine(kDimensio
       list.End();
     });
     c.CallList(kList);
-    t.expect_emission(c, kPosition);
+    t.judge(c, kPosition);
   }
 };
 
@@ -293,7 +293,7 @@ EVALCTS_TEST(DisplayLists, CalledBetweenBeginAndEnd, kMust, "EV-DL-INBEGIN", com
     points(drawn, 1.75f, 4);
     drawn.CallList(kList);
     drawn.End();
-    t.expect_emission(drawn, kUnit0);
+    t.judge(drawn, kUnit0);
   }
 };
 
@@ -347,7 +347,7 @@ EVALCTS_TEST(DisplayLists, BeginAndEndFromDifferentLists, kMust, "EV-DL-SPLIT", 
     c.Begin(mode);
     c.CallList(kOther);
     c.End();
-    t.expect_emission(c, kUnit0);
+    t.judge(c, kUnit0);
   }
 };
 
@@ -405,7 +405,7 @@ EVALCTS_TEST(DisplayLists, MapsOfAnInnerList, kMust, "EV-DL-NESTED", combine(kDi
     mesh_of_points(list, dimension.two);
   });
   c.CallList(kList);
-  t.expect_emission(c, kUnit0);
+  t.judge(c, kUnit0);
 };
 
 // The outer list calls whatever inner list is defined at the time of its own call.
@@ -421,7 +421,7 @@ EVALCTS_TEST(DisplayLists, InnerListOfTheCall, kMust, "EV-DL-NESTED")
     compile(c, kOther, [&](gl::Case& list) { define(list, random_map(t, GL_MAP1_VERTEX_3, 3 + round)); });
     c.CallList(kList);
   }
-  t.expect_emission(c, kPosition);
+  t.judge(c, kPosition);
 };
 
 EVALCTS_TEST(DisplayLists, NestedDeeply, kMust, "EV-DL-NESTED", combine(kDimensions))
@@ -432,7 +432,7 @@ EVALCTS_TEST(DisplayLists, NestedDeeply, kMust, "EV-DL-NESTED", combine(kDimensi
   for (GLuint depth = 1; depth < kDepth; ++depth)
     compile(c, 100 + depth, [&](gl::Case& list) { list.CallList(100 + depth - 1); });
   c.CallList(100 + kDepth - 1);
-  t.expect_emission(c, kUnit0);
+  t.judge(c, kUnit0);
 };
 
 // --- Current values --------------------------------------------------------------------------------------
@@ -470,10 +470,10 @@ EVALCTS_TEST(DisplayLists, CurrentValuesUntouched, kMust, "EV-DL-CURRENT", combi
     queried.CallList(kList);
     queried.GetFloatv(GL_CURRENT_TEXTURE_COORDS, gl::out<GLfloat>(4));
     queried.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4));
-    t.judge(queried, Outcomes::kAnswers);
+    t.judge_answers(queried);
 
     c.CallList(kList);
-    t.expect_emission(c, kUnit0);
+    t.judge(c, kUnit0);
   }
 };
 
@@ -494,7 +494,7 @@ EVALCTS_TEST(DisplayLists, CurrentValuesAfterTheCall, kMust, "EV-DL-CURRENT", co
     c.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4));
     c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));
     c.GetFloatv(GL_CURRENT_TEXTURE_COORDS, gl::out<GLfloat>(4));
-    t.judge(c, Outcomes::kAnswers);
+    t.judge_answers(c);
   }
 };
 

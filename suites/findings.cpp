@@ -1,5 +1,5 @@
-// Reduced random programs on which an implementation differed from the executable specification: the findings of
-// the known bugs (bugs/README.md). Each has to behave as specified.
+// Reduced random programs on which an implementation differed from the executable specification: the findings
+// of the known bugs (bugs/README.md). Each has to behave as specified.
 #include <evalcts/fuzz/events.h>
 #include <evalcts/testkit/registration.h>
 

@@ -35,7 +35,7 @@ EVALCTS_TEST_PAIR(GetMap.FloatDataUnchanged, GetMap2.FloatDataUnchanged, kQualit
   gl::Case c("random data of 24 bits");
   define(c, map);
   query_in_all_forms(t, c, map);
-  t.judge(c, Outcomes::kAnswers);
+  t.judge(c);
 };
 
 EVALCTS_TEST_PAIR(GetMap.DoubleData, GetMap2.DoubleData, kMust,
@@ -47,7 +47,7 @@ EVALCTS_TEST_PAIR(GetMap.DoubleData, GetMap2.DoubleData, kMust,
   gl::Case c("thirds, quarters, fifths");
   define(c, over(map, {1.0 / 3, 2.0 / 3}, {-1.0 / 7, 10.0 / 3}), true);
   query_map(t, c, target, true);
-  t.judge(c, Outcomes::kAnswers);
+  t.judge(c);
 };
 
 // Appends Map with these points in turn, and queries of its points and its domain as integers.
@@ -66,7 +66,7 @@ EVALCTS_TEST_PAIR(GetMap.IntegersAreRounded, GetMap2.IntegersAreRounded, kMust,
   gl::Case c("values away from halves");
   for (const Form& form : existing_forms(t, {two}))
     define_and_query_integers(c, map, {1.4, -1.6, 2.51, -0.3, 7.0, -100.75, 1000.499, 0.0}, form.doubles);
-  t.judge(c, Outcomes::kAnswers);
+  t.judge(c);
 };
 
 // Values far outside the range of int, and values that an unsigned int can hold.
@@ -76,7 +76,7 @@ EVALCTS_TEST_PAIR(GetMap.IntegersSaturate, GetMap2.IntegersSaturate, kMust,
   const Map map = over(random_map(t, target, two ? Orders{2, 2} : Orders{4}), {-3e9, 4e9}, {2.5e9, -2.5e9});
   gl::Case c("1e20, -1e20, 3e9 and -3e9");
   define_and_query_integers(c, map, {1e20, -1e20, 3e9, -3e9}, false);
-  t.judge(c, Outcomes::kAnswers);
+  t.judge(c);
 };
 
 EVALCTS_TEST_PAIR(GetMap.DisabledAndUndefined, GetMap2.DisabledAndUndefined, kMust,
@@ -95,7 +95,7 @@ EVALCTS_TEST_PAIR(GetMap.DisabledAndUndefined, GetMap2.DisabledAndUndefined, kMu
   c.Enable(target);
   c.Disable(target);
   ask();
-  t.judge(c, Outcomes::kAnswers);
+  t.judge(c);
 };
 
 EVALCTS_TEST_PAIR(GetMap.AnyTextureUnit, GetMap2.AnyTextureUnit, kMust,
@@ -109,7 +109,7 @@ EVALCTS_TEST_PAIR(GetMap.AnyTextureUnit, GetMap2.AnyTextureUnit, kMust,
     c.ActiveTexture(unit);
     query_in_all_forms(t, c, map);
     c.GetError();
-    t.judge(c, Outcomes::kAnswers);
+    t.judge(c);
   }
 };
 
@@ -126,7 +126,7 @@ EVALCTS_TEST_PAIR(GetMap.PackBufferIgnored, GetMap2.PackBufferIgnored, kMust,
   c.GetError();
   query_in_all_forms(t, c, map);
   c.GetError();
-  t.judge(c, Outcomes::kAnswers);
+  t.judge(c);
 };
 
 // --- One dimension, and errors ---------------------------------------------------------------------------
@@ -141,7 +141,7 @@ EVALCTS_TEST(GetMap, OrderDomainAndPoints, kMust, "EV-GETMAP-ORDER1", "EV-GETMAP
       define(c, map, form.doubles);
       query_in_all_forms(t, c, map);
     }
-  t.judge(c, Outcomes::kAnswers);
+  t.judge(c);
 };
 
 // Appends the query and GetError, twice: a rejected query raises one error, and writes nothing.
@@ -158,7 +158,7 @@ EVALCTS_TEST(GetMap, BadTarget, kMust, "EV-GETMAP-ERR-TARGET", "EV-GETMAP-ERR-NO
                               static_cast<GLenum>(GL_TEXTURE_2D), static_cast<GLenum>(GL_AUTO_NORMAL),
                               static_cast<GLenum>(GL_MAP1_GRID_DOMAIN)})
     for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN}) query_twice(c, getter, target, query);
-  t.judge(c, Outcomes::kAnswers);
+  t.judge(c);
 };
 
 EVALCTS_TEST(GetMap, BadQuery, kMust, "EV-GETMAP-ERR-QUERY", "EV-GETMAP-ERR-NOWRITE", combine(kGetters))
@@ -168,7 +168,7 @@ EVALCTS_TEST(GetMap, BadQuery, kMust, "EV-GETMAP-ERR-QUERY", "EV-GETMAP-ERR-NOWR
     for (const GLenum query : {0u, 0x09FFu, 0x0A03u, 0x0B01u, 0x10A00u,
                                static_cast<GLenum>(GL_MAX_EVAL_ORDER), static_cast<GLenum>(GL_MAP1_VERTEX_3)})
       query_twice(c, getter, target, query);
-  t.judge(c, Outcomes::kAnswers);
+  t.judge(c);
 };
 
 EVALCTS_TEST(GetMap, BetweenBeginAndEnd, kMust, "EV-GETMAP-ERR-BEGINEND", "EV-GETMAP-ERR-NOWRITE",
@@ -185,7 +185,7 @@ EVALCTS_TEST(GetMap, BetweenBeginAndEnd, kMust, "EV-GETMAP-ERR-BEGINEND", "EV-GE
         c.GetError();
         c.GetError();
       }
-  t.judge(c, Outcomes::kAnswers);
+  t.judge_answers(c);
 };
 
 // Queries all maps of the dimension between two snapshots.
@@ -197,7 +197,7 @@ void judge_queries(Test& t, bool two, const std::vector<Getter>& getters) {
     for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
       for (const Getter& getter : getters) getter.get(c, target, query, 32);
   take_snapshot(t, c);
-  t.judge(c, Outcomes::kAnswers);
+  t.judge(c);
 }
 
 EVALCTS_TEST(GetMap, ChangesNothing, kMust, "EV-GETMAP-NOSIDE/1-D", combine(kGetters))
@@ -215,7 +215,7 @@ EVALCTS_TEST(GetMap, KeepsTheErrorThatWaits, kMust, "EV-GETMAP-NOSIDE", combine(
     }
   c.GetError();
   c.GetError();
-  t.judge(c, Outcomes::kAnswers);
+  t.judge(c);
 };
 
 // --- Two dimensions --------------------------------------------------------------------------------------
@@ -231,7 +231,7 @@ void judge_queries_of_orders(Test& t, GLenum target, int uorder, int vorder) {
       define(c, map, form.doubles);
       query_in_all_forms(t, c, map);
     }
-  t.judge(c, Outcomes::kAnswers);
+  t.judge(c);
 }
 
 // COEFF has v varying fastest. For different orders the formula in the specification is evidently wrong
@@ -284,7 +284,7 @@ EVALCTS_TEST_PAIR(Get.Grid1, Get.Grid2, kMust, decide("EV-GET-GRIDDOMAIN/1-D", "
     map_grid(c, two, u, v);
     ask();
   }
-  t.judge(c, Outcomes::kAnswers);
+  t.judge(c);
 };
 
 // The specification cannot judge this test, because the answer is a limit of the implementation, which all
@@ -322,7 +322,7 @@ EVALCTS_TEST(Get, BetweenBeginAndEnd, kMust, "EV-GET-ERR-BEGINEND")
       if (t.can_call(gl::EntryPoint::GetDoublev))
         inside([&](gl::Case& to) { to.GetDoublev(name, gl::out<GLdouble>(8)); });
     }
-  t.judge(c, Outcomes::kAnswers);
+  t.judge_answers(c);
 };
 
 }  // namespace

@@ -260,7 +260,7 @@ EVALCTS_TEST(Pipeline, ErrorsWithRasterizerDiscard, kMust, "EV-PIPE-DISCARD")
   c.EvalMesh1(GL_LINE, 0, kColumns);
   c.EvalMesh2(GL_FILL, 0, kColumns, 0, kRows);
   c.GetError();
-  t.judge(c, Outcomes::kAnswers);
+  t.judge_answers(c);
 };
 
 }  // namespace

@@ -87,7 +87,7 @@ void judge_rejected(Test& t, const std::string& identity, const std::vector<Call
     c.GetError();
   }
   take_snapshot(t, c);
-  t.judge(c, Outcomes::kAnswers);
+  t.judge_answers(c);
 }
 
 Map legal_map(GLenum target) {

@@ -8,8 +8,8 @@
 
 #include <evalcts/backends/implementation.h>
 #include <evalcts/faults/fault_table.h>
-#include <evalcts/results/known_bugs.h>
 #include <evalcts/results/json.h>
+#include <evalcts/results/known_bugs.h>
 #include <evalcts/results/requirements.h>
 #include <evalcts/results/serialization.h>
 #include <evalcts/runner/question.h>

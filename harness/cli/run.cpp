@@ -216,8 +216,7 @@ void find_bugs(RunResult& result, const RunRequest& request, const RunOptions& o
   // The baseline names the bugs of known failures. It is applied to the result itself later, after
   // --write-baseline.
   RunResult judged = result;
-  if (result.has_started())
-    Baseline(request.baseline, result.implementation, result.pass).apply(judged, {});
+  if (result.has_started()) Baseline(request.baseline, result.implementation, result.pass).apply(judged, {});
   fuzz::find_bugs(judged, bugs, [&](std::size_t done, std::size_t total) {
     line.show(request.name, fmt::format("reducing failing tests, {} of {}", done, total));
   });
@@ -285,9 +284,10 @@ int run(const RunOptions& options, const std::string& shard) {
   if (request.baseline.known_bugs && !options.baseline.empty()) {
     const ChosenFiles chosen_files = files_of(options.baseline);
     if (!options.write_baseline && !fs::is_directory(chosen_files.folder))
-      return wrong_use(fmt::format("--baseline '{}': not a directory, a baseline in a directory (DIR/NAME, for "
-                                   "DIR/NAME-fails.txt), or 'none'",
-                                   options.baseline));
+      return wrong_use(
+          fmt::format("--baseline '{}': not a directory, a baseline in a directory (DIR/NAME, for "
+                      "DIR/NAME-fails.txt), or 'none'",
+                      options.baseline));
     request.baseline.files = BaselineFiles::read_all(chosen_files.folder);
     request.baseline.name = chosen_files.name;
   }

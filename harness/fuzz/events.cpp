@@ -145,7 +145,8 @@ const std::vector<KnownFinding>& known_findings() {
     std::vector<KnownFinding> findings;
     for (const KnownBug& bug : known_bugs())
       for (const FindingRecord& finding : bug.findings) {
-        findings.push_back({finding.name, finding.requirement, finding.what, gl::parse_case(finding.program)});
+        findings.push_back(
+            {finding.name, finding.requirement, finding.what, gl::parse_case(finding.program)});
         findings.back().program.set_identity(finding.name);
       }
     std::ranges::sort(findings, {}, &KnownFinding::name);

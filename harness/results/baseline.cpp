@@ -177,8 +177,8 @@ const BaselineFiles* find(const std::vector<BaselineFiles>& all, const std::stri
   return found == all.end() ? nullptr : &*found;
 }
 
-// Returns the files that the choice names, or those with the most specific header that fits; null if there are
-// none. A header is more specific if it has more fields, or longer ones.
+// Returns the files that the choice names, or those with the most specific header that fits; null if there
+// are none. A header is more specific if it has more fields, or longer ones.
 const BaselineFiles* chosen_of(const BaselineChoice& choice, const ImplementationRecord& implementation,
                                Pass pass) {
   const auto specificity = [](const BaselineFiles& files) {
@@ -295,7 +295,8 @@ Baseline::Baseline(const BaselineChoice& choice, const ImplementationRecord& imp
             lines_.push_back({tests, failing.status, fmt::format("{}: {}", bug.id, bug.title), bug.id});
     }
   // The longer pattern is the more specific one.
-  std::ranges::stable_sort(lines_, std::ranges::greater(), [](const Line& line) { return line.tests.size(); });
+  std::ranges::stable_sort(lines_, std::ranges::greater(),
+                           [](const Line& line) { return line.tests.size(); });
   if (const BaselineFiles* const chosen = chosen_of(choice, implementation, pass)) {
     files_ = *chosen;
     std::vector<Line> own;
@@ -349,7 +350,8 @@ std::set<std::string> Baseline::signatures_of(const std::string& test, Depth dep
     }
   if (files_)
     for (const auto& [tests, by_depth] : files_->signatures)
-      if (const auto found = by_depth.find(name_of(depth)); found != by_depth.end() && stands_for(tests, test))
+      if (const auto found = by_depth.find(name_of(depth));
+          found != by_depth.end() && stands_for(tests, test))
         known.insert(found->second);
   return known;
 }
@@ -430,9 +432,7 @@ std::vector<std::string> Baseline::stale_entries(const std::vector<ListedTest>& 
   if (!files_) return {};
   std::set<std::string> stale;
   for (const auto& [tests, entry] : files_->entries) {
-    const auto stands = [&pattern = tests](const ListedTest& test) {
-      return stands_for(pattern, test.name);
-    };
+    const auto stands = [&pattern = tests](const ListedTest& test) { return stands_for(pattern, test.name); };
     if (std::ranges::none_of(all, stands)) {
       stale.insert(tests);
     } else if (entry.status == "Pass") {
@@ -459,7 +459,8 @@ std::vector<std::string> Baseline::unused_signatures() const {
   if (files_)
     for (const auto& [tests, signatures] : files_->signatures)
       if (std::ranges::none_of(lines_, [&pattern = tests](const Line& line) {
-            return line.status != "Pass" && (stands_for(line.tests, pattern) || stands_for(pattern, line.tests));
+            return line.status != "Pass" &&
+                   (stands_for(line.tests, pattern) || stands_for(pattern, line.tests));
           }))
         unused.push_back(tests);
   return unused;
@@ -483,8 +484,11 @@ BaselineFiles Baseline::renewed(const RunResult& result, const BaselineChoice& c
     }
     const ImplementationRecord& implementation = result.implementation;
     files.name = new_name;
-    files.header = {implementation.vendor, implementation.renderer, VersionRange(implementation.version),
-                    {implementation.kind}, result.pass};
+    files.header = {implementation.vendor,
+                    implementation.renderer,
+                    VersionRange(implementation.version),
+                    {implementation.kind},
+                    result.pass};
   }
   const Depth depth = result.depth.value_or(Depth::kFull);
   const std::uint64_t seed = result.seed.value_or(kSeedOfSignatures);
@@ -498,7 +502,8 @@ BaselineFiles Baseline::renewed(const RunResult& result, const BaselineChoice& c
     const auto own = files.entries.find(test.name);
     const std::string reason = own == files.entries.end() ? kNotTraced : own->second.reason;
     const char* const status = status_of(test.verdict);
-    if (!status && (test.verdict != Verdict::kPass || (own != files.entries.end() && own->second.status == "Pass")))
+    if (!status &&
+        (test.verdict != Verdict::kPass || (own != files.entries.end() && own->second.status == "Pass")))
       continue;
     files.entries.erase(test.name);
     if (!status || without.knows(test, depth, seed)) {

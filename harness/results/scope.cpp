@@ -9,8 +9,7 @@
 namespace evalcts {
 
 bool Scope::fits(const ImplementationRecord& implementation, Pass for_pass) const {
-  return pass.value_or(for_pass) == for_pass &&
-         implementation.vendor.find(vendor) != std::string::npos &&
+  return pass.value_or(for_pass) == for_pass && implementation.vendor.find(vendor) != std::string::npos &&
          implementation.renderer.find(renderer) != std::string::npos &&
          version.contains(implementation.version) &&
          (implementations.empty() || std::ranges::count(implementations, implementation.kind) > 0);

@@ -58,6 +58,12 @@ bool is_same_query(const gl::Command& a, const gl::Command& b) {
   return a.entry == b.entry && std::ranges::equal(a.arguments, b.arguments, is_same);
 }
 
+// Returns true if the command has an answer.
+bool asks(const gl::Command& command) {
+  const std::string_view name = gl::name_of(command.entry);
+  return name.starts_with("glGet") || name.starts_with("glIs");
+}
+
 // Returns true if the command is rejected because it stands between Begin and End.
 bool is_rejected_in_primitive(const Specified& specified, std::size_t command) {
   return command > 0 && specified.inside[command - 1] &&
@@ -205,20 +211,29 @@ void Test::compare_only(const std::vector<gl::Ref>& queries) {
 // The attributes that are judged wherever a capture shows them.
 constexpr Attributes kJudged = kPosition | kColor | kNormal | kTextureCoordinate0;
 
-void Test::judge(const gl::Case& script, Outcomes outcomes) {
+void Test::judge(const gl::Case& script) {
   const Specified specified = specify(script, max_order(), texture_units(), OtherState::kSkipped);
-  if (outcomes == Outcomes::kAll || outcomes == Outcomes::kAnswers) judge_answers(script, specified);
-  if (outcomes == Outcomes::kAnswers || specified.prediction.vertex_count() == 0) return;
-  if (outcomes == Outcomes::kOrder) judge_order_of_meshes();
-  expect_emission(script, kJudged);
+  judge_answers(script, specified);
+  if (specified.prediction.vertex_count() > 0) judge_vertices(script, kJudged);
+}
+
+void Test::judge(const gl::Case& script, Attributes about) {
+  if (std::ranges::any_of(script.commands(), asks)) judge_answers(script);
+  judge_vertices(script, about);
+}
+
+void Test::judge_answers(const gl::Case& script) {
+  judge_answers(script, specify(script, max_order(), texture_units(), OtherState::kSkipped));
 }
 
 void Test::judge(const gl::Case& script, const Specified& specified, Outcomes outcomes) {
-  const bool emits = specified.prediction.vertex_count() > 0;
   if (outcomes == Outcomes::kAll || outcomes == Outcomes::kAnswers) judge_answers(script, specified);
-  if (outcomes == Outcomes::kAnswers || (outcomes == Outcomes::kAll && !emits)) return;
+  if (outcomes == Outcomes::kAnswers) return;
+  if (outcomes == Outcomes::kAll && specified.prediction.vertex_count() == 0) return;
   if (outcomes == Outcomes::kOrder) judge_order_of_meshes();
-  expect_emission(script, specified.prediction, kJudged);
+  if (!delivery_.name.empty()) throw std::logic_error("a prediction is of the case as it is delivered");
+  begin_case(script);
+  judge_emission(script, specified.prediction, kJudged, Thoroughness::kFirstWrongVertex);
 }
 
 }  // namespace evalcts

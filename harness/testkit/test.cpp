@@ -41,70 +41,6 @@ Mismatch wrong_error(GLenum got, GLenum expected) {
 
 }  // namespace
 
-int Test::order_limit() const {
-  if (subject_.info.max_eval_order == 0)
-    throw NotObservable("MAX_EVAL_ORDER is not answered, so that no order is known to be too high");
-  return std::max(subject_.info.max_eval_order, 8);
-}
-
-int Test::texture_units() const { return std::clamp(gl().texture_units, 1, reference::kTextureUnits); }
-
-Depth Test::depth() const {
-  if (subject_.depth == Depth::kFull && !delivery_.is_plain()) return Depth::kQuick;
-  return subject_.depth;
-}
-
-int Test::by_depth(int quick, int full, int thorough) const {
-  return std::array{quick, full, thorough}.at(static_cast<std::size_t>(depth()));
-}
-
-void Test::require(int major, int minor, const std::string& or_extension) const {
-  if (subject_.info.at_least(major, minor)) return;
-  if (!or_extension.empty() && subject_.info.extensions.count(or_extension)) return;
-  throw NotSupported(
-      fmt::format("needs GL {}.{}{}{}", major, minor, or_extension.empty() ? "" : " or ", or_extension));
-}
-
-void Test::require_initial_state() const {
-  if (subject_.info.shares_state)
-    throw NotObservable("all contexts have one state, which is restored by calls");
-}
-
-bool Test::can_call(gl::EntryPoint command) {
-  if (gl().has(command)) return true;
-  missing_.insert(fmt::format("{} (missing)", gl::name_of(command)));
-  return false;
-}
-
-bool Test::can_query_grid(GLenum name) {
-  if (!gl().rejected_grid_queries.contains(name)) return true;
-  missing_.insert(fmt::format("{} (the query is rejected)", gl::token_name(name)));
-  return false;
-}
-
-std::vector<gl::Ref> Test::append_optional(gl::Case& c, const gl::Case& optional) {
-  std::vector<gl::Ref> places;
-  for (const gl::Command& command : optional.commands()) {
-    // Commands that a sink does not declare are not supported.
-    if (!gl().declaration && !can_call(command.entry)) {
-      places.emplace_back();
-      continue;
-    }
-    if (!subject_.crashing_calls.empty()) {
-      const std::string call = gl::call_text(command);
-      if (subject_.crashing_calls.contains(call)) {
-        if (std::ranges::count(record_.left_out, call) == 0) record_.left_out.push_back(call);
-        places.emplace_back();
-        continue;
-      }
-    }
-    places.push_back(c.add(command));
-  }
-  if (!places.empty() && std::ranges::all_of(places, [](gl::Ref place) { return place.index < 0; }))
-    throw NotObservable("none of the queries can be called");
-  return places;
-}
-
 // Counts the case and returns it after delivery. Throws NotObservable or NotSupported if the case cannot be
 // judged on this implementation.
 gl::DeliveredCase Test::begin_case(const gl::Case& script) {
@@ -187,15 +123,9 @@ RecordedVaryings Test::record_varyings(const gl::Case& written, const VaryingSha
   return evalcts::record_varyings(*subject_.implementation, shader, script, kPoints, most_vertices);
 }
 
-void Test::expect_emission(const gl::Case& written, Attributes required) {
+void Test::judge_vertices(const gl::Case& written, Attributes about) {
   const gl::Case script = begin_case(written).script;
-  judge_emission(script, predict(script, max_order()), required, Thoroughness::kAllVertices);
-}
-
-void Test::expect_emission(const gl::Case& script, const Prediction& prediction, Attributes required) {
-  if (!delivery_.name.empty()) throw std::logic_error("a prediction is of the case as it is delivered");
-  begin_case(script);
-  judge_emission(script, prediction, required, Thoroughness::kFirstWrongVertex);
+  judge_emission(script, predict(script, max_order()), about, Thoroughness::kAllVertices);
 }
 
 JudgeOptions Test::options_for(const gl::Case& script, const Capture& capture, Attributes required) const {
@@ -418,50 +348,54 @@ void Test::blame_list_or_commands(const std::function<void(Test&)>& body) {
   record_.violated = {all_errors ? "EV-DL-ERR-ALL" : "EV-DL-EXECUTE"};
 }
 
+// Returns the verdict if no case fails, and the reason for it.
+Test::Ending Test::end_of(const std::function<void(Test&)>& body) {
+  try {
+    body(*this);
+    return {Verdict::kPass, ""};
+  } catch (const NotSupported& exception) {
+    return {Verdict::kNotSupported, exception.what()};
+  } catch (const NotObservable& exception) {
+    return {Verdict::kNotObservable, exception.what()};
+  } catch (const gl::MissingEntryPoint& exception) {
+    return {gl().declaration ? Verdict::kNotSupported : Verdict::kNotObservable, exception.what()};
+  } catch (const std::exception& exception) {
+    return {Verdict::kInternalError, exception.what()};
+  }
+}
+
+// Returns the mistake of a test that passes without judging what it claims to; empty if there is none.
+std::string Test::mistake() const {
+  if (cases_ == 0) return "the test ran no case";
+  if (is_delivered_in_lists() && !lists_used_)
+    return "no case of the test has a command that goes into a display list";
+  return {};
+}
+
 void Test::run(const std::function<void(Test&)>& body) {
   record_.seed = subject_.seed;
   random_.seed(subject_.seed * 2654435761u ^ fnv1a<std::uint32_t>(record_.name));
-  std::string why;
-  Verdict otherwise = Verdict::kPass;
-  try {
-    body(*this);
-  } catch (const NotSupported& exception) {
-    otherwise = Verdict::kNotSupported;
-    why = exception.what();
-  } catch (const NotObservable& exception) {
-    otherwise = Verdict::kNotObservable;
-    why = exception.what();
-  } catch (const gl::MissingEntryPoint& exception) {
-    otherwise = gl().declaration ? Verdict::kNotSupported : Verdict::kNotObservable;
-    why = exception.what();
-  } catch (const std::exception& exception) {
-    otherwise = Verdict::kInternalError;
-    why = exception.what();
-  }
-  if (otherwise == Verdict::kInternalError || record_.mismatches.empty()) {
-    record_.verdict = otherwise;
-    record_.message = why;
-  } else {
-    record_.verdict = record_.level == Level::kQuality ? Verdict::kQualityWarning : Verdict::kFail;
-    record_.message = record_.failures.front().message;
+  // Runs and judges. Controls end the test by exceptions.
+  const Ending ending = end_of(body);
+  const bool fails = ending.verdict != Verdict::kInternalError && !record_.mismatches.empty();
+  record_.verdict = !fails                             ? ending.verdict
+                    : record_.level == Level::kQuality ? Verdict::kQualityWarning
+                                                       : Verdict::kFail;
+  record_.message = fails ? record_.failures.front().message : ending.why;
+  if (fails) {
     if (violates_all_ && !record_.violated.empty())
       record_.violated.insert(record_.violated.end(), record_.requirements.begin(),
                               record_.requirements.end());
-    if (delivery_.lists != gl::Lists::kNone && !other_lists_ && !subject_.reproduction)
-      blame_list_or_commands(body);
+    if (is_delivered_in_lists() && !other_lists_ && !subject_.reproduction) blame_list_or_commands(body);
   }
   std::vector<std::string> unobserved;
   if (unobserved_) unobserved.push_back(describe(unobserved_));
   unobserved.insert(unobserved.end(), missing_.begin(), missing_.end());
   record_.unobserved = fmt::format("{}", fmt::join(unobserved, ", "));
-  if (record_.verdict == Verdict::kPass && cases_ == 0) {
-    const bool none_can_run = !missing_.empty();
+  if (record_.verdict == Verdict::kPass && !mistake().empty()) {
+    const bool none_can_run = cases_ == 0 && !missing_.empty();
     record_.verdict = none_can_run ? Verdict::kNotObservable : Verdict::kInternalError;
-    record_.message = none_can_run ? record_.unobserved : "the test ran no case";
-  }
-  if (record_.verdict == Verdict::kPass && delivery_.lists != gl::Lists::kNone && !lists_used_) {
-    record_.verdict = Verdict::kInternalError;
-    record_.message = "no case of the test has a command that goes into a display list";
+    record_.message = none_can_run ? record_.unobserved : mistake();
   }
   record_.shorten_mismatches();
   record_.cases = cases_;

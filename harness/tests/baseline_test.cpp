@@ -187,11 +187,13 @@ TEST_F(Baselines, PatternsPermitFailures) {
   EXPECT_TRUE(stands_for("A.@(B|C)/Eval*[12]d", "A.C/EvalCoord1d"));
   EXPECT_FALSE(stands_for("A.@(B|C)/Eval*[12]d", "A.D/EvalCoord1d"));
   EXPECT_FALSE(stands_for("A.B", "A.B/EvalCoord1d"));
-  write("m-fails.txt", std::string(kHeader) +
-                           "# reason\nA.B/EvalCoord1*,Fail\nA.Gone/*,Fail\n\n# other\nA.B/EvalCoord1f,Crash\n");
+  write("m-fails.txt",
+        std::string(kHeader) +
+            "# reason\nA.B/EvalCoord1*,Fail\nA.Gone/*,Fail\n\n# other\nA.B/EvalCoord1f,Crash\n");
   write("m-signatures.txt", "A.B*,quick,2-b\nA.D*,quick,1-d\n");
-  RunResult result = record({test("A.B/EvalCoord1d", Verdict::kFail), test("A.B/EvalCoord1f", Verdict::kCrash),
-                             test("A.B/EvalCoord1dv", Verdict::kPass), test("A.B/EvalCoord2d", Verdict::kFail)});
+  RunResult result =
+      record({test("A.B/EvalCoord1d", Verdict::kFail), test("A.B/EvalCoord1f", Verdict::kCrash),
+              test("A.B/EvalCoord1dv", Verdict::kPass), test("A.B/EvalCoord2d", Verdict::kFail)});
   for (TestRecord& test : result.tests) test.signature_of_all = "2-b";
   apply(read("m"), result);
   EXPECT_TRUE(result.tests[0].expected_by_baseline);
@@ -417,8 +419,8 @@ TEST_F(KnownBugsInBaselines, AreExpectedInTheAffectedVersionsAndNewerOnes) {
 }
 
 TEST_F(KnownBugsInBaselines, AreNamedTheMostSpecificFirst) {
-  record_.tests = {test("A.B/List", Verdict::kFail), test("A.B", Verdict::kPass), test("A.F", Verdict::kTimeout),
-                   test("A.C", Verdict::kCrash)};
+  record_.tests = {test("A.B/List", Verdict::kFail), test("A.B", Verdict::kPass),
+                   test("A.F", Verdict::kTimeout), test("A.C", Verdict::kCrash)};
   apply(of_record(), record_);
   EXPECT_EQ(record_.tests[0].known_bugs, (std::vector<std::string>{"mesa-b", "mesa-a"}));
   EXPECT_EQ(record_.tests[0].baseline_reason, "mesa-b: A is wrong");
@@ -429,7 +431,8 @@ TEST_F(KnownBugsInBaselines, AreNamedTheMostSpecificFirst) {
 }
 
 TEST_F(KnownBugsInBaselines, OfWhichNothingFailsAreUnexpectedPasses) {
-  record_.tests = {test("A.B", Verdict::kPass), test("A.B/List", Verdict::kPass), test("A.C", Verdict::kFail)};
+  record_.tests = {test("A.B", Verdict::kPass), test("A.B/List", Verdict::kPass),
+                   test("A.C", Verdict::kFail)};
   apply(of_record(), record_);
   EXPECT_FALSE(record_.tests[0].is_unexpected_pass()) << "another test of mesa-a fails";
   EXPECT_TRUE(record_.tests[1].is_unexpected_pass()) << "the only test of mesa-b";
@@ -451,8 +454,9 @@ TEST_F(KnownBugsInBaselines, TheUserAddsAndTakesBack) {
 // Only failures that are not known anyway get an entry.
 TEST_F(KnownBugsInBaselines, RenewedFilesHoldTheDifferences) {
   write("m-fails.txt", std::string(kHeader) + "# must pass\nA.C,Pass\n\n# old\nA.O,Fail\nA.U,Fail\n");
-  record_.tests = {test("A.B", Verdict::kFail, {"x"}), test("A.C", Verdict::kPass), test("A.N", Verdict::kFail, {"y"}),
-                   test("A.O", Verdict::kPass), test("A.U", Verdict::kNotObservable)};
+  record_.tests = {test("A.B", Verdict::kFail, {"x"}), test("A.C", Verdict::kPass),
+                   test("A.N", Verdict::kFail, {"y"}), test("A.O", Verdict::kPass),
+                   test("A.U", Verdict::kNotObservable)};
   of_record(choice()).renewed(record_, choice(), "").write(folder_);
   const BaselineFiles files = BaselineFiles::read(folder_, "m");
   std::vector<std::string> entries;

@@ -560,8 +560,9 @@ TEST(Legal, ErrorsOfAListThatIsCalledTwiceCanBeAskedFor) {
 
 // --- from tests to bugs ------------------------------------------------------------------------------------
 
-// Runs these tests on production with the fault, and returns the result with its bugs. If a known bug is given, a
-// baseline expects each failure for it. `reduced` is set to the number of tests that were to be reduced.
+// Runs these tests on production with the fault, and returns the result with its bugs. If a known bug is
+// given, a baseline expects each failure for it. `reduced` is set to the number of tests that were to be
+// reduced.
 RunResult run_with_fault(const std::string& fault, const std::vector<std::string>& tests,
                          const std::string& known_bug = "", std::size_t* reduced = nullptr) {
   namespace fs = std::filesystem;
@@ -652,8 +653,7 @@ TEST(FaultyImplementation, IsReducedOnlyAsFarAsTheBaselineDoesNotNameTheBug) {
     for (const char* form : {"d", "f"})
       tests.push_back(fmt::format("Map1Errors.OrderTooLow/MAP1_{}_{}", target, form));
   std::size_t reduced = 0;
-  const RunResult run =
-      run_with_fault("OrderZeroTaken", tests, "mesa-getmap-saturation", &reduced);
+  const RunResult run = run_with_fault("OrderZeroTaken", tests, "mesa-getmap-saturation", &reduced);
   EXPECT_EQ(run.tests.size(), tests.size());
   EXPECT_EQ(reduced, 3u);
   // The minimal programs of the three are not those of the named bug.

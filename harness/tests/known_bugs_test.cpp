@@ -29,8 +29,8 @@ TEST(KnownBugs, ExpectFailuresOfTestsThatExist) {
   for (const KnownBug& bug : known_bugs())
     for (const FailingTests& failing : bug.tests)
       for (const std::string& tests : failing.tests)
-        EXPECT_TRUE(std::ranges::any_of(
-            all, [&](const ListedTest& test) { return stands_for(tests, test.name); }))
+        EXPECT_TRUE(
+            std::ranges::any_of(all, [&](const ListedTest& test) { return stands_for(tests, test.name); }))
             << bug.id << ": " << tests;
 }
 
@@ -56,7 +56,8 @@ TEST(KnownBugs, MistakesAreNamed) {
   bugs[0].crashes = true;
   bugs[0].signs[0].captured = "(";
   bugs[0].tests[1].status = "Sometimes";
-  EXPECT_EQ(lint(bugs).size(), 3u) << "a crash with signs, a sign that is not a regular expression, and a status";
+  EXPECT_EQ(lint(bugs).size(), 3u)
+      << "a crash with signs, a sign that is not a regular expression, and a status";
   bugs[0].tests.clear();
   EXPECT_EQ(lint(bugs).size(), 3u) << "no tests";
   EXPECT_THROW(parse_known_bugs("{"), FormatError);

@@ -55,8 +55,8 @@ std::string to_text(const Finding& finding);
 std::string list_as_text(const std::vector<std::string>& list);
 std::vector<std::string> parse_list(const std::string& text);
 
-// A program that random search has found on an implementation, and that every run replays (a finding of a known
-// bug).
+// A program that random search has found on an implementation, and that every run replays (a finding of a
+// known bug).
 struct KnownFinding {
   std::string name, requirement;
   std::string what;  // the difference, as in Failure

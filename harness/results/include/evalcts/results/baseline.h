@@ -4,21 +4,23 @@
 // Known are the failures of the known bugs (known_bugs.h), and those in the files of the user, which have the
 // format of GL driver CI. The reason of an entry is the comment above it (the same for all entries up to the
 // next empty line), and every entry needs one.
-// NAME-fails.txt has lines "test name,Status" (Fail, Crash, Timeout, or Pass, which takes a test out of what is
-// known). The comments at its top form the header, which states the implementations that the files are for:
+// NAME-fails.txt has lines "test name,Status" (Fail, Crash, Timeout, or Pass, which takes a test out of what
+// is known). The comments at its top form the header, which states the implementations that the files are
+// for:
 //   # vendor: TEXT            part of GL_VENDOR
 //   # renderer: TEXT          part of GL_RENDERER
 //   # version: RANGE          range of GL_VERSION, see version_range.h
 //   # implementation: A, B    names of implementations, see `evalcts list implementations`
 //   # pass: reuse-context     the second pass, over one shared context, instead of the first
 // NAME-signatures.txt has lines "test name,depth,signature": the failing cases of the test, so that a known
-// failure cannot hide a new one. A signature belongs to its depth and to seed 1. NAME-skips.txt has regular expressions (ECMAScript, found anywhere in the name) for
-// tests that are not run and get the verdict `skipped`. NAME-flakes.txt has regular expressions for tests whose
-// fail, crash, timeout or pass is never unexpected.
+// failure cannot hide a new one. A signature belongs to its depth and to seed 1. NAME-skips.txt has regular
+// expressions (ECMAScript, found anywhere in the name) for tests that are not run and get the verdict
+// `skipped`. NAME-flakes.txt has regular expressions for tests whose fail, crash, timeout or pass is never
+// unexpected.
 //
 // A test name may be a pattern of the shell, in which * stands for any characters, ? for one, [ab] for one of
-// these, and @(A|B) for A or B. A pattern permits failures: some of its tests may pass. If all of them pass, or
-// all tests of a known bug, the passes are unexpected.
+// these, and @(A|B) for A or B. A pattern permits failures: some of its tests may pass. If all of them pass,
+// or all tests of a known bug, the passes are unexpected.
 #pragma once
 
 #include <cstdint>
@@ -99,13 +101,13 @@ class Baseline {
   std::optional<std::string> skip(const std::string& test) const;
   std::optional<std::string> flake(const std::string& test) const;
 
-  // True if the test record is a known fail, crash or timeout. If there are signatures for the depth and the seed
-  // is 1, the failing cases must be known, too.
+  // True if the test record is a known fail, crash or timeout. If there are signatures for the depth and the
+  // seed is 1, the failing cases must be known, too.
   bool knows(const TestRecord& test, Depth depth, std::uint64_t seed) const;
 
-  // Sets `baseline` of the result, and `expected_by_baseline`, `baseline_reason` and `known_bugs` of its tests.
-  // A known failure whose failing cases changed stays unexpected, and its message says so. Does not change
-  // tests that also fail in a fresh context. `all`: all tests of the suite.
+  // Sets `baseline` of the result, and `expected_by_baseline`, `baseline_reason` and `known_bugs` of its
+  // tests. A known failure whose failing cases changed stays unexpected, and its message says so. Does not
+  // change tests that also fail in a fresh context. `all`: all tests of the suite.
   void apply(RunResult& result, const std::vector<ListedTest>& all) const;
 
   // Returns entries of the user's files for tests that do not exist, patterns that match no test, and "Pass"

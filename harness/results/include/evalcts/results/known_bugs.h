@@ -1,5 +1,5 @@
-// The register of known bugs, which is stored as data in suites/bugs: what each bug is, by which differences it
-// shows, the programs that random search has found for it, and the tests that it makes fail.
+// The register of known bugs, which is stored as data in suites/bugs: what each bug is, by which differences
+// it shows, the programs that random search has found for it, and the tests that it makes fail.
 #pragma once
 
 #include <set>
@@ -79,8 +79,8 @@ const std::vector<KnownBug>& known_bugs();
 // Returns the known bug with this ID; null if there is none.
 const KnownBug* find_known_bug(const std::string& id);
 
-// Returns the signatures of a test function ("Map1Errors.BadTarget") in runs of the product ("mesa"): the failing
-// cases that its tests are known to have at quick or full depth, with any version or driver.
+// Returns the signatures of a test function ("Map1Errors.BadTarget") in runs of the product ("mesa"): the
+// failing cases that its tests are known to have at quick or full depth, with any version or driver.
 const std::set<std::string>& known_signatures(const std::string& product, const std::string& function);
 
 // Reads {"bugs": [...]}. Throws FormatError.

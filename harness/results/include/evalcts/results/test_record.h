@@ -120,7 +120,7 @@ struct TestRecord {
   std::map<std::string, std::string> readings;  // the implementation's reading of ambiguous passages, by ID
 
   bool expected_by_baseline = false;
-  std::string baseline_reason;         // empty without an entry in the baseline
+  std::string baseline_reason;  // empty without an entry in the baseline
   // IDs of the known bugs that the baseline names for an expected failure, the most specific one first.
   std::vector<std::string> known_bugs;
   bool also_in_fresh_context = false;  // second pass: the test fails in the same way in fresh contexts

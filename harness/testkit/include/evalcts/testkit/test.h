@@ -5,9 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <random>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,59 +18,27 @@
 #include <evalcts/judge/judge.h>
 #include <evalcts/results/test_record.h>
 #include <evalcts/testkit/checked_trace.h>
+#include <evalcts/testkit/conditions.h>
 #include <evalcts/testkit/explicit_control.h>
-#include <evalcts/testkit/subject.h>
 
 namespace evalcts {
 
 enum class Observed : unsigned;  // see blame.h
-
-// Thrown if a requirement does not apply to the implementation, because its version or extension is not
-// supported, or because the implementation is a sink that does not declare the feature.
-struct NotSupported : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 // The outcomes of a case to judge. The order in which a mesh draws its points, lines or quads is free except
 // for kOrder. kAll judges the vertices only if the case has to draw some.
 enum class Outcomes { kAll, kAnswers, kVertices, kOrder };
 
 // The first argument of the body of each test.
-class Test {
+class Test : public Conditions {
  public:
-  Test(const Subject& subject, TestRecord& record) : subject_(subject), record_(record), control_(subject) {}
-
-  const ImplementationInfo& gl() const { return subject_.info; }
-  // Returns the largest order that the implementation must accept (see ImplementationInfo).
-  int max_order() const { return gl().max_order(); }
-  // Returns the number of texture units that tests use, 1 to 8.
-  int texture_units() const;
-  // Returns the order above which all orders must be rejected. Throws NotObservable if MAX_EVAL_ORDER is not
-  // answered, because the limit may then be any order from 8 on.
-  int order_limit() const;
-  // Returns the depth of the run. At full depth, returns quick for deliveries that are not plain, because
-  // these only have to show that they have the same effect.
-  Depth depth() const;
-  // Returns the value for the depth.
-  int by_depth(int quick, int full, int thorough) const;
-  // Returns the random numbers of this test, which are the same for the same seed, regardless of other tests.
-  std::mt19937& random() { return random_; }
-
-  // Throws NotSupported below the version unless the extension is advertised.
-  void require(int major, int minor, const std::string& or_extension = {}) const;
-
-  // Throws NotObservable if cases do not begin in a fresh context, but in one whose state was
-  // restored by commands.
-  void require_initial_state() const;
+  Test(const Subject& subject, TestRecord& record) : Conditions(subject, record), control_(subject) {}
 
   // Makes all following cases go through this delivery.
   void deliver_by(const gl::Delivery& delivery) {
     delivery_ = delivery;
     if (other_lists_) delivery_.lists = *other_lists_;
   }
-
-  // True if the cases of this test go through display lists.
-  bool is_delivered_in_lists() const { return delivery_.lists != gl::Lists::kNone; }
 
   // Makes following failures violate only these requirements, which need not be requirements of the test. An
   // empty list stands for all requirements of the test.
@@ -88,44 +54,30 @@ class Test {
   // this order.
   void judge_order_of_meshes() { judges_order_of_meshes_ = true; }
 
-  // Returns true if the implementation has the command. If it is missing, records it as not observed, so that
-  // a pass covers only the rest of the test. For tests that use several forms of a command and can judge each
-  // without the others.
-  bool can_call(gl::EntryPoint command);
-  // The same for the query of a grid by Get, which an implementation may reject.
-  bool can_query_grid(GLenum name);
-
-  // Appends optional commands, except those that are missing or crash the implementation, which are noted in
-  // the record. Returns the position of each command; -1 if it was left out. No command may use the result of
-  // another. Throws NotObservable if none is left.
-  std::vector<gl::Ref> append_optional(gl::Case& c, const gl::Case& optional);
-
   // Runs the case in a fresh context. Errors that are pending at the end of the case are failures.
   CheckedTrace play(const gl::Case& script);
 
-  // Runs the case, and judges all answers of its commands, including errors, and all emitted vertices by the
-  // executable specification, within the permitted tolerances (the accuracy rule, EV-GETMAP-FLOAT). The table
-  // in blame.cpp says which of the test's requirements a wrong answer violates. If an answer is wrong in a
-  // case with commands that are rejected between Begin and End, other commands have to be rejected there,
-  // too. Throws NotObservable.
-  void judge(const gl::Case& script, Outcomes outcomes = Outcomes::kAll);
-  // The same with a given outcome on the specification. Vertices are not judged through a delivery.
+  // Runs the case, and judges all answers of its commands, including errors, and the vertices that it has to
+  // draw by the executable specification, within the permitted tolerances (the accuracy rule,
+  // EV-GETMAP-FLOAT). The table in blame.cpp says which of the test's requirements a wrong answer violates.
+  // If an answer is wrong in a case with commands that are rejected between Begin and End, other commands
+  // have to be rejected there, too. Throws NotObservable.
+  void judge(const gl::Case& script);
+  // The same for a test that is about these attributes of vertices, or about vertices that must not be drawn.
+  // All attributes that the best capture shows are judged; attributes in `about` that no capture shows are
+  // recorded as unobserved, and if none of them is shown, the test is not-observable. In one test of 32 (at
+  // thorough depth in all tests), other captures observe the case, too, and must agree.
+  void judge(const gl::Case& script, Attributes about);
+  // The same for answers and errors only: other tests judge the vertices.
+  void judge_answers(const gl::Case& script);
+  // The same for some of the outcomes, with given predictions. Vertices are not judged through a delivery,
+  // only until one is wrong, and without a record of the accuracy, because this takes longer than judging.
   void judge(const gl::Case& script, const Specified& specified, Outcomes outcomes = Outcomes::kAll);
 
   // Makes the answers of these queries of the next judged case a snapshot: an answer violates a requirement
   // only if the same query has had another answer earlier, and the specification says that it does not
   // change. Other tests judge whether the answers themselves are right.
   void compare_only(const std::vector<gl::Ref>& queries);
-
-  // Observes the output of the case through the best capture, and judges it against the executable
-  // specification at the level of the test. In one test of 32 (at thorough depth in all tests), other
-  // captures observe it, too, and must agree. All attributes that the capture shows are judged.
-  // Attributes in `required` that no capture shows are recorded as unobserved; if none of them is shown,
-  // the test is not-observable.
-  void expect_emission(const gl::Case& script, Attributes required);
-  // Like the function above, but with a given prediction, not through a delivery, and only until a vertex is
-  // wrong. Accuracy is not recorded, because this takes longer than judging.
-  void expect_emission(const gl::Case& script, const Prediction& prediction, Attributes required);
 
   // Returns the largest subset of `required` that one capture shows exactly, and records the rest as
   // unobserved. For tests that can judge each attribute without the others. Throws NotObservable.
@@ -163,6 +115,12 @@ class Test {
   void run(const std::function<void(Test&)>& body);
 
  private:
+  struct Ending {
+    Verdict verdict;
+    std::string why;
+  };
+  Ending end_of(const std::function<void(Test&)>& body);
+  std::string mistake() const;
   // Makes the next failures violate the requirements to which the table of blame gives the observation.
   void blame(Observed observed);
   gl::DeliveredCase begin_case(const gl::Case& script);
@@ -172,6 +130,7 @@ class Test {
   // raises no errors at all.
   void require_rejections_in_primitives(const gl::Case& script, const Specified& specified);
   void judge_answers(const gl::Case& script, const Specified& specified);
+  void judge_vertices(const gl::Case& script, Attributes about);
   void judge_answer(CheckedTrace& checked, const Specified& specified, gl::Ref query);
   // Returns the first query of the snapshot with which this one must agree; -1 if there is none.
   gl::Ref same_as(const Specified& specified, const gl::Case& script, gl::Ref query) const;
@@ -202,21 +161,15 @@ class Test {
                  const Observation& seen, const std::vector<Mismatch>& mismatches, const OwnJudge& judge,
                  const Prediction* prediction = nullptr);
 
-  const Subject& subject_;
-  TestRecord& record_;
   bool judges_order_of_meshes_ = false;
   std::vector<RequirementId> decided_;
-  bool violates_all_ = false;  // a failure violates all requirements of the test
-  gl::Delivery delivery_;
+  bool violates_all_ = false;             // a failure violates all requirements of the test
   std::optional<gl::Lists> other_lists_;  // replaces the form of lists of the delivery
   bool lists_used_ = false;
   ExplicitControl control_;
   Attributes unobserved_ = 0;  // required attributes that no capture shows
-  // The commands and queries that can_call() and can_query_grid() found missing: "glMap1d (missing)".
-  std::set<std::string> missing_;
-  std::set<int> snapshot_;  // positions of the queries of compare_only()
+  std::set<int> snapshot_;     // positions of the queries of compare_only()
   std::uint64_t cases_ = 0, failed_cases_ = 0, last_failed_case_ = 0;
-  std::mt19937 random_;
 };
 
 }  // namespace evalcts
