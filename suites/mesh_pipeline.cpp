@@ -12,7 +12,7 @@
 #include <evalcts/testkit/registration.h>
 #include "drawings.h"
 #include "grid_cases.h"
-#include "pictures.h"
+#include "stages.h"
 
 namespace evalcts::suite_mesh_pipeline {
 namespace {
@@ -446,115 +446,89 @@ struct Stages {
 };
 constexpr Stages kStages[] = {{"MODE_AND_CULLING", false, kModesAndCulling}, {"OFFSET", true, kOffset}};
 
-// Pictures of the drawings without a stage (stage 0), then with each of the stages: depths at the vertices,
-// on the edges and in the centres of quads, or feedback.
-class Looks {
- public:
-  Looks(Test& t, const Stages& stages, const gl::Identity& identity, const std::vector<gl::Case>& drawings)
-      : drawings_(drawings.size()),
-        scenes_(drawings_ * (1 + stages.stages.size())),
-        picture_(take(t, stages, identity, drawings)) {}
-
-  Picture& picture() { return picture_; }
-  std::span<const Part> parts(std::size_t stage, std::size_t drawing) const {
-    const std::size_t each = picture_.parts.size() / scenes_;
-    return std::span(picture_.parts).subspan((stage * drawings_ + drawing) * each, each);
+std::vector<Stage> stages_of(const Stages& kind) {
+  gl::Case plain;
+  plain.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  plain.Disable(GL_CULL_FACE);
+  if (kind.in_depth) {
+    plain.Enable(GL_DEPTH_TEST);
+    plain.PointSize(4.0f);
   }
-  bool has_effect(std::size_t stage, std::size_t drawing, double tolerance) const {
-    const auto with = parts(stage, drawing), without = parts(0, drawing);
-    return !std::ranges::equal(
-        with, without, [&](const Part& a, const Part& b) { return alike(a.values, b.values, tolerance); });
+  std::vector<Stage> stages = {{"no stage", plain}};
+  for (const OfPolygons& of_polygons : kind.stages) {
+    stages.push_back({of_polygons.name, plain});
+    of_polygons.set(stages.back().state);
   }
+  return stages;
+}
 
- private:
-  static Picture take(Test& t, const Stages& stages, const gl::Identity& identity,
-                      const std::vector<gl::Case>& drawings) {
-    std::vector<Scene> scenes;
-    const auto add = [&](const char* name, gl::Case state) {
-      for (const gl::Case& drawing : drawings) scenes.emplace_back(name, state, drawing);
-    };
-    gl::Case plain;
-    plain.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    plain.Disable(GL_CULL_FACE);
-    if (stages.in_depth) {
-      plain.Enable(GL_DEPTH_TEST);
-      plain.PointSize(4.0f);
-    }
-    add("no stage", plain);
-    for (const OfPolygons& stage : stages.stages) {
-      gl::Case state = plain;
-      stage.set(state);
-      add(stage.name, state);
-    }
-    if (stages.in_depth) {
-      std::vector<Area> areas;
-      for_each_quad([&](int i, int j) {
-        for (const int dx : {-1, kWidth / 2})
-          for (const int dy : {-1, kHeight / 2})
-            areas.push_back({kLeft + kWidth * i + dx, kBottom + kHeight * j + dy, 2, 2});
-      });
-      return pixels(t, identity, scenes, areas, GL_DEPTH_COMPONENT);
-    }
-    Picture picture = feedback(t, identity, scenes);
-    forget_stipple_starts(picture);
-    return picture;
-  }
-
-  std::size_t drawings_, scenes_;
-  Picture picture_;
-};
+// Returns feedback, or depths at the vertices, on the edges and in the centres of quads.
+View view_of(const Stages& kind) {
+  View view{.format = GL_DEPTH_COMPONENT};
+  for_each_quad([&](int i, int j) {
+    for (const int dx : {-1, kWidth / 2})
+      for (const int dy : {-1, kHeight / 2})
+        if (kind.in_depth) view.areas.push_back({kLeft + kWidth * i + dx, kBottom + kHeight * j + dy, 2, 2});
+  });
+  return view;
+}
 
 EVALCTS_TEST(Mesh2, LinesAndPointsAreNoPolygons, kMust, "EV-MESH2-NOPOLYMODE", combine(kStages))
-(Test& t, const Stages& stages) {
-  const std::vector<gl::Case> meshes = {mesh(GL_POINT), mesh(GL_LINE)};
-  const Looks control(
-      t, stages, gl::control("explicit vertices"),
-      {explicit_strips(t, meshes[0]), explicit_strips(t, meshes[1]), explicit_strips(t, mesh(GL_FILL))});
-  for (std::size_t stage = 1; stage <= stages.stages.size(); ++stage) {
+(Test& t, const Stages& kind) {
+  const std::vector<Stage> stages = stages_of(kind);
+  const View view = view_of(kind);
+  std::vector<Drawing> drawings = {drawing(t, "POINT", true, GL_POINTS, mesh(GL_POINT)),
+                                   drawing(t, "LINE", true, GL_LINE_STRIP, mesh(GL_LINE)),
+                                   drawing(t, "FILL", true, GL_QUAD_STRIP, mesh(GL_FILL))};
+  const StagedPicture control(t, gl::control("explicit vertices"), stages, drawings, Vertices::kExplicit,
+                              view);
+  for (std::size_t stage = 1; stage < stages.size(); ++stage) {
     if (!control.has_effect(stage, 2, kEffect))
       throw NotObservable("pipeline: the stage does not show with explicit polygons");
     if (control.has_effect(stage, 0, kTolerance) || control.has_effect(stage, 1, kTolerance))
       throw NotObservable("pipeline: explicit points and lines change like polygons");
   }
-  Looks looks(t, stages, "evaluated", meshes);
-  for (std::size_t stage = 0; stage <= stages.stages.size(); ++stage)
-    for (const std::size_t drawing : {0u, 1u}) {
-      const auto seen = looks.parts(stage, drawing), expected = control.parts(stage, drawing);
-      for (std::size_t i = 0; i < seen.size(); ++i)
-        if (stages.in_depth) {
-          expect_like_explicit(looks.picture().checked, seen[i], expected[i]);
-        } else {
-          expect_mesh_like_explicit(looks.picture().checked, seen[i], expected[i]);
-        }
-    }
+  drawings.pop_back();
+  StagedPicture seen(t, "evaluated", stages, drawings, Vertices::kEvaluated, view);
+  for (std::size_t stage = 0; stage < stages.size(); ++stage)
+    for (const std::size_t i : {0u, 1u})
+      for (std::size_t k = 0; k < seen.parts(stage, i).size(); ++k) {
+        const Part &part = seen.parts(stage, i)[k], &expected = control.parts(stage, i)[k];
+        if (kind.in_depth)
+          expect_like_explicit(seen.picture().checked, part, expected);
+        else
+          expect_mesh_like_explicit(seen.picture().checked, part, expected);
+      }
 };
 
 // Expects primitives of the same kinds at the same places as explicit quads in feedback; FillIsQuads judges
 // their number.
 EVALCTS_TEST(Mesh2, FillsArePolygons, kMust, "EV-MESH2-NOPOLYMODE", combine(kStages))
-(Test& t, const Stages& stages) {
-  const gl::Case evaluated = mesh(GL_FILL);
-  const Looks control(t, stages, gl::control("explicit quad strips"), {explicit_strips(t, evaluated)});
-  for (std::size_t stage = 1; stage <= stages.stages.size(); ++stage)
-    if (!control.has_effect(stage, 0, kEffect))
+(Test& t, const Stages& kind) {
+  const std::vector<Stage> stages = stages_of(kind);
+  const View view = view_of(kind);
+  const std::vector<Drawing> drawings = {drawing(t, "FILL", true, GL_QUAD_STRIP, mesh(GL_FILL))};
+  const StagedPicture control(t, gl::control("explicit quad strips"), stages, drawings, Vertices::kExplicit,
+                              view);
+  for (std::size_t stage = 1; stage < stages.size(); ++stage)
+    if (!control.has_effect(stage, 0, kEffect))  // culling leaves nothing
       throw NotObservable("pipeline: the stage does not show with explicit polygons");
-  Looks looks(t, stages, "evaluated", {evaluated});
+  StagedPicture seen(t, "evaluated", stages, drawings, Vertices::kEvaluated, view);
   const auto places = [](const std::multiset<Point>& points) {
     return std::set<Point>(points.begin(), points.end());
   };
-  for (std::size_t stage = 0; stage <= stages.stages.size(); ++stage) {
-    const auto all_seen = looks.parts(stage, 0), all_expected = control.parts(stage, 0);
-    for (std::size_t i = 0; i < all_seen.size(); ++i) {
-      if (stages.in_depth) {
-        expect_like_explicit(looks.picture().checked, all_seen[i], all_expected[i]);
-        continue;
-      }
-      const Outlines seen = outlines_of(all_seen[i]), expected = outlines_of(all_expected[i]);
-      const bool holds = places(seen.points) == places(expected.points) &&
-                         std::ranges::includes(seen.edges, expected.edges) &&
-                         seen.edges.empty() == expected.edges.empty() && seen.corners == expected.corners;
-      expect_outlines(looks.picture(), all_seen[i], holds, expected);
+  for (std::size_t i = 0; i < seen.picture().parts.size(); ++i) {
+    const Part &part = seen.picture().parts[i], &of_control = control.picture().parts[i];
+    if (kind.in_depth) {
+      expect_like_explicit(seen.picture().checked, part, of_control);
+      continue;
     }
+    const Outlines outlines = outlines_of(part), expected = outlines_of(of_control);
+    const bool holds = places(outlines.points) == places(expected.points) &&
+                       std::ranges::includes(outlines.edges, expected.edges) &&
+                       outlines.edges.empty() == expected.edges.empty() &&
+                       outlines.corners == expected.corners;
+    expect_outlines(seen.picture(), part, holds, expected);
   }
 };
 

@@ -4,32 +4,20 @@
 
 #include <evalcts/judge/prediction.h>
 #include <evalcts/testkit/registration.h>
-#include "drawings.h"
+#include "stages.h"
 
 namespace evalcts::suite_pipeline {
 namespace {
 
-// Ways to look at a drawing.
-enum class View {
-  kFeedback,  // window coordinates, colours and texture coordinates of what is drawn
-  kPixel,     // one pixel in the middle of the window, for stages that feedback does not show
-};
-
-Picture look(Test& t, View view, const gl::Identity& identity, const gl::Case& state,
-             const gl::Case& drawing) {
-  if (view == View::kPixel) {
-    gl::Case large_points = state;
-    large_points.PointSize(16.0f);
-    return pixels(t, identity, large_points, drawing, {{kSide / 2, kSide / 2}});
-  }
+Picture draw(Test& t, const gl::Identity& identity, const gl::Case& state, const gl::Case& drawing) {
   Picture picture = feedback(t, identity, state, drawing);
   forget_stipple_starts(picture);
   return picture;
 }
 
-void expect_like_explicit(Test& t, View view, const gl::Identity& identity, const gl::Case& state,
+void expect_like_explicit(Test& t, const gl::Identity& identity, const gl::Case& state,
                           const gl::Case& evaluated, const Part& control) {
-  Picture picture = look(t, view, identity, state, evaluated);
+  Picture picture = draw(t, identity, state, evaluated);
   evalcts::expect_like_explicit(picture.checked, picture.parts.at(0), control);
 }
 
@@ -42,25 +30,27 @@ const std::vector<float> kPerspective = {0.8f, 0.0f, 0.0f, 0.0f,  0.0f, 0.7f, 0.
 
 void light(gl::Case& c) { enable_light(c, {0.3f, 0.4f, 1.0f, 0.0f}); }
 
-struct Stage {
+// A stage, and the primitive in which it shows. In pixels: one vertex in the middle of the window, for stages
+// that feedback does not show.
+struct StageOfPrimitive {
   const char* name;
-  GLenum mode;
-  View view;
+  GLenum primitive;
+  bool in_pixels;
   void (*set)(gl::Case&);
 };
-constexpr Stage kStages[] = {
-    {"MODEL_VIEW", GL_POINTS, View::kFeedback, [](gl::Case& c) { c.LoadMatrixf(kRotation); }},
-    {"PROJECTION", GL_POINTS, View::kFeedback,
+constexpr StageOfPrimitive kStages[] = {
+    {"MODEL_VIEW", GL_POINTS, false, [](gl::Case& c) { c.LoadMatrixf(kRotation); }},
+    {"PROJECTION", GL_POINTS, false,
      [](gl::Case& c) {
        c.MatrixMode(GL_PROJECTION);
        c.LoadMatrixf(kPerspective);
      }},
-    {"TEXTURE_MATRIX", GL_POINTS, View::kFeedback,
+    {"TEXTURE_MATRIX", GL_POINTS, false,
      [](gl::Case& c) {
        c.MatrixMode(GL_TEXTURE);
        c.LoadMatrixf(kRotation);
      }},
-    {"TEXTURE_GENERATION", GL_POINTS, View::kFeedback,
+    {"TEXTURE_GENERATION", GL_POINTS, false,
      [](gl::Case& c) {
        c.TexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
        c.TexGenfv(GL_S, GL_OBJECT_PLANE, std::vector<float>{2, 1, -1, 0.5f});
@@ -68,8 +58,8 @@ constexpr Stage kStages[] = {
        c.TexGeni(GL_T, GL_TEXTURE_GEN_MODE, GL_SPHERE_MAP);
        c.Enable(GL_TEXTURE_GEN_T);
      }},
-    {"LIGHTING", GL_POINTS, View::kFeedback, light},
-    {"FOG", GL_POINTS, View::kPixel,
+    {"LIGHTING", GL_POINTS, false, light},
+    {"FOG", GL_POINTS, true,
      [](gl::Case& c) {
        c.Enable(GL_FOG);
        c.Fogi(GL_FOG_MODE, GL_LINEAR);
@@ -77,11 +67,11 @@ constexpr Stage kStages[] = {
        c.Fogf(GL_FOG_END, 2.0f);
        c.Fogfv(GL_FOG_COLOR, std::vector<float>{0, 1, 1, 0});
      }},
-    {"CLIPPING", GL_LINE_STRIP, View::kFeedback,
+    {"CLIPPING", GL_LINE_STRIP, false,
      [](gl::Case& c) {
        c.LoadMatrixf(std::vector<float>{3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
      }},
-    {"CLIP_PLANE", GL_LINE_STRIP, View::kFeedback, [](gl::Case& c) {
+    {"CLIP_PLANE", GL_LINE_STRIP, false, [](gl::Case& c) {
        c.ClipPlane(GL_CLIP_PLANE0, std::vector<double>{1, 0.25, 0, 0.0625});
        c.Enable(GL_CLIP_PLANE0);
      }}};
@@ -97,40 +87,26 @@ void define_maps(gl::Case& c) {
 }
 
 EVALCTS_TEST(Pipeline, Stage, kMust, "EV-COORD-TRANSFORM/1-D", combine(kStages).by(without_lists()))
-(Test& t, const Stage& stage) {
-  const View view = stage.view;
-  gl::Case plain, staged;
-  // kPixel shows one vertex in the middle of the window, without a texture, which would hide the colour.
-  if (view == View::kFeedback) {
-    set_up_texture(plain);
-    set_up_texture(staged);
-  }
-  stage.set(staged);
-
-  gl::Case evaluated;
-  if (view == View::kPixel) {
-    define(evaluated, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.5, 0.5, 0.5, 0.5, 0.5}));
-    define(evaluated, make_map1(GL_MAP1_COLOR_4, {1, 0.5, 0, 1, 1, 0, 0.5, 1}));
-    evaluated.Enable(GL_MAP1_VERTEX_3);
-    evaluated.Enable(GL_MAP1_COLOR_4);
+(Test& t, const StageOfPrimitive& stage) {
+  gl::Case plain, evaluated;
+  if (stage.in_pixels) {
+    // A texture would hide the colour.
+    plain.PointSize(16.0f);
+    define_and_enable(evaluated, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.5, 0.5, 0.5, 0.5, 0.5}));
+    define_and_enable(evaluated, make_map1(GL_MAP1_COLOR_4, {1, 0.5, 0, 1, 1, 0, 0.5, 1}));
   } else {
+    set_up_texture(plain);
     define_maps(evaluated);
   }
-  evaluated.Begin(stage.mode);
-  if (view == View::kPixel) {
-    evaluated.EvalCoord1f(0.5f);
-  } else {
-    for (int i = 0; i <= 8; ++i) evaluated.EvalCoord1f(static_cast<float>(i) / 8);
-  }
+  evaluated.Begin(stage.primitive);
+  for (int i = 0; i <= 8; ++i)
+    if (!stage.in_pixels || i == 4) evaluated.EvalCoord1f(static_cast<float>(i) / 8);
   evaluated.End();
-
-  const gl::Case vertices = explicit_commands(t, evaluated);
-  const Part& control = drawn_once(std::string("stage ") + stage.name, [&] {
-    const Picture picture = look(t, view, gl::control("explicit vertices"), staged, vertices);
-    require_an_effect(picture, look(t, view, gl::control("without the stage"), plain, vertices));
-    return picture.parts.at(0);
-  });
-  expect_like_explicit(t, view, "evaluated", staged, evaluated, control);
+  std::vector<Stage> stages = {{"without the stage", plain}, {stage.name, plain}};
+  stage.set(stages.back().state);
+  View view;
+  if (stage.in_pixels) view.areas = {{kSide / 2, kSide / 2}};
+  expect_stages(t, stages, {drawing(t, "EvalCoord1f", false, stage.primitive, evaluated)}, view);
 };
 
 // A command that is legal between Begin and End and changes the vertices after it.
@@ -159,7 +135,6 @@ constexpr Between kBetween[] = {
 EVALCTS_TEST(Pipeline, BetweenEvaluations, kMust, "EV-COORD-MATERIAL/1-D",
              combine(kBetween).by(without_lists()))
 (Test& t, const Between& between) {
-  constexpr View kView = View::kFeedback;
   gl::Case state;
   set_up_texture(state);
   if (between.lit) light(state);
@@ -177,7 +152,7 @@ EVALCTS_TEST(Pipeline, BetweenEvaluations, kMust, "EV-COORD-MATERIAL/1-D",
   positions.End();
   const Prediction prediction = predict(positions, t.max_order());
 
-  const auto draw = [&](gl::Case& c, bool evaluated, bool with_command) {
+  const auto add_points = [&](gl::Case& c, bool evaluated, bool with_command) {
     c.Begin(GL_POINTS);
     for (std::size_t i = 0; i < std::size(us); ++i) {
       if (i == 2 && with_command) between.command(c);
@@ -194,24 +169,23 @@ EVALCTS_TEST(Pipeline, BetweenEvaluations, kMust, "EV-COORD-MATERIAL/1-D",
   // Draws the points without the command, then with it, each in one half of the feedback.
   const auto draw_both = [&](bool evaluated) {
     gl::Case c = map;
-    for (const bool with_command : {false, true}) draw(c, evaluated, with_command);
+    for (const bool with_command : {false, true}) add_points(c, evaluated, with_command);
     return c;
   };
   const Part& control = drawn_once(std::string("between ") + between.name, [&] {
-    const Picture picture = look(t, kView, gl::control("explicit vertices"), state, draw_both(false));
+    const Picture picture = draw(t, gl::control("explicit vertices"), state, draw_both(false));
     const std::vector<double>& values = picture.values();
     const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     require_an_effect(std::vector<double>(half, values.end()), std::vector<double>(values.begin(), half));
     return picture.parts.at(0);
   });
-  expect_like_explicit(t, kView, "evaluated", state, draw_both(true), control);
+  expect_like_explicit(t, "evaluated", state, draw_both(true), control);
 };
 
 // There is no map of edge flags: evaluated vertices have the current edge flag.
 EVALCTS_TEST(Pipeline, CurrentEdgeFlag, kMust, "EV-ATTR-NOMAPS/1-D",
              by(gl::without(gl::kMeshes, without_lists())))
 (Test& t) {
-  constexpr View kView = View::kFeedback;
   gl::Case state;
   state.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   const auto flag = [](std::size_t vertex) { return static_cast<GLboolean>(vertex % 3 != 1); };
@@ -228,9 +202,9 @@ EVALCTS_TEST(Pipeline, CurrentEdgeFlag, kMust, "EV-ATTR-NOMAPS/1-D",
   gl::Case flags = as_explicit_commands(prediction);
   gl::Case all_edges = without_edge_flags(flags);
 
-  const Picture control = look(t, kView, gl::control("explicit vertices"), state, flags);
-  require_an_effect(control, look(t, kView, gl::control("all edges"), state, all_edges));
-  expect_like_explicit(t, kView, "evaluated", state, evaluated, control.parts.at(0));
+  const Picture control = draw(t, gl::control("explicit vertices"), state, flags);
+  require_an_effect(control, draw(t, gl::control("all edges"), state, all_edges));
+  expect_like_explicit(t, "evaluated", state, evaluated, control.parts.at(0));
 };
 
 // Evaluation takes attributes without a map from the current values, even if client arrays are enabled.

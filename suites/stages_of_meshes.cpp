@@ -5,48 +5,27 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include <evalcts/testkit/registration.h>
 
-#include "drawings.h"
+#include "stages.h"
 
 namespace evalcts::suite_stages_of_meshes {
 namespace {
 
 using Values = std::vector<float>;
 
-// A state in which all drawings are drawn.
-struct Stage {
-  std::string name;
-  gl::Case state;
-  Values texture_matrix = {};  // in column-major order; empty if the state has none
-};
-
-std::vector<Scene> staged(const std::vector<Stage>& stages, const std::vector<Drawing>& drawings,
-                          bool evaluated) {
-  std::vector<Scene> scenes;
-  for (const Stage& stage : stages)
-    for (Scene& scene : scenes_of(drawings, evaluated, stage.name, stage.state))
-      scenes.push_back(std::move(scene));
-  return scenes;
-}
-
-// Throws NotObservable unless each stage has an effect. The first stage is the state without a stage; the
-// control has `drawings` parts for each.
-void require_each_effect(const Picture& control, std::size_t drawings) {
-  for (std::size_t i = drawings; i < control.parts.size(); ++i)
-    require_an_effect(control.parts[i].values, control.parts[i % drawings].values);
-}
-
 // Throws NotObservable unless the texture coordinates of explicit points and line strips are transformed by
 // the texture matrix, once: NVIDIA's driver (580) does it twice for explicit lines in feedback mode.
-void require_transformed_texture(const Stage& stage, const Drawing& drawing, const Part& control) {
-  if (stage.texture_matrix.empty() || drawing.primitive == GL_QUAD_STRIP) return;
+void require_transformed_texture(const Values& texture_matrix, const Stage& stage, const Drawing& drawing,
+                                 const Part& control) {
+  if (drawing.primitive == GL_QUAD_STRIP) return;
   const auto transformed = [&](const reference::Vertex& vertex) {
     std::vector<double> coordinates(4);
     for (std::size_t row = 0; row < 4; ++row)
       for (std::size_t column = 0; column < 4; ++column)
-        coordinates[row] += static_cast<double>(stage.texture_matrix[4 * column + row]) *
+        coordinates[row] += static_cast<double>(texture_matrix[4 * column + row]) *
                             static_cast<double>(reference::rounded(vertex.texture_coordinate[0][column]));
     return coordinates;
   };
@@ -68,17 +47,6 @@ void require_transformed_texture(const Stage& stage, const Drawing& drawing, con
           fmt::format("pipeline: with the texture matrix '{}' explicit vertex {} of {} has the texture "
                       "coordinates ({}), expected ({})",
                       stage.name, i, drawing.name, fmt::join(seen[i], ", "), fmt::join(known[i], ", ")));
-}
-
-// Expects the drawings in all stages to be like explicit ones in feedback. Throws NotObservable.
-void expect_stages_in_feedback(Test& t, const std::vector<Stage>& stages,
-                               const std::vector<Drawing>& drawings) {
-  const Picture control = feedback(t, gl::control("explicit vertices"), staged(stages, drawings, false));
-  require_each_effect(control, drawings.size());
-  for (std::size_t i = 0; i < control.parts.size(); ++i)
-    require_transformed_texture(stages[i / drawings.size()], drawings[i % drawings.size()], control.parts[i]);
-  Picture picture = feedback(t, "evaluated", staged(stages, drawings, true));
-  expect_drawn_like_explicit(picture, drawings, control);
 }
 
 // --- Texture coordinates ---------------------------------------------------------------------------------
@@ -133,12 +101,12 @@ EVALCTS_TEST(Pipeline, TextureGeneration, kMust, "EV-PIPE-TEXGEN", combine(kNorm
   automatic.Enable(GL_AUTO_NORMAL);
   std::vector<Drawing> drawings = normals.value ? meshes(t, automatic) : meshes(t);
   if (normals.value) std::erase_if(drawings, [](const Drawing& drawing) { return !drawing.two; });
-  expect_stages_in_feedback(t, stages, drawings);
+  expect_stages(t, stages, drawings);
 };
 
 EVALCTS_TEST(Pipeline, TextureMatrix, kMust, "EV-PIPE-TEXMATRIX")
 (Test& t) {
-  const std::pair<const char*, Values> matrices[] = {
+  const std::map<std::string, Values> matrices = {
       {"identity", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}},
       {"scaled", {3, 0, 0, 0, 0, -2, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, 1.5f}},
       {"turned and moved", {0, 2, 0, 0, 0, 0, 1, 0, -1, 0, 0, 0, 0.5f, -0.25f, 1, 1}}};
@@ -149,9 +117,12 @@ EVALCTS_TEST(Pipeline, TextureMatrix, kMust, "EV-PIPE-TEXMATRIX")
     state.MatrixMode(GL_TEXTURE);
     state.LoadMatrixf(matrix);
     state.MatrixMode(GL_MODELVIEW);
-    stages.push_back({name, std::move(state), matrix});
+    stages.push_back({name, std::move(state)});
   }
-  expect_stages_in_feedback(t, stages, meshes(t));
+  expect_stages(t, stages, meshes(t), {}, {},
+                [&](const Stage& stage, const Drawing& drawing, const Part& control) {
+                  require_transformed_texture(matrices.at(stage.name), stage, drawing, control);
+                });
 };
 
 // --- Clip planes -----------------------------------------------------------------------------------------
@@ -194,14 +165,9 @@ EVALCTS_TEST(Pipeline, ClippedPointsAndLines, kMust, "EV-PIPE-CLIPPLANE")
 (Test& t) {
   std::vector<Drawing> drawings = meshes(t, GL_POINTS);
   for (Drawing& drawing : meshes(t, GL_LINE_STRIP)) drawings.push_back(std::move(drawing));
-  const std::vector<Stage> stages = clip_stages();
-  const Picture control = feedback(t, gl::control("explicit vertices"), staged(stages, drawings, false));
   // The second plane does not clip the curve.
-  for (std::size_t i = drawings.size(); i < control.parts.size(); ++i)
-    if (i < 2 * drawings.size() || drawings[i % drawings.size()].two)
-      require_an_effect(control.parts[i].values, control.parts[i % drawings.size()].values);
-  Picture picture = feedback(t, "evaluated", staged(stages, drawings, true));
-  expect_drawn_like_explicit(picture, drawings, control);
+  expect_stages(t, clip_stages(), drawings, {},
+                [](std::size_t stage, const Drawing& drawing) { return stage == 1 || drawing.two; });
 };
 
 // Compares pixels on both sides of the plane, because the vertices of clipped quads depend on how they are
@@ -214,14 +180,16 @@ EVALCTS_TEST(Pipeline, ClippedQuads, kMust, "EV-PIPE-CLIPPLANE")
   for (int y = kBottom + 4; y < kBottom + kHeight * kRows; y += 4)
     for (const int x : {kLeft + 4, kPlaneAt - 3, kPlaneAt + 2, kLeft + kWidth * kColumns - 4})
       areas.push_back({x, y});
-  const Picture control =
-      pixels(t, gl::control("explicit quad strips"), staged(stages, drawings, false), areas, GL_RED);
+  const Picture control = StagedPicture(t, gl::control("explicit quad strips"), stages, drawings,
+                                        Vertices::kExplicit, {areas, GL_RED})
+                              .picture();
   for (std::size_t i = 0; i < control.parts.size(); ++i) {
     const bool clipped = i >= areas.size() && areas[i % areas.size()].x > kPlaneAt;
     if (lit(control.parts[i]) == clipped) throw NotObservable("pipeline: explicit quads are not clipped");
   }
   // Only whether a pixel is drawn is compared, because colours depend on how the quads are split.
-  Picture picture = pixels(t, "evaluated", staged(stages, drawings, true), areas, GL_RED);
+  Picture picture =
+      StagedPicture(t, "evaluated", stages, drawings, Vertices::kEvaluated, {areas, GL_RED}).picture();
   for (std::size_t i = 0; i < picture.parts.size(); ++i) {
     const Part& seen = picture.parts[i];
     show_pixels(picture, control.parts, seen.scene);
@@ -281,25 +249,26 @@ void expect_fog(Test& t, const std::vector<Stage>& stages) {
   std::vector<Drawing> drawings = meshes(t, GL_POINTS);
   for (Drawing& drawing : meshes(t, GL_LINE_STRIP)) drawings.push_back(std::move(drawing));
   for (const Drawing& drawing : drawings) {
-    const std::vector<Area> areas = fogged_pixels(drawing);
-    const Picture control =
-        pixels(t, gl::control("explicit vertices, " + drawing.name), staged(stages, {drawing}, false), areas);
+    const View view = {fogged_pixels(drawing)};
+    const StagedPicture control(t, gl::control("explicit vertices, " + drawing.name), stages, {drawing},
+                                Vertices::kExplicit, view);
     const auto values = [&](std::size_t stage) {
       std::vector<double> all;
-      for (std::size_t i = 0; i < areas.size(); ++i) {
-        const std::vector<double>& pixel = control.parts[stage * areas.size() + i].values;
-        all.insert(all.end(), pixel.begin(), pixel.end());
-      }
+      for (const Part& part : control.parts(stage, 0))
+        all.insert(all.end(), part.values.begin(), part.values.end());
       return all;
     };
     for (std::size_t i = 1; i < stages.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (alike(values(i), values(j), 2 * kTolerance))
           throw NotObservable("pipeline: fog does not show with explicit vertices");
-    Picture picture = pixels(t, "evaluated, " + drawing.name, staged(stages, {drawing}, true), areas);
+    Picture picture =
+        StagedPicture(t, "evaluated, " + drawing.name, stages, {drawing}, Vertices::kEvaluated, view)
+            .picture();
     for (std::size_t i = 0; drawing.primitive == GL_LINE_STRIP && i < picture.parts.size(); ++i)
-      if (is_corner(areas[i % areas.size()])) picture.parts[i].values = control.parts[i].values;
-    expect_like_explicit(std::move(picture), control);
+      if (is_corner(view.areas[i % view.areas.size()]))
+        picture.parts[i].values = control.picture().parts[i].values;
+    expect_like_explicit(std::move(picture), control.picture());
   }
 }
 
@@ -401,28 +370,25 @@ EVALCTS_TEST(Pipeline, NoPrimitiveRestart, kMust, "EV-PIPE-NORESTART")
     stage.state.Enable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
   }
   const std::vector<Drawing> drawings = all_drawings(t);
-  Picture control = feedback(t, gl::control("explicit vertices"), staged(stages, drawings, false));
-  forget_stipple_starts(control);
-  const auto is_as_without = [&](const Picture& picture, std::size_t i) {
-    return alike(picture.parts[i].values, picture.parts[i % drawings.size()].values);
+  const auto is_as_without = [](const StagedPicture& picture, std::size_t stage, std::size_t drawing) {
+    return !picture.has_effect(stage, drawing, kTolerance);
   };
-  for (std::size_t i = 0; i < control.parts.size(); ++i)
-    if (control.parts[i].values.empty() || !is_as_without(control, i))
-      throw NotObservable("pipeline: explicit vertices differ with primitive restart");
-  Picture picture = feedback(t, "evaluated", staged(stages, drawings, true));
-  forget_stipple_starts(picture);
-  for (std::size_t i = 0; i < picture.parts.size(); ++i) {
-    const Part& seen = picture.parts[i];
-    const Part& without = picture.parts[i % drawings.size()];
-    if (i < drawings.size()) {
-      expect_drawn_like_explicit(picture.checked, drawings[i], seen, control.parts[i]);
-    } else {
-      picture.checked.expect(is_as_without(picture, i), seen.shown,
-                             fmt::format("{}: the primitives differ from those without restart", seen.name),
-                             fmt::format("the same {} values", without.values.size()),
-                             fmt::format("{} different values", seen.values.size()));
+  const StagedPicture control(t, gl::control("explicit vertices"), stages, drawings, Vertices::kExplicit);
+  StagedPicture seen(t, "evaluated", stages, drawings, Vertices::kEvaluated);
+  for (std::size_t stage = 0; stage < stages.size(); ++stage)
+    for (std::size_t i = 0; i < drawings.size(); ++i) {
+      const Part &part = seen.parts(stage, i)[0], &expected = control.parts(stage, i)[0];
+      if (expected.values.empty() || !is_as_without(control, stage, i))
+        throw NotObservable("pipeline: explicit vertices differ with primitive restart");
+      if (stage == 0)
+        expect_drawn_like_explicit(seen.picture().checked, drawings[i], part, expected);
+      else
+        seen.picture().checked.expect(
+            is_as_without(seen, stage, i), part.shown,
+            fmt::format("{}: the primitives differ from those without restart", part.name),
+            fmt::format("the same {} values", seen.parts(0, i)[0].values.size()),
+            fmt::format("{} different values", part.values.size()));
     }
-  }
 };
 
 }  // namespace
