@@ -72,13 +72,13 @@ gl::Case pushed_and_popped(Test& t, GLbitfield mask) {
 }
 
 // Masks with the group that contains all evaluator state, alone and with others.
-constexpr Named<GLbitfield> kWithEval[] = {
+constexpr NamedValue<GLbitfield> kWithEval[] = {
     {"EVAL_BIT", GL_EVAL_BIT},
     {"EVAL_AND_ENABLE_BIT", GL_EVAL_BIT | GL_ENABLE_BIT},
     {"EVAL_AND_CURRENT_AND_LIST_BIT", GL_EVAL_BIT | GL_CURRENT_BIT | GL_LIST_BIT}};
-constexpr Named<GLbitfield> kWithAll[] = {{"ALL_ATTRIB_BITS", 0xFFFFFFFFu},
-                                          {"ALL_ATTRIB_BITS_1_0", 0x000FFFFFu}};
-constexpr Named<GLbitfield> kOthers[] = {
+constexpr NamedValue<GLbitfield> kWithAll[] = {{"ALL_ATTRIB_BITS", 0xFFFFFFFFu},
+                                               {"ALL_ATTRIB_BITS_1_0", 0x000FFFFFu}};
+constexpr NamedValue<GLbitfield> kOthers[] = {
     {"CURRENT_BIT", GL_CURRENT_BIT},
     {"POINT_BIT", GL_POINT_BIT},
     {"LINE_BIT", GL_LINE_BIT},
@@ -103,7 +103,7 @@ constexpr Named<GLbitfield> kOthers[] = {
 // Returns true if the version has AUTO_NORMAL in the enable group.
 bool enable_bit_has_auto_normal(const Test& t) { return t.gl().at_least(1, 1); }
 
-void judge_all(Test& t, const Named<GLbitfield>& mask) {
+void judge_all(Test& t, const NamedValue<GLbitfield>& mask) {
   gl::Case c = pushed_and_popped(t, mask.value);
   ask_for_all(t, c);
   c.GetError();
@@ -112,10 +112,10 @@ void judge_all(Test& t, const Named<GLbitfield>& mask) {
 
 EVALCTS_TEST(AttributeStack, EvalBit, kMust, "EV-ATTRIB-EVALBIT", "EV-API-ENUM-OTHER",
              combine(kWithEval).by(in_lists()))
-(Test& t, const Named<GLbitfield>& mask) { judge_all(t, mask); };
+(Test& t, const NamedValue<GLbitfield>& mask) { judge_all(t, mask); };
 
 EVALCTS_TEST(AttributeStack, AllBits, kMust, "EV-ATTRIB-ALL", combine(kWithAll).by(in_lists()))
-(Test& t, const Named<GLbitfield>& mask) { judge_all(t, mask); };
+(Test& t, const NamedValue<GLbitfield>& mask) { judge_all(t, mask); };
 
 EVALCTS_TEST(AttributeStack, EnableBit, kMust, "EV-ATTRIB-ENABLEBIT", by(in_lists()))
 (Test& t) {
@@ -161,12 +161,13 @@ EVALCTS_TEST(AttributeStack, EnableBitHasNoGrids, kMust, "EV-ATTRIB-ENABLEBIT-NO
 };
 
 EVALCTS_TEST(AttributeStack, OtherBits, kMust, "EV-ATTRIB-OTHERBITS", combine(kOthers).by(in_lists()))
-(Test& t, const Named<GLbitfield>& mask) { judge_all(t, mask); };
+(Test& t, const NamedValue<GLbitfield>& mask) { judge_all(t, mask); };
 
 // Maps belong to no attribute group: PopAttrib does not change their ORDER, DOMAIN and COEFF.
-EVALCTS_TEST(AttributeStack, MapsStay, kMust, "EV-ATTRIB-NOMAPS",
-             combine((std::vector<Named<GLbitfield>>{kWithEval[0], kWithAll[0], kWithAll[1]})).by(in_lists()))
-(Test& t, const Named<GLbitfield>& mask) {
+EVALCTS_TEST(
+    AttributeStack, MapsStay, kMust, "EV-ATTRIB-NOMAPS",
+    combine((std::vector<NamedValue<GLbitfield>>{kWithEval[0], kWithAll[0], kWithAll[1]})).by(in_lists()))
+(Test& t, const NamedValue<GLbitfield>& mask) {
   for (const bool again : {true, false}) {
     gl::Case c(again ? "maps defined, pushed, defined again, popped" : "maps defined, pushed, popped");
     const auto define_all = [&](int order) {
@@ -297,8 +298,8 @@ EVALCTS_TEST(AttributeStack, Nested, kMust, "EV-ATTRIB-NEST", by(in_lists()))
 // The same with other masks that contain the enables, and three levels.
 EVALCTS_TEST(
     AttributeStack, NestedEnables, kMust, "EV-ATTRIB-NEST",
-    combine((std::vector<Named<GLbitfield>>{{"ENABLE_BIT", GL_ENABLE_BIT}, kWithAll[0]})).by(in_lists()))
-(Test& t, const Named<GLbitfield>& mask) {
+    combine((std::vector<NamedValue<GLbitfield>>{{"ENABLE_BIT", GL_ENABLE_BIT}, kWithAll[0]})).by(in_lists()))
+(Test& t, const NamedValue<GLbitfield>& mask) {
   gl::Case c("three levels, popped one after the other");
   const State states[] = {kBefore, kAfter, kLast, kAfter};
   for (const State& state : states) {
@@ -356,10 +357,10 @@ void require_undone_behind(Test& t, GLbitfield inner) {
 
 // Changes behind a nested push of another group are undone when the outer level is popped.
 EVALCTS_TEST(AttributeStack, NestedBehindOtherGroups, kMust, "EV-ATTRIB-NEST",
-             combine((std::vector<Named<GLbitfield>>{
+             combine((std::vector<NamedValue<GLbitfield>>{
                          {"CURRENT_BIT", GL_CURRENT_BIT}, {"LIGHTING_BIT", GL_LIGHTING_BIT}, {"NO_BIT", 0}}))
                  .by(in_lists()))
-(Test& t, const Named<GLbitfield>& inner) {
+(Test& t, const NamedValue<GLbitfield>& inner) {
   require_undone_behind(t, inner.value);
   for (const GLbitfield outer : {GL_EVAL_BIT, GL_ENABLE_BIT}) {
     gl::Case c(outer == GL_EVAL_BIT ? "in EVAL_BIT" : "in ENABLE_BIT");

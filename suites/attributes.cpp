@@ -103,7 +103,7 @@ EVALCTS_TEST(Attributes, IndexDoesNothingInRGBA, kMust, "EV-ATTR-INDEX-RGBA/1-D"
 };
 
 // Commands that draw points with maps over [0.5,2], in v over [-1,0.25], and a grid of 4 by 2 segments.
-constexpr Named<void (*)(gl::Case&, bool two)> kIndexedPoints[] = {
+constexpr NamedValue<void (*)(gl::Case&, bool two)> kIndexedPoints[] = {
     {"EvalCoord",
      [](gl::Case& c, bool two) {
        c.Begin(GL_POINTS);
@@ -141,7 +141,7 @@ std::vector<float> drawn_indices(const CheckedTrace& checked, const std::array<g
 // current index if the map is disabled. Explicit vertices after it have the current index.
 EVALCTS_TEST_PAIR(Attributes.IndexInColorIndexMode1, Attributes.IndexInColorIndexMode2, kMust,
                   decide("EV-ATTR-INDEX/1-D", "EV-ATTR-INDEX/2-D"), combine(kIndexedPoints))
-(Test& t, bool two, const Named<void (*)(gl::Case&, bool)>& points) {
+(Test& t, bool two, const NamedValue<void (*)(gl::Case&, bool)>& points) {
   const auto in_context = [&](gl::Case& c, const gl::Case& drawn) {
     c.ContextOfKindEVALCTS(1, EVALCTS_COLOR_INDEX);
     constexpr std::size_t kRoom = 1024;

@@ -119,7 +119,7 @@ void expect_normals(Test& t, const std::string& identity, const std::vector<Map>
 }
 
 // Normals of unit length, and those that a vertex shader receives: the same rule, except for the length.
-constexpr Named<Attributes> kLengths[] = {{"UNIT", kNormal | kUnitNormal}, {"SHADER", kNormal}};
+constexpr NamedValue<Attributes> kLengths[] = {{"UNIT", kNormal | kUnitNormal}, {"SHADER", kNormal}};
 
 // --- Where the normal comes from -------------------------------------------------------------------------
 
@@ -251,7 +251,7 @@ EVALCTS_TEST(AutomaticNormals, NextVertexHasTheCurrentNormal, kMust, "EV-AUTON-C
 
 EVALCTS_TEST(AutomaticNormals, Direction, kMust, "EV-AUTON-DIRECTION",
              combine(kLengths).by(gl::list_deliveries()))
-(Test& t, const Named<Attributes>& lengths) {
+(Test& t, const NamedValue<Attributes>& lengths) {
   expect_normals(t, "u along +x and v along +y, the reverse, and a tilted plane",
                  {surface(GL_MAP2_VERTEX_3, 2, 2, plane), surface(GL_MAP2_VERTEX_3, 2, 2, plane_flipped),
                   surface(GL_MAP2_VERTEX_3, 3, 2, plane), surface(GL_MAP2_VERTEX_3, 2, 2, tilted),
@@ -313,7 +313,7 @@ EVALCTS_TEST(AutomaticNormals, Rational, kMust, "EV-AUTON-RATIONAL",
 // If one direction of the domain is reversed, either sign is accepted (U-AUTON-REVSIGN).
 EVALCTS_TEST(AutomaticNormals, ReversedDomain, kMust, "EV-AUTON-CURVED",
              combine(kLengths).by(gl::list_deliveries()))
-(Test& t, const Named<Attributes>& lengths) {
+(Test& t, const NamedValue<Attributes>& lengths) {
   std::vector<Map> maps;
   for (const auto& [u, v] : {std::pair{Interval{1, 0}, Interval{0, 1}}, {{0, 1}, {1, 0}}, {{1, 0}, {1, 0}}})
     maps.push_back(over(surface(GL_MAP2_VERTEX_3, 4, 4, wave), u, v));

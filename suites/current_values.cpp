@@ -69,7 +69,7 @@ void set_before(gl::Case& c, int variant, Setter set) {
 }
 
 // A case, and the pairs of queries in it that have to give the same answers.
-struct Written {
+struct PairedQueries {
   gl::Case script;
   std::vector<std::pair<gl::Ref, gl::Ref>> alike;
 };
@@ -77,14 +77,14 @@ struct Written {
 // Expects the evaluated case to keep the current values. If it does not, the control with explicit vertices
 // runs. Returns false, without a failure, if the control loses a value as well: then evaluation is not the
 // cause.
-bool expect_kept(Test& t, const std::function<Written(bool evaluated)>& write) {
-  const auto keeps = [&t](const Written& written) {
+bool expect_kept(Test& t, const std::function<PairedQueries(bool evaluated)>& write) {
+  const auto keeps = [&t](const PairedQueries& written) {
     const CheckedTrace checked = t.play(written.script);
     return std::all_of(written.alike.begin(), written.alike.end(), [&](const auto& pair) {
       return checked.trace().same(pair.first, checked.trace(), pair.second);
     });
   };
-  const Written evaluated = write(true);
+  const PairedQueries evaluated = write(true);
   if (keeps(evaluated)) return true;
   if (!keeps(write(false))) return false;
   CheckedTrace checked = t.play(evaluated.script);  // again, because a failure reports the case that ran last
@@ -132,7 +132,7 @@ void expect_current_untouched(Test& t, const std::function<Evaluated()>& evaluat
         const gl::Ref inside = query.ask(c);
         set(c, variant + 1);
         const gl::Ref again = query.ask(c);
-        return Written{c, {{before, after}, {again, inside}}};
+        return PairedQueries{c, {{before, after}, {again, inside}}};
       });
     }
   if (!observed) throw NotObservable("explicit vertices lose the current value as well");
@@ -153,15 +153,15 @@ void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter
 }
 
 // The queries come immediately or after a Flush, which hides some bugs and reveals others.
-constexpr Named<bool> kMoments[] = {{"AT_ONCE", false}, {"FLUSHED", true}};
+constexpr NamedValue<bool> kMoments[] = {{"AT_ONCE", false}, {"FLUSHED", true}};
 
 EVALCTS_TEST(CurrentValues, Color, kMust, "EV-CUR-COLOR/1-D", combine(kMoments).by(gl::curve_deliveries()))
-(Test& t, const Named<bool>& moment) {
+(Test& t, const NamedValue<bool>& moment) {
   expect_current_untouched(t, GL_MAP1_COLOR_4, kQueries[0], set_color, moment.value);
 };
 
 EVALCTS_TEST(CurrentValues, Normal, kMust, "EV-CUR-NORMAL/1-D", combine(kMoments).by(gl::curve_deliveries()))
-(Test& t, const Named<bool>& moment) {
+(Test& t, const NamedValue<bool>& moment) {
   expect_current_untouched(t, GL_MAP1_NORMAL, kQueries[1], set_normal, moment.value);
 };
 
@@ -172,7 +172,7 @@ void emit_of_surface(gl::Case& c, bool evaluated, float u) {
 // Normals that AUTO_NORMAL generates from surfaces of orders 1 to 3 do not become current.
 EVALCTS_TEST(CurrentValues, AutomaticNormal, kMust, "EV-AUTON-CURRENT",
              combine(kMoments).by(gl::surface_deliveries()))
-(Test& t, const Named<bool>& moment) {
+(Test& t, const NamedValue<bool>& moment) {
   Orders orders = {3, 1};
   const auto evaluated = [&] {
     const GLenum target = orders.v == 2 ? GL_MAP2_VERTEX_4 : GL_MAP2_VERTEX_3;
@@ -190,7 +190,7 @@ EVALCTS_TEST(CurrentValues, AutomaticNormal, kMust, "EV-AUTON-CURRENT",
 // Without a vertex map an evaluation does nothing, so the control has no command in its place.
 EVALCTS_TEST(CurrentValues, AutomaticNormalWithoutVertices, kMust, "EV-AUTON-NOVERTEX",
              combine(kMoments).by(gl::surface_deliveries()))
-(Test& t, const Named<bool>& moment) {
+(Test& t, const NamedValue<bool>& moment) {
   const auto evaluated = [] {
     return Evaluated{"AUTO_NORMAL alone", [](gl::Case& c) { c.Enable(GL_AUTO_NORMAL); },
                      [](gl::Case& c, bool is_evaluated, float u) {
@@ -213,7 +213,7 @@ constexpr Attribute kAttributes[] = {{"COLOR_4", GL_MAP1_COLOR_4, 0, set_color},
 
 EVALCTS_TEST(CurrentValues, EvaluationWithoutVertices, kMust, "EV-COORD-NOVERTEX/1-D",
              combine(kAttributes).combine(kMoments).by(gl::curve_deliveries()))
-(Test& t, const Attribute& attribute, const Named<bool>& moment) {
+(Test& t, const Attribute& attribute, const NamedValue<bool>& moment) {
   const auto evaluated = [&] {
     return Evaluated{label(attribute.target) + " alone",
                      [map = random_map(t, attribute.target, 3)](gl::Case& c) { define_and_enable(c, map); },
@@ -225,14 +225,14 @@ EVALCTS_TEST(CurrentValues, EvaluationWithoutVertices, kMust, "EV-COORD-NOVERTEX
 };
 
 EVALCTS_TEST(CurrentValues, Index, kMust, "EV-CUR-INDEX/1-D", combine(kMoments).by(gl::curve_deliveries()))
-(Test& t, const Named<bool>& moment) {
+(Test& t, const NamedValue<bool>& moment) {
   const auto set_index = [](gl::Case& c, int variant) { c.Indexf(7.0f + static_cast<float>(variant)); };
   expect_current_untouched(t, GL_MAP1_INDEX, {"INDEX", GL_CURRENT_INDEX, 1}, set_index, moment.value);
 };
 
 EVALCTS_TEST(CurrentValues, TextureCoordinates, kMust, "EV-CUR-TEX/1-D",
              combine(kMoments).by(gl::curve_deliveries()))
-(Test& t, const Named<bool>& moment) {
+(Test& t, const NamedValue<bool>& moment) {
   std::vector<GLenum> targets = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3,
                                  GL_MAP1_TEXTURE_COORD_4};
   if (t.depth() == Depth::kQuick) targets = {targets[t.random()() % targets.size()]};
@@ -242,11 +242,12 @@ EVALCTS_TEST(CurrentValues, TextureCoordinates, kMust, "EV-CUR-TEX/1-D",
 
 // Current values stay the same over a primitive of tens of thousands of vertices, also if they are set in its
 // middle.
-constexpr Named<GLenum> kStrips[] = {{"LINE_STRIP", GL_LINE_STRIP}, {"TRIANGLE_STRIP", GL_TRIANGLE_STRIP}};
+constexpr NamedValue<GLenum> kStrips[] = {{"LINE_STRIP", GL_LINE_STRIP},
+                                          {"TRIANGLE_STRIP", GL_TRIANGLE_STRIP}};
 
 EVALCTS_TEST(CurrentValues, LongPrimitives, kMust, "EV-CUR-COLOR/1-D", "EV-CUR-NORMAL/1-D", "EV-CUR-TEX/1-D",
              combine(kStrips).by(sparing(gl::without(gl::kMeshes | gl::kArrays, gl::curve_deliveries()))))
-(Test& t, const Named<GLenum>& mode) {
+(Test& t, const NamedValue<GLenum>& mode) {
   const int vertices = t.by_depth(10000, 40000, 66000);
   std::vector<Map> maps;
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_4})
@@ -278,7 +279,7 @@ EVALCTS_TEST(CurrentValues, LongPrimitives, kMust, "EV-CUR-COLOR/1-D", "EV-CUR-N
       }
       c.End();
       std::ranges::transform(kQueries, after.begin(), [&](const Query& query) { return query.ask(c); });
-      Written written{c, {}};
+      PairedQueries written{c, {}};
       for (std::size_t i = 0; i < before.size(); ++i) written.alike.emplace_back(before[i], after[i]);
       return written;
     });
@@ -372,7 +373,7 @@ EVALCTS_TEST(CurrentValues, EveryOrderOfSetting, kMust, "EV-CUR-COLOR/1-D", "EV-
       emit(c, evaluated, 0.5f);
       c.End();
       const gl::Ref later = queried.ask(c);
-      return Written{c, {{before, after}, {before, later}}};
+      return PairedQueries{c, {{before, after}, {before, later}}};
     });
   }
   if (!observed) throw NotObservable("explicit vertices lose the current value as well");

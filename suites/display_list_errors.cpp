@@ -87,7 +87,7 @@ std::vector<NamedCalls> bad_grids_and_meshes() {
 }
 
 enum class Kind { kMapsF, kMapsD, kGridsAndMeshes };
-constexpr Named<Kind> kKindsOfBad[] = {
+constexpr NamedValue<Kind> kKindsOfBad[] = {
     {"MAPS_f", Kind::kMapsF}, {"MAPS_d", Kind::kMapsD}, {"GRIDS_AND_MESHES", Kind::kGridsAndMeshes}};
 
 std::optional<int> known_order_limit(const Test& t) {
@@ -99,7 +99,7 @@ std::optional<int> known_order_limit(const Test& t) {
   }
 }
 
-std::vector<NamedCalls> bad_commands(const Named<Kind>& of, Test& t) {
+std::vector<NamedCalls> bad_commands(const NamedValue<Kind>& of, Test& t) {
   return existing_calls(t, of.value == Kind::kGridsAndMeshes
                                ? bad_grids_and_meshes()
                                : bad_maps(of.value == Kind::kMapsD, of.value == Kind::kMapsD ? "d" : "f",
@@ -108,7 +108,7 @@ std::vector<NamedCalls> bad_commands(const Named<Kind>& of, Test& t) {
 
 // There is a list for each condition, and a GetError after each step.
 EVALCTS_TEST(DisplayLists, ErrorsOfTheCall, kMust, "EV-DL-ERR-LATE", "EV-DL-ERR-ALL", combine(kKindsOfBad))
-(Test& t, const Named<Kind>& kind) {
+(Test& t, const NamedValue<Kind>& kind) {
   for (const NamedCalls& bad : bad_commands(kind, t)) {
     gl::Case c(bad.name);
     c.NewList(kList, GL_COMPILE);
@@ -127,7 +127,7 @@ EVALCTS_TEST(DisplayLists, ErrorsOfTheCall, kMust, "EV-DL-ERR-LATE", "EV-DL-ERR-
 
 EVALCTS_TEST(DisplayLists, ErrorsWhileCompilingAndExecuting, kMust, "EV-DL-ERR-ALL", "EV-DL-COMPEXEC",
              combine(kKindsOfBad))
-(Test& t, const Named<Kind>& kind) {
+(Test& t, const NamedValue<Kind>& kind) {
   for (const NamedCalls& bad : bad_commands(kind, t)) {
     gl::Case c(bad.name);
     c.NewList(kList, GL_COMPILE_AND_EXECUTE);
@@ -145,7 +145,7 @@ EVALCTS_TEST(DisplayLists, ErrorsWhileCompilingAndExecuting, kMust, "EV-DL-ERR-A
 // The commands before and after a rejected one in the list take effect.
 EVALCTS_TEST(DisplayLists, ErrorDoesNotEndTheList, kMust, "EV-DL-ERR-CONTINUE", "EV-DL-ERR-ALL",
              combine(kKindsOfBad))
-(Test& t, const Named<Kind>& kind) {
+(Test& t, const NamedValue<Kind>& kind) {
   for (const NamedCalls& bad : bad_commands(kind, t)) {
     gl::Case c(bad.name + " between MapGrid1, Map1, Enable");
     const Map map = random_map(t, GL_MAP1_NORMAL, 4);

@@ -233,21 +233,21 @@ EVALCTS_TEST_PAIR(
   }
 };
 
-constexpr Named<GLenum> kModes[] = {{"POINTS", GL_POINTS},
-                                    {"LINES", GL_LINES},
-                                    {"LINE_LOOP", GL_LINE_LOOP},
-                                    {"LINE_STRIP", GL_LINE_STRIP},
-                                    {"TRIANGLES", GL_TRIANGLES},
-                                    {"TRIANGLE_STRIP", GL_TRIANGLE_STRIP},
-                                    {"TRIANGLE_FAN", GL_TRIANGLE_FAN},
-                                    {"QUADS", GL_QUADS},
-                                    {"QUAD_STRIP", GL_QUAD_STRIP},
-                                    {"POLYGON", GL_POLYGON}};
+constexpr NamedValue<GLenum> kModes[] = {{"POINTS", GL_POINTS},
+                                         {"LINES", GL_LINES},
+                                         {"LINE_LOOP", GL_LINE_LOOP},
+                                         {"LINE_STRIP", GL_LINE_STRIP},
+                                         {"TRIANGLES", GL_TRIANGLES},
+                                         {"TRIANGLE_STRIP", GL_TRIANGLE_STRIP},
+                                         {"TRIANGLE_FAN", GL_TRIANGLE_FAN},
+                                         {"QUADS", GL_QUADS},
+                                         {"QUAD_STRIP", GL_QUAD_STRIP},
+                                         {"POLYGON", GL_POLYGON}};
 
 // Primitives of 0 to 9 vertices, some of them incomplete.
 EVALCTS_TEST(Evaluation, Primitives, kMust, "EV-COORD-PRIMS/1-D",
              combine(kModes).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
-(Test& t, const Named<GLenum>& mode) {
+(Test& t, const NamedValue<GLenum>& mode) {
   gl::Case c("0 to 9 vertices");
   for (const GLenum target : {GL_MAP1_VERTEX_4, GL_MAP1_COLOR_4, GL_MAP1_TEXTURE_COORD_2}) {
     Map map = random_map(t, target, 4);
@@ -279,7 +279,7 @@ void draw_mixed_primitives(gl::Case& c, GLenum mode) {
 // about the primitives alone.
 EVALCTS_TEST(Evaluation, MixedPrimitives, kMust, "EV-COORD-PRIMS/1-D", "EV-COORD-MIX/1-D",
              combine(kModes).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
-(Test& t, const Named<GLenum>& mode) {
+(Test& t, const NamedValue<GLenum>& mode) {
   gl::Case c = with_current_values("0 to 9 vertices, every third explicit");
   define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   draw_mixed_primitives(c, mode.value);
@@ -289,7 +289,7 @@ EVALCTS_TEST(Evaluation, MixedPrimitives, kMust, "EV-COORD-PRIMS/1-D", "EV-COORD
 // The same with evaluated vertices of four components and explicit ones of three.
 EVALCTS_TEST(Evaluation, MixedPrimitivesOfVertex4, kMust, "EV-COORD-PRIMS/1-D", "EV-COORD-MIX/1-D",
              combine(kModes).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
-(Test& t, const Named<GLenum>& mode) {
+(Test& t, const NamedValue<GLenum>& mode) {
   gl::Case c = with_current_values("0 to 9 vertices, every third explicit");
   Map map = random_map(t, GL_MAP1_VERTEX_4, 4);
   for (std::size_t i = 3; i < map.points.size(); i += 4) map.points[i] = 1 + std::abs(map.points[i]);

@@ -16,7 +16,7 @@ inline constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoor
 
 // A value of a test parameter, with its name in the names of tests.
 template <class T>
-struct Named {
+struct NamedValue {
   const char* name;
   T value;
 };

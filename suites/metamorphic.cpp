@@ -446,11 +446,11 @@ EVALCTS_TEST_PAIR(Metamorphic.ConvexHullOfCurve, Metamorphic.ConvexHullOfSurface
 
 // --- EV-MAP2-SEPARABLE -----------------------------------------------------------------------------------
 
-constexpr Named<bool> kAlong[] = {{"ALONG_U", false}, {"ALONG_V", true}};
+constexpr NamedValue<bool> kAlong[] = {{"ALONG_U", false}, {"ALONG_V", true}};
 
 // A net that is constant in one direction has the values of the curve in the other direction.
 EVALCTS_TEST(Metamorphic, CurveInSurface, kMust, "EV-MAP2-SEPARABLE", combine(kAlong).by(in_lists()))
-(Test& t, const Named<bool>& along) {
+(Test& t, const NamedValue<bool>& along) {
   for (std::size_t kind = 0; kind < std::size(kKinds1); ++kind) {
     Relations relations(t, fmt::format("{}: against the map of one dimension", kKinds1[kind].name));
     for (const int order : {1, 2, 3, 4, 8, t.max_order()})

@@ -16,8 +16,8 @@ namespace {
 constexpr GLuint kOther = 1;
 
 // Kinds of contexts without evaluators.
-constexpr Named<GLuint> kRemoved[] = {{"CORE_PROFILE", EVALCTS_CORE_PROFILE},
-                                      {"FORWARD_COMPATIBLE", EVALCTS_FORWARD_COMPATIBLE}};
+constexpr NamedValue<GLuint> kRemoved[] = {{"CORE_PROFILE", EVALCTS_CORE_PROFILE},
+                                           {"FORWARD_COMPATIBLE", EVALCTS_FORWARD_COMPATIBLE}};
 
 // Queries of the kind of the context that enter() made current, to be checked after the run.
 struct Entered {
@@ -89,7 +89,7 @@ void expect_removed(Test& t, GLuint kind, const std::string& identity, const std
 }
 
 EVALCTS_TEST(Profiles, Commands, kMust, "EV-PROF-CORE-FUNC", combine(kRemoved))
-(Test& t, const Named<GLuint>& removed) {
+(Test& t, const NamedValue<GLuint>& removed) {
   std::vector<Removed> calls;
   for (const NamedCalls& command : existing_calls(t, commands_without_queries()))
     calls.push_back({command.issue, GL_INVALID_OPERATION, GL_INVALID_OPERATION});
@@ -100,7 +100,7 @@ EVALCTS_TEST(Profiles, Commands, kMust, "EV-PROF-CORE-FUNC", combine(kRemoved))
 };
 
 EVALCTS_TEST(Profiles, Enables, kMust, "EV-PROF-CORE-ENABLE", combine(kRemoved))
-(Test& t, const Named<GLuint>& removed) {
+(Test& t, const NamedValue<GLuint>& removed) {
   std::vector<Calls> calls;
   for (const GLenum name : all_caps()) {
     calls.push_back([name](gl::Case& c) { c.Enable(name); });
@@ -112,7 +112,7 @@ EVALCTS_TEST(Profiles, Enables, kMust, "EV-PROF-CORE-ENABLE", combine(kRemoved))
 };
 
 EVALCTS_TEST(Profiles, Gets, kMust, "EV-PROF-CORE-GET", combine(kRemoved))
-(Test& t, const Named<GLuint>& removed) {
+(Test& t, const NamedValue<GLuint>& removed) {
   std::vector<GLenum> names = all_caps();
   names.insert(names.end(), {GL_MAX_EVAL_ORDER, GL_MAP1_GRID_DOMAIN, GL_MAP1_GRID_SEGMENTS,
                              GL_MAP2_GRID_DOMAIN, GL_MAP2_GRID_SEGMENTS});

@@ -76,10 +76,10 @@ gl::Case seen_from_a_distance() {
   return state;
 }
 
-constexpr Named<bool> kNormals[] = {{"EVALUATED", false}, {"GENERATED", true}};
+constexpr NamedValue<bool> kNormals[] = {{"EVALUATED", false}, {"GENERATED", true}};
 
 EVALCTS_TEST(Pipeline, TextureGeneration, kMust, "EV-PIPE-TEXGEN", combine(kNormals))
-(Test& t, const Named<bool>& normals) {
+(Test& t, const NamedValue<bool>& normals) {
   std::vector<Stage> stages = {{"no generation", seen_from_a_distance()}};
   for (const Generation& generation : kGenerations) {
     const bool late = generation.mode == GL_NORMAL_MAP || generation.mode == GL_REFLECTION_MAP;

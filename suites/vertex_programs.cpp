@@ -47,9 +47,9 @@ void set_values_without_maps(gl::Case& c) {
   c.MultiTexCoord4f(GL_TEXTURE1, 0.5f, -0.25f, 0.125f, 1.5f);
 }
 
-constexpr Named<bool> kKinds[] = {{"SHADER", false}, {"ASSEMBLY", true}};
+constexpr NamedValue<bool> kKinds[] = {{"SHADER", false}, {"ASSEMBLY", true}};
 
-Picture look(Test& t, const Named<bool>& kind, const gl::Identity& identity,
+Picture look(Test& t, const NamedValue<bool>& kind, const gl::Identity& identity,
              const std::vector<Drawing>& drawings, bool evaluated, bool with_program = true) {
   gl::Case state;
   set_up_texture(state);
@@ -70,7 +70,7 @@ Picture look(Test& t, const Named<bool>& kind, const gl::Identity& identity,
 }
 
 EVALCTS_TEST(Pipeline, VertexPrograms, kMust, "EV-PIPE-VS", combine(kKinds))
-(Test& t, const Named<bool>& kind) {
+(Test& t, const NamedValue<bool>& kind) {
   kind.value ? require_extension(t, "GL_ARB_vertex_program") : t.require(2, 0);
   const std::vector<Drawing> drawings = all_drawings(t);
   const Picture control = look(t, kind, gl::control("explicit vertices"), drawings, false);

@@ -78,7 +78,7 @@ int write_vectors(const VectorsOptions& options) {
   }
   std::size_t cases = 0, bytes = 0;
   try {
-    vectors::write_all(folder, cases_of_suite, [&](const vectors::Written& written) {
+    vectors::write_all(folder, cases_of_suite, [&](const vectors::WrittenFile& written) {
       std::cout << fmt::format("{:<12} {:>5} cases {:>9} bytes\n", written.kind, written.cases,
                                written.bytes);
       cases += written.cases;

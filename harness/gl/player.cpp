@@ -245,7 +245,7 @@ class Player {
     if (const auto* output = std::get_if<Output>(&value)) {
       if (trace_.results_[index_].output)
         throw std::logic_error("a command fills one array of a case at most");
-      Trace::Written written{output->type, output->count, {}};
+      Trace::Output written{output->type, output->count, {}};
       written.bytes.assign((output->count + kGuardElements) * size_of(output->type), kFiller);
       return trace_.results_[index_].output.emplace(std::move(written)).bytes.data();
     }
@@ -291,7 +291,7 @@ Trace play(const Case& script, const Table& table, const std::function<void(std:
   return trace;
 }
 
-const Trace::Written& Trace::output(Ref command) const {
+const Trace::Output& Trace::output(Ref command) const {
   const auto& output = results_.at(static_cast<std::size_t>(command.index)).output;
   if (!output) throw std::logic_error("this command writes no array");
   return *output;
@@ -310,7 +310,7 @@ bool Trace::has_output(Ref command) const {
 }
 
 std::vector<std::byte> Trace::bytes(Ref command) const {
-  const Written& array = output(command);
+  const Output& array = output(command);
   return {array.bytes.begin(),
           array.bytes.begin() + static_cast<std::ptrdiff_t>(array.count * size_of(array.type))};
 }
@@ -328,7 +328,7 @@ void Trace::replace_result(Ref command, std::int64_t value) {
 }
 
 void Trace::replace_element(Ref command, std::size_t element, double value) {
-  Written& array = results_.at(static_cast<std::size_t>(command.index)).output.value();
+  Output& array = results_.at(static_cast<std::size_t>(command.index)).output.value();
   if (element >= array.count) throw std::logic_error("no such element");
   const auto store = [&](auto converted) {
     std::memcpy(array.bytes.data() + element * sizeof converted, &converted, sizeof converted);
@@ -352,7 +352,7 @@ void Trace::replace_element(Ref command, std::size_t element, double value) {
 }
 
 std::size_t Trace::written(Ref command) const {
-  const Written& output_array = output(command);
+  const Output& output_array = output(command);
   std::size_t last = output_array.bytes.size();
   while (last > 0 && output_array.bytes[last - 1] == kFiller) --last;
   const std::size_t element = size_of(output_array.type);

@@ -97,8 +97,8 @@ class VertexJudge {
     }
   }
 
-  template <class What>
-  void given_value(const What& what, float expected, float got, bool is_current, double capture_error) {
+  template <class Describe>
+  void given_value(const Describe& what, float expected, float got, bool is_current, double capture_error) {
     if (expected == got || (std::isnan(expected) && std::isnan(got))) return;
     if (std::abs(static_cast<double>(expected) - static_cast<double>(got)) <= capture_error) return;
     Mismatch mismatch;
@@ -122,8 +122,8 @@ class VertexJudge {
     judgement_.mismatches.push_back(std::move(mismatch));
   }
 
-  template <class What>
-  void evaluated_value(const What& what, const Sample& sample, float got, bool clamped,
+  template <class Describe>
+  void evaluated_value(const Describe& what, const Sample& sample, float got, bool clamped,
                        double capture_error) {
     const Component component = sample;
     Accuracy& accuracy = judgement_.accuracy;
@@ -308,8 +308,8 @@ class VertexJudge {
     return error <= below.to_double() * (1 - 1e-12);
   }
 
-  template <class What>
-  void measure(const What& what, const Sample& sample, const Rational& exact, const Rational& magnitude,
+  template <class Describe>
+  void measure(const Describe& what, const Sample& sample, const Rational& exact, const Rational& magnitude,
                float got) {
     if (!measured_) return;
     Accuracy& accuracy = judgement_.accuracy;

@@ -25,7 +25,7 @@ History without_needless(Tests tests, const HappensAfter& happens_after) {
   };
   bool may_be_shorter = reduce(tests, Direction::kForwards, still_happens);
   while (may_be_shorter) may_be_shorter = remove_runs(tests, 1, Direction::kForwards, still_happens);
-  return {is_in_time ? History::Found::kShortest : History::Found::kShortened, tests};
+  return {is_in_time ? History::Quality::kShortest : History::Quality::kShortened, tests};
 }
 
 }  // namespace
@@ -49,20 +49,20 @@ History shortest_history(const Tests& predecessors, const Tests& first_guess,
     if (!happens) return {};
     if (*happens) return without_needless(first_guess, happens_after);
   }
-  if (predecessors.empty()) return {History::Found::kNotReproduced, {}};
+  if (predecessors.empty()) return {History::Quality::kNotReproduced, {}};
   std::size_t too_few = 0;
   std::size_t count = 1;
   while (true) {
     const std::optional<bool> happens = happens_after(last(predecessors, count));
     if (!happens) return {};
     if (*happens) break;
-    if (count == predecessors.size()) return {History::Found::kNotReproduced, {}};
+    if (count == predecessors.size()) return {History::Quality::kNotReproduced, {}};
     too_few = count;
     count = std::min(2 * count, predecessors.size());
   }
   const std::optional<std::size_t> more =
       least(count - too_few, [&](std::size_t n) { return happens_after(last(predecessors, too_few + n)); });
-  if (!more) return {History::Found::kShortened, last(predecessors, count)};
+  if (!more) return {History::Quality::kShortened, last(predecessors, count)};
   return without_needless(last(predecessors, too_few + *more), happens_after);
 }
 

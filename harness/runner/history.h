@@ -10,13 +10,13 @@ namespace evalcts {
 
 // The tests that must run before a failing test to make it fail, as far as a search has found them.
 struct History {
-  enum class Found {
+  enum class Quality {
     kShortest,       // no single test of `tests` can be removed
     kShortened,      // time ran out: `tests` reproduces the failure, but may be longer than necessary
     kNotReproduced,  // even all predecessors in their order do not reproduce it: it is not deterministic
     kOutOfTime,      // time ran out before anything was found
   };
-  Found found = Found::kOutOfTime;
+  Quality quality = Quality::kOutOfTime;
   std::vector<std::string> tests;
 };
 

@@ -585,7 +585,7 @@ class Run {
     const std::optional<bool> alone = happens_again(record, {});
     History history;
     if (alone && *alone) {
-      history.found = History::Found::kShortest;
+      history.quality = History::Quality::kShortest;
     } else if (alone) {
       const bool guess_applies = std::all_of(guess_.begin(), guess_.end(), [&](const std::string& test) {
         return std::find(predecessors.begin(), predecessors.end(), test) != predecessors.end();
@@ -600,7 +600,7 @@ class Run {
     searches_left_ = std::max(searches_left_ - seconds_since(begin), 0.0);
     if (!history.tests.empty()) guess_ = history.tests;
     record.message = words_for(history, only_case, predecessors.size(), record.message);
-    if (history.found == History::Found::kShortest || history.found == History::Found::kShortened)
+    if (history.quality == History::Quality::kShortest || history.quality == History::Quality::kShortened)
       record.history = history.tests;
     else
       record.flake = true;
@@ -621,15 +621,15 @@ class Run {
 
   static std::string words_for(const History& history, const std::string& only_case, std::size_t predecessors,
                                const std::string& message) {
-    switch (history.found) {
-      case History::Found::kNotReproduced:
+    switch (history.quality) {
+      case History::Quality::kNotReproduced:
         return fmt::format(
             "{}; not reproduced, neither alone nor after the same {} tests: it does not always happen",
             message, predecessors);
-      case History::Found::kOutOfTime:
+      case History::Quality::kOutOfTime:
         return message + "; the search for the tests that it depends on ran out of time";
-      case History::Found::kShortest:
-      case History::Found::kShortened:
+      case History::Quality::kShortest:
+      case History::Quality::kShortened:
         break;
     }
     std::string after = "its own earlier cases";
@@ -640,7 +640,7 @@ class Run {
       after = fmt::format("{}", fmt::join(history.tests, ", "));
     }
     if (!only_case.empty()) after += fmt::format(" up to its case '{}'", only_case);
-    if (history.found == History::Found::kShortened) after += " (perhaps fewer: time ran out)";
+    if (history.quality == History::Quality::kShortened) after += " (perhaps fewer: time ran out)";
     return fmt::format("after {}: {}", after, message);
   }
 

@@ -35,7 +35,7 @@ TEST(ShortestHistory, IsWhatIsNeeded) {
         Tests{"t0", "t50", "t99"}, Tests{"t0", "t1", "t2", "t3"}}) {
     Needs needs{needed};
     const History history = shortest_history(numbered(100), {}, std::ref(needs));
-    EXPECT_EQ(history.found, History::Found::kShortest);
+    EXPECT_EQ(history.quality, History::Quality::kShortest);
     EXPECT_EQ(history.tests, needed);
     EXPECT_LT(needs.asked, 70);
   }
@@ -51,11 +51,11 @@ TEST(ShortestHistory, TakesAGoodGuess) {
 }
 
 TEST(ShortestHistory, SaysWhatItDoesNotKnow) {
-  EXPECT_EQ(shortest_history(numbered(9), {}, Needs{{"x"}}).found, History::Found::kNotReproduced);
-  EXPECT_EQ(shortest_history({}, {}, Needs{{"x"}}).found, History::Found::kNotReproduced);
-  EXPECT_EQ(shortest_history(numbered(9), {}, Needs{{"t0"}, 0, 2}).found, History::Found::kOutOfTime);
+  EXPECT_EQ(shortest_history(numbered(9), {}, Needs{{"x"}}).quality, History::Quality::kNotReproduced);
+  EXPECT_EQ(shortest_history({}, {}, Needs{{"x"}}).quality, History::Quality::kNotReproduced);
+  EXPECT_EQ(shortest_history(numbered(9), {}, Needs{{"t0"}, 0, 2}).quality, History::Quality::kOutOfTime);
   const History shortened = shortest_history(numbered(64), {}, Needs{{"t1", "t60"}, 0, 9});
-  EXPECT_EQ(shortened.found, History::Found::kShortened);
+  EXPECT_EQ(shortened.quality, History::Quality::kShortened);
   Needs both{{"t1", "t60"}};
   EXPECT_EQ(both(shortened.tests), true);
 }

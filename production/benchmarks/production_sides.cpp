@@ -261,9 +261,9 @@ struct DoubleOutputs {
 };
 
 // The results of a mesh: vertices as doubles, or both tangents as floats or doubles.
-enum class Wanted { kDoubles, kTangents, kDoubleTangents };
+enum class MeshResult { kDoubles, kTangents, kDoubleTangents };
 
-Measured mesh_of(const char* target, Wanted wanted, glev_precision precision) {
+Measured mesh_of(const char* target, MeshResult wanted, glev_precision precision) {
   const Mesh& mesh = *std::ranges::find_if(
       meshes(), [](const Mesh& m) { return m.order == 4 && m.ring != m.rows && !m.normals; });
   constexpr int kRows = 4;
@@ -272,7 +272,7 @@ Measured mesh_of(const char* target, Wanted wanted, glev_precision precision) {
   const auto room = std::make_shared<DoubleOutputs>();
   room->memory.resize(6 * points);
   const auto run = [&mesh, plan, wanted, precision, room, points] {
-    const bool is_double = wanted != Wanted::kTangents;
+    const bool is_double = wanted != MeshResult::kTangents;
     const std::size_t size = is_double ? sizeof(double) : sizeof(float);
     const auto output_at = [&](std::size_t first) -> glev_output {
       return {sizeof(glev_output),
@@ -294,8 +294,8 @@ Measured mesh_of(const char* target, Wanted wanted, glev_precision precision) {
     const glev_attribute_output vertices[] = {{GLEV_ATTRIBUTE_VERTEX, &first}},
                                 tangents[] = {{GLEV_ATTRIBUTE_TANGENT_U, &first},
                                               {GLEV_ATTRIBUTE_TANGENT_V, &second}};
-    batch.outputs = wanted == Wanted::kDoubles ? vertices : tangents;
-    batch.output_count = wanted == Wanted::kDoubles ? 1 : 2;
+    batch.outputs = wanted == MeshResult::kDoubles ? vertices : tangents;
+    batch.output_count = wanted == MeshResult::kDoubles ? 1 : 2;
     if (room->scratch.empty()) room->scratch.resize(glevGetMeshScratchSize(plan.get(), &batch));
     batch.scratch = room->scratch.data();
     batch.scratch_size = room->scratch.size();
@@ -404,12 +404,13 @@ void add_target(const char* target) {
   add_work("Plan/bicubic", [target] { return plans(target, 4, false); });
   add_work("Plan/order:64", [target] { return plans(target, 64, false); });
   add_work("Plan/grid_alone", [target] { return plans(target, 4, true); });
-  add_work("Double/mesh", [target] { return mesh_of(target, Wanted::kDoubles, GLEV_CORRECTLY_ROUNDED); });
+  add_work("Double/mesh", [target] { return mesh_of(target, MeshResult::kDoubles, GLEV_CORRECTLY_ROUNDED); });
   add_work("Double/curve", [target] { return batches_of(target, 1024, true); });
-  add_work("Tangents/float", [target] { return mesh_of(target, Wanted::kTangents, GLEV_CORRECTLY_ROUNDED); });
-  add_work("Tangents/fast", [target] { return mesh_of(target, Wanted::kTangents, GLEV_FAST); });
+  add_work("Tangents/float",
+           [target] { return mesh_of(target, MeshResult::kTangents, GLEV_CORRECTLY_ROUNDED); });
+  add_work("Tangents/fast", [target] { return mesh_of(target, MeshResult::kTangents, GLEV_FAST); });
   add_work("Tangents/double",
-           [target] { return mesh_of(target, Wanted::kDoubleTangents, GLEV_CORRECTLY_ROUNDED); });
+           [target] { return mesh_of(target, MeshResult::kDoubleTangents, GLEV_CORRECTLY_ROUNDED); });
   add_work("Batch/count:1", [target] { return batches_of(target, 1, false); });
   add_work("Batch/count:8", [target] { return batches_of(target, 8, false); });
   add_work("Scattered/bicubic", [target] { return scattered(target, GLEV_CORRECTLY_ROUNDED); });

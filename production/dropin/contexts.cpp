@@ -11,7 +11,7 @@ namespace glev::dropin {
 namespace {
 
 // A context and its handle in the window system.
-struct Known {
+struct ContextRecord {
   const void* handle;
   Context* context;
   int bound;  // number of threads in which it is current
@@ -21,9 +21,9 @@ struct Known {
 pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
 
 // The array is never destroyed, because threads may outlive the end of main.
-Array<Known*>& known_contexts() {
-  static Array<Known*>* all = nullptr;
-  if (all == nullptr) all = new (std::malloc(sizeof *all)) Array<Known*>();
+Array<ContextRecord*>& known_contexts() {
+  static Array<ContextRecord*>* all = nullptr;
+  if (all == nullptr) all = new (std::malloc(sizeof *all)) Array<ContextRecord*>();
   return *all;
 }
 
@@ -31,7 +31,7 @@ Array<Known*>& known_contexts() {
 // through this library, so the window system is queried each time.
 struct ThisThread {
   bool told;
-  Known* bound;
+  ContextRecord* bound;
 };
 thread_local ThisThread this_thread = {false, nullptr};
 
@@ -49,22 +49,22 @@ std::size_t place_of(const void* handle) {
   return i;
 }
 
-void release(Known* known) {
+void release(ContextRecord* known) {
   known->context->destroy();
   std::free(known);
 }
 
 void forget(std::size_t place) {
-  Known* const known = known_contexts()[place];
+  ContextRecord* const known = known_contexts()[place];
   known_contexts().erase(place);
   known->destroyed = true;
   if (known->bound == 0) release(known);
 }
 
-Known* add_context(const void* handle, Group* shared) {
+ContextRecord* add_context(const void* handle, Group* shared) {
   Group* const group = shared != nullptr ? shared : Group::create();
   if (shared != nullptr) shared->retain();
-  auto* const known = static_cast<Known*>(std::malloc(sizeof(Known)));
+  auto* const known = static_cast<ContextRecord*>(std::malloc(sizeof(ContextRecord)));
   Context* const context = group != nullptr ? Context::create(group) : nullptr;
   if (known == nullptr || context == nullptr || !known_contexts().insert(known_contexts().size(), known)) {
     std::fputs("libglevaluator_dropin: no memory for a context\n", stderr);
@@ -74,7 +74,7 @@ Known* add_context(const void* handle, Group* shared) {
   return known;
 }
 
-Known* find_or_add(const void* handle) {
+ContextRecord* find_or_add(const void* handle) {
   const std::size_t place = place_of(handle);
   return place < known_contexts().size() ? known_contexts()[place] : add_context(handle, nullptr);
 }
@@ -96,8 +96,8 @@ void note_destroyed(const void* handle) {
 
 void note_current(const void* handle) {
   const Lock lock;
-  Known* const before = this_thread.bound;
-  Known* const now = handle != nullptr ? find_or_add(handle) : nullptr;
+  ContextRecord* const before = this_thread.bound;
+  ContextRecord* const now = handle != nullptr ? find_or_add(handle) : nullptr;
   this_thread = {true, now};
   if (now != nullptr) ++now->bound;
   if (before != nullptr && --before->bound == 0 && before->destroyed) release(before);

@@ -23,21 +23,21 @@ inline GLenum cap_of(int bit) {
 
 // The attributes that the enabled maps of a dimension generate. `texture` and `vertex` are numbers of
 // components, 0 for none.
-struct Given {
+struct GeneratedAttributes {
   bool color, normal;
   int texture, vertex;
 };
 
-inline Given given_by(std::uint32_t enabled, int dimension) {
-  Given given = {};
-  given.color = (enabled & enable_bit(dimension, kColorMap)) != 0;
-  given.normal =
+inline GeneratedAttributes generated_by(std::uint32_t enabled, int dimension) {
+  GeneratedAttributes generated = {};
+  generated.color = (enabled & enable_bit(dimension, kColorMap)) != 0;
+  generated.normal =
       (enabled & enable_bit(dimension, kNormalMap)) != 0 || (dimension == 2 && (enabled & kAutoNormal) != 0);
   for (int map = kFirstTextureMap; map <= kLastTextureMap; ++map)
-    if ((enabled & enable_bit(dimension, map)) != 0) given.texture = map - kFirstTextureMap + 1;
+    if ((enabled & enable_bit(dimension, map)) != 0) generated.texture = map - kFirstTextureMap + 1;
   for (const int map : {kVertex3Map, kVertex4Map})
-    if ((enabled & enable_bit(dimension, map)) != 0) given.vertex = map - kVertex3Map + 3;
-  return given;
+    if ((enabled & enable_bit(dimension, map)) != 0) generated.vertex = map - kVertex3Map + 3;
+  return generated;
 }
 
 }  // namespace glev::dropin

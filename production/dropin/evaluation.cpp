@@ -50,10 +50,10 @@ void Context::before_primitive() {
 }
 
 void Context::restore(int dimension) {
-  const Given given = given_by(enabled, dimension);
-  if (given.color) current[kColor].apply();
-  if (given.normal) current[kNormal].apply();
-  if (given.texture > 0) current[kTexCoord].apply();
+  const GeneratedAttributes generated = generated_by(enabled, dimension);
+  if (generated.color) current[kColor].apply();
+  if (generated.normal) current[kNormal].apply();
+  if (generated.texture > 0) current[kTexCoord].apply();
 }
 
 // --- Evaluation
@@ -67,17 +67,17 @@ void Context::on_end(void* user) {
 
 void Context::on_vertex(void* user, const glev_vertex* vertex) {
   auto& context = *static_cast<Context*>(user);
-  const Given given = given_by(context.enabled, context.emitting);
-  if (given.color) gl_below().Color4fv(vertex->color);
-  if (given.normal && context.keeps_length && context.emitting == 2) {
+  const GeneratedAttributes generated = generated_by(context.enabled, context.emitting);
+  if (generated.color) gl_below().Color4fv(vertex->color);
+  if (generated.normal && context.keeps_length && context.emitting == 2) {
     GLfloat normal[3];
     for (int k = 0; k < 3; ++k) normal[k] = static_cast<GLfloat>(vertex->normal[k] * context.normal_length_);
     gl_below().Normal3fv(normal);
-  } else if (given.normal) {
+  } else if (generated.normal) {
     gl_below().Normal3fv(vertex->normal);
   }
-  if (given.texture > 0) gl_below().TexCoord4fv(vertex->texcoord[0]);
-  if (given.vertex == 4)
+  if (generated.texture > 0) gl_below().TexCoord4fv(vertex->texcoord[0]);
+  if (generated.vertex == 4)
     gl_below().Vertex4fv(vertex->position);
   else
     gl_below().Vertex3fv(vertex->position);
@@ -86,7 +86,7 @@ void Context::on_vertex(void* user, const glev_vertex* vertex) {
 // Returns false if nothing must be evaluated: without a vertex map, and outside Begin/End, where the GL
 // leaves evaluation of a point undefined.
 bool Context::prepare_evaluation(int dimension) {
-  if (!maybe_inside || given_by(enabled, dimension).vertex == 0) return false;
+  if (!maybe_inside || generated_by(enabled, dimension).vertex == 0) return false;
   emitting = dimension;
   glevBegin(evaluators, GLEV_POINTS);
   return true;
@@ -140,7 +140,7 @@ void Context::eval_point2(GLint i, GLint j) {
 
 void Context::eval_mesh1(GLenum mode, GLint i1, GLint i2) {
   if (!is_outside()) return;
-  const bool draws = given_by(enabled, 1).vertex != 0;
+  const bool draws = generated_by(enabled, 1).vertex != 0;
   if (draws) take_snapshot();
   emitting = 1;
   in_mesh = true;
@@ -152,7 +152,7 @@ void Context::eval_mesh1(GLenum mode, GLint i1, GLint i2) {
 
 void Context::eval_mesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   if (!is_outside()) return;
-  const bool draws = given_by(enabled, 2).vertex != 0;
+  const bool draws = generated_by(enabled, 2).vertex != 0;
   if (draws) take_snapshot();
   emitting = 2;
   if (draws && keeps_length && (mode == GL_POINT || mode == GL_LINE || mode == GL_FILL)) {

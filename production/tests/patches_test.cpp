@@ -82,7 +82,7 @@ struct Points {
 };
 
 // An output with a random layout.
-struct Wanted {
+struct OutputLayout {
   glev_attribute attribute = GLEV_ATTRIBUTE_VERTEX;
   bool is_double = false;
   std::size_t components = 3, offset = 0, stride = 0, row_stride = 0, patch_stride = 0;
@@ -92,8 +92,9 @@ class Patches : public ::testing::Test {
  protected:
   // Returns the expected results of one patch, elements of four values.
   template <class Real>
-  static std::vector<Real> expect(const Net& net, std::size_t p, const Points& points, const Wanted& wanted,
-                                  bool as_curve, const std::vector<double>& u, const std::vector<double>& v) {
+  static std::vector<Real> expect(const Net& net, std::size_t p, const Points& points,
+                                  const OutputLayout& wanted, bool as_curve, const std::vector<double>& u,
+                                  const std::vector<double>& v) {
     const bool is_normal = wanted.attribute == GLEV_ATTRIBUTE_NORMAL;
     const OneMap map(net, p, is_normal, points.target, as_curve);
     const std::size_t of_map = is_normal ? 3 : static_cast<std::size_t>(std::max(net.components, 3)),
@@ -126,7 +127,7 @@ class Patches : public ::testing::Test {
 
   // Expects the right bytes of an output.
   template <class Real>
-  static void expect_bytes(const Net& net, const Points& points, const Wanted& wanted,
+  static void expect_bytes(const Net& net, const Points& points, const OutputLayout& wanted,
                            std::vector<unsigned char>& bytes) {
     const std::size_t columns = points.columns(), rows = points.rows();
     const auto put = [&](std::size_t at, const Real* element) {
@@ -162,7 +163,7 @@ class Patches : public ::testing::Test {
   }
 
   // Evaluates between guard pages and compares all bytes.
-  static void check(const Net& net, const Points& points, const std::vector<Wanted>& wanted,
+  static void check(const Net& net, const Points& points, const std::vector<OutputLayout>& wanted,
                     std::size_t bytes, Side side) {
     Guarded control(net.bytes(), side), memory(bytes, side);
     net.write(control.data());
@@ -201,7 +202,7 @@ class Patches : public ::testing::Test {
     }
     std::vector<glev_output> outputs;
     std::vector<glev_attribute_output> list;
-    for (const Wanted& own : wanted) {
+    for (const OutputLayout& own : wanted) {
       outputs.push_back({sizeof(glev_output), memory.data() + own.offset, bytes - own.offset, own.stride,
                          own.components, static_cast<glev_enum>(own.is_double ? GLEV_DOUBLE : GLEV_FLOAT),
                          own.row_stride, own.patch_stride});
@@ -212,7 +213,7 @@ class Patches : public ::testing::Test {
     ASSERT_EQ(glevEvaluatePatches(&patches, &grid, list.data(), list.size(), scratch.data(), scratch.size()),
               GLEV_SUCCESS);
     std::vector<unsigned char> expected(bytes, Guarded::kPoisonByte);
-    for (const Wanted& own : wanted) {
+    for (const OutputLayout& own : wanted) {
       own.is_double ? expect_bytes<double>(net, points, own, expected)
                     : expect_bytes<float>(net, points, own, expected);
     }
@@ -224,18 +225,18 @@ class Patches : public ::testing::Test {
   }
 
   // Chooses the layout of outputs: consecutive or interleaved, with gaps. Returns the number of bytes.
-  std::size_t lay_out(const Net& net, const Points& points, std::vector<Wanted>& wanted) {
+  std::size_t lay_out(const Net& net, const Points& points, std::vector<OutputLayout>& wanted) {
     const auto gap = [&] { return static_cast<std::size_t>(chance_.one_of({0, 0, 1, 4, 7})); };
     const bool has_rows = !points.is_scattered(), interleaved = chance_.whole(0, 1) == 1,
                pads = chance_.whole(0, 1) == 1;
     std::size_t at = 0, end = 0, common = 0;
-    const auto size_of = [&](const Wanted& own) {
+    const auto size_of = [&](const OutputLayout& own) {
       return own.components * (own.is_double ? sizeof(double) : sizeof(float));
     };
-    for (const Wanted& own : wanted) common += size_of(own);
+    for (const OutputLayout& own : wanted) common += size_of(own);
     common += gap();
     const std::size_t row_gap = gap(), patch_gap = gap();
-    for (Wanted& own : wanted) {
+    for (OutputLayout& own : wanted) {
       own.offset = at;
       own.stride = interleaved ? common : size_of(own) + gap();
       std::size_t row = own.stride * points.columns();
@@ -250,14 +251,14 @@ class Patches : public ::testing::Test {
     return end;
   }
 
-  std::vector<Wanted> choose_outputs(const Net& net) {
-    std::vector<Wanted> wanted;
+  std::vector<OutputLayout> choose_outputs(const Net& net) {
+    std::vector<OutputLayout> wanted;
     for (glev_attribute attribute :
          {GLEV_ATTRIBUTE_VERTEX, GLEV_ATTRIBUTE_NORMAL, GLEV_ATTRIBUTE_TANGENT_U, GLEV_ATTRIBUTE_TANGENT_V,
           GLEV_ATTRIBUTE_SECOND_UU, GLEV_ATTRIBUTE_SECOND_UV, GLEV_ATTRIBUTE_SECOND_VV}) {
       const bool is_normal = attribute == GLEV_ATTRIBUTE_NORMAL;
       if ((is_normal && net.components < 3) || (!wanted.empty() && chance_.whole(0, 1) == 0)) continue;
-      Wanted own;
+      OutputLayout own;
       own.attribute = attribute;
       own.is_double = chance_.whole(0, 2) == 0;
       own.components = static_cast<std::size_t>(is_normal ? 3 : chance_.whole(net.components, 4));
@@ -268,7 +269,7 @@ class Patches : public ::testing::Test {
   }
 
   void check_random(const Net& net, Points points) {
-    std::vector<Wanted> wanted = choose_outputs(net);
+    std::vector<OutputLayout> wanted = choose_outputs(net);
     const std::size_t bytes = lay_out(net, points, wanted);
     check(net, points, wanted, bytes, chance_.one_of({Side::kBegin, Side::kEnd}));
   }

@@ -22,18 +22,19 @@ Decimal decimal_length(const SecondVector& m) {
 }
 
 // A number, known by its magnitude |x| and its error E.
-struct Known {
+struct BoundedNumber {
   Fraction size, error;
   Fraction most() const { return size + error; }
 };
 
 // Returns the error E of a difference of two products.
-Fraction products_error(const Known& a, const Known& b, const Known& c, const Known& d) {
+Fraction products_error(const BoundedNumber& a, const BoundedNumber& b, const BoundedNumber& c,
+                        const BoundedNumber& d) {
   return (1 + 3 * kEpsilon) * (a.most() * b.most() + c.most() * d.most()) - a.size * b.size - c.size * d.size;
 }
 
 struct KnownJet {
-  Known value, u, v;
+  BoundedNumber value, u, v;
 };
 
 KnownJet known_jet(const Patch& patch, int c, const Argument& u, const Argument& v, bool fit) {
@@ -73,11 +74,13 @@ SecondAcceptance second_acceptance(const Patch& patch, const Argument& u, const 
   if (w == 0) return {false, 0, 0};
   const SecondVector q_u = second_tangent(patch, u, v, &SecondJet::u);
   const SecondVector q_v = second_tangent(patch, u, v, &SecondJet::v);
-  std::array<Known, 3> a, b;
+  std::array<BoundedNumber, 3> a, b;
   for (int c = 0; c < 3; ++c) {
-    a[c] = four ? Known{abs(Fraction(w * w * q_u[c])), products_error(p[3].value, p[c].u, p[3].u, p[c].value)}
+    a[c] = four ? BoundedNumber{abs(Fraction(w * w * q_u[c])),
+                                products_error(p[3].value, p[c].u, p[3].u, p[c].value)}
                 : p[c].u;
-    b[c] = four ? Known{abs(Fraction(w * w * q_v[c])), products_error(p[3].value, p[c].v, p[3].v, p[c].value)}
+    b[c] = four ? BoundedNumber{abs(Fraction(w * w * q_v[c])),
+                                products_error(p[3].value, p[c].v, p[3].v, p[c].value)}
                 : p[c].v;
   }
   const Decimal d =

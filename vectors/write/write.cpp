@@ -38,7 +38,7 @@ const std::vector<std::string>& kinds() {
 
 void write_all(const std::filesystem::path& folder,
                const std::function<std::vector<SuiteCase>()>& cases_of_suite,
-               const std::function<void(const Written&)>& wrote) {
+               const std::function<void(const WrittenFile&)>& wrote) {
   const auto write = [&](const Document& document) {
     const std::string text = document.text();
     write_atomically(folder / fmt::format("{}.json", document.kind()), text);

@@ -147,18 +147,18 @@ void destroy(void* context) {
 }
 
 void* get_address(const char* command) {
-  static const osmesa_provider::Own kOwn[] = {
-      OWN(glIndexf, index),
-      OWN(glVertex3f, vertex3f),
-      OWN(glEnable, enable),
-      OWN(glDisable, disable),
-      OWN(glMap1f, map1f),
-      OWN(glMap2f, map2f),
-      OWN(glEvalCoord1f, eval_coord1f),
-      OWN(glEvalCoord2f, eval_coord2f),
-      OWN(glGetBooleanv, get_booleanv),
-      OWN(glFeedbackBuffer, feedback_buffer),
-      OWN(glRenderMode, render_mode),
+  static const osmesa_provider::Replacement kOwn[] = {
+      REPLACEMENT(glIndexf, index),
+      REPLACEMENT(glVertex3f, vertex3f),
+      REPLACEMENT(glEnable, enable),
+      REPLACEMENT(glDisable, disable),
+      REPLACEMENT(glMap1f, map1f),
+      REPLACEMENT(glMap2f, map2f),
+      REPLACEMENT(glEvalCoord1f, eval_coord1f),
+      REPLACEMENT(glEvalCoord2f, eval_coord2f),
+      REPLACEMENT(glGetBooleanv, get_booleanv),
+      REPLACEMENT(glFeedbackBuffer, feedback_buffer),
+      REPLACEMENT(glRenderMode, render_mode),
   };
   return osmesa_provider::find(kOwn, command);
 }

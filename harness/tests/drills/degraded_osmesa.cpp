@@ -111,25 +111,26 @@ void* get_address(const char* command) {
     if (sum / 7 % 2 == 0) return nullptr;
   }
   if (is_drill("older") && name == "glActiveTexture") return nullptr;
-  static const osmesa_provider::Own kSilent[] = {OWN(glGetError, silent_error)};
-  static const osmesa_provider::Own kNoisy[] = {OWN(glGetError, noisy_error)};
-  static const osmesa_provider::Own kLimits[] = {OWN(glGetIntegerv, wrong_limits)};
-  static const osmesa_provider::Own kCrashes[] = {OWN(glMap1f, map1f), OWN(glEvalCoord1f, eval_coord1f)};
-  static const osmesa_provider::Own kAstray[] = {
-      OWN(glNewList, new_list),
-      OWN(glEndList, end_list),
-      OWN(glVertex3f, vertex3f),
-      OWN(glVertex4f, vertex4f),
-      OWN(glEvalCoord1f, eval_coord1f_astray),
-      OWN(glEvalCoord2f, eval_coord2f_astray),
-      OWN(glEvalMesh1, eval_mesh1_astray),
-      OWN(glEvalMesh2, eval_mesh2_astray),
+  static const osmesa_provider::Replacement kSilent[] = {REPLACEMENT(glGetError, silent_error)};
+  static const osmesa_provider::Replacement kNoisy[] = {REPLACEMENT(glGetError, noisy_error)};
+  static const osmesa_provider::Replacement kLimits[] = {REPLACEMENT(glGetIntegerv, wrong_limits)};
+  static const osmesa_provider::Replacement kCrashes[] = {REPLACEMENT(glMap1f, map1f),
+                                                          REPLACEMENT(glEvalCoord1f, eval_coord1f)};
+  static const osmesa_provider::Replacement kAstray[] = {
+      REPLACEMENT(glNewList, new_list),
+      REPLACEMENT(glEndList, end_list),
+      REPLACEMENT(glVertex3f, vertex3f),
+      REPLACEMENT(glVertex4f, vertex4f),
+      REPLACEMENT(glEvalCoord1f, eval_coord1f_astray),
+      REPLACEMENT(glEvalCoord2f, eval_coord2f_astray),
+      REPLACEMENT(glEvalMesh1, eval_mesh1_astray),
+      REPLACEMENT(glEvalMesh2, eval_mesh2_astray),
   };
-  static const osmesa_provider::Own kBegin[] = {OWN(glNewList, new_list), OWN(glEndList, end_list),
-                                                OWN(glBegin, begin)};
-  static const osmesa_provider::Own kShortAnswers[] = {OWN(glGetMapfv, get_mapfv_short)};
-  static const osmesa_provider::Own kShortMeshes[] = {OWN(glEvalMesh2, eval_mesh2_short)};
-  const std::pair<const char*, std::span<const osmesa_provider::Own>> mistakes[] = {
+  static const osmesa_provider::Replacement kBegin[] = {
+      REPLACEMENT(glNewList, new_list), REPLACEMENT(glEndList, end_list), REPLACEMENT(glBegin, begin)};
+  static const osmesa_provider::Replacement kShortAnswers[] = {REPLACEMENT(glGetMapfv, get_mapfv_short)};
+  static const osmesa_provider::Replacement kShortMeshes[] = {REPLACEMENT(glEvalMesh2, eval_mesh2_short)};
+  const std::pair<const char*, std::span<const osmesa_provider::Replacement>> mistakes[] = {
       {"short-answers", kShortAnswers},
       {"short-meshes", kShortMeshes},
       {"silent", kSilent},

@@ -318,24 +318,24 @@ void* create() {
 }
 
 void* get_address(const char* command) {
-  static const osmesa_provider::Own kOwn[] = {OWN(glGetError, get_error),
-                                              OWN(glGetString, get_string),
-                                              OWN(glEnable, enable),
-                                              OWN(glDisable, disable),
-                                              OWN(glIsEnabled, is_enabled),
-                                              OWN(glGetIntegerv, get_integerv),
-                                              OWN(glPushAttrib, push_attrib),
-                                              OWN(glPopAttrib, pop_attrib),
-                                              OWN(glMap1f, map1f),
-                                              OWN(glMap2f, map2f),
-                                              OWN(glGetMapfv, get_mapfv),
-                                              OWN(glGetMapiv, get_mapiv),
-                                              OWN(glLoadProgramNV, load_program),
-                                              OWN(glBindProgramNV, bind_program),
-                                              OWN(glBegin, begin),
-                                              OWN(glEnd, end),
-                                              OWN(glEvalCoord1f, eval_coord1f),
-                                              OWN(glEvalCoord2f, eval_coord2f)};
+  static const osmesa_provider::Replacement kOwn[] = {REPLACEMENT(glGetError, get_error),
+                                                      REPLACEMENT(glGetString, get_string),
+                                                      REPLACEMENT(glEnable, enable),
+                                                      REPLACEMENT(glDisable, disable),
+                                                      REPLACEMENT(glIsEnabled, is_enabled),
+                                                      REPLACEMENT(glGetIntegerv, get_integerv),
+                                                      REPLACEMENT(glPushAttrib, push_attrib),
+                                                      REPLACEMENT(glPopAttrib, pop_attrib),
+                                                      REPLACEMENT(glMap1f, map1f),
+                                                      REPLACEMENT(glMap2f, map2f),
+                                                      REPLACEMENT(glGetMapfv, get_mapfv),
+                                                      REPLACEMENT(glGetMapiv, get_mapiv),
+                                                      REPLACEMENT(glLoadProgramNV, load_program),
+                                                      REPLACEMENT(glBindProgramNV, bind_program),
+                                                      REPLACEMENT(glBegin, begin),
+                                                      REPLACEMENT(glEnd, end),
+                                                      REPLACEMENT(glEvalCoord1f, eval_coord1f),
+                                                      REPLACEMENT(glEvalCoord2f, eval_coord2f)};
   return osmesa_provider::find(kOwn, command);
 }
 

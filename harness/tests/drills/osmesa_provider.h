@@ -26,16 +26,16 @@ Function* real(const char* name) {
 #define REAL(name) osmesa_provider::real<decltype(::name)>(#name)
 
 // A function of the provider that replaces the one of OSMesa.
-struct Own {
+struct Replacement {
   const char* name;
   void* address;
 };
-#define OWN(name, function) \
-  osmesa_provider::Own { #name, reinterpret_cast < void*>(&function) }
+#define REPLACEMENT(name, function) \
+  osmesa_provider::Replacement { #name, reinterpret_cast < void*>(&function) }
 
 // Returns the address of the replacement for `command`, or of OSMesa's function if it is not replaced.
-inline void* find(std::span<const Own> own, const char* command) {
-  for (const Own& replacement : own)
+inline void* find(std::span<const Replacement> own, const char* command) {
+  for (const Replacement& replacement : own)
     if (std::strcmp(replacement.name, command) == 0) return replacement.address;
   return address_of(command);
 }

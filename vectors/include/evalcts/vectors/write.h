@@ -22,7 +22,7 @@ struct SuiteCase {
 };
 
 // A file that was written.
-struct Written {
+struct WrittenFile {
   std::string kind;
   std::size_t cases, bytes;
 };
@@ -31,6 +31,6 @@ struct Written {
 // vectors, in their order. Throws std::runtime_error if a file cannot be written.
 void write_all(const std::filesystem::path& folder,
                const std::function<std::vector<SuiteCase>()>& cases_of_suite,
-               const std::function<void(const Written&)>& wrote);
+               const std::function<void(const WrittenFile&)>& wrote);
 
 }  // namespace evalcts::vectors

@@ -35,7 +35,7 @@ class Trace {
   // the element type. Throws std::logic_error if the command writes no array.
   template <class T>
   std::vector<T> values(Ref command) const {
-    const Written& written = output(command);
+    const Output& written = output(command);
     std::vector<T> values(written.count);
     std::memcpy(values.data(), written.bytes.data(), written.count * sizeof(T));
     return values;
@@ -67,7 +67,7 @@ class Trace {
 
  private:
   friend class Player;
-  struct Written {
+  struct Output {
     Scalar type;
     std::size_t count;
     std::vector<std::byte> bytes;  // count elements and the guard elements
@@ -75,9 +75,9 @@ class Trace {
   struct Result {
     std::int64_t value = 0;
     std::string text;
-    std::optional<Written> output;
+    std::optional<Output> output;
   };
-  const Written& output(Ref command) const;
+  const Output& output(Ref command) const;
 
   std::vector<Result> results_;
   std::vector<GLenum> left_over_errors_;

@@ -15,9 +15,9 @@ namespace evalcts {
 bool is_chosen(const std::string& name, const std::string& filter);
 
 // Returns the items whose names match the filter.
-template <class Named>
-std::vector<Named> matching(std::vector<Named> items, const std::string& filter) {
-  std::erase_if(items, [&](const Named& item) { return !is_chosen(item.name, filter); });
+template <class Item>
+std::vector<Item> matching(std::vector<Item> items, const std::string& filter) {
+  std::erase_if(items, [&](const Item& item) { return !is_chosen(item.name, filter); });
   return items;
 }
 
