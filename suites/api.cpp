@@ -123,7 +123,7 @@ EVALCTS_TEST_PAIR(Api.Map1TokenByEffect, Api.Map2TokenByEffect, kMust,
   c.Begin(GL_POINTS);
   eval_coord(c, two, 0.25, 0.625);
   c.End();
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
 };
 
 EVALCTS_TEST(Api, OtherTokensByValue, kMust, "EV-API-ENUM-OTHER/1-D")
@@ -164,7 +164,7 @@ EVALCTS_TEST_PAIR(Api.MeshModeByEffect, Api.MeshModeByEffect2, kMust,
   define_and_enable(c, random_map(t, target_in(two, GL_MAP1_VERTEX_3), {3, 2}));
   two ? c.MapGrid2f(3, 0, 1, 2, 0, 1) : c.MapGrid1f(3, 0, 1);
   eval_mesh(c, two, mode, 0, 3, 0, 2);
-  t.judge(c, kPosition);
+  t.judge_vertices(c, kPosition);
 };
 
 // The float and the double form share state: queries of one form return maps that the other one defined.
@@ -195,7 +195,7 @@ EVALCTS_TEST_PAIR(Api.FormsShareValues, Api.FormsShareValues2, kMust,
   for (const double u : random_values(t.random(), 3)) evaluate(c, u, !form.doubles);  // 24 significant bits
   c.End();
   for (const bool along_v : {true, false})
-    if (two || !along_v) t.judge(two ? gl::lift(c, along_v) : c, attribute_of(form.target));
+    if (two || !along_v) t.judge_vertices(two ? gl::lift(c, along_v) : c, attribute_of(form.target));
 };
 
 // Each form replaces the map that the other one defined, also if the order is the same.
@@ -218,7 +218,7 @@ EVALCTS_TEST_PAIR(Api.FormsReplaceEachOther, Api.FormsReplaceEachOther2, kMust,
     ++round;
     doubles = !doubles;
   }
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
   if (two) return;
   query_map(t, c, target);
   t.judge_answers(c);
@@ -237,7 +237,7 @@ EVALCTS_TEST_PAIR(Api.VectorForm, Api.VectorForm2, kMust, decide("EV-API-V/1-D",
     eval_coord_vector(c, kCurves, u, 0, form.doubles);
   }
   c.End();
-  t.judge(two ? gl::lift(c, true) : c, attribute_of(form.target));
+  t.judge_vertices(two ? gl::lift(c, true) : c, attribute_of(form.target));
 };
 
 EVALCTS_TEST_PAIR(Api.VectorFormSameBits, Api.VectorFormSameBits2, kQuality,

@@ -218,7 +218,7 @@ EVALCTS_TEST(AttributeStack, EvaluatesAsRestored, kMust, "EV-ATTRIB-EVALBIT", "E
   draw_meshes(c);
   c.PopAttrib();
   draw_meshes(c);
-  t.judge(c, kPosition | kColor | kNormal | kTextureCoordinate0);
+  t.judge_vertices(c, kPosition | kColor | kNormal | kTextureCoordinate0);
 };
 
 // PopAttrib restores the grid for meshes even if no enable has changed since PushAttrib.
@@ -236,7 +236,7 @@ EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredGrid, kMust, "EV-ATTRIB-EVALBI
     c.PopAttrib();
     draw_meshes(c);
   }
-  t.judge(c, kPosition);
+  t.judge_vertices(c, kPosition);
 };
 
 // PopAttrib restores the enables for meshes even if no grid has changed since PushAttrib. The enables decide
@@ -275,7 +275,7 @@ EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredEnables, kMust, "EV-ATTRIB-EVA
       draw();
       c.PopAttrib();
       draw();
-      t.judge(c, kPosition | kNormal);
+      t.judge_vertices(c, kPosition | kNormal);
     }
 };
 

@@ -36,7 +36,7 @@ EVALCTS_TEST(Attributes, Vertex3HasW1, kMust, "EV-ATTR-VERTEX3/1-D", by(gl::curv
   c.End();
   define_and_enable(c, random_map(t, GL_MAP1_TEXTURE_COORD_4, 3));
   evaluate_some(c);
-  t.judge(c, kPosition);
+  t.judge_vertices(c, kPosition);
 };
 
 // A quarter circle with varying w, by which evaluation must not divide.
@@ -45,7 +45,7 @@ EVALCTS_TEST(Attributes, Vertex4IsHomogeneous, kMust, "EV-ATTR-VERTEX4/1-D", by(
   gl::Case c("quarter circle, weights 1, 1, 2");
   define_and_enable(c, make_map1(GL_MAP1_VERTEX_4, {1, 0, 0, 1, 1, 1, 0, 1, 0, 2, 0, 2}));
   evaluate_all(c, unit_steps(64));
-  t.judge(c, kPosition);
+  t.judge_vertices(c, kPosition);
 };
 
 EVALCTS_TEST(Attributes, NegativeWStays, kMust, "EV-ATTR-VERTEX4/1-D", by(gl::curve_deliveries()))
@@ -53,7 +53,7 @@ EVALCTS_TEST(Attributes, NegativeWStays, kMust, "EV-ATTR-VERTEX4/1-D", by(gl::cu
   gl::Case c("w from 2 to -2");
   define_and_enable(c, make_map1(GL_MAP1_VERTEX_4, {1, 2, 3, 2, 4, 5, 6, -2}));
   evaluate_all(c, unit_steps(8));
-  t.judge(c, kPosition);
+  t.judge_vertices(c, kPosition);
 };
 
 EVALCTS_TEST(Attributes, OnlyVertexIsRational, kMust, "EV-ATTR-RATIONAL-ONLYVTX/1-D",
@@ -64,7 +64,7 @@ EVALCTS_TEST(Attributes, OnlyVertexIsRational, kMust, "EV-ATTR-RATIONAL-ONLYVTX/
   if (target == GL_MAP1_INDEX) throw NotObservable("INDEX maps show in colour-index contexts only");
   define_and_enable(c, random_map(t, target, 2));
   evaluate_some(c);
-  t.judge(c, kPosition | attribute_of(target));
+  t.judge_vertices(c, kPosition | attribute_of(target));
 };
 
 EVALCTS_TEST(Attributes, ColorHasAlpha, kMust, "EV-ATTR-COLOR/1-D", by(gl::curve_deliveries()))
@@ -73,7 +73,7 @@ EVALCTS_TEST(Attributes, ColorHasAlpha, kMust, "EV-ATTR-COLOR/1-D", by(gl::curve
   define(c, make_map1(GL_MAP1_COLOR_4, {0.125, 0.25, 0.5, 0.25, 0.875, 0.75, 0.625, 0.75}));
   enable_visibly(c, GL_MAP1_COLOR_4);
   evaluate_some(c);
-  t.judge(c, kColor);
+  t.judge_vertices(c, kColor);
 };
 
 EVALCTS_TEST(Attributes, ColorIsNotClamped, kMust, "EV-ATTR-COLOR-CLAMP/1-D", by(gl::curve_deliveries()))
@@ -84,7 +84,7 @@ EVALCTS_TEST(Attributes, ColorIsNotClamped, kMust, "EV-ATTR-COLOR-CLAMP/1-D", by
   evaluate_some(c);
   const Observation probe = t.observe(c, kColor, 8);
   if (probe.clamped_colors) throw NotObservable("this implementation shows colours after their clamp only");
-  t.judge(c, kColor);
+  t.judge_vertices(c, kColor);
 };
 
 EVALCTS_TEST(Attributes, IndexDoesNothingInRGBA, kMust, "EV-ATTR-INDEX-RGBA/1-D", "EV-CUR-INDEX/1-D",
@@ -97,7 +97,7 @@ EVALCTS_TEST(Attributes, IndexDoesNothingInRGBA, kMust, "EV-ATTR-INDEX-RGBA/1-D"
   c.Disable(GL_MAP1_COLOR_4);
   c.Enable(GL_MAP1_INDEX);
   evaluate_some(c);
-  t.judge(c, kPosition | kColor);
+  t.judge_vertices(c, kPosition | kColor);
   c.GetFloatv(GL_CURRENT_INDEX, gl::out<GLfloat>(1));
   t.judge_answers(c);
 };
@@ -223,7 +223,7 @@ EVALCTS_TEST(Attributes, NormalIsNotNormalised, kMust, "EV-ATTR-NORMAL/1-D", by(
   define(c, make_map1(GL_MAP1_NORMAL, {3, 0, 0, 0, 300, 0, 0, -200, -0.1f}));
   enable_visibly(c, GL_MAP1_NORMAL);
   evaluate_some(c);
-  t.judge(c, kNormal);
+  t.judge_vertices(c, kNormal);
 };
 
 // Components that the map does not supply are 0, 0 and 1, not those of TexCoord4(5,6,7,8).
@@ -237,7 +237,7 @@ void expect_texture_defaults(Test& t, GLenum target) {
   c.EvalCoord1f(0.125f);
   c.EvalCoord1f(0.75f);
   c.End();
-  t.judge(c, kTextureCoordinate0);
+  t.judge_vertices(c, kTextureCoordinate0);
 }
 
 EVALCTS_TEST(Attributes, TextureCoord1, kMust, "EV-ATTR-TEX1/1-D", by(gl::curve_deliveries()))
@@ -262,7 +262,7 @@ EVALCTS_TEST(Attributes, TextureMapsFeedUnit0, kMust, "EV-ATTR-UNIT0/1-D", "EV-A
   c.ActiveTexture(GL_TEXTURE1);
   evaluate_some(c);
   c.ActiveTexture(GL_TEXTURE0);  // a list that is called twice defines the maps again
-  t.judge(c, kTextureCoordinate0 | kTextureCoordinatesOther);
+  t.judge_vertices(c, kTextureCoordinate0 | kTextureCoordinatesOther);
 };
 
 // --- Section 9: precedence -------------------------------------------------------------------------------
@@ -278,7 +278,7 @@ EVALCTS_TEST(Precedence, Vertex4BeforeVertex3, kMust, "EV-PREC-VERTEX/1-D", "EV-
     for (const Map* map : {four_first ? &four : &three, four_first ? &three : &four})
       define_and_enable(c, *map);
     evaluate_some(c);
-    t.judge(c, kPosition);
+    t.judge_vertices(c, kPosition);
   }
 };
 
@@ -304,7 +304,7 @@ EVALCTS_TEST(Precedence, MostTextureCoordinates, kMust, "EV-PREC-TEX/1-D", "EV-P
       }
       evaluate_some(c);
     }
-    t.judge(c, kTextureCoordinate0);
+    t.judge_vertices(c, kTextureCoordinate0);
   }
 };
 
@@ -334,7 +334,7 @@ EVALCTS_TEST(Precedence, AllSubsets, kMust, "EV-PREC-VERTEX/1-D", "EV-PREC-TEX/1
     c.EvalCoord1f(static_cast<float>(i) / 512);
     c.End();
   }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 EVALCTS_TEST(Precedence, DisabledWinnerGivesWay, kMust, "EV-PREC-FALLBACK/1-D", by(gl::curve_deliveries()))
@@ -347,7 +347,7 @@ EVALCTS_TEST(Precedence, DisabledWinnerGivesWay, kMust, "EV-PREC-FALLBACK/1-D", 
     c.Disable(target);
     evaluate_some(c);
   }
-  t.judge(c, kPosition | kTextureCoordinate0);
+  t.judge_vertices(c, kPosition | kTextureCoordinate0);
 };
 
 EVALCTS_TEST(Precedence, UndefinedWinnerStillWins, kMust, "EV-PREC-NOVALIDITY/1-D",
@@ -359,7 +359,7 @@ EVALCTS_TEST(Precedence, UndefinedWinnerStillWins, kMust, "EV-PREC-NOVALIDITY/1-
   c.Enable(GL_MAP1_VERTEX_4);
   c.Enable(GL_MAP1_TEXTURE_COORD_4);
   evaluate_some(c);
-  t.judge(c, kPosition | kTextureCoordinate0);
+  t.judge_vertices(c, kPosition | kTextureCoordinate0);
 };
 
 }  // namespace

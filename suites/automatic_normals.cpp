@@ -115,7 +115,7 @@ void expect_normals(Test& t, const std::string& identity, const std::vector<Map>
     evaluate_inside(c, map);
     c.Disable(map.target);
   }
-  t.judge(c, required);
+  t.judge_vertices(c, required);
 }
 
 // Normals of unit length, and those that a vertex shader receives: the same rule, except for the length.
@@ -132,7 +132,7 @@ EVALCTS_TEST(AutomaticNormals, Used, kMust, "EV-AUTON-USED", by(gl::surface_deli
     define_and_enable(c, surface(target, 3, 3, bump));
     if (target == GL_MAP2_VERTEX_4) c.Enable(GL_AUTO_NORMAL);
     evaluate_all(c, lattice({0, 0.25, 0.5, 1}, {0, 0.375, 0.75, 1}));
-    t.judge(c, kNormal);
+    t.judge_vertices(c, kNormal);
   }
 };
 
@@ -148,7 +148,7 @@ void expect_with(Test& t, const std::string& identity, const std::vector<std::pa
     now = {automatic, map};
     evaluate_all(c, kAcross);
   }
-  t.judge(c, kNormal);
+  t.judge_vertices(c, kNormal);
 }
 
 EVALCTS_TEST(AutomaticNormals, BeforeNormalMap, kMust, "EV-AUTON-OVERRIDE", by(gl::surface_deliveries()))
@@ -185,7 +185,7 @@ EVALCTS_TEST(AutomaticNormals, NotInOneDimension, kMust, "EV-AUTON-1D", by(one_d
       if (map || target == GL_MAP1_VERTEX_3) c.Enable(target);
     }
     evaluate_all(c, {0.0, 0.25, 0.75, 1.0});
-    t.judge(c, kNormal);
+    t.judge_vertices(c, kNormal);
   }
 };
 
@@ -201,7 +201,7 @@ EVALCTS_TEST(AutomaticNormals, OfTheMapThatIsDrawn, kMust, "EV-AUTON-VERTEX4WINS
     if (round == 2) c.Enable(GL_MAP2_VERTEX_4), c.Disable(GL_MAP2_VERTEX_3);
     evaluate_all(c, {{0, 0.125}, {0.25, 0.25}, {0.75, 0.5}});
   }
-  t.judge(c, kNormal);
+  t.judge_vertices(c, kNormal);
 };
 
 EVALCTS_TEST(AutomaticNormals, NothingWithoutVertexMap, kMust, "EV-AUTON-NOVERTEX",
@@ -213,7 +213,7 @@ EVALCTS_TEST(AutomaticNormals, NothingWithoutVertexMap, kMust, "EV-AUTON-NOVERTE
   define_and_enable(c, surface(GL_MAP2_NORMAL, 2, 2, plane));
   c.Enable(GL_AUTO_NORMAL);
   evaluate_all(c, kAcross);
-  t.judge(c, kPosition);
+  t.judge_vertices(c, kPosition);
 };
 
 EVALCTS_TEST(AutomaticNormals, CurrentNormalStays, kMust, "EV-AUTON-CURRENT", by(gl::surface_deliveries()))
@@ -244,7 +244,7 @@ EVALCTS_TEST(AutomaticNormals, NextVertexHasTheCurrentNormal, kMust, "EV-AUTON-C
   c.Begin(GL_POINTS);
   c.EvalCoord2f(0.25f, 0.5f);
   c.End();
-  t.judge(c, kNormal);
+  t.judge_vertices(c, kNormal);
 };
 
 // --- Direction and length --------------------------------------------------------------------------------
@@ -278,7 +278,7 @@ EVALCTS_TEST(AutomaticNormals, OrderPairs, kMust, "EV-AUTON-CURVED", by(gl::surf
         evaluate_all(c, kAcross);
       }
   }
-  t.judge(c, kNormal);
+  t.judge_vertices(c, kNormal);
 };
 
 EVALCTS_TEST(AutomaticNormals, LargeOrders, kMust, "EV-AUTON-CURVED", by(gl::surface_deliveries()))
@@ -298,7 +298,7 @@ EVALCTS_TEST(AutomaticNormals, LargeOrders, kMust, "EV-AUTON-CURVED", by(gl::sur
       evaluate_all(c, std::vector<At>{{0.5, 0.5}, {0.53125, 0.46875}});
     }
   }
-  t.judge(c, kNormal);
+  t.judge_vertices(c, kNormal);
 };
 
 // GL 1.0 requires the analytic normal. It is judged to single precision.
@@ -355,7 +355,7 @@ EVALCTS_TEST(AutomaticNormals, RestOfTheVertex, kMust, "EV-AUTON-SAMEVERTEX", by
       if (automatic) c.Enable(GL_AUTO_NORMAL);
       evaluate_all(c, {{0, 1}, {0.25, 0.75}, {0.75, 0.25}, {1, 0}});
     }
-    t.judge(c, kUnit0);
+    t.judge_vertices(c, kUnit0);
   }
 };
 
@@ -394,7 +394,7 @@ EVALCTS_TEST(AutomaticNormals, InMeshes, kMust, "EV-AUTON-MESH",
     c.EvalMesh2(mode.mode, 0, 4, 0, 3);
     c.Disable(patch.target);
   }
-  t.judge(c, kNormal);
+  t.judge_vertices(c, kNormal);
 };
 
 struct Degenerate {
@@ -413,7 +413,7 @@ void expect_survival(Test& t, const std::vector<Degenerate>& patches) {
     c.Disable(map.target);
     define_and_enable(c, surface(GL_MAP2_VERTEX_3, 2, 2, tilted));
     evaluate_all(c, lattice({0.5}, {0.25}));
-    t.judge(c, kPosition);
+    t.judge_vertices(c, kPosition);
   }
 }
 

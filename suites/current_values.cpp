@@ -456,7 +456,7 @@ EVALCTS_TEST(CurrentValues, NoComponentLeaks, kMust, "EV-CUR-MAXCOMP/1-D", by(gl
       c.Disable(target);
       if (round) c.TexCoord4f(5, 6, 7, 8);
     }
-  t.judge(c, kPosition | kTextureCoordinate0);
+  t.judge_vertices(c, kPosition | kTextureCoordinate0);
 };
 
 EVALCTS_TEST(CurrentValues, OtherUnits, kMust, "EV-CUR-OTHERUNITS/1-D", by(gl::curve_deliveries()))

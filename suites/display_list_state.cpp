@@ -23,7 +23,7 @@ EVALCTS_TEST(DisplayLists, MapsOfTheCall, kMust, "EV-DL-EXECSTATE-MAP", combine(
   c.CallList(kList);
   c.Disable(target_in(dimension.two, GL_MAP1_VERTEX_3));
   c.CallList(kList);
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 // The same for positions alone: the map is redefined, then another one takes precedence, then all are
@@ -52,7 +52,7 @@ EVALCTS_TEST(DisplayLists, VertexMapsOfTheCall, kMust, "EV-DL-EXECSTATE-MAP", co
   c.CallList(kList);
   c.Disable(three);
   c.CallList(kList);
-  t.judge(c, kPosition);
+  t.judge_vertices(c, kPosition);
 };
 
 // No map is enabled while the list is compiled.
@@ -63,7 +63,7 @@ EVALCTS_TEST(DisplayLists, MapsEnabledAfterwards, kMust, "EV-DL-EXECSTATE-MAP", 
   enable_maps(t, c, dimension.two);
   set_grid(c, dimension.two);
   c.CallList(kList);
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 EVALCTS_TEST(DisplayLists, GridOfTheCall, kMust, "EV-DL-EXECSTATE-GRID", combine(kDimensions))
@@ -75,7 +75,7 @@ EVALCTS_TEST(DisplayLists, GridOfTheCall, kMust, "EV-DL-EXECSTATE-GRID", combine
     set_grid(c, dimension.two, grid);
     c.CallList(kList);
   }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 EVALCTS_TEST(DisplayLists, ActiveTextureOfTheCall, kMust, "EV-DL-ACTIVETEX", combine(kForms))

@@ -106,7 +106,7 @@ EVALCTS_TEST(DisplayLists, CompilingDrawsNothing, kMust, "EV-DL-COMPILED", combi
   c.Begin(GL_POINTS);
   c.Vertex3f(0.25f, 0.5f, 0.75f);
   c.End();
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 // --- Calling ---------------------------------------------------------------------------------------------
@@ -165,7 +165,7 @@ EVALCTS_TEST(DisplayLists, IndicesKept, kMust, "EV-DL-EXECUTE", combine(kDimensi
     eval_mesh(list, two, GL_POINT, 70000, two ? 70000 : 70001, 40000, 40001);
   });
   c.CallList(kList);
-  t.judge(c, kPosition);
+  t.judge_vertices(c, kPosition);
 };
 
 EVALCTS_TEST(DisplayLists, CompileAndExecuteDrawsOnce, kMust, "EV-DL-COMPEXEC", combine(kDimensions))
@@ -176,7 +176,7 @@ EVALCTS_TEST(DisplayLists, CompileAndExecuteDrawsOnce, kMust, "EV-DL-COMPEXEC", 
   c.Vertex3f(0.25f, 0.5f, 0.75f);
   c.End();
   c.CallList(kList);
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 EVALCTS_TEST(DisplayLists, CompileAndExecuteSets, kMust, "EV-DL-COMPEXEC", "EV-DL-GETMAP",
@@ -270,7 +270,7 @@ EVALCTS_TEST(DisplayLists, DoubleForms, kMust, "EV-DL-DOUBLE", combine(kDimensio
       list.End();
     });
     c.CallList(kList);
-    t.judge(c, kPosition);
+    t.judge_vertices(c, kPosition);
   }
 };
 
@@ -293,7 +293,7 @@ EVALCTS_TEST(DisplayLists, CalledBetweenBeginAndEnd, kMust, "EV-DL-INBEGIN", com
     points(drawn, 1.75f, 4);
     drawn.CallList(kList);
     drawn.End();
-    t.judge(drawn, kUnit0);
+    t.judge_vertices(drawn, kUnit0);
   }
 };
 
@@ -347,7 +347,7 @@ EVALCTS_TEST(DisplayLists, BeginAndEndFromDifferentLists, kMust, "EV-DL-SPLIT", 
     c.Begin(mode);
     c.CallList(kOther);
     c.End();
-    t.judge(c, kUnit0);
+    t.judge_vertices(c, kUnit0);
   }
 };
 
@@ -405,7 +405,7 @@ EVALCTS_TEST(DisplayLists, MapsOfAnInnerList, kMust, "EV-DL-NESTED", combine(kDi
     mesh_of_points(list, dimension.two);
   });
   c.CallList(kList);
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 // The outer list calls whatever inner list is defined at the time of its own call.
@@ -421,7 +421,7 @@ EVALCTS_TEST(DisplayLists, InnerListOfTheCall, kMust, "EV-DL-NESTED")
     compile(c, kOther, [&](gl::Case& list) { define(list, random_map(t, GL_MAP1_VERTEX_3, 3 + round)); });
     c.CallList(kList);
   }
-  t.judge(c, kPosition);
+  t.judge_vertices(c, kPosition);
 };
 
 EVALCTS_TEST(DisplayLists, NestedDeeply, kMust, "EV-DL-NESTED", combine(kDimensions))
@@ -432,7 +432,7 @@ EVALCTS_TEST(DisplayLists, NestedDeeply, kMust, "EV-DL-NESTED", combine(kDimensi
   for (GLuint depth = 1; depth < kDepth; ++depth)
     compile(c, 100 + depth, [&](gl::Case& list) { list.CallList(100 + depth - 1); });
   c.CallList(100 + kDepth - 1);
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 // --- Current values --------------------------------------------------------------------------------------
@@ -473,7 +473,7 @@ EVALCTS_TEST(DisplayLists, CurrentValuesUntouched, kMust, "EV-DL-CURRENT", combi
     t.judge_answers(queried);
 
     c.CallList(kList);
-    t.judge(c, kUnit0);
+    t.judge_vertices(c, kUnit0);
   }
 };
 

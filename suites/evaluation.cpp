@@ -35,7 +35,7 @@ EVALCTS_TEST(Evaluation, AllKindsTogether, kMust, "EV-COORD-ASIF/1-D", "EV-COORD
        {GL_MAP1_VERTEX_4, GL_MAP1_COLOR_4, GL_MAP1_INDEX, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_3})
     define_and_enable(c, random_map(t, target, 4));
   evaluate_all(c, unit_steps(20));
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 EVALCTS_TEST(Evaluation, VertexCarriesItsOwnAttributes, kMust, "EV-COORD-VERTEXLAST/1-D",
@@ -45,7 +45,7 @@ EVALCTS_TEST(Evaluation, VertexCarriesItsOwnAttributes, kMust, "EV-COORD-VERTEXL
   define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 2));
   define_and_enable(c, random_map(t, target, 2));
   for (int primitive = 0; primitive < 2; ++primitive) evaluate_all(c, {1.0, 0.0, 1.0, 0.5});
-  t.judge(c, kPosition | attribute_of(target));
+  t.judge_vertices(c, kPosition | attribute_of(target));
 };
 
 EVALCTS_TEST(Evaluation, CurrentValuesOfTheMoment, kMust, "EV-COORD-CURRENT/1-D", by(gl::curve_deliveries()))
@@ -62,7 +62,7 @@ EVALCTS_TEST(Evaluation, CurrentValuesOfTheMoment, kMust, "EV-COORD-CURRENT/1-D"
     c.EvalCoord1f(x);
   }
   c.End();
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 // No float can hold the position, and the vertex is there nevertheless. Random search has found this case.
@@ -102,7 +102,7 @@ EVALCTS_TEST(Evaluation, MapSwitchedOff, kMust, "EV-COORD-CURRENT/1-D",
     evaluate_some(c);
     c.Disable(target);
     evaluate_some(c);
-    t.judge(c, kUnit0);
+    t.judge_vertices(c, kUnit0);
   }
 };
 
@@ -130,12 +130,12 @@ EVALCTS_TEST(Evaluation, NothingWithoutVertexMap, kMust, "EV-COORD-NOVERTEX/1-D"
   drawing.Vertex3f(1, 2, 3);
   drawing.EvalCoord1f(0.25f);
   drawing.End();
-  t.judge(drawing, kUnit0);
+  t.judge_vertices(drawing, kUnit0);
 
   gl::Case empty("nothing is drawn");
   define_and_enable(empty, random_map(t, target, 3));
   evaluate_some(empty);
-  t.judge(empty, kPosition);
+  t.judge_vertices(empty, kPosition);
 };
 
 EVALCTS_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, kMust, "EV-COORD-NOVERTEX-OTHERDIM/1-D",
@@ -150,7 +150,7 @@ EVALCTS_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, kMust, "EV-COORD-
   c.Vertex2f(3, 4);
   c.EvalCoord1d(0.25);
   c.End();
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 // Evaluations of a dimension without a vertex map do not affect the vertices before and after them, nor later
@@ -186,7 +186,7 @@ EVALCTS_TEST_PAIR(Evaluation.NothingFromTheOtherDimension, Evaluation.NothingFro
     primitive([&] { emits(0.75), does_nothing(); });
     eval_mesh(c, two, GL_POINT, 0, 1, 0, 1);
     primitive([&] { c.Vertex3f(7, 8, 9); });
-    t.judge(c, kUnit0);
+    t.judge_vertices(c, kUnit0);
   }
 };
 
@@ -206,7 +206,7 @@ EVALCTS_TEST(Evaluation, InitialValuesAfterMap, kMust, "EV-COORD-CURRENT/1-D",
     evaluate_some(c);
     is_popped ? c.PopAttrib() : c.Disable(target);
     evaluate_some(c);
-    t.judge(c, kUnit0);
+    t.judge_vertices(c, kUnit0);
   }
 };
 
@@ -261,7 +261,7 @@ EVALCTS_TEST(Evaluation, Primitives, kMust, "EV-COORD-PRIMS/1-D",
     for (int i = 0; i < vertices; ++i, u += 0.015625f) c.EvalCoord1f(u);
     c.End();
   }
-  t.judge(c, kPosition | kTextureCoordinate0);
+  t.judge_vertices(c, kPosition | kTextureCoordinate0);
 };
 
 // Draws primitives of 0 to 9 vertices, every third of which is explicit.
@@ -283,7 +283,7 @@ EVALCTS_TEST(Evaluation, MixedPrimitives, kMust, "EV-COORD-PRIMS/1-D", "EV-COORD
   gl::Case c = with_current_values("0 to 9 vertices, every third explicit");
   define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   draw_mixed_primitives(c, mode.value);
-  t.judge(c, kPosition | kTextureCoordinate0);
+  t.judge_vertices(c, kPosition | kTextureCoordinate0);
 };
 
 // The same with evaluated vertices of four components and explicit ones of three.
@@ -295,7 +295,7 @@ EVALCTS_TEST(Evaluation, MixedPrimitivesOfVertex4, kMust, "EV-COORD-PRIMS/1-D", 
   for (std::size_t i = 3; i < map.points.size(); i += 4) map.points[i] = 1 + std::abs(map.points[i]);
   define_and_enable(c, map);
   draw_mixed_primitives(c, mode.value);
-  t.judge(c, kPosition | kTextureCoordinate0);
+  t.judge_vertices(c, kPosition | kTextureCoordinate0);
 };
 
 EVALCTS_TEST(Evaluation, MixedWithVertex, kMust, "EV-COORD-MIX/1-D", "EV-CUR-NEXTVERTEX/1-D",
@@ -314,7 +314,7 @@ EVALCTS_TEST(Evaluation, MixedWithVertex, kMust, "EV-COORD-MIX/1-D", "EV-CUR-NEX
     c.EvalCoord1f(0.5f);
     c.Vertex3f(9, 9, 9);
     c.End();
-    t.judge(c, kUnit0);
+    t.judge_vertices(c, kUnit0);
   }
 };
 
@@ -327,7 +327,7 @@ EVALCTS_TEST(Evaluation, FirstArgumentIsU, kMust, "EV-COORD-ARGORDER", by(gl::su
   for (const float u : {0.0f, 0.25f, 1.0f})
     for (const float v : {0.0f, 0.75f, 1.0f}) c.EvalCoord2f(u, v);
   c.End();
-  t.judge(c, kPosition);
+  t.judge_vertices(c, kPosition);
 };
 
 // Evaluates both dimensions alternately in one primitive, with a vertex map and one other map of each.
@@ -350,7 +350,7 @@ void expect_dimensions_in_turn(Test& t, GLenum target1, GLenum target2) {
       c.EvalPoint1(i);
     }
     c.End();
-    t.judge(c, kUnit0);
+    t.judge_vertices(c, kUnit0);
   }
 }
 

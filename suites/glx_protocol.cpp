@@ -349,7 +349,7 @@ EVALCTS_TEST(GlxProtocol, SameResult, kMust, "EV-GLX-SAMERESULT")
     c.Begin(GL_POINTS);
     for (const GLint i : {0, 3}) eval_point(c, two, i, 1);
     c.End();
-    t.judge(c, kPosition | kColor | kTextureCoordinate0);
+    t.judge_vertices(c, kPosition | kColor | kTextureCoordinate0);
   }
 };
 

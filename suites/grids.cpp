@@ -184,7 +184,7 @@ EVALCTS_TEST(Grids, PrimitiveUndisturbed, kMust, "EV-GRID-ERR-BEGINEND", "EV-GRI
   c.Begin(GL_POINTS);
   points();
   c.End();
-  t.judge(c, kPosition);
+  t.judge_vertices(c, kPosition);
 };
 
 // A legal call after a rejected one sets the grid.
@@ -230,7 +230,7 @@ EVALCTS_TEST(Grids, LargestCount, kMust, "EV-GRID-LARGE", kEachForm)
     c.End();
     c.GetError();
     t.judge_answers(c);
-    t.judge(c, kPosition);
+    t.judge_vertices(c, kPosition);
   }
 };
 

@@ -100,7 +100,7 @@ EVALCTS_TEST(InitialState, Evaluable, kMust, "EV-INIT-EVALUABLE")
     gl::Case c(label(vertex));
     c.Enable(vertex);
     evaluate_all(c, kArguments);
-    t.judge(c, kPosition);
+    t.judge_vertices(c, kPosition);
   }
 };
 
@@ -116,7 +116,7 @@ EVALCTS_TEST_PAIR(InitialState.EvaluableWith, InitialState.Evaluable2, kMust, "E
   c.Begin(GL_POINTS);
   for (const double u : kArguments) eval_coord(c, two, u, 0.25 - u);
   c.End();
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
 };
 
 // EvalPoint and EvalMesh on the initial grids, which have one segment over [0,1].
@@ -133,7 +133,7 @@ EVALCTS_TEST_PAIR(InitialState.MeshesOverGrid1, InitialState.MeshesOverGrid2, kM
     c.Begin(GL_POINTS);
     for (const GLint i : {0, 1, 2}) eval_point(c, two, i, 1 - i);
     c.End();
-    t.judge(c, kUnit0);
+    t.judge_vertices(c, kUnit0);
   }
 };
 

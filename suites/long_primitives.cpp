@@ -45,7 +45,7 @@ EVALCTS_TEST(LongPrimitives, AttributesOfMaps, kMust, "EV-COORD-PRIMS/1-D", "EV-
   c.Begin(primitive.mode);
   for (int i = 0; i < primitive.vertices(t); ++i) c.EvalCoord1f(argument_of(i));
   c.End();
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 // Buffers may become full after explicit or evaluated vertices, and before or after changes of the current
@@ -68,7 +68,7 @@ EVALCTS_TEST(LongPrimitives, MixedWithVertex, kMust, "EV-COORD-MIX/1-D", "EV-COO
     i % 3 == 1 ? c.Vertex3f(x, 1 - x, 0.5f) : c.EvalCoord1f(x);
   }
   c.End();
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 // A mesh over the whole grid, at quick depth over a shorter one. If v has 0 segments, the mesh has one row of
@@ -102,7 +102,7 @@ void expect_mesh(Test& t, const LongMesh& mesh) {
     define_and_enable(c, random_map(t, target_in(mesh.two, target), {2, 2}));
   map_grid(c, mesh.two, u, v.segments == 0 ? kOne : v);
   eval_mesh(c, mesh.two, mesh.mode, 0, u.segments, 0, v.segments);
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 }
 
 EVALCTS_TEST(LongPrimitives, Mesh1, kMust, "EV-MESH1-POINT", "EV-MESH1-LINE",

@@ -44,7 +44,7 @@ void measure1(Test& t, GLenum target, int values_per_map) {
       evaluate_all(c, us);
     }
   }
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
 }
 
 // The same for surfaces of some pairs of orders.
@@ -76,7 +76,7 @@ void measure2(Test& t, GLenum target, int values_per_map) {
       }
       evaluate_all(c, all);
     }
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
 }
 
 const auto kEachTarget = [](bool two) { return combine(visible_targets(two)); };
@@ -117,7 +117,7 @@ EVALCTS_TEST(Map1Accuracy, GoodNearTheEnds, kQuality, "EV-NUM-ACCURACY/1-D",
           us.push_back(end + (other - end) * part);
         evaluate_all(c, us);
       }
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
 };
 
 }  // namespace

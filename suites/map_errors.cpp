@@ -77,7 +77,7 @@ EVALCTS_TEST_PAIR(Map1Errors.PrimitiveUndisturbed, Map2Errors.PrimitiveUndisturb
   eval_coord(c, two, 0.75, 0.5);
   c.Vertex3f(1, 2, 3);
   c.End();
-  t.judge(c, kPosition);
+  t.judge_vertices(c, kPosition);
 };
 
 // Calls `call` with maps that are illegal by their order, stride or domain, in each direction.
@@ -124,7 +124,7 @@ EVALCTS_TEST_PAIR(Map1Errors.EvaluatesAsBefore, Map2Errors.EvaluatesAsBefore, kM
   define(c, legal_map(form.target), form.doubles);
   c.End();
   draw(two ? std::vector<At>{{0.6875, 0.125}} : three);
-  t.judge(c, attribute_of(form.target));
+  t.judge_vertices(c, attribute_of(form.target));
 };
 
 // A legal call after rejected ones takes effect, and the error is reported once.

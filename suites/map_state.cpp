@@ -261,7 +261,7 @@ EVALCTS_TEST(Map1State, CopyOnCallEvaluated, kMust, "EV-MAP1-COPY",
           define(c, random_map(t, target, order, stride), form.doubles, treatment.after);
           evaluate_some(c);
         }
-    t.judge(c, attribute_of(target));
+    t.judge_vertices(c, attribute_of(target));
   }
 };
 
@@ -275,7 +275,7 @@ EVALCTS_TEST(Map1State, SamePointerNewPoints, kMust, "EV-MAP1-COPY", "EV-MAP1-RE
     define_in_slot(c, random_map(t, form.target, 4, 5), form.doubles, 0);
     evaluate_some(c);
   }
-  t.judge(c, attribute_of(form.target));
+  t.judge_vertices(c, attribute_of(form.target));
 
   gl::Case queried("two definitions through one array, queried");
   define_in_slot(queried, random_map(t, form.target, 3, 5), form.doubles, 0);
@@ -331,7 +331,7 @@ EVALCTS_TEST(Map1State, Live, kMust, "EV-MAP1-LIVE",
   define(c, random_map(t, form.target, 6, 4), form.doubles);
   enable_visibly(c, form.target);
   evaluate_some(c);
-  t.judge(c, attribute_of(form.target));
+  t.judge_vertices(c, attribute_of(form.target));
 };
 
 // --- Two-dimensional maps --------------------------------------------------------------------------------

@@ -27,7 +27,7 @@ EVALCTS_TEST(Map1Values, AllOrders, kMust, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-
     define(c, random_map(t, target, order));
     evaluate_all(c, arguments(t, {0, 1}, t.by_depth(8, order <= 32 ? 32 : 8, 400)));
   }
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
 };
 
 // Points whose terms cancel: alternating signs, steps, lines, large offsets; and a single nonzero point.
@@ -50,7 +50,7 @@ EVALCTS_TEST(Map1Values, AwkwardData, kMust, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/
       evaluate_all(c, arguments(t, {0, 1}, t.by_depth(6, 12, 60)));
     }
   }
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
 };
 
 // At the ends of the domain only the first or the last point has an influence, because 0^0 is 1 and the other
@@ -72,7 +72,7 @@ EVALCTS_TEST(Map1Values, Ends, kMust, "EV-MAP1-ZEROPOW", kEachTarget)
       evaluate_all(c, {domain.first, domain.last});
     }
   }
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
 };
 
 namespace {
@@ -97,7 +97,7 @@ void expect_over_domain(Test& t, const NamedDomain& named) {
       for (const GLenum target : targets) define(c, over(random_map(t, target, order), domain));
       evaluate_all(c, arguments(t, domain, t.by_depth(6, 12, 200)));
     }
-    t.judge(c, kPosition | kTextureCoordinate0);
+    t.judge_vertices(c, kPosition | kTextureCoordinate0);
   }
 }
 
@@ -123,7 +123,7 @@ EVALCTS_TEST(Map1Values, NextToTheFirstEnd, kMust, "EV-MAP1-DOMAIN", kEachTarget
       for (int i = 0; i < 4; ++i) us.push_back(u = std::nextafter(u, towards));
       evaluate_all(c, us);
     }
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
 };
 
 // The maps of one vertex have different domains.
@@ -139,7 +139,7 @@ EVALCTS_TEST(Map1Values, OwnDomains, kMust, "EV-MAP1-DOMAIN", by(gl::curve_deliv
       evaluate_all(c, arguments(t, {0, 1}, t.by_depth(6, 8, 60)));
     }
   }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 EVALCTS_TEST(Map1Values, ReversedDomain, kMust, "EV-MAP1-REVERSED",
@@ -163,7 +163,7 @@ EVALCTS_TEST(Map1Values, OutsideDomain, kMust, "EV-MAP1-EXTRAPOLATE", "EV-NUM-AC
       evaluate_all(c, us);
     }
   }
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
 };
 
 // The arguments are so far outside the domain that their powers are large; the points are so small that the
@@ -182,7 +182,7 @@ EVALCTS_TEST(Map1Values, FarOutsideDomain, kMust, "EV-MAP1-EXTRAPOLATE", "EV-NUM
         us.push_back(static_cast<float>(domain.first + (domain.last - domain.first) * widths));
       evaluate_all(c, us);
     }
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
 };
 
 EVALCTS_TEST(Map1Values, OrderOneIsConstant, kMust, "EV-MAP1-ORDER-ONE", kEachTarget)
@@ -194,7 +194,7 @@ EVALCTS_TEST(Map1Values, OrderOneIsConstant, kMust, "EV-MAP1-ORDER-ONE", kEachTa
     c.GetError();
     evaluate_all(c, {2, 5, 3.3, -7, 100});
   }
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
 };
 
 // All components differ, so that a permutation of them is noticed.
@@ -208,7 +208,7 @@ EVALCTS_TEST(Map1Values, ComponentOrder, kMust, "EV-MAP1-COMPORDER", kEachTarget
   define(c, make_map1(target, points));
   enable_visibly(c, target);
   evaluate_all(c, {0, 0.5, 1});
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
 };
 
 EVALCTS_TEST(Map1Values, Stride, kMust, "EV-MAP1-STRIDE", "EV-MAP1-PADDING", kEachTarget)
@@ -221,7 +221,7 @@ EVALCTS_TEST(Map1Values, Stride, kMust, "EV-MAP1-STRIDE", "EV-MAP1-PADDING", kEa
       define(c, random_map(t, target, order, stride));
       evaluate_all(c, {0, 0.25, 0.625, 1});
     }
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
 };
 
 EVALCTS_TEST(Map1Values, PaddingNaN, kMust, "EV-MAP1-PADDING", kEachTarget)
@@ -236,7 +236,7 @@ EVALCTS_TEST(Map1Values, PaddingNaN, kMust, "EV-MAP1-PADDING", kEachTarget)
     define(c, map);
     evaluate_all(c, {0, 0.25, 0.625, 1});
   }
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
 };
 
 // --- Two-dimensional maps --------------------------------------------------------------------------------
@@ -257,7 +257,7 @@ void expect_of_all_kinds(Test& t, const std::string& identity,
         define(c, over(random_map(t, target, {uorder, vorder}), u, v));
     });
   }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 }
 
 // Deliveries with EvalCoord2 only, for tests in which the form of Map2 matters and the evaluation command
@@ -280,7 +280,7 @@ EVALCTS_TEST(Map2Values, OrderPairs, kMust, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2
       define(c, random_map(t, target, {uorder, vorder}));
       evaluate_all(c, arguments(t, {0, 1}, {0, 1}, t.by_depth(1, 5, 100)));
     }
-  t.judge(c, attribute_of(target));
+  t.judge_vertices(c, attribute_of(target));
 };
 
 // One map of each attribute is enabled from the beginning. Each further map takes precedence over an earlier
@@ -302,7 +302,7 @@ EVALCTS_TEST(Map2Values, OrderPairsOfAllMaps, kMust, "EV-MAP2-BEZIER", "EV-NUM-A
         evaluate_all(c, std::vector<At>{{0.25, 0.875}});
       }
   }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 EVALCTS_TEST(Map2Values, LargeOrders, kMust, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2-D", "EV-MAP2-ASYM",
@@ -350,7 +350,7 @@ EVALCTS_TEST(Map2Values, Layouts, kMust, "EV-MAP2-ADDRESS", "EV-MAP2-STRIDE-FREE
     for (const GLenum target : kKinds2[1].targets) define(c, random_map(t, target, {uorder, vorder}, layout));
     evaluate_all(c, arguments(t, {0, 1}, {0, 1}, t.by_depth(4, 8, 100)));
   }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 EVALCTS_TEST(Map2Values, PaddingOfNaN, kMust, "EV-MAP2-PADDING", by(both_forms()))
@@ -367,7 +367,7 @@ EVALCTS_TEST(Map2Values, PaddingOfNaN, kMust, "EV-MAP2-PADDING", by(both_forms()
       }
       evaluate_all(c, arguments(t, {0, 1}, {0, 1}, 6));
     }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 EVALCTS_TEST(Map2Values, TwoIntervals, kMust, "EV-MAP2-DOMAIN", kEachCommand)
@@ -405,7 +405,7 @@ EVALCTS_TEST(Map2Values, OwnIntervals, kMust, "EV-MAP2-DOMAIN", kEachCommand)
       evaluate_all(c, arguments(t, {0, 1}, {0.5, 1.5}, t.by_depth(4, 6, 60)));
     }
   }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 EVALCTS_TEST(Map2Values, ReversedIntervals, kMust, "EV-MAP2-REVERSED", kEachCommand)
@@ -487,7 +487,7 @@ EVALCTS_TEST(Map2Values, ConstantInOneDirection, kMust, "EV-MAP2-SEPARABLE", kEa
                                 : std::vector<At>{{0.5, -0.25}, {1, 1.125}});
       }
   }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 // At the corners all other points, however large, have no weight.
@@ -513,7 +513,7 @@ EVALCTS_TEST(Map2Values, Corners, kMust, "EV-NUM-CORNERS", kEachCommand)
         evaluate_all(c, {{u.first, v.first}, {u.last, v.first}, {u.first, v.last}, {u.last, v.last}});
       }
   }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 // The points are gone when the map is evaluated.
@@ -526,7 +526,7 @@ EVALCTS_TEST(Map2Values, PointsGone, kMust, "EV-MAP2-COPY", combine(kTreatments)
       define(c, random_map(t, target, {4, 3}, layout), false, treatment.after);
     evaluate_all(c, arguments(t, {0, 1}, {0, 1}, 6));
   }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 // A map is redefined, through the same memory or with other orders and domains, between evaluations.
@@ -545,7 +545,7 @@ EVALCTS_TEST(Map2Values, Redefinition, kMust, "EV-MAP2-REPLACE", "EV-MAP2-COPY",
       define(c, over(random_map(t, target, {1 + round % 5, 5 - round % 4}), {round + 0.5, -1}, {-1, 3}));
       evaluate_all(c, {{0.25, 0.75}, {-1, 3}});
     }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 }  // namespace

@@ -143,7 +143,7 @@ EVALCTS_TEST_PAIR(MeshErrors.Mesh1PrimitiveUndisturbed, MeshErrors.Mesh2Primitiv
       c.EvalCoord2f(0.75f, 0.5f);
       c.Vertex3f(-1, 0.5, 3);
       c.End();
-      t.judge(c, kPosition);
+      t.judge_vertices(c, kPosition);
     }
 };
 
@@ -163,7 +163,7 @@ EVALCTS_TEST_PAIR(MeshErrors.Mesh1RefusedDrawsNothing, MeshErrors.Mesh2RefusedDr
     c.GetError();
   }
   point(0.75);
-  t.judge(c, kPosition);
+  t.judge_vertices(c, kPosition);
 };
 
 // The GL is outside Begin/End after any mesh, drawn or rejected: Begin is legal and End alone is not.

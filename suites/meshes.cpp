@@ -36,7 +36,7 @@ void expect_meshes(Test& t, bool two, const MeshMode& mode, const std::string& i
     map_grid(c, two, u, v);
     for (const auto& [i1, i2, j1, j2] : ranges) eval_mesh(c, two, mode.mode, i1, i2, j1, j2);
   }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 }
 void expect_meshes1(Test& t, const MeshMode& mode, const std::string& identity,
                     const std::vector<Grid>& grids, const std::vector<Range>& ranges) {
@@ -139,7 +139,7 @@ EVALCTS_TEST_PAIR(Mesh1.AfterEmptyPrimitives, Mesh2.AfterEmptyPrimitives, kMust,
     }
     eval_mesh(c, two, mode.mode, 0, 2, 0, 1);
   }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 EVALCTS_TEST_PAIR(Mesh1.NothingWithoutVertexMap, Mesh2.NothingWithoutVertexMap, kMust,
@@ -153,7 +153,7 @@ EVALCTS_TEST_PAIR(Mesh1.NothingWithoutVertexMap, Mesh2.NothingWithoutVertexMap, 
   if (two) c.Enable(GL_AUTO_NORMAL);
   map_grid(c, two, {4, 0, 1}, kV);
   eval_mesh(c, two, mode.mode, 0, 4, 0, 3);
-  t.judge(c, kPosition);
+  t.judge_vertices(c, kPosition);
 };
 
 EVALCTS_TEST_PAIR(Mesh1.OtherDimensionHasNoEffect, Mesh2.OtherDimensionHasNoEffect, kMust,
@@ -168,7 +168,7 @@ EVALCTS_TEST_PAIR(Mesh1.OtherDimensionHasNoEffect, Mesh2.OtherDimensionHasNoEffe
   map_grid(c, !two, {two ? 4 : 3, -1, 2}, kV);
   define_and_enable(c, random_map(t, target_in(two, GL_MAP1_VERTEX_3), {4, 3}));
   eval_mesh(c, two, mode.mode, 0, segments, 0, 3);
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 EVALCTS_TEST_PAIR(Mesh1.CurrentValues, Mesh2.CurrentValues, kMust,
@@ -185,7 +185,7 @@ EVALCTS_TEST_PAIR(Mesh1.CurrentValues, Mesh2.CurrentValues, kMust,
   c.Color3f(0.9f, 0.8f, 0.7f);
   c.TexCoord1f(-3);
   eval_mesh(c, two, mode.mode, segments / 3, two ? 2 : 4, 1, 2);
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 // Returns a range that contains the whole grid if it has at most `whole` segments, otherwise some steps on

@@ -101,7 +101,7 @@ EVALCTS_TEST_PAIR(Numeric.StartOfDomain, Numeric.EndOfDomain, kMust,
       evaluate(c, last ? domain.last : domain.first);
       c.End();
     }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 // The start of the domain gives the first control point, bit for bit.
@@ -187,7 +187,7 @@ EVALCTS_TEST(Numeric, LargePoints, kMust, "EV-NUM-RANGE-POS/1-D", "EV-NUM-RANGE-
       for (const double u : {0.0, 0.25, 0.7, 0.9375, 1.0}) evaluate(c, static_cast<float>(u));
       c.End();
     }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 EVALCTS_TEST(Numeric, LargePointsKept, kMust, "EV-NUM-RANGE-POS/1-D", "EV-NUM-RANGE-POS/2-D", by(in_lists()))
 (Test& t) { judge_large_points(t, kNotColors); };
@@ -208,7 +208,7 @@ EVALCTS_TEST(Numeric, LargeDomain, kMust, "EV-NUM-RANGE-POS/1-D", by(of_curves()
           evaluate(c, static_cast<float>(domain.first + (domain.last - domain.first) * x));
         c.End();
       }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 // Negative zero, subnormal numbers and the least normal numbers as arguments and points; negative zero also
@@ -233,7 +233,7 @@ EVALCTS_TEST(Numeric, DenormalsAndNegativeZero, kMust, "EV-NUM-DENORMAL/1-D", by
         evaluate(c, 0.5);
         c.End();
       }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 EVALCTS_TEST_PAIR(Numeric.NegativeZeroIsZero1, Numeric.NegativeZeroIsZero2, kQuality,

@@ -67,7 +67,7 @@ EVALCTS_TEST(Ordering, ForbiddenInPrimitives, kMust, "EV-BE-ALLOWED", "EV-BE-IGN
   c.GetError();
   take_snapshot(t, c);
   t.judge_answers(c);
-  t.judge(c, kPosition);
+  t.judge_vertices(c, kPosition);
 };
 
 // --- Order -----------------------------------------------------------------------------------------------
@@ -192,7 +192,7 @@ EVALCTS_TEST_PAIR(Ordering.EvaluatesInOrder1, Ordering.EvaluatesInOrder2, kMust,
     step.change(c);
     drawn.draw(c, two);
   }
-  t.judge(c, kPosition | kColor);
+  t.judge_vertices(c, kPosition | kColor);
 };
 
 // The map of each attribute is enabled and disabled, with a drawing after each change. Current values are set
@@ -214,7 +214,7 @@ EVALCTS_TEST_PAIR(Ordering.SeesEnables1, Ordering.SeesEnables2, kMust,
       drawn.draw(c, two);
     }
   }
-  t.judge(c, kPosition | kColor | kNormal | kTextureCoordinate0);
+  t.judge_vertices(c, kPosition | kColor | kNormal | kTextureCoordinate0);
 };
 
 }  // namespace

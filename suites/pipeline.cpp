@@ -224,7 +224,7 @@ EVALCTS_TEST(Pipeline, ArraysHaveNoInfluence, kMust, "EV-COORD-NOARRAYS/1-D", by
   for (const GLenum target : {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_2})
     define_and_enable(c, random_map(t, target, 3));
   evaluate_some(c);
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 }  // namespace

@@ -44,7 +44,7 @@ void expect_points(Test& t, bool two, const std::string& identity, const std::ve
     for (const int j : {-outside, 1, grid.segments / 2, grid.segments + outside}) c.EvalPoint2(3, j);
     c.End();
   }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 }
 
 EVALCTS_TEST_PAIR(Points.SameAsEvalCoord1, Points.SameAsEvalCoord2, kMust,
@@ -81,7 +81,7 @@ EVALCTS_TEST(Points, LargestCounts, kMust, "EV-GRID-LARGE", combine(kDimensions)
     for (const int i : {0, 1, segments / 3, segments / 2, segments - 1, segments}) eval_point(c, d.two, i, 2);
     c.End();
   }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 // Points and meshes use the grid at the time of the command.
@@ -102,7 +102,7 @@ EVALCTS_TEST(Points, GridOfTheMoment, kMust, "EV-GRID-LATE", combine(kDimensions
       c.EvalMesh2(GL_POINT, 0, 2, 0, 2);
       eval_points(c, true, 0, 3);
     }
-  t.judge(c, kUnit0);
+  t.judge_vertices(c, kUnit0);
 };
 
 EVALCTS_TEST_PAIR(Points.FirstIsExact, Points.LastIsExact, kMust,

@@ -154,7 +154,7 @@ void judge_everything(Test& t) {
   gl::Case drawn("vertices of maps of all kinds");
   for (const GLenum target : kKinds2[1].targets) define_and_enable(drawn, random_map(t, target, {3, 2}));
   evaluate_all(drawn, {{0, 1}, {0.375, 0.625}, {1, 0}});
-  t.judge(drawn, kPosition | kTextureCoordinate0);
+  t.judge_vertices(drawn, kPosition | kTextureCoordinate0);
 
   gl::Case meshes("points of meshes and of grids, with automatic normals");
   define_and_enable(meshes, random_map(t, GL_MAP1_VERTEX_3, 3));
@@ -169,7 +169,7 @@ void judge_everything(Test& t) {
   meshes.EvalPoint1(2);
   meshes.EvalPoint2(1, 2);
   meshes.End();
-  t.judge(meshes, kPosition | kNormal);
+  t.judge_vertices(meshes, kPosition | kNormal);
 }
 
 EVALCTS_TEST(Profiles, Compatibility, kMust, "EV-PROF-COMPAT")

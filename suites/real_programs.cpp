@@ -389,7 +389,7 @@ const std::vector<RealProgram> kPrograms = {
 void expect_vertices(Test& t, const RealProgram& program) {
   gl::Case c("what the program draws");
   for (const Step& step : program.steps()) c.append(step.drawing);
-  t.judge(c, program.attributes);
+  t.judge_vertices(c, program.attributes);
 }
 
 // Returns the commands with `normal` in place of each undefined (NaN) normal, where the surface has no

@@ -284,7 +284,8 @@ void BaselineFiles::write(const fs::path& folder) const {
 // --- one implementation
 
 Baseline::Baseline(const BaselineChoice& choice, const ImplementationRecord& implementation, Pass pass,
-                   const std::vector<KnownBug>& bugs) {
+                   const std::vector<KnownBug>& bugs)
+    : pass_(pass) {
   if (choice.known_bugs)
     for (const KnownBug& bug : bugs) {
       if (!bug.affects.may_contain(implementation)) continue;
@@ -340,35 +341,28 @@ std::optional<std::string> Baseline::flake(const std::string& test) const {
   return own ? own : reason_for("Flaky", test);
 }
 
-std::set<std::string> Baseline::signatures_of(const std::string& test, Depth depth,
-                                              bool of_known_bugs) const {
-  std::set<std::string> known;
-  if (of_known_bugs && depth != Depth::kThorough)
-    for (const std::string& product : products_) {
-      const std::set<std::string>& of_product = known_signatures(product, function_of(test));
-      known.insert(of_product.begin(), of_product.end());
-    }
-  if (files_)
-    for (const auto& [tests, by_depth] : files_->signatures)
-      if (const auto found = by_depth.find(name_of(depth));
-          found != by_depth.end() && stands_for(tests, test))
-        known.insert(found->second);
-  return known;
-}
-
 bool Baseline::knows(const TestRecord& test, Depth depth, std::uint64_t seed) const {
   const char* const status = status_of(test.verdict);
   if (!status) return false;
   if (flake(test.name)) return true;
-  bool is_expected = false, of_known_bugs = false;
-  for (const Line* const line : lines_for(test.name)) {
-    if (line->status != status) continue;
-    is_expected = true;
-    of_known_bugs = of_known_bugs || !line->is_of_user;
-  }
-  if (!is_expected || seed != kSeedOfSignatures) return is_expected;
-  const std::set<std::string> known = signatures_of(test.name, depth, of_known_bugs);
-  return known.empty() || known.contains(test.signature());
+  bool is_expected = false, is_of_bug = false;
+  for (const Line* const line : lines_for(test.name))
+    if (line->status == status) (line->is_of_user ? is_expected : is_of_bug) = true;
+  if (seed != kSeedOfSignatures || test.verdict != Verdict::kFail) return is_expected || is_of_bug;
+  // An entry of the user is compared if it has a signature for the depth.
+  bool has_signature = false, is_known = false;
+  if (files_)
+    for (const auto& [tests, by_depth] : files_->signatures)
+      if (const auto found = by_depth.find(name_of(depth));
+          found != by_depth.end() && stands_for(tests, test.name)) {
+        has_signature = true;
+        is_known = is_known || found->second == test.signature();
+      }
+  if (is_expected && (is_known || !has_signature)) return true;
+  return is_of_bug && (depth == Depth::kThorough || pass_ != Pass::kFreshContexts ||
+                       std::ranges::any_of(products_, [&](const std::string& product) {
+                         return known_signatures(product, function_of(test.name)).contains(test.signature());
+                       }));
 }
 
 void Baseline::apply(RunResult& result, const std::vector<ListedTest>& all) const {

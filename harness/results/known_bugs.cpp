@@ -147,7 +147,8 @@ const std::vector<KnownBug>& known_bugs() {
 const std::set<std::string>& known_signatures(const std::string& product, const std::string& function) {
   static const auto kAll = [] {
     std::map<std::pair<std::string, std::string>, std::set<std::string>> all;
-    for (const auto& [of_product, functions] : json::parse(kKnownSignatures).items())
+    const json data = json::parse(kKnownSignatures);
+    for (const auto& [of_product, functions] : data.items())
       for (const auto& [name, texts] : functions.items()) {
         std::istringstream words(texts.get<std::string>());
         for (std::string word; words >> word;) all[{of_product, name}].insert(word);

@@ -58,12 +58,6 @@ bool is_same_query(const gl::Command& a, const gl::Command& b) {
   return a.entry == b.entry && std::ranges::equal(a.arguments, b.arguments, is_same);
 }
 
-// Returns true if the command has an answer.
-bool asks(const gl::Command& command) {
-  const std::string_view name = gl::name_of(command.entry);
-  return name.starts_with("glGet") || name.starts_with("glIs");
-}
-
 // Returns true if the command is rejected because it stands between Begin and End.
 bool is_rejected_in_primitive(const Specified& specified, std::size_t command) {
   return command > 0 && specified.inside[command - 1] &&
@@ -215,11 +209,6 @@ void Test::judge(const gl::Case& script) {
   const Specified specified = specify(script, max_order(), texture_units(), OtherState::kSkipped);
   judge_answers(script, specified);
   if (specified.prediction.vertex_count() > 0) judge_vertices(script, kJudged);
-}
-
-void Test::judge(const gl::Case& script, Attributes about) {
-  if (std::ranges::any_of(script.commands(), asks)) judge_answers(script);
-  judge_vertices(script, about);
 }
 
 void Test::judge_answers(const gl::Case& script) {

@@ -390,6 +390,7 @@ class KnownBugsInBaselines : public Baselines {
     bug.tests = {{{}, "Fail", {"A.B/List"}}};
     bugs_.push_back(bug);
     record_.implementation.kind = "egl";
+    record_.depth = Depth::kThorough;  // failing cases are not compared
   }
 
   Baseline of(const std::string& renderer, const std::string& version, const std::string& kind = "egl",
@@ -416,6 +417,19 @@ TEST_F(KnownBugsInBaselines, AreExpectedInTheAffectedVersionsAndNewerOnes) {
   const TestRecord crash = test("A.S", Verdict::kCrash);
   EXPECT_TRUE(of("softpipe", "4.5 Mesa 25.0.0").knows(crash, Depth::kQuick, 1));
   EXPECT_FALSE(of("llvmpipe", "4.5 Mesa 25.0.0").knows(crash, Depth::kQuick, 1));
+}
+
+// At quick and full depth, one more failing value is unexpected.
+TEST_F(KnownBugsInBaselines, HaveKnownFailingCases) {
+  const std::string function = "GetMap.IntegersSaturate";
+  bugs_[0].tests = {{{}, "Fail", {function + "/*"}}};
+  TestRecord failing = test(function + "/MAP1_INDEX", Verdict::kFail);
+  failing.signature_of_all = *known_signatures("mesa", function).begin();
+  EXPECT_TRUE(of_record().knows(failing, Depth::kQuick, 1));
+  failing.signature_of_all = "5-0000000000000000";
+  EXPECT_FALSE(of_record().knows(failing, Depth::kQuick, 1));
+  EXPECT_TRUE(of_record().knows(failing, Depth::kQuick, 2));
+  EXPECT_TRUE(of_record().knows(failing, Depth::kThorough, 1));
 }
 
 TEST_F(KnownBugsInBaselines, AreNamedTheMostSpecificFirst) {

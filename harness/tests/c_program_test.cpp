@@ -234,7 +234,7 @@ TEST_F(CProgram, FindsTheAnswerThatAMismatchRestsOn) {
   TestRecord record;
   record.name = "A.Test";
   evalcts::Test test(subject, record);
-  test.run([](evalcts::Test& t) { t.judge(line(), kPosition); });
+  test.run([](evalcts::Test& t) { t.judge_vertices(line(), kPosition); });
   ASSERT_EQ(record.verdict, Verdict::kFail);
   ASSERT_TRUE(reproduction.check());
   const gl::Check& check = *reproduction.check();

@@ -70,15 +70,16 @@ void wrong_in_lists(gl::Table& table) {
 }
 
 TEST(Violated, AllRequirementsOfATestThatDoesNotTellThemApart) {
-  const TestRecord record = record_of(evaluation_that_sets_the_color, {"EV-A", "EV-B"},
-                                      [](evalcts::Test& t) { t.judge(curve(), kPosition | kColor); });
+  const TestRecord record = record_of(evaluation_that_sets_the_color, {"EV-A", "EV-B"}, [](evalcts::Test& t) {
+    t.judge_vertices(curve(), kPosition | kColor);
+  });
   EXPECT_EQ(record.verdict, Verdict::kFail) << record.message;
   EXPECT_EQ(record.blamed(), (Ids{"EV-A", "EV-B"}));
   EXPECT_EQ(record.hidden(), Ids{});
 }
 
 TEST(Violated, CurrentValuesHaveARuleOfTheirOwn) {
-  const Body body = [](evalcts::Test& t) { t.judge(curve(), kPosition | kColor); };
+  const Body body = [](evalcts::Test& t) { t.judge_vertices(curve(), kPosition | kColor); };
   TestRecord record = record_of(evaluation_that_sets_the_color, {"EV-PREC-TEX"}, body);
   EXPECT_EQ(record.blamed(), Ids{"EV-COORD-CURRENT"});
   EXPECT_EQ(record.hidden(), Ids{"EV-PREC-TEX"});
@@ -252,7 +253,7 @@ TEST(Violated, ListsAreBlamedOnlyIfTheirCommandsAreRightWithoutOne) {
       gl::Delivery delivery;
       delivery.lists = lists;
       t.deliver_by(delivery);
-      t.judge(curve(), kPosition);
+      t.judge_vertices(curve(), kPosition);
     });
   };
   EXPECT_EQ(in_lists(gl::Lists::kCompiled, evaluation_elsewhere, "EV-DL-EXECUTE").blamed(), Ids{"EV-A"});
@@ -288,7 +289,7 @@ TEST(MissingCommands, TestThatDoesWithoutOnePassesInPart) {
     EXPECT_TRUE(t.can_call(gl::EntryPoint::Map1f));
     EXPECT_FALSE(t.can_call(gl::EntryPoint::Map1d));
     EXPECT_FALSE(t.can_call(gl::EntryPoint::Map1d));
-    t.judge(curve(), kPosition);
+    t.judge_vertices(curve(), kPosition);
   };
   const TestRecord record = record_of(without_doubles, {"EV-A"}, body);
   EXPECT_EQ(record.verdict, Verdict::kPass) << record.message;
@@ -298,7 +299,7 @@ TEST(MissingCommands, TestThatDoesWithoutOnePassesInPart) {
 TEST(MissingCommands, TestThatDoesNotNeedThemPassesInFull) {
   const TestRecord record = record_of(without_doubles, {"EV-A"}, [](evalcts::Test& t) {
     EXPECT_TRUE(t.can_call(gl::EntryPoint::Map1f));
-    t.judge(curve(), kPosition);
+    t.judge_vertices(curve(), kPosition);
   });
   EXPECT_EQ(record.verdict, Verdict::kPass) << record.message;
   EXPECT_EQ(record.unobserved, "");
@@ -306,7 +307,7 @@ TEST(MissingCommands, TestThatDoesNotNeedThemPassesInFull) {
 
 TEST(MissingCommands, TestOfNothingElseIsNotObservable) {
   const TestRecord record = record_of(without_doubles, {"EV-A"}, [](evalcts::Test& t) {
-    if (t.can_call(gl::EntryPoint::Map1d)) t.judge(curve(), kPosition);
+    if (t.can_call(gl::EntryPoint::Map1d)) t.judge_vertices(curve(), kPosition);
   });
   EXPECT_EQ(record.verdict, Verdict::kNotObservable);
   EXPECT_EQ(record.message, "glMap1d (missing)");
@@ -319,7 +320,7 @@ TEST(MissingCommands, FailureInTheRestIsAFailure) {
   };
   const TestRecord record = record_of(alter, {"EV-A"}, [](evalcts::Test& t) {
     EXPECT_FALSE(t.can_call(gl::EntryPoint::Map1d));
-    t.judge(curve(), kPosition);
+    t.judge_vertices(curve(), kPosition);
   });
   EXPECT_EQ(record.verdict, Verdict::kFail);
   EXPECT_EQ(record.unobserved, "glMap1d (missing)");
@@ -329,7 +330,7 @@ TEST(MissingCommands, RejectedQueriesOfGridsCountAsMissing) {
   const TestRecord record = record_of(without_grid_queries, {"EV-A"}, [](evalcts::Test& t) {
     EXPECT_TRUE(t.can_query_grid(GL_MAP1_GRID_SEGMENTS));
     EXPECT_FALSE(t.can_query_grid(GL_MAP1_GRID_DOMAIN));
-    t.judge(curve(), kPosition);
+    t.judge_vertices(curve(), kPosition);
   });
   EXPECT_EQ(record.verdict, Verdict::kPass) << record.message;
   EXPECT_EQ(record.unobserved, "GL_MAP1_GRID_DOMAIN (the query is rejected)");

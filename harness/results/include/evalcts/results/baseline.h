@@ -101,8 +101,9 @@ class Baseline {
   std::optional<std::string> skip(const std::string& test) const;
   std::optional<std::string> flake(const std::string& test) const;
 
-  // True if the test record is a known fail, crash or timeout. If there are signatures for the depth and the
-  // seed is 1, the failing cases must be known, too.
+  // True if the test record is a known fail, crash or timeout. With seed 1, the failing cases must be known,
+  // too: those of the user's entries if they have a signature for the depth, and those of known bugs at quick
+  // and full depth. In the second pass, those of known bugs depend on the tests before and are not compared.
   bool knows(const TestRecord& test, Depth depth, std::uint64_t seed) const;
 
   // Sets `baseline` of the result, and `expected_by_baseline`, `baseline_reason` and `known_bugs` of its
@@ -139,10 +140,10 @@ class Baseline {
 
   // Returns the lines for the test, the most specific one first; none if "Pass" takes it out of them.
   std::vector<const Line*> lines_for(const std::string& test) const;
-  std::set<std::string> signatures_of(const std::string& test, Depth depth, bool of_known_bugs) const;
   std::optional<std::string> reason_for(const std::string& status, const std::string& test) const;
   void mark_unexpected_passes(RunResult& result, const std::vector<ListedTest>& all) const;
 
+  Pass pass_ = Pass::kFreshContexts;
   std::vector<Line> lines_;
   std::set<std::string> products_;  // of the known bugs, in lower case: "mesa"
   std::optional<BaselineFiles> files_;

@@ -63,13 +63,13 @@ class Test : public Conditions {
   // If an answer is wrong in a case with commands that are rejected between Begin and End, other commands
   // have to be rejected there, too. Throws NotObservable.
   void judge(const gl::Case& script);
-  // The same for a test that is about these attributes of vertices, or about vertices that must not be drawn.
-  // All attributes that the best capture shows are judged; attributes in `about` that no capture shows are
-  // recorded as unobserved, and if none of them is shown, the test is not-observable. In one test of 32 (at
-  // thorough depth in all tests), other captures observe the case, too, and must agree.
-  void judge(const gl::Case& script, Attributes about);
   // The same for answers and errors only: other tests judge the vertices.
   void judge_answers(const gl::Case& script);
+  // The same for vertices only, of a test that is about these attributes, or about vertices that must not be
+  // drawn. All attributes that the best capture shows are judged; attributes in `about` that no capture shows
+  // are recorded as unobserved, and if none of them is shown, the test is not-observable. In one test of 32
+  // (at thorough depth in all tests), other captures observe the case, too, and must agree.
+  void judge_vertices(const gl::Case& script, Attributes about);
   // The same for some of the outcomes, with given predictions. Vertices are not judged through a delivery,
   // only until one is wrong, and without a record of the accuracy, because this takes longer than judging.
   void judge(const gl::Case& script, const Specified& specified, Outcomes outcomes = Outcomes::kAll);
@@ -130,7 +130,6 @@ class Test : public Conditions {
   // raises no errors at all.
   void require_rejections_in_primitives(const gl::Case& script, const Specified& specified);
   void judge_answers(const gl::Case& script, const Specified& specified);
-  void judge_vertices(const gl::Case& script, Attributes about);
   void judge_answer(CheckedTrace& checked, const Specified& specified, gl::Ref query);
   // Returns the first query of the snapshot with which this one must agree; -1 if there is none.
   gl::Ref same_as(const Specified& specified, const gl::Case& script, gl::Ref query) const;
