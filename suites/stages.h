@@ -18,7 +18,7 @@ struct Stage {
   gl::Case state;
 };
 
-// Where a stage shows: in areas of the framebuffer, or, without areas, in feedback.
+// The areas of the framebuffer in which a stage shows, or, if there are none, feedback.
 struct View {
   std::vector<Area> areas = {};
   GLenum format = GL_RGBA;
