@@ -248,6 +248,7 @@ constexpr NamedValue<GLenum> kStrips[] = {{"LINE_STRIP", GL_LINE_STRIP},
 EVALCTS_TEST(CurrentValues, LongPrimitives, kMust, "EV-CUR-COLOR/1-D", "EV-CUR-NORMAL/1-D", "EV-CUR-TEX/1-D",
              combine(kStrips).by(sparing(gl::without(gl::kMeshes | gl::kArrays, gl::curve_deliveries()))))
 (Test& t, const NamedValue<GLenum>& mode) {
+  t.prefer_fresh_contexts();  // vertex buffers are filled differently in a used context
   const int vertices = t.by_depth(10000, 40000, 66000);
   std::vector<Map> maps;
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_4})

@@ -8,8 +8,10 @@ namespace {
 
 [[maybe_unused]] const bool kRegistered = [] {
   for (const fuzz::KnownFinding& finding : fuzz::known_findings())
-    declare({"Findings", finding.name, {finding.requirement}, Level::kMust, nullptr})
-        << [&finding](Test& t) { t.judge(finding.program); };
+    declare({"Findings", finding.name, {finding.requirement}, Level::kMust, nullptr}) << [&finding](Test& t) {
+      t.prefer_fresh_contexts();  // many programs depend on the initial maps and grids
+      t.judge(finding.program);
+    };
   return true;
 }();
 

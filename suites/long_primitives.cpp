@@ -53,6 +53,7 @@ EVALCTS_TEST(LongPrimitives, AttributesOfMaps, kMust, "EV-COORD-PRIMS/1-D", "EV-
 EVALCTS_TEST(LongPrimitives, MixedWithVertex, kMust, "EV-COORD-MIX/1-D", "EV-COORD-CURRENT/1-D",
              "EV-CUR-NEXTVERTEX/1-D", combine(kConnected).by(primitive_deliveries()))
 (Test& t, const Connected& primitive) {
+  t.prefer_fresh_contexts();  // vertex buffers are filled differently in a used context
   const int vertices =
       t.by_depth(10000, primitive.full, 66000);  // fills the 512 KiB of Mesa at quick depth, too
   gl::Case c(fmt::format("{} vertices, every third explicit, colours and normals from maps", vertices));

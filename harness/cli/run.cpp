@@ -52,6 +52,7 @@ struct RunOptions {
   bool no_bugs = false;
   double bug_seconds = 60;  // time limit for the reduction of failing tests to minimal programs
   bool reuse_context = false;
+  bool fresh = false;
   bool allow_unobserved = false;
   std::vector<std::string> interpretations;  // NAME=READING
   std::string shard;                         // "K/N"; empty: all
@@ -191,6 +192,7 @@ RunRequest request_of(const RunOptions& options, const std::string& shard) {
   request.program = options.program;
   request.own_output = !options.output.empty();
   request.readings = options.interpretations;
+  request.only_fresh_contexts = options.fresh;
   if (!shard.empty()) request.shard = Shard::parse(shard, "/");
   return request;
 }
@@ -401,6 +403,10 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
   app.add_flag(
       "--reuse-context", options->reuse_context,
       "add a second pass that runs all tests in one context, which finds bugs that depend on history");
+  app.add_flag("--fresh", options->fresh,
+               "run all tests in fresh contexts; by default, tests run in a context that they share first, "
+               "and again in "
+               "fresh ones if they do not pass");
   add_allow_unobserved(app, options->allow_unobserved);
   add_shard(app, options->shard,
             "K/N: run only every N-th test, starting with the K-th, so that N machines share the tests");

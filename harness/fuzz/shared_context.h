@@ -21,7 +21,10 @@ class SharedContext {
     return one && !one->has_sink() ? std::make_unique<SharedContext>(fresh) : nullptr;
   }
 
-  explicit SharedContext(const Subject& fresh) : beside_(*fresh.implementation), subject_(fresh) { renew(); }
+  explicit SharedContext(const Subject& fresh)
+      : beside_(contexts_beside(*fresh.implementation)), subject_(fresh) {
+    renew();
+  }
 
   Judged judge(const gl::Case& program, const Specified& specified, Outcomes outcomes = Outcomes::kAll) {
     history_.push_back(program);
@@ -44,41 +47,13 @@ class SharedContext {
 
   void renew() {
     reused_ = nullptr;
-    reused_ = reuse_context(beside_, subject_.info, Programs::kKept);
+    reused_ = reuse_context(*beside_, subject_.info, Programs::kKept);
     subject_.implementation = reused_.get();
     history_.clear();
   }
 
  private:
-  // A context that is made current again before each case, because other contexts are used in between.
-  class BesideContext final : public Context {
-   public:
-    explicit BesideContext(std::unique_ptr<Context> inner) : inner_(std::move(inner)) {}
-    const gl::Table& table() const override { return inner_->table(); }
-    gl::Trace play(const gl::Case& script) override {
-      inner_->make_current();
-      return inner_->play(script);
-    }
-
-   private:
-    std::unique_ptr<Context> inner_;
-  };
-  class Beside final : public Implementation {
-   public:
-    explicit Beside(Implementation& inner) : inner_(inner) {}
-    std::string name() const override { return inner_.name(); }
-    std::string library() const override { return inner_.library(); }
-    std::unique_ptr<Context> create_context() override {
-      std::unique_ptr<Context> context = inner_.create_beside();
-      if (!context) throw CannotStart("no further context can be created");
-      return std::make_unique<BesideContext>(std::move(context));
-    }
-
-   private:
-    Implementation& inner_;
-  };
-
-  Beside beside_;
+  std::unique_ptr<Implementation> beside_;
   Subject subject_;
   std::unique_ptr<Implementation> reused_;
   std::deque<gl::Case> history_;

@@ -132,6 +132,9 @@ class Run {
     return command;
   }
 
+  // True if tests run in a warm context first. Tests that run alone use fresh contexts only.
+  bool uses_warm_context() const { return !second_pass() && !request_.only_fresh_contexts; }
+
   // Runs some tests again in one process, without adding to the results. `option` is an option of the suite
   // program, or empty.
   ChildRun run_scratch(const std::vector<std::string>& tests, const std::string& option) const {
@@ -220,6 +223,7 @@ class Run {
       // in each context, and a test of thorough depth may need more than half of the limit.
       command.insert(command.end(), {"--claims", (scratch_ / "claims").string(), "--gtest_brief=1",
                                      "--renew-above", std::to_string((request_.limits.memory >> 20) / 4)});
+      if (uses_warm_context()) command.push_back("--warm");
       jobs[job] =
           std::make_unique<SuiteChild>(command, of_job(job, "jsonl"), of_job(job, "log"), request_.limits);
     };
@@ -567,7 +571,7 @@ class Run {
   std::optional<bool> happens_again(const TestRecord& record, std::vector<std::string> tests) {
     const std::string& name = record.name;
     tests.push_back(name);
-    const ChildRun child = run_scratch(tests, "");
+    const ChildRun child = run_scratch(tests, uses_warm_context() ? "--warm" : "");
     if (child.cut_short || interrupted) return std::nullopt;
     if (is_death(record.verdict)) return child.in_flight == name;
     const auto again = child.records.find(name);

@@ -34,6 +34,7 @@
 #include <evalcts/results/event_file.h>
 #include <evalcts/results/files.h>
 #include <evalcts/results/filter.h>
+#include <evalcts/results/hash.h>
 #include <evalcts/results/serialization.h>
 #include <evalcts/runner/child_process.h>
 #include <evalcts/runner/claims.h>
@@ -64,7 +65,7 @@ struct Options {
   std::uint64_t renew_above = 0;  // MiB; 0: no limit
   std::vector<std::string> left_out;
   bool fuzz = false, describe = false, list = false, trace_cases = false, crash_control = false,
-       die_with_parent = false, reuse_context = false;
+       die_with_parent = false, reuse_context = false, warm = false;
 };
 
 // A test to run, completely or only its first cases.
@@ -78,6 +79,7 @@ struct Program {
   Options options;
   std::unique_ptr<Implementation> implementation;
   std::unique_ptr<Implementation> reused;  // set if all tests share a context
+  std::unique_ptr<WarmContext> warm;       // set if tests run in a warm context first
   std::size_t cases_left = 0;              // number of cases that the running test may still run
   const TestRecord* record = nullptr;      // the record of the running test
   gl::Case latest_case;                    // the latest case of the running test
@@ -116,13 +118,7 @@ class GoogleTestAdapter : public testing::Test {
     program_.records->write(to_line(TestStarted{record.name}));
     const auto start = std::chrono::steady_clock::now();
     const Surroundings surroundings;
-    program_.record = &record;
-    program_.latest_case = {};
-    program_.failing_case.clear();
-    evalcts::Test test(program_.subject, record);
-    test.run(info.body);
-    keep_failing_case(program_);
-    program_.record = nullptr;
+    if (!passes_in_warm_context(record)) run(program_.subject, record);
     record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const std::vector<std::string> changed = surroundings.put_back();
     if (!program_.failing_case.empty())
@@ -143,6 +139,32 @@ class GoogleTestAdapter : public testing::Test {
   }
 
  private:
+  void run(const Subject& subject, TestRecord& record) {
+    program_.record = &record;
+    program_.latest_case = {};
+    program_.failing_case.clear();
+    evalcts::Test test(subject, record);
+    test.run(chosen_.info.body);
+    keep_failing_case(program_);
+    program_.record = nullptr;
+  }
+
+  // Runs the test in the warm context, if there is one. Returns true, with the result in `record`, if it
+  // passes. A sample of the tests runs in fresh contexts anyway.
+  bool passes_in_warm_context(TestRecord& record) {
+    constexpr std::uint32_t kSample = 16;
+    if (!program_.warm || (fnv1a<std::uint32_t>(record.name) + program_.subject.seed) % kSample == 0)
+      return false;
+    Subject subject = program_.subject;
+    subject.implementation = &program_.warm->implementation();
+    subject.is_warm = true;
+    TestRecord warm = record;
+    run(subject, warm);
+    if (!program_.warm->is_as_new() || warm.verdict != Verdict::kPass) return false;
+    record = std::move(warm);
+    return true;
+  }
+
   static void report(const TestRecord& record) {
     switch (record.verdict) {
       case Verdict::kPass:
@@ -320,6 +342,8 @@ void parse(int argc, char** argv, Options& options) {
       ->take_all();
   app.add_flag("--reuse-context", options.reuse_context,
                "run all cases on one context, whose state is restored by calls in between");
+  app.add_flag("--warm", options.warm,
+               "run each test on one context first, and again in fresh contexts if it does not pass");
   app.add_flag("--die-with-parent", options.die_with_parent,
                "end when the process that started this one ends");
   try {
@@ -500,6 +524,8 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
       program.reused = reuse_context(*program.implementation, program.subject.info);
     }
     if (program.reused) program.subject.implementation = program.reused.get();
+    if (options.warm && !program.reused)
+      program.warm = WarmContext::of(*program.implementation, program.subject.info);
     if (!options.reproduce.empty()) {
       program.reproduction =
           std::make_unique<Reproduction>(*program.subject.implementation, options.reproduce);
@@ -520,6 +546,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
         [chosen]() -> GoogleTestAdapter* { return new GoogleTestAdapter(*new Chosen(chosen), program); });
   const int status = RUN_ALL_TESTS();
   // Contexts must be destroyed before static destructors run, because Mesa would hang.
+  program.warm.reset();
   program.reused.reset();
   program.captures.reset();
   program.records->write(to_line(RunEnded{}));

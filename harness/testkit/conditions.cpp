@@ -35,9 +35,14 @@ void Conditions::require(int major, int minor, const std::string& or_extension) 
       fmt::format("needs GL {}.{}{}{}", major, minor, or_extension.empty() ? "" : " or ", or_extension));
 }
 
+void Conditions::prefer_fresh_contexts() const {
+  if (subject_.is_warm) throw NotObservable("the test needs fresh contexts");
+}
+
 void Conditions::require_initial_state() const {
   if (subject_.info.shares_state)
     throw NotObservable("all contexts have one state, which is restored by calls");
+  prefer_fresh_contexts();
 }
 
 bool Conditions::can_call(gl::EntryPoint command) {

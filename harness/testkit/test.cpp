@@ -300,6 +300,7 @@ void Test::follows(const std::string& text, const std::string& reading) {
 
 void Test::fail(Failure failure, const std::function<std::vector<std::string>()>& calls,
                 const std::optional<gl::Check>& check) {
+  if (subject_.is_warm) throw NotObservable("fresh contexts decide: " + failure.message);
   control_.require_explicit_vertices(failure.what);
   const auto violate = [&](const RequirementId& id) {
     if (std::ranges::count(record_.violated, id) == 0) record_.violated.push_back(id);

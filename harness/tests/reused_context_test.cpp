@@ -229,6 +229,26 @@ TEST_P(ReusedContexts, KeepProgramsOfCaptures) {
   EXPECT_EQ(context->play(question).error(error), static_cast<GLenum>(GL_NO_ERROR));
 }
 
+// A context whose state cannot be restored is replaced: here the attribute stack has a level of which the
+// context does not know.
+TEST_P(ReusedContexts, AreReplacedIfTheirStateIsNotRestored) {
+  const std::unique_ptr<WarmContext> warm = WarmContext::of(*implementation_, info_);
+  if (implementation_->create_context()->has_sink()) {
+    EXPECT_EQ(warm, nullptr) << "a shared context is not faster";
+    return;
+  }
+  ASSERT_NE(warm, nullptr);
+  const auto context = [&] { return warm->implementation().create_context(); };
+  context()->play(filtered(disturbing(info_.texture_units), context()->table()));
+  EXPECT_TRUE(warm->is_as_new());
+  context()->table().PushAttrib(GL_EVAL_BIT);
+  EXPECT_FALSE(warm->is_as_new());
+  EXPECT_TRUE(warm->is_as_new()) << "another context";
+  const std::unique_ptr<Context> fresh = implementation_->create_context();
+  fresh->play(filtered(disturbing(info_.texture_units), fresh->table()));
+  EXPECT_TRUE(warm->is_as_new()) << "a fresh context beside it does not matter";
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, ReusedContexts,
                          testing::Values("reference", "production"
 #ifndef __SANITIZE_ADDRESS__

@@ -1,11 +1,14 @@
-// One shared context for all cases: the second pass of a run, which finds bugs that depend on history. Fresh
-// contexts remain the rule, because restoring state by calls hides bugs of the initial state.
+// One shared context for many cases: the warm context in which tests run first, and that of the second pass
+// of a run, which finds bugs that depend on history. Fresh contexts decide, because restoring state by calls
+// hides bugs of the initial state.
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <evalcts/backends/implementation.h>
 #include <evalcts/gl/case.h>
+#include <evalcts/gl/player.h>
 
 namespace evalcts {
 
@@ -19,6 +22,38 @@ enum class Programs { kMadeAnew, kKept };
 // To keep them is much faster, but less like a fresh context.
 std::unique_ptr<Implementation> reuse_context(Implementation& inner, const ImplementationInfo& info,
                                               Programs programs = Programs::kMadeAnew);
+
+// Returns an implementation whose contexts are made by create_beside() of `inner`, so that other contexts of
+// `inner` can be used in between. Its create_context() throws CannotStart if `inner` cannot make one.
+std::unique_ptr<Implementation> contexts_beside(Implementation& inner);
+
+// A context that many tests share, beside the fresh contexts of an implementation. Making a context and its
+// shader programs takes most of the time of a test.
+class WarmContext {
+ public:
+  // Returns null if `inner` cannot make contexts beside others, or has a sink, for which a shared context is
+  // not faster. `inner` must outlive the result.
+  static std::unique_ptr<WarmContext> of(Implementation& inner, const ImplementationInfo& info);
+
+  // The implementation all of whose contexts are this one, with the state restored.
+  Implementation& implementation() { return *shared_; }
+  // Restores the state and compares what can be queried of it with that of the new context. Returns false if
+  // it differs; another context then replaces this one.
+  bool is_as_new();
+
+ private:
+  WarmContext(Implementation& inner, const ImplementationInfo& info);
+  void renew();
+
+  std::unique_ptr<Implementation> beside_, shared_;
+  ImplementationInfo info_;
+  gl::Case queries_;
+  std::optional<gl::Trace> initial_;
+};
+
+// Returns queries of all state that cases and captures change, as far as it can be queried by commands that
+// this project knows.
+gl::Case state_queries(const ImplementationInfo& info);
 
 // Returns the commands that set all state that a case or capture can change to its initial value. Commands
 // for features that the implementation does not support may raise errors, which the player must drain.

@@ -33,6 +33,9 @@ struct RunRequest {
   std::string command;              // the command that the user typed, for the record
   std::string program = "evalcts";  // evalcts as the user types it, for the commands shown with a failure
   bool own_output = false;          // true if the user chose the output folder
+  // False: tests run in one warm context first, and what does not pass there runs in fresh contexts, which
+  // decide.
+  bool only_fresh_contexts = false;
   // Determines the tests that are not run, and the failures that are not investigated further.
   BaselineChoice baseline;
   // The result of the first pass, with fresh contexts, if this run is the second pass; null in

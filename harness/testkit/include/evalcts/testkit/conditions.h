@@ -44,6 +44,9 @@ class Conditions {
 
   // Throws NotSupported below the version unless the extension is advertised.
   void require(int major, int minor, const std::string& or_extension = {}) const;
+  // Makes the test run in fresh contexts only, if the implementation has them: restored state may hide what
+  // the test is about.
+  void prefer_fresh_contexts() const;
   // Throws NotObservable if cases do not begin in a fresh context, but in one whose state was
   // restored by commands.
   void require_initial_state() const;

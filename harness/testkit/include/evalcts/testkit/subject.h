@@ -20,6 +20,9 @@ class Reproduction;
 
 struct Subject {
   Implementation* implementation = nullptr;
+  // True if all cases share a context, whose state is restored in between, and what does not pass runs again
+  // in fresh contexts, which decide.
+  bool is_warm = false;
   ImplementationInfo info;
   Captures* captures = nullptr;
   Depth depth = Depth::kFull;
