@@ -133,7 +133,9 @@ class Run {
   }
 
   // True if tests run in a warm context first. Tests that run alone use fresh contexts only.
-  bool uses_warm_context() const { return !second_pass() && !request_.only_fresh_contexts; }
+  bool uses_warm_context() const {
+    return !second_pass() && !request_.only_fresh_contexts && !dies_with_second_context_;
+  }
 
   // Runs some tests again in one process, without adding to the results. `option` is an option of the suite
   // program, or empty.
@@ -240,6 +242,8 @@ class Run {
         --running;
         append_to_log(of_job(job, "log"));
         throw_if_it_cannot_write(run);
+        // A library that cannot have two contexts may die when the warm context is made.
+        if (!run.complete && run.finished.empty() && run.in_flight.empty()) dies_with_second_context_ = true;
         sequences_.push_back(run.finished);
         left_out_by_ended.push_back(calls_left_out[job]);
         count_crash(run);
@@ -677,6 +681,7 @@ class Run {
   std::vector<std::string> captures_;
   std::map<std::string, TestRecord> records_;
   fs::path records_file_;
+  bool dies_with_second_context_ = false;  // perhaps: a process ended before its first test
   Baseline baseline_;
   std::vector<std::vector<std::string>> sequences_;  // the tests that each child finished, in order
   SuiteChild::Deadline deadline_;                    // the end of the search in progress

@@ -243,6 +243,13 @@ TEST_F(Flakes, DoNotFailAgain) {
       << test["message"];
 }
 
+// A library that cannot have two contexts has no warm one.
+TEST_F(Flakes, AreNotMadeByTheWarmContext) {
+  const Outcome outcome = play("beside");
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_TRUE(contains(outcome.text, "pass")) << outcome.text;
+}
+
 // A test that fails each time is not a flake, and a test that the baseline lists as flaky is not repeated.
 TEST_F(Flakes, AreNotSeenElsewhere) {
   EXPECT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f", "--retry", "3"}).code,

@@ -13,6 +13,7 @@
 //   "now-and-then": after the trigger, GetMapiv returns an order of INDEX that is too large by one, but only
 //     in the first process, which creates EVALCTS_DRILL_FILE
 //   "varying": as "now-and-then", but in other processes only the first order after the trigger
+//   "beside": crashes when a context is made beside another one
 //   "crash-now-and-then": crashes at the trigger, but only in the first process
 //   "history": after the trigger, GetMapiv returns an order of VERTEX_3 that is too large by one in the same
 //     context
@@ -93,6 +94,7 @@ using misbehaviours::crash;
 #elif defined(DRILL_OWN_CONTEXT)
 [[maybe_unused]] const glev_result kMadeWhenLoaded = glevCreateContext(nullptr, &current);
 #else
+int live_contexts = 0;
 #ifdef DRILL_PLAIN_OSMESA
 EXPORT void* OSMesaCreateContext(GLenum, void*) {
 #else
@@ -100,6 +102,7 @@ EXPORT void* OSMesaCreateContextExt(GLenum, GLint, GLint, GLint, void*) {
 #endif
   if (is_drill("start")) crash();
   if (is_drill("leak")) misbehaviours::lose_memory();
+  if (++live_contexts > 1 && is_drill("beside")) crash();
   odd_context = enabled_something = false;
   glev_context* context = nullptr;
   glevCreateContext(nullptr, &context);
@@ -110,6 +113,7 @@ EXPORT GLboolean OSMesaMakeCurrent(void* context, void*, GLenum, GLsizei, GLsize
   return GL_TRUE;
 }
 EXPORT void OSMesaDestroyContext(void* context) {
+  --live_contexts;
   primitives.erase(static_cast<glev_context*>(context));
   glevDestroyContext(static_cast<glev_context*>(context));
 }
