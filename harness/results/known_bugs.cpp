@@ -49,6 +49,7 @@ KnownBug read_known_bug(const JsonObject& in) {
   out.expected = in.text("expected");
   out.captured = in.text("captured");
   out.cause = in.text("cause");
+  out.outside_evaluators = in.boolean("outside_evaluators");
   out.suspected = in.boolean("suspected");
   out.real_programs = in.text("real_programs");
   out.verified = in.text("verified");
@@ -225,15 +226,18 @@ std::string known_bugs_as_markdown(const std::vector<KnownBug>& bugs,
   for (const KnownBug& bug : bugs) products.insert(bug.affects.product);
   std::string text = fmt::format(
       "# Known bugs\n\n"
-      "Bugs in the evaluators of {}, one for each root cause. `evalcts run` calls a\n"
-      "bug known if the program below fails in the same way in that run, or if a baseline names it. A known\n"
-      "bug is still a failure; only a [baseline](baselines.md) excuses it. This page is generated from "
-      "`suites/bugs/` by the target\n"
-      "`known_bugs`.\n\n"
+      "Bugs that make tests of evaluators fail with {}, one for each root cause. `evalcts run`\n"
+      "calls a bug known if the program below fails in the same way in that run, or if a failing test is one "
+      "of "
+      "those\n"
+      "that the register lists for it. The failures of known bugs are expected (see "
+      "[Baselines](baselines.md)). This page is\n"
+      "generated from `suites/bugs/` by the target `known_bugs`.\n\n"
       "| bug | affects |\n| --- | --- |\n",
       fmt::join(products, " and "));
   for (const KnownBug& bug : bugs)
-    text += fmt::format("| [{}](#{}) | {} |\n", bug.title, bug.id, bug.affects.text());
+    text += fmt::format("| [{}](#{}){} | {} |\n", bug.title, bug.id,
+                        bug.outside_evaluators ? ", not in the evaluators" : "", bug.affects.text());
   for (std::size_t i = 0; i < bugs.size(); ++i) {
     const KnownBug& bug = bugs[i];
     text += fmt::format("\n## {}\n\n{}.\n\n", bug.id, bug.title);

@@ -61,13 +61,14 @@ struct KnownBug {
   std::vector<RequirementId> requirements;
   std::string clause;
   std::string program;  // the minimal program as JSON text (gl/case_json.h); empty if JSON cannot express it
-  std::string expected, captured;  // the required and the observed result of the program
-  std::string cause;               // the root cause in the library, in words, with the function
-  bool suspected = false;          // the cause was read from the source, not proven by a repair
-  std::string real_programs;       // the effect on real programs
-  std::string verified;            // the way in which the bug was verified
-  bool crashes = false;            // the library crashes or hangs in the program; there are no signs then
-  std::vector<BugSign> signs;      // the differences by which the bug shows
+  std::string expected, captured;   // the required and the observed result of the program
+  std::string cause;                // the root cause in the library, in words, with the function
+  bool outside_evaluators = false;  // explicit vertices or other commands show it as well
+  bool suspected = false;           // the cause was read from the source, not proven by a repair
+  std::string real_programs;        // the effect on real programs
+  std::string verified;             // the way in which the bug was verified
+  bool crashes = false;             // the library crashes or hangs in the program; there are no signs then
+  std::vector<BugSign> signs;       // the differences by which the bug shows
   std::vector<FindingRecord> findings;
   std::vector<FailingTests> tests;  // Findings.NAME of `findings` included
 
