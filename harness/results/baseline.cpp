@@ -295,9 +295,10 @@ Baseline::Baseline(const BaselineChoice& choice, const ImplementationRecord& imp
           for (const std::string& tests : failing.tests)
             lines_.push_back({tests, failing.status, fmt::format("{}: {}", bug.id, bug.title), bug.id});
     }
-  // The longer pattern is the more specific one.
-  std::ranges::stable_sort(lines_, std::ranges::greater(),
-                           [](const Line& line) { return line.tests.size(); });
+  // The pattern with more parts is the more specific one, and a name is more specific than a pattern.
+  std::ranges::stable_sort(lines_, std::ranges::greater(), [](const Line& line) {
+    return std::pair(std::ranges::count(line.tests, '/'), !is_pattern(line.tests));
+  });
   if (const BaselineFiles* const chosen = chosen_of(choice, implementation, pass)) {
     files_ = *chosen;
     std::vector<Line> own;
