@@ -425,6 +425,56 @@ class ReusedContext final : public ImplementationInFront {
   std::optional<Shared> shared_;
 };
 
+// State besides enables, materials and maps that a query answers.
+constexpr GLenum kQueried[] = {GL_CURRENT_COLOR,
+                               GL_CURRENT_NORMAL,
+                               GL_CURRENT_TEXTURE_COORDS,
+                               GL_CURRENT_INDEX,
+                               GL_EDGE_FLAG,
+                               GL_CURRENT_SECONDARY_COLOR,
+                               GL_CURRENT_FOG_COORD,
+                               GL_CURRENT_RASTER_COLOR,
+                               GL_MATRIX_MODE,
+                               GL_MODELVIEW_MATRIX,
+                               GL_PROJECTION_MATRIX,
+                               GL_TEXTURE_MATRIX,
+                               GL_ACTIVE_TEXTURE,
+                               GL_TEXTURE_BINDING_2D,
+                               GL_SHADE_MODEL,
+                               GL_POLYGON_MODE,
+                               GL_CULL_FACE_MODE,
+                               GL_FRONT_FACE,
+                               GL_LINE_STIPPLE_PATTERN,
+                               GL_LINE_STIPPLE_REPEAT,
+                               GL_POINT_SIZE,
+                               GL_FOG_MODE,
+                               GL_FOG_DENSITY,
+                               GL_FOG_START,
+                               GL_FOG_END,
+                               GL_FOG_COLOR,
+                               GL_FOG_COORD_SRC,
+                               GL_LIGHT_MODEL_AMBIENT,
+                               GL_LIGHT_MODEL_TWO_SIDE,
+                               GL_LIGHT_MODEL_LOCAL_VIEWER,
+                               GL_COLOR_MATERIAL_FACE,
+                               GL_COLOR_CLEAR_VALUE,
+                               GL_COLOR_WRITEMASK,
+                               GL_DEPTH_WRITEMASK,
+                               GL_RENDER_MODE,
+                               GL_ATTRIB_STACK_DEPTH,
+                               GL_CURRENT_PROGRAM,
+                               GL_ARRAY_BUFFER_BINDING,
+                               GL_UNPACK_ALIGNMENT,
+                               GL_PACK_ALIGNMENT,
+                               GL_LIST_INDEX,
+                               GL_VIEWPORT,
+                               GL_MAP1_GRID_DOMAIN,
+                               GL_MAP1_GRID_SEGMENTS,
+                               GL_MAP2_GRID_DOMAIN,
+                               GL_MAP2_GRID_SEGMENTS,
+                               GL_PROVOKING_VERTEX,
+                               GL_PRIMITIVE_RESTART_INDEX};
+
 // A context that is made current again before each case, because other contexts are used in between.
 class BesideContext final : public Context {
  public:
@@ -458,54 +508,7 @@ Case state_queries(const ImplementationInfo& info) {
   for (const gl::Command& command : restoring.commands())
     if (command.entry == EntryPoint::Disable || command.entry == EntryPoint::Enable)
       c.IsEnabled(static_cast<GLenum>(std::get<std::int64_t>(command.arguments[0])));
-  for (const GLenum name : {GL_CURRENT_COLOR,
-                            GL_CURRENT_NORMAL,
-                            GL_CURRENT_TEXTURE_COORDS,
-                            GL_CURRENT_INDEX,
-                            GL_EDGE_FLAG,
-                            GL_CURRENT_SECONDARY_COLOR,
-                            GL_CURRENT_FOG_COORD,
-                            GL_CURRENT_RASTER_COLOR,
-                            GL_MATRIX_MODE,
-                            GL_MODELVIEW_MATRIX,
-                            GL_PROJECTION_MATRIX,
-                            GL_TEXTURE_MATRIX,
-                            GL_ACTIVE_TEXTURE,
-                            GL_TEXTURE_BINDING_2D,
-                            GL_SHADE_MODEL,
-                            GL_POLYGON_MODE,
-                            GL_CULL_FACE_MODE,
-                            GL_FRONT_FACE,
-                            GL_LINE_STIPPLE_PATTERN,
-                            GL_LINE_STIPPLE_REPEAT,
-                            GL_POINT_SIZE,
-                            GL_FOG_MODE,
-                            GL_FOG_DENSITY,
-                            GL_FOG_START,
-                            GL_FOG_END,
-                            GL_FOG_COLOR,
-                            GL_FOG_COORD_SRC,
-                            GL_LIGHT_MODEL_AMBIENT,
-                            GL_LIGHT_MODEL_TWO_SIDE,
-                            GL_LIGHT_MODEL_LOCAL_VIEWER,
-                            GL_COLOR_MATERIAL_FACE,
-                            GL_COLOR_CLEAR_VALUE,
-                            GL_COLOR_WRITEMASK,
-                            GL_DEPTH_WRITEMASK,
-                            GL_RENDER_MODE,
-                            GL_ATTRIB_STACK_DEPTH,
-                            GL_CURRENT_PROGRAM,
-                            GL_ARRAY_BUFFER_BINDING,
-                            GL_UNPACK_ALIGNMENT,
-                            GL_PACK_ALIGNMENT,
-                            GL_LIST_INDEX,
-                            GL_VIEWPORT,
-                            GL_MAP1_GRID_DOMAIN,
-                            GL_MAP1_GRID_SEGMENTS,
-                            GL_MAP2_GRID_DOMAIN,
-                            GL_MAP2_GRID_SEGMENTS,
-                            GL_PROVOKING_VERTEX,
-                            GL_PRIMITIVE_RESTART_INDEX})
+  for (const GLenum name : kQueried)
     if (!info.rejected_grid_queries.contains(name)) c.GetFloatv(name, gl::out<GLfloat>(kRoom));
   for (const GLenum face : {GL_FRONT, GL_BACK})
     for (const GLenum name : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_SHININESS})
@@ -520,13 +523,14 @@ Case state_queries(const ImplementationInfo& info) {
 }
 
 std::unique_ptr<WarmContext> WarmContext::of(Implementation& inner, const ImplementationInfo& info) {
+  if (info.shares_state) return nullptr;
   const std::unique_ptr<Context> one = inner.create_beside();
-  if (!one || one->has_sink() || info.shares_state) return nullptr;
+  if (!one || one->has_sink()) return nullptr;
   return std::unique_ptr<WarmContext>(new WarmContext(inner, info));
 }
 
 WarmContext::WarmContext(Implementation& inner, const ImplementationInfo& info)
-    : beside_(contexts_beside(inner)), info_(info) {
+    : beside_(std::make_unique<Beside>(inner)), info_(info) {
   renew();
 }
 
@@ -538,7 +542,7 @@ void WarmContext::renew() {
   initial_ = context->play(queries_);
 }
 
-bool WarmContext::is_as_new() {
+bool WarmContext::restore() {
   const gl::Trace now = shared_->create_context()->play(queries_);
   for (std::size_t i = 0; i < queries_.commands().size(); ++i) {
     const gl::Ref query{static_cast<int>(i)};
@@ -547,10 +551,6 @@ bool WarmContext::is_as_new() {
     return false;
   }
   return true;
-}
-
-std::unique_ptr<Implementation> contexts_beside(Implementation& inner) {
-  return std::make_unique<Beside>(inner);
 }
 
 Case restoring_commands(const ImplementationInfo& info) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <deque>
 #include <memory>
+#include <utility>
 
 #include <evalcts/backends/reused_context.h>
 #include <evalcts/fuzz/campaign.h>
@@ -17,13 +18,13 @@ class SharedContext {
   // Returns null if the implementation cannot create a context beside others, or has a sink, for which a
   // shared context is not faster.
   static std::unique_ptr<SharedContext> of(const Subject& fresh) {
-    const std::unique_ptr<Context> one = fresh.implementation->create_beside();
-    return one && !one->has_sink() ? std::make_unique<SharedContext>(fresh) : nullptr;
+    std::unique_ptr<WarmContext> warm = WarmContext::of(*fresh.implementation, fresh.info);
+    return warm ? std::make_unique<SharedContext>(fresh, std::move(warm)) : nullptr;
   }
 
-  explicit SharedContext(const Subject& fresh)
-      : beside_(contexts_beside(*fresh.implementation)), subject_(fresh) {
-    renew();
+  SharedContext(const Subject& fresh, std::unique_ptr<WarmContext> warm)
+      : subject_(fresh), warm_(std::move(warm)) {
+    subject_.implementation = &warm_->implementation();
   }
 
   Judged judge(const gl::Case& program, const Specified& specified, Outcomes outcomes = Outcomes::kAll) {
@@ -46,16 +47,14 @@ class SharedContext {
   }
 
   void renew() {
-    reused_ = nullptr;
-    reused_ = reuse_context(*beside_, subject_.info, Programs::kKept);
-    subject_.implementation = reused_.get();
+    warm_->renew();
+    subject_.implementation = &warm_->implementation();
     history_.clear();
   }
 
  private:
-  std::unique_ptr<Implementation> beside_;
   Subject subject_;
-  std::unique_ptr<Implementation> reused_;
+  std::unique_ptr<WarmContext> warm_;
   std::deque<gl::Case> history_;
 };
 

@@ -681,7 +681,7 @@ class Run {
   std::vector<std::string> captures_;
   std::map<std::string, TestRecord> records_;
   fs::path records_file_;
-  bool dies_with_second_context_ = false;  // perhaps: a process ended before its first test
+  bool dies_with_second_context_ = false;  // set if a process died before its first test
   Baseline baseline_;
   std::vector<std::vector<std::string>> sequences_;  // the tests that each child finished, in order
   SuiteChild::Deadline deadline_;                    // the end of the search in progress

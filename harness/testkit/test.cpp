@@ -300,6 +300,7 @@ void Test::follows(const std::string& text, const std::string& reading) {
 
 void Test::fail(Failure failure, const std::function<std::vector<std::string>()>& calls,
                 const std::optional<gl::Check>& check) {
+  fails_in_warm_context_ = subject_.is_warm;  // also if the test catches the exception
   if (subject_.is_warm) throw NotObservable("fresh contexts decide: " + failure.message);
   control_.require_explicit_vertices(failure.what);
   const auto violate = [&](const RequirementId& id) {
@@ -353,6 +354,7 @@ void Test::blame_list_or_commands(const std::function<void(Test&)>& body) {
 Test::Ending Test::end_of(const std::function<void(Test&)>& body) {
   try {
     body(*this);
+    if (fails_in_warm_context_) return {Verdict::kNotObservable, "fresh contexts decide"};
     return {Verdict::kPass, ""};
   } catch (const NotSupported& exception) {
     return {Verdict::kNotSupported, exception.what()};

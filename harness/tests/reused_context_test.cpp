@@ -240,13 +240,13 @@ TEST_P(ReusedContexts, AreReplacedIfTheirStateIsNotRestored) {
   ASSERT_NE(warm, nullptr);
   const auto context = [&] { return warm->implementation().create_context(); };
   context()->play(filtered(disturbing(info_.texture_units), context()->table()));
-  EXPECT_TRUE(warm->is_as_new());
+  EXPECT_TRUE(warm->restore());
   context()->table().PushAttrib(GL_EVAL_BIT);
-  EXPECT_FALSE(warm->is_as_new());
-  EXPECT_TRUE(warm->is_as_new()) << "another context";
+  EXPECT_FALSE(warm->restore());
+  EXPECT_TRUE(warm->restore()) << "another context";
   const std::unique_ptr<Context> fresh = implementation_->create_context();
   fresh->play(filtered(disturbing(info_.texture_units), fresh->table()));
-  EXPECT_TRUE(warm->is_as_new()) << "a fresh context beside it does not matter";
+  EXPECT_TRUE(warm->restore()) << "a fresh context beside it does not matter";
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, ReusedContexts,

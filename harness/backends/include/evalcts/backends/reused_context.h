@@ -23,10 +23,6 @@ enum class Programs { kMadeAnew, kKept };
 std::unique_ptr<Implementation> reuse_context(Implementation& inner, const ImplementationInfo& info,
                                               Programs programs = Programs::kMadeAnew);
 
-// Returns an implementation whose contexts are made by create_beside() of `inner`, so that other contexts of
-// `inner` can be used in between. Its create_context() throws CannotStart if `inner` cannot make one.
-std::unique_ptr<Implementation> contexts_beside(Implementation& inner);
-
 // A context that many tests share, beside the fresh contexts of an implementation. Making a context and its
 // shader programs takes most of the time of a test.
 class WarmContext {
@@ -39,11 +35,12 @@ class WarmContext {
   Implementation& implementation() { return *shared_; }
   // Restores the state and compares what can be queried of it with that of the new context. Returns false if
   // it differs; another context then replaces this one.
-  bool is_as_new();
+  bool restore();
+  // Replaces this context by another one.
+  void renew();
 
  private:
   WarmContext(Implementation& inner, const ImplementationInfo& info);
-  void renew();
 
   std::unique_ptr<Implementation> beside_, shared_;
   ImplementationInfo info_;

@@ -103,9 +103,9 @@ class Test : public Conditions {
   // "readings" of the catalogue. Fails if the user chose another reading.
   void follows(const std::string& text, const std::string& reading);
 
-  // Adds a failure. Throws NotObservable if the control of the observed case fails in the same way.
-  // `calls`: returns the calls of the case; called only for failures that are kept in full.
-  // `check`: decides the failure in a stand-alone C program.
+  // Adds a failure. In a warm context, ends the test by NotObservable instead. Throws NotObservable, too, if
+  // the control of the observed case fails in the same way. `calls`: returns the calls of the case; called
+  // only for failures that are kept in full. `check`: decides the failure in a stand-alone C program.
   void fail(Failure failure, const std::function<std::vector<std::string>()>& calls = {},
             const std::optional<gl::Check>& check = {});
   // True if a failure has a plot already: one is enough for a test.
@@ -162,6 +162,7 @@ class Test : public Conditions {
 
   bool judges_order_of_meshes_ = false;
   std::vector<RequirementId> decided_;
+  bool fails_in_warm_context_ = false;
   bool violates_all_ = false;             // a failure violates all requirements of the test
   std::optional<gl::Lists> other_lists_;  // replaces the form of lists of the delivery
   bool lists_used_ = false;
