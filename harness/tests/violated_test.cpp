@@ -16,10 +16,12 @@ using Ids = std::vector<RequirementId>;
 using Body = std::function<void(evalcts::Test&)>;
 
 // Returns the record of a test of these requirements on production with some entry points replaced.
-TestRecord record_of(void (*alter)(gl::Table&), const Ids& requirements, const Body& body) {
+TestRecord record_of(void (*alter)(gl::Table&), const Ids& requirements, const Body& body,
+                     bool is_warm = false) {
   Altered altered(alter);
   Subject subject;
   subject.implementation = &altered;
+  subject.is_warm = is_warm;
   subject.info = inquire(altered);
   Captures captures(altered, subject.info, nullptr);
   subject.captures = &captures;
@@ -282,6 +284,18 @@ void without_grid_queries(gl::Table& table) {
     const GLenum own = std::exchange(error, static_cast<GLenum>(GL_NO_ERROR));
     return own == GL_NO_ERROR ? Altered::original.GetError() : own;
   };
+}
+
+// A failure ends a test in a warm context by an exception. Tests that catch such exceptions must not pass.
+TEST(WarmContexts, DoNotPassATestThatCatchesItsFailure) {
+  const Body body = [](evalcts::Test& t) {
+    try {
+      t.judge_vertices(curve(), kPosition);
+    } catch (const NotObservable&) {
+    }
+  };
+  EXPECT_EQ(record_of(evaluation_elsewhere, {"EV-A"}, body, true).verdict, Verdict::kNotObservable);
+  EXPECT_EQ(record_of([](gl::Table&) {}, {"EV-A"}, body, true).verdict, Verdict::kPass);
 }
 
 TEST(MissingCommands, TestThatDoesWithoutOnePassesInPart) {
