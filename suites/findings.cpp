@@ -1,17 +1,20 @@
-// Reduced random programs on which an implementation differed from the executable specification: the findings
-// of the known bugs (bugs/README.md). Each has to behave as specified.
-#include <evalcts/fuzz/events.h>
+// The named programs of the register of known bugs, most of them found by random search. Each has to behave
+// as specified.
+#include <evalcts/fuzz/known_programs.h>
 #include <evalcts/testkit/registration.h>
 
 namespace evalcts::suite_findings {
 namespace {
 
 [[maybe_unused]] const bool kRegistered = [] {
-  for (const fuzz::KnownFinding& finding : fuzz::known_findings())
-    declare({"Findings", finding.name, {finding.requirement}, Level::kMust, nullptr}) << [&finding](Test& t) {
-      t.prefer_fresh_contexts();  // many programs depend on the initial maps and grids
-      t.judge(finding.program);
-    };
+  for (const fuzz::KnownProgram& known : fuzz::known_programs()) {
+    if (known.record.name.empty()) continue;
+    declare({"Findings", known.record.name, {known.record.requirement}, Level::kMust, nullptr})
+        << [&known](Test& t) {
+             t.prefer_fresh_contexts();  // many programs depend on the initial maps and grids
+             t.judge(known.program);
+           };
+  }
   return true;
 }();
 

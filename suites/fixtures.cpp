@@ -79,6 +79,7 @@ Failure failure_of(const gl::Case& c, std::string what, std::string message, std
   failure.case_identity = c.identity();
   failure.message = std::move(message);
   failure.what = std::move(what);
+  failure.difference.kind = kind_of(failure.what);
   failure.expected = std::move(expected);
   failure.captured = std::move(captured);
   return failure;

@@ -176,6 +176,7 @@ void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind
                 : fmt::format("x = {}, or nearer to it than to the values at the neighbouring numbers",
                               hexadecimal(*probed[i].at_end));
         mismatch.captured = captured;
+        mismatch.observed = "position";
         mismatch.message = fmt::format(
             "the {} is not where EvalCoord at {} = {} is: {}, expected {}", mismatch.what,
             along.v ? "v" : "u", hexadecimal(last ? grid.last : grid.first), captured, mismatch.expected);

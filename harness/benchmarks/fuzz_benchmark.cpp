@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <evalcts/backends/reused_context.h>
-#include <evalcts/fuzz/campaign.h>
+#include <evalcts/fuzz/finding.h>
 #include <evalcts/fuzz/random_program.h>
 
 namespace evalcts::fuzz {
@@ -54,7 +54,7 @@ void Judge(benchmark::State& state, const char* name, bool with_lists, bool fres
     SpecifiedProgram program =
         random_specified_program(kSeed, number, static_cast<int>(state.range(0)), max_order);
     if (!with_lists && has_lists(program.program)) continue;
-    if (!judge_program(subject, program.program, program.specified).finding)
+    if (judge_program(subject, program.program, program.specified).failures.empty())
       programs.push_back(std::move(program));
   }
   captures.prove_all();

@@ -29,9 +29,10 @@ std::string known_bugs_page() {
   std::vector<std::string> programs;
   for (const KnownBug& bug : known_bugs())
     programs.push_back(
-        bug.program.empty()
+        bug.programs.empty()
             ? ""
-            : fmt::format("{}", fmt::join(fuzz::readable_calls(gl::parse_case(bug.program)), "\n")));
+            : fmt::format("{}", fmt::join(fuzz::readable_calls(gl::parse_case(bug.programs.front().commands)),
+                                          "\n")));
   return known_bugs_as_markdown(known_bugs(), programs);
 }
 

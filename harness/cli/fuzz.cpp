@@ -8,8 +8,6 @@
 #include <memory>
 
 #include <evalcts/backends/implementation.h>
-#include <evalcts/fuzz/campaign.h>
-#include <evalcts/fuzz/events.h>
 #include <evalcts/fuzz/search.h>
 #include <evalcts/results/text.h>
 #include <evalcts/runner/interruption.h>
@@ -34,14 +32,6 @@ struct FuzzOptions {
 
 namespace fs = std::filesystem;
 
-// Returns the causes of the known findings, which the suite replays in every run.
-std::map<std::string, std::string> known_causes() {
-  std::map<std::string, std::string> known;
-  for (const fuzz::KnownFinding& finding : fuzz::known_findings())
-    known[fuzz::cause_of(finding.program, finding.what)] = finding.name;
-  return known;
-}
-
 int fuzz(const FuzzOptions& options) {
   if (options.implementation.empty() && options.library.empty() && options.context.empty())
     return wrong_use("fuzz needs --implementation, --library or --context");
@@ -62,7 +52,6 @@ int fuzz(const FuzzOptions& options) {
                                  .length = options.length,
                                  .jobs = options.jobs.value_or(usual_jobs()),
                                  .fresh_contexts = options.fresh_contexts,
-                                 .known = known_causes(),
                                  .output = output};
   const fuzz::SearchResult found = fuzz::search(request, [&](const fuzz::SearchResult& now) {
     line.show("fuzz",
@@ -77,7 +66,7 @@ int fuzz(const FuzzOptions& options) {
     unexpected += !known;
     text += fmt::format("{} ({} of {} programs, {} first): {}\n  {}\n  {}\n",
                         known ? "known as " + cause.known_as : "new", cause.times, found.programs,
-                        cause.program, cause.cause, cause.finding.failure.message, cause.file);
+                        cause.program, cause.finding.title, cause.finding.failure.message, cause.file);
   }
   text += fmt::format(
       "{}: seed {}: {} programs ({} judged, {} of them in full), {} commands in {:.1f} s; {} causes, {} of "

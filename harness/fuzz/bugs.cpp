@@ -15,21 +15,18 @@
 #include <set>
 #include <tuple>
 
-#include <evalcts/fuzz/normal_form.h>
+#include <evalcts/fuzz/known_programs.h>
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/case_json.h>
 #include <evalcts/gl/display_lists.h>
-#include <evalcts/gl/explicit_vertices.h>
 #include <evalcts/results/files.h>
 #include <evalcts/results/hash.h>
 #include <evalcts/results/known_bugs.h>
 #include <evalcts/results/requirements.h>
 #include <evalcts/results/text.h>
 #include <evalcts/runner/interruption.h>
-#include "causes.h"
+#include "death.h"
 #include "excerpt.h"
-#include "legal.h"
-#include "shrink.h"
 
 namespace evalcts::fuzz {
 namespace {
@@ -69,29 +66,24 @@ std::vector<const KnownBug*> bugs_of_baseline(const TestRecord& test) {
   return bugs;
 }
 
-// Returns the first of them; null if there is none.
-const KnownBug* bug_of_baseline(const TestRecord& test) {
-  const std::vector<const KnownBug*> bugs = bugs_of_baseline(test);
-  return bugs.empty() ? nullptr : bugs[0];
+// Returns the first of them that is proven, or has no program that could prove it; null if there is none.
+const KnownBug* accepted_bug(const TestRecord& test, const Proofs& proofs) {
+  for (const KnownBug* const bug : bugs_of_baseline(test))
+    if (bug->programs.empty() || proofs.contains(bug->id)) return bug;
+  return nullptr;
 }
 
-// Returns the known bug that explains the test; null if there is none. The baseline names it if the test
-// fails as the baseline expects and the minimal program does not contradict the signs of the bug. Otherwise
-// the program of the bug itself has to fail in the same way as the minimal program, or die at the same place
-// as the test.
-const KnownBug* known_bug_behind(const TestRecord& test, const std::string& cause, const Finding* minimal,
-                                 const ProvenBugs& proven) {
-  const bool compares = minimal && !is_death(test.verdict);
-  const std::vector<const KnownBug*> named = bugs_of_baseline(test);
-  for (const KnownBug* const bug : named)
-    if (!compares || bug->has_sign(cause, minimal->failure)) return bug;
-  for (const KnownBug* const bug : named)
-    if (bug->signs.empty()) return bug;
-  const std::string place = test.place_of_death();
-  for (const auto& [bug, place_of_bug] : proven)
-    if (compares ? bug->has_sign(cause, minimal->failure) : !place.empty() && place == place_of_bug)
-      return bug;
-  return nullptr;
+// Returns the known bug that explains the test; null if there is none. If the test was reduced, its minimal
+// program decides, unless the baseline names a bug without a program.
+const KnownBug* known_bug_behind(const TestRecord& test, const Finding* minimal, const Proofs& proofs) {
+  if (minimal && !minimal->known.empty()) return find_known_bug(minimal->known);
+  const KnownBug* const accepted = accepted_bug(test, proofs);
+  return minimal && accepted && !accepted->programs.empty() ? nullptr : accepted;
+}
+
+Difference death_of(const TestRecord& test) {
+  return {test.verdict == Verdict::kTimeout ? Difference::kHang : Difference::kCrash, test.place_of_death(),
+          ""};
 }
 
 bool draws_very_much(const FailingCase& failing) {
@@ -106,17 +98,18 @@ class BugSearch {
       : run_(run), request_(request), progress_(progress) {}
 
   std::map<std::string, Reduction> reduce_all() {
+    prove_bugs_of_baseline();
     const std::vector<const TestRecord*> tests = in_order();
     total_ = tests.size();
     std::vector<FailingCase> cases;
     std::vector<const TestRecord*> deaths;
     for (const TestRecord* test : tests) {
-      const Failure* const failure = test->failures.empty() ? nullptr : &test->failures.front();
-      if (is_death(test->verdict)) {
+      if (is_death(test->verdict))
         deaths.push_back(test);
-      } else {
-        cases.push_back({test->name, failure ? failure->what : "", commands_of(*test)});
-      }
+      else
+        cases.push_back({test->name,
+                         test->failures.empty() ? Difference() : test->failures.front().difference,
+                         commands_of(*test)});
     }
     // Cases that draw very much take long and come last, because smaller cases have often shown their cause
     // by then.
@@ -133,43 +126,32 @@ class BugSearch {
     return reductions_;
   }
 
-  // Returns the known bugs that may explain a failing test and whose own programs fail here in the way that
-  // the bug describes.
-  ProvenBugs prove_known_bugs(const std::map<std::string, Reduction>& reductions) const {
-    ProvenBugs proven;
-    for (const KnownBug& bug : known_bugs()) {
-      if (interrupted || bug.program.empty() || !bug.affects.contains(run_.implementation) ||
-          std::ranges::none_of(run_.tests, [&](const TestRecord& test) {
-            const auto found = reductions.find(test.name);
-            return may_explain(bug, test, found == reductions.end() ? nullptr : &found->second);
-          }))
-        continue;
-      Finding finding;
-      finding.program = gl::parse_case(bug.program);
-      const ChildRun child = run_alone(finding.program, kSecondsOfProof);
-      if (!child.complete) {
-        TestRecord death;
-        death.verdict = child.hung ? Verdict::kTimeout : Verdict::kCrash;
-        death.crash = child.crash;
-        if (bug.crashes) proven[&bug] = death.place_of_death();
-        continue;
-      }
-      const auto record = child.records.find("program");
-      if (record == child.records.end() || record->second.failures.empty()) continue;
-      finding.failure = record->second.failures.front();
-      if (bug.has_sign(normal_form(finding, max_eval_order()).cause, finding.failure)) proven[&bug];
-    }
-    return proven;
-  }
+  const Proofs& proofs() const { return proofs_; }
 
  private:
-  // Returns true if the bug may be the reason of a failure that the baseline does not explain, so that its
-  // program has to run.
-  bool may_explain(const KnownBug& bug, const TestRecord& test, const Reduction* reduction) const {
-    const Finding* const minimal = reduction && reduction->minimal ? &*reduction->minimal : nullptr;
-    const std::string cause = minimal ? normal_form(*minimal, max_eval_order()).cause : std::string();
-    if (!is_to_be_explained(test) || known_bug_behind(test, cause, minimal, {})) return false;
-    return is_death(test.verdict) ? bug.crashes : minimal && bug.has_sign(cause, minimal->failure);
+  // Runs the programs of the known bugs that the baseline names.
+  void prove_bugs_of_baseline() {
+    std::set<const KnownBug*> named;
+    for (const TestRecord& test : run_.tests)
+      if (is_to_be_explained(test))
+        for (const KnownBug* const bug : bugs_of_baseline(test)) named.insert(bug);
+    std::vector<FailingCase> to_prove;
+    for (const KnownBug& bug : known_bugs()) {
+      if (!named.contains(&bug) || bug.programs.empty()) continue;
+      if (!bug.dies()) {
+        to_prove.push_back({kProof + bug.id, bug.programs.front().difference, ""});
+        continue;
+      }
+      for (const KnownProgram& known : known_programs()) {
+        if (known.bug != bug.id || interrupted) continue;
+        const std::optional<Difference> death = run_alone(known.program, kSecondsOfProof);
+        if (!death || !death->is_like(known.record.difference)) continue;
+        Finding& proof = proofs_[bug.id] = finding_of_death(known.program, *death, max_eval_order());
+        proof.known = bug.id;
+        break;
+      }
+    }
+    reduce(to_prove);
   }
 
   // Returns the commands of the first failing case as JSON; empty if the case cannot be stored as JSON.
@@ -182,8 +164,14 @@ class BugSearch {
     return request_.seconds - std::chrono::duration<double>(Clock::now() - begin_).count();
   }
 
+  // True if the baseline expects failures of known bugs only with the known failing cases.
+  bool compares_failing_cases() const {
+    return run_.seed == 1 && run_.depth.value_or(Depth::kFull) != Depth::kThorough;
+  }
+
   // Returns the failing tests to reduce: first one of each group with the same likeness_of(), then the second
-  // of each, and so on; of each bug that the baseline names, only the first few.
+  // of each, and so on. Tests of a known bug that the baseline names are left out, except the first few if
+  // the failing cases were not compared.
   std::vector<const TestRecord*> in_order() const {
     std::map<std::string, std::size_t> seen;
     std::vector<std::pair<std::size_t, const TestRecord*>> order;
@@ -193,14 +181,19 @@ class BugSearch {
     std::vector<const TestRecord*> tests;
     std::map<const KnownBug*, std::size_t> of_baseline;
     for (const auto& [number, test] : order) {
-      const KnownBug* const named = bug_of_baseline(*test);
-      if (!named || of_baseline[named]++ < kReducedOfBaselineBug) tests.push_back(test);
+      const KnownBug* const accepted = accepted_bug(*test, proofs_);
+      if (!accepted || (!compares_failing_cases() && of_baseline[accepted]++ < kReducedOfBaselineBug))
+        tests.push_back(test);
     }
     return tests;
   }
 
   void take(Reduction reduction) {
     const std::string test = reduction.test;
+    if (test.starts_with(kProof)) {
+      if (reduction.minimal) proofs_[test.substr(std::size(kProof) - 1)] = *std::move(reduction.minimal);
+      return;
+    }
     reductions_[test] = std::move(reduction);
     progress_(reductions_.size(), total_);
   }
@@ -252,8 +245,8 @@ class BugSearch {
 
   // --- crashes and hangs
 
-  // Runs the program in a separate process.
-  ChildRun run_alone(const gl::Case& program, double patience) const {
+  // Runs the program in a separate process. Returns the death of the library, if it dies.
+  std::optional<Difference> run_alone(const gl::Case& program, double patience) const {
     const fs::path file = request_.scratch / "alone.json", events = request_.scratch / "alone.jsonl";
     write_atomically(file, gl::to_text(program));
     fs::remove(events);
@@ -264,7 +257,7 @@ class BugSearch {
     limits.seconds_per_test = patience;
     SuiteChild child(command, events, request_.scratch / "alone.log", limits);
     while (!child.look(kLookAtReducers)) continue;
-    return child.run();
+    return fuzz::death_of(child.run());
   }
 
   // Reduces one test for each place at which the library dies, and tries up to kMostTestsOfPlace tests.
@@ -294,51 +287,23 @@ class BugSearch {
     } catch (const std::invalid_argument& error) {
       return not_reduced(error.what());
     }
-    const bool hung = test.verdict == Verdict::kTimeout;
-    const std::string how = hung ? "timeout" : "crash";
-    const double patience = hung ? kSecondsOfHang : request_.limits.seconds_per_test;
+    const double patience =
+        test.verdict == Verdict::kTimeout ? kSecondsOfHang : request_.limits.seconds_per_test;
     const Clock::time_point begin = Clock::now();
-    const auto dies = [&](const gl::Case& candidate) {
-      return !interrupted && seconds_left() > 0 &&
-             std::chrono::duration<double>(Clock::now() - begin).count() < kSecondsOfDeath &&
-             specify_if_defined(candidate, max_eval_order()) && !run_alone(candidate, patience).complete;
-    };
-    // Most deaths have a known cause, so the commands of known causes are tried first.
-    for (const gl::Case& form : forms_of(program)) {
-      const std::optional<Specified> specified = specify_if_defined(form, max_eval_order());
-      for (const Finding& seen : deaths_)
-        if (specified && seen.failure.what == how)
-          if (const auto reduced = with_words_of(seen.cause, form); reduced && dies(*reduced))
-            return {test.name, seen, ""};
-    }
-    if (!dies(program))
+    std::optional<Finding> finding = fuzz::reduce_death(
+        program, death_of(test),
+        [&](const gl::Case& candidate) {
+          const bool is_over = interrupted || seconds_left() <= 0 ||
+                               std::chrono::duration<double>(Clock::now() - begin).count() > kSecondsOfDeath;
+          return is_over ? std::nullopt : run_alone(candidate, patience);
+        },
+        deaths_, kMostAttemptsOfDeath, max_eval_order());
+    if (!finding)
       return not_reduced(seconds_left() <= 0
                              ? kOutOfTime
                              : "the commands that the executable specification has do not show it");
-    gl::Case minimal = shrink(program, dies, kMostAttemptsOfDeath);
-    Finding finding;
-    finding.outside_evaluators = dies(gl::with_explicit_vertices(minimal));
-    if (finding.outside_evaluators) minimal = gl::with_explicit_vertices(minimal);
-    finding.program = minimal;
-    finding.cause = cause_of(minimal, how);
-    finding.requirement = requirement_of(minimal, how);
-    finding.failure.what = how;
-    finding.failure.message = test.message;
-    finding.failure.expected = "the program is run to its end";
-    finding.failure.captured = how;
-    deaths_.push_back(finding);
-    return {test.name, finding, ""};
-  }
-
-  // Returns the commands of the program that the cause names; none if the program does not contain
-  // all of them.
-  static std::optional<gl::Case> with_words_of(const std::string& cause, const gl::Case& program) {
-    const std::string words = ", " + cause.substr(0, cause.find(": ")) + ", ";
-    gl::Case reduced = program;
-    for (const std::string& word : words_of(program))
-      if (words.find(", " + word + ", ") == std::string::npos) reduced = without_word(reduced, word);
-    return cause_of(reduced, cause.substr(cause.find(": ") + 2)) == cause ? std::optional(reduced)
-                                                                          : std::nullopt;
+    finding->failure.message = test.message;
+    return {test.name, *std::move(finding), ""};
   }
 
   int max_eval_order() const {
@@ -352,6 +317,7 @@ class BugSearch {
   std::map<std::string, Reduction> reductions_;
   std::size_t total_ = 0;
   std::vector<Finding> deaths_;  // minimal programs in which the library died
+  Proofs proofs_;
 };
 
 // --- grouping
@@ -365,18 +331,13 @@ std::vector<RequirementId> violated_by(const TestRecord& test) {
   return test.is_bad() ? test.blamed() : test.requirements;
 }
 
-// Returns the requirement that a bug is reported for: the first violated requirement of the tests if they
-// agree in it; otherwise `of_program`, the requirement of the minimal program, if a test violates it;
-// otherwise the first violated requirement of most tests.
-std::string decisive(const std::string& of_program, const std::vector<const TestRecord*>& tests) {
+// Returns the requirement that a bug is reported for: the first violated one of most tests; `of_program` if
+// no test violates one.
+std::string requirement_of(const std::string& of_program, const std::vector<const TestRecord*>& tests) {
   std::map<std::string, std::size_t> times;
-  bool is_violated = false;
-  for (const TestRecord* test : tests) {
-    const std::vector<RequirementId> violated = violated_by(*test);
-    is_violated = is_violated || std::ranges::count(violated, of_program, &RequirementId::id) > 0;
-    if (!violated.empty()) ++times[violated.front().id];
-  }
-  if (times.size() != 1 && is_violated) return of_program;
+  for (const TestRecord* test : tests)
+    if (const std::vector<RequirementId> violated = violated_by(*test); !violated.empty())
+      ++times[violated.front().id];
   if (times.empty()) return of_program;
   return std::ranges::max_element(times, {}, [](const auto& each) { return each.second; })->first;
 }
@@ -385,7 +346,7 @@ std::string decisive(const std::string& of_program, const std::vector<const Test
 struct Group {
   std::vector<const TestRecord*> tests;
   std::optional<Finding> minimal;  // the smallest minimal program of the tests
-  std::string title, why_not_reduced;
+  std::string why_not_reduced;
   std::string cause;
   const KnownBug* known = nullptr;
 };
@@ -411,7 +372,7 @@ std::string command_of_deaths(const std::vector<const TestRecord*>& tests) {
   return most == times.end() ? std::string() : most->first;
 }
 
-Bug bug_from(const Group& group, int max_eval_order) {
+Bug bug_from(const Group& group) {
   Bug bug;
   bug.cause = group.cause;
   bug.why_not_reduced = group.minimal ? "" : group.why_not_reduced;
@@ -428,13 +389,14 @@ Bug bug_from(const Group& group, int max_eval_order) {
   }
   std::ranges::sort(bug.tests);
   bug.explains = {explained.begin(), explained.end()};
-  const std::string requirement = decisive(group.minimal ? group.minimal->requirement : "", group.tests);
+  const std::string requirement =
+      requirement_of(group.minimal ? group.minimal->requirement : "", group.tests);
   bug.requirements = {requirement};
   const Requirement* const entry = catalogue().find(requirement);
   if (entry) bug.clause = entry->source;
   bug.id = id_of(requirement, bug.cause);
   if (group.minimal) {
-    bug.title = normal_form(*group.minimal, max_eval_order).title;
+    bug.title = group.minimal->title;
     bug.failure = group.minimal->failure;
     bug.failure.calls = readable_calls(group.minimal->program);
     bug.failure.case_identity = "minimal program";
@@ -472,7 +434,11 @@ std::string likeness_of(const TestRecord& test) {
   const std::vector<RequirementId> violated = violated_by(test);
   const std::string requirement = violated.empty() ? "" : violated.front().id;
   std::string what = is_death(test.verdict) ? std::string(text_of(test.verdict).word) : "";
-  if (what.empty() && !test.failures.empty()) what = kind_of(test.failures.front().what);
+  if (what.empty() && !test.failures.empty()) {
+    const Failure& failure = test.failures.front();
+    what =
+        failure.difference.kind.empty() ? failure.what : failure.difference.kind + failure.difference.place;
+  }
   return fmt::format("{}; {}; {}", family_of(test.name), without_digits(requirement), what);
 }
 
@@ -506,12 +472,12 @@ std::vector<std::string> readable_calls(const gl::Case& program) {
 }
 
 std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduction>& reductions,
-                         const ProvenBugs& proven, int max_eval_order) {
+                         const Proofs& proofs) {
   std::map<std::string, Group> groups;  // by the ID of the known bug, the place of death, or the cause
   // Adds the test to its group, and returns the key of the group.
   const auto add = [&](const TestRecord& test, const std::string& cause, const Finding* minimal,
                        const std::string& why) {
-    const KnownBug* const known = known_bug_behind(test, cause, minimal, proven);
+    const KnownBug* const known = known_bug_behind(test, minimal, proofs);
     const std::string place = test.place_of_death();
     const std::string key = known           ? "known: " + known->id
                             : place.empty() ? cause
@@ -519,7 +485,12 @@ std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduc
     Group& group = groups[key];
     group.known = known;
     group.tests.push_back(&test);
-    if ((minimal && keep_smaller(group.minimal, *minimal)) || group.cause.empty()) group.cause = cause;
+    if (const auto proof = known ? proofs.find(known->id) : proofs.end(); proof != proofs.end()) {
+      group.minimal = proof->second;  // the program of the register
+      group.cause = proof->second.cause;
+    } else if ((minimal && keep_smaller(group.minimal, *minimal)) || group.cause.empty()) {
+      group.cause = cause;
+    }
     if (group.why_not_reduced.empty()) group.why_not_reduced = why;
     return key;
   };
@@ -529,51 +500,48 @@ std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduc
     if (!is_to_be_explained(test)) continue;
     const auto found = reductions.find(test.name);
     if (found == reductions.end() || !found->second.minimal) {
-      const bool is_named = bug_of_baseline(test) != nullptr;
+      const bool is_named = accepted_bug(test, proofs) != nullptr;
       left.emplace_back(&test, found != reductions.end() ? found->second.why_not
                                : is_named                ? std::string()
                                                          : std::string(kOutOfTime));
       continue;
     }
     const Finding& minimal = *found->second.minimal;
-    of_likeness.try_emplace(likeness_of(test),
-                            add(test, normal_form(minimal, max_eval_order).cause, &minimal, ""));
+    of_likeness.try_emplace(likeness_of(test), add(test, minimal.cause, &minimal, ""));
   }
   for (const auto& [test, why] : left) {
     const auto alike = of_likeness.find(likeness_of(*test));
-    if (!bug_of_baseline(*test) && test->place_of_death().empty() && alike != of_likeness.end() &&
+    if (!accepted_bug(*test, proofs) && test->place_of_death().empty() && alike != of_likeness.end() &&
         (why == kOutOfTime || why == kDiedOnTheWay))
       groups.at(alike->second).tests.push_back(test);
     else
       add(*test, "not reduced; " + likeness_of(*test), nullptr, why);
   }
   std::vector<Bug> bugs;
-  for (const auto& [key, group] : groups) bugs.push_back(bug_from(group, max_eval_order));
+  for (const auto& [key, group] : groups) bugs.push_back(bug_from(group));
   sort_by_importance(bugs);
   return bugs;
 }
 
 void find_bugs(RunResult& run, const BugRequest& request,
                const std::function<void(std::size_t, std::size_t)>& progress) {
-  const int max_eval_order =
-      static_cast<int>(std::clamp<std::int64_t>(run.implementation.max_eval_order.value_or(8), 8, 64));
   std::map<std::string, Reduction> reductions;
-  ProvenBugs proven;
+  Proofs proofs;
   if (run.pass == Pass::kFreshContexts) {
     BugSearch search(run, request, progress);
     reductions = search.reduce_all();
-    proven = search.prove_known_bugs(reductions);
+    proofs = search.proofs();
   } else {
     for (const TestRecord& test : run.tests)
       reductions[test.name] = {test.name, {}, "it depends on what was run before in the same context"};
   }
-  run.bugs = bugs_of(run, reductions, proven, max_eval_order);
+  run.bugs = bugs_of(run, reductions, proofs);
   std::size_t tests = 0, named = 0, left = 0, late = 0, dead = 0;
   for (const TestRecord& test : run.tests) {
     if (!is_to_be_explained(test)) continue;
     ++tests;
     const auto found = reductions.find(test.name);
-    if (bug_of_baseline(test) && (found == reductions.end() || !found->second.minimal)) {
+    if (accepted_bug(test, proofs) && (found == reductions.end() || !found->second.minimal)) {
       ++named;
       continue;
     }

@@ -3,15 +3,13 @@
 #include <evalcts/fuzz/campaign.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <fstream>
-#include <set>
-#include <stdexcept>
 
 #include <evalcts/fuzz/events.h>
+#include <evalcts/fuzz/finding.h>
 #include <evalcts/fuzz/random_program.h>
 #include <evalcts/gl/case_json.h>
 #include "legal.h"
@@ -26,28 +24,6 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kReportEvery = std::chrono::milliseconds(500);
 constexpr double kGrace = 30;              // seconds that a reduction may take after the end of the campaign
 constexpr std::uint64_t kFreshEvery = 16;  // every 16th program has its own context
-
-}  // namespace
-
-Judged judge_program(const Subject& subject, const gl::Case& program, const Specified& specified,
-                     Outcomes outcomes) {
-  TestRecord record;
-  // The name determines if other captures check the first one (Schedule::is_cross_checked), which repetitions
-  // do not need.
-  record.name = outcomes == Outcomes::kAll ? program.identity() : "a smaller version";
-  Test test(subject, record);
-  test.run([&](Test& t) { t.judge(program, specified, outcomes); });
-  if (record.verdict == Verdict::kInternalError)
-    throw std::logic_error(fmt::format("{}: {}", program.identity(), record.message));
-  const bool passed = record.verdict == Verdict::kPass;
-  if (record.verdict != Verdict::kFail) return {{}, passed, passed && record.unobserved.empty()};
-  Failure failure = record.failures.front();
-  if (outcomes == Outcomes::kOrder && !failure.what.starts_with("gl") && kind_of(failure.what) != kPrimitives)
-    failure.what = kOrder;
-  return {Finding{program, failure, cause_of(program, failure.what), requirement_of(program, failure.what)}};
-}
-
-namespace {
 
 // Returns the program without maps of a higher order, because it is unknown if they are accepted or rejected.
 gl::Case without_orders_above(const gl::Case& program, int limit) {
@@ -69,7 +45,7 @@ class CampaignRunner {
         max_order_(subject.info.max_order()),
         knows_limit_(max_order_ == subject.info.max_eval_order),
         shared_(campaign.fresh_contexts ? nullptr : SharedContext::of(subject)),
-        reducer_(subject, shared_.get(), campaign.known, campaign.most_attempts,
+        reducer_(subject, shared_.get(), campaign.most_attempts,
                  {.alive = [this] { report_progress_now_and_then(); },
                   .is_over = [this] { return is_over(kGrace); },
                   .try_start = [this](const gl::Case& candidate) { return try_start(candidate); },
@@ -120,63 +96,34 @@ class CampaignRunner {
     judged_ += outcome.judged;
     in_full_ += outcome.in_full;
     commands_ += program.commands().size();
-    if (!outcome.finding) return;
+    if (outcome.failures.empty()) return;
     const Clock::time_point begin = Clock::now();
-    const std::size_t causes = reducer_.causes();
-    if (const std::optional<Finding> finding = explained(program, specified, *outcome.finding, shares))
+    const std::size_t before = reducer_.new_findings();
+    if (const std::optional<Finding> finding = explained(program, outcome.failures.front(), shares))
       report_(FindingMade{number, *finding});
-    if (reducer_.causes() == causes)
+    if (reducer_.new_findings() == before)
       seconds_of_known_ += std::chrono::duration<double>(Clock::now() - begin).count();
   }
 
-  // Returns the difference with its cause, or nothing if a fresh context does not show the difference.
-  std::optional<Finding> explained(const gl::Case& program, const Specified& specified,
-                                   const Finding& difference, bool shares) {
-    const bool tries = shares && campaign_.deadly.empty();
-    if (tries)
-      if (std::optional<Finding> known = reducer_.recognise(program, difference)) {
-        if (confirmed_.contains(known->cause)) return known;
-        if (std::optional<Finding> minimal = minimal_of(known->cause)) return minimal;
-      }
-    const std::optional<Finding> found = shares ? repeated(program, specified) : difference;
-    if (!found) return {};
-    const bool tried = tries && found->program.commands().size() == program.commands().size();
-    Finding finding = reducer_.explain(found->program, *found, !campaign_.deadly.empty(), tried);
-    if (!confirmed_.contains(finding.cause))
-      if (std::optional<Finding> minimal = minimal_of(finding.cause)) return minimal;
-    confirmed_.insert(finding.cause);
-    return finding;
-  }
-
-  // Runs the minimal program of the known finding with this cause in a fresh context and returns its
-  // difference. Returns nothing if there is no such finding or its program shows no such difference.
-  std::optional<Finding> minimal_of(const std::string& cause) {
-    const KnownFinding* const known = known_finding(cause);
-    if (!known || !exists(known->program) || !try_start(known->program)) return {};
-    std::optional<Finding> minimal =
-        judge_program(subject_, known->program, specify(known->program, max_order_)).finding;
-    finish();
-    if (!minimal || minimal->cause != cause) return {};
-    confirmed_.insert(cause);
-    return minimal;
-  }
-
-  bool exists(const gl::Case& program) const {
-    return with_what_exists(subject_.info, table_, program).commands().size() == program.commands().size();
+  // Returns the finding that the difference is reduced to, or nothing if a fresh context does not show the
+  // difference.
+  std::optional<Finding> explained(const gl::Case& program, const Failure& failure, bool shares) {
+    if (shares && campaign_.deadly.empty())
+      if (std::optional<Finding> known = reducer_.recognise(program, failure.difference)) return known;
+    const std::optional<Finding> found =
+        shares ? repeated(program, failure.difference) : std::optional(Finding{program, failure});
+    return found ? std::optional(reducer_.reduce(*found, !campaign_.deadly.empty())) : std::nullopt;
   }
 
   // Reproduces a difference of the shared context in a fresh context, with the program alone or after some of
   // the programs that preceded it. Returns none if the difference does not occur.
-  std::optional<Finding> repeated(const gl::Case& program, const Specified& specified) {
-    if (std::optional<Finding> alone = judge_program(subject_, program, specified).finding) return alone;
-    std::optional<Finding> found;
+  std::optional<Finding> repeated(const gl::Case& program, const Difference& difference) {
+    std::optional<Finding> found = reducer_.find(program, difference);
+    if (found) return found;
     for (std::size_t count = 1; count <= kMostHistory && !found; count *= 2) {
       const gl::Case joint = shared_->behind(count);
-      const std::optional<Specified> of_joint = specify_if_defined(joint, max_order_);
-      if (of_joint && !joint.commands().empty() && try_start(joint))
-        found = judge_program(subject_, joint, *of_joint).finding;
+      if (!joint.commands().empty()) found = reducer_.find(joint, difference);
     }
-    finish();
     not_repeated_ += !found;
     shared_->renew();  // its state may differ from a fresh context in a way that no command restores
     return found;
@@ -205,7 +152,6 @@ class CampaignRunner {
   Clock::time_point reported_ = begin_;
   std::uint64_t programs_ = 0, judged_ = 0, in_full_ = 0, commands_ = 0, not_repeated_ = 0;
   double seconds_of_known_ = 0;
-  std::set<std::string> confirmed_;        // causes that were seen in a fresh context
   std::unique_ptr<SharedContext> shared_;  // may be null
   Reducer reducer_;
 };

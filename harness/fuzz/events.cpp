@@ -6,7 +6,6 @@
 
 #include <evalcts/gl/case_json.h>
 #include <evalcts/results/json.h>
-#include <evalcts/results/known_bugs.h>
 
 namespace evalcts::fuzz {
 namespace {
@@ -16,8 +15,11 @@ using nlohmann::json;
 json to_json(const Finding& finding) {
   return {{"program", gl::to_json(finding.program)},
           {"cause", finding.cause},
+          {"title", finding.title},
           {"requirement", finding.requirement},
+          {"known", finding.known},
           {"outside_evaluators", finding.outside_evaluators},
+          {"difference", finding.failure.difference.text()},
           {"what", finding.failure.what},
           {"message", finding.failure.message},
           {"expected", finding.failure.expected},
@@ -29,6 +31,9 @@ Finding finding_from(const json& data) {
   Finding finding;
   finding.program = gl::case_from_json(data.at("program"));
   data.at("cause").get_to(finding.cause);
+  data.at("title").get_to(finding.title);
+  data.at("known").get_to(finding.known);
+  finding.failure.difference = parse_difference(data.at("difference")).value_or(Difference());
   data.at("requirement").get_to(finding.requirement);
   data.at("outside_evaluators").get_to(finding.outside_evaluators);
   data.at("what").get_to(finding.failure.what);
@@ -91,7 +96,8 @@ std::string to_text(const Finding& finding) {
 std::string to_text(const std::vector<FailingCase>& cases) {
   json list = json::array();
   for (const FailingCase& each : cases)
-    list.push_back({{"test", each.test}, {"what", each.what}, {"commands", each.commands}});
+    list.push_back(
+        {{"test", each.test}, {"difference", each.difference.text()}, {"commands", each.commands}});
   return list.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
@@ -99,7 +105,8 @@ std::vector<FailingCase> parse_failing_cases(const std::string& text) {
   try {
     std::vector<FailingCase> cases;
     for (const json& data : json::parse(text))
-      cases.push_back({data.at("test"), data.at("what"), data.at("commands")});
+      cases.push_back({data.at("test"), parse_difference(data.at("difference")).value_or(Difference()),
+                       data.at("commands")});
     return cases;
   } catch (const json::exception& error) {
     throw std::invalid_argument(error.what());
@@ -138,27 +145,6 @@ std::string list_as_text(const std::vector<std::string>& list) { return json(lis
 std::vector<std::string> parse_list(const std::string& text) {
   const json list = json::parse(text, nullptr, false);
   return list.is_array() ? list.get<std::vector<std::string>>() : std::vector<std::string>();
-}
-
-const std::vector<KnownFinding>& known_findings() {
-  static const std::vector<KnownFinding> kAll = [] {
-    std::vector<KnownFinding> findings;
-    for (const KnownBug& bug : known_bugs())
-      for (const FindingRecord& finding : bug.findings) {
-        findings.push_back(
-            {finding.name, finding.requirement, finding.what, gl::parse_case(finding.program)});
-        findings.back().program.set_identity(finding.name);
-      }
-    std::ranges::sort(findings, {}, &KnownFinding::name);
-    return findings;
-  }();
-  return kAll;
-}
-
-const KnownFinding* known_finding(const std::string& cause) {
-  for (const KnownFinding& finding : known_findings())
-    if (cause_of(finding.program, finding.what) == cause) return &finding;
-  return nullptr;
 }
 
 }  // namespace evalcts::fuzz

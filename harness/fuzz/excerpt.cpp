@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <evalcts/gl/roles.h>
+
 namespace evalcts::fuzz {
 namespace {
 
@@ -16,19 +18,13 @@ using gl::EntryPoint;
 constexpr std::size_t kMostExcerpts = 12;  // number of excerpts that are tried
 constexpr std::int64_t kLeastToHalve = 8;  // shorter meshes and grids (in steps) are not halved
 
-std::int64_t integer_at(const Command& command, std::size_t i) {
-  const auto* value = std::get_if<std::int64_t>(&command.arguments.at(i));
-  return value ? *value : 0;
-}
-
 std::int64_t emitted_by(const Command& command) {
   const auto points = [&](std::size_t first) {
-    return std::max<std::int64_t>(integer_at(command, first + 1) - integer_at(command, first) + 1, 0);
+    return std::max<std::int64_t>(gl::integer_of(command, first + 1) - gl::integer_of(command, first) + 1, 0);
   };
   if (command.entry == EntryPoint::EvalMesh1) return points(1);
   if (command.entry == EntryPoint::EvalMesh2) return points(1) * points(3);
-  const std::string_view name = gl::name_of(command.entry);
-  return name.starts_with("glEvalCoord") || name.starts_with("glEvalPoint") || name.starts_with("glVertex");
+  return gl::emits_vertex(command.entry);
 }
 
 // A range of commands from Begin to End, or a mesh.
@@ -96,11 +92,11 @@ gl::Case with_ranges(const gl::Case& program, bool halves_grids, const Change& c
       auto* steps = std::get_if<std::int64_t>(&command.arguments[i]);
       if (halves_grids && steps && *steps >= kLeastToHalve) *steps /= 2;
     };
-    const std::string_view name = gl::name_of(command.entry);
-    if (name.starts_with("glEvalMesh")) change_range(1);
+    const gl::Role role = gl::role_of(command.entry);
+    if (role == gl::Role::kEvalMesh) change_range(1);
     if (command.entry == EntryPoint::EvalMesh2) change_range(3);
-    if (name.starts_with("glMapGrid")) halve(0);
-    if (name.starts_with("glMapGrid2")) halve(3);
+    if (role == gl::Role::kMapGrid) halve(0);
+    if (role == gl::Role::kMapGrid && gl::dimension_of(command.entry) == 2) halve(3);
     changed.add(std::move(command));
   }
   return changed;

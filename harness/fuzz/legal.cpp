@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <evalcts/gl/roles.h>
 #include <evalcts/judge/prediction.h>
 
 namespace evalcts::fuzz {
@@ -13,32 +14,14 @@ namespace {
 
 using gl::EntryPoint;
 
-std::int64_t integer(const gl::Command& command, std::size_t i) {
-  const auto* value = std::get_if<std::int64_t>(&command.arguments.at(i));
-  return value ? *value : 0;
-}
-
-bool emits_vertices(EntryPoint entry) {
-  const std::string_view name = gl::name_of(entry);
-  return name.starts_with("glEvalCoord") || name.starts_with("glEvalPoint") || name.starts_with("glVertex");
-}
-
-// True for commands that set current values, which never raise an error.
-bool is_current_value(EntryPoint entry) {
-  const std::string_view name = gl::name_of(entry);
-  for (const std::string_view prefix : {"glColor", "glNormal", "glTexCoord", "glIndex", "glEdgeFlag"})
-    if (name.starts_with(prefix)) return true;
-  return false;
-}
-
 // Tracks where primitives begin and end, inside display lists as well.
 class Primitives {
  public:
   // Returns false if the command emits a vertex outside of a primitive.
   bool issue(const gl::Command& command) {
     if (command.entry == EntryPoint::NewList && !inside_ && !open_) {
-      open_ = static_cast<GLuint>(integer(command, 0));
-      compile_only_ = integer(command, 1) == GL_COMPILE;
+      open_ = static_cast<GLuint>(gl::integer_of(command, 0));
+      compile_only_ = gl::integer_of(command, 1) == GL_COMPILE;
       lists_[*open_].clear();
       return true;
     }
@@ -55,12 +38,12 @@ class Primitives {
   static constexpr int kMostNesting = 16;  // nesting of lists; programs have less
 
   bool execute(const gl::Command& command, int depth) {
-    if (emits_vertices(command.entry)) return inside_;
-    if (command.entry == EntryPoint::Begin && integer(command, 0) <= GL_POLYGON) inside_ = true;
+    if (gl::emits_vertex(command.entry)) return inside_;
+    if (command.entry == EntryPoint::Begin && gl::integer_of(command, 0) <= GL_POLYGON) inside_ = true;
     if (command.entry == EntryPoint::End) inside_ = false;
     if (command.entry != EntryPoint::CallList) return true;
     if (depth == kMostNesting) return false;
-    const auto list = lists_.find(static_cast<GLuint>(integer(command, 0)));
+    const auto list = lists_.find(static_cast<GLuint>(gl::integer_of(command, 0)));
     if (list == lists_.end()) return true;
     // If a list is called while it is being replaced, the GL executes its old contents, which are
     // not known here.
@@ -88,7 +71,7 @@ bool has_whole_primitives(const gl::Case& program) {
 // but libraries raise an error.
 bool calls_names_only(const gl::Case& program) {
   return std::ranges::none_of(program.commands(), [](const gl::Command& command) {
-    return command.entry == EntryPoint::CallList && integer(command, 0) == 0;
+    return command.entry == EntryPoint::CallList && gl::integer_of(command, 0) == 0;
   });
 }
 
@@ -97,7 +80,7 @@ bool has_clear_errors(const gl::Case& program, const std::vector<std::vector<GLe
   bool pending = false;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const EntryPoint entry = program.commands()[i].entry;
-    if (is_current_value(entry) || emits_vertices(entry)) continue;
+    if (gl::emits_vertex(entry)) continue;
     if (entry == EntryPoint::GetError) {
       if (!errors[i].empty()) return false;
       pending = false;

@@ -1,20 +1,18 @@
-// Implements the normal form: facts about the program and its difference, from which the words of the cause
-// are chosen.
+// Implements the normal form: facts about the program, from which the words of the cause are chosen.
 #include <evalcts/fuzz/normal_form.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <optional>
 #include <set>
 #include <string_view>
 #include <vector>
 
+#include <evalcts/gl/roles.h>
 #include <evalcts/gl/tokens.h>
-#include "causes.h"
 #include "legal.h"
 
 namespace evalcts::fuzz {
@@ -22,29 +20,7 @@ namespace {
 
 using gl::Command;
 using gl::EntryPoint;
-
-enum class Lists { kNone, kCompiled, kExecuted };
-
-std::int64_t integer_of(const Command& command, std::size_t i) {
-  const auto* value =
-      command.arguments.size() > i ? std::get_if<std::int64_t>(&command.arguments[i]) : nullptr;
-  return value ? *value : 0;
-}
-
-bool starts_with(EntryPoint entry, std::string_view stem) {
-  return gl::name_of(entry).substr(2).starts_with(stem);
-}
-
-bool is_evaluation(EntryPoint entry) {
-  return starts_with(entry, "EvalCoord") || starts_with(entry, "EvalPoint") || starts_with(entry, "EvalMesh");
-}
-
-// Returns the dimension, 1 or 2, in the name of the command; 0 if there is none.
-int dimension_of(EntryPoint entry) {
-  for (const char c : gl::name_of(entry))
-    if (c == '1' || c == '2') return c - '0';
-  return 0;
-}
+using gl::Role;
 
 bool is_vertex_map(std::int64_t target, int dimension) {
   return dimension == 1 ? target == GL_MAP1_VERTEX_3 || target == GL_MAP1_VERTEX_4
@@ -53,10 +29,13 @@ bool is_vertex_map(std::int64_t target, int dimension) {
 
 // Facts about the commands of a program.
 struct Facts {
-  Lists lists = Lists::kNone;
+  enum class Lists { kNone, kCompiled, kExecuted } lists = Lists::kNone;
   int evaluations = 0;
-  bool meshes = false, points = false, grids = false, automatic_normals = false, attribute_maps = false;
+  bool meshes = false, points = false, grids = false, explicit_vertices = false;
+  bool automatic_normals = false, attribute_maps = false, nested_lists = false;
   bool without_vertices = false;   // evaluates in a dimension without an enabled vertex map
+  bool surfaces_only = false;      // has maps, all of them of two dimensions
+  std::int64_t mesh_mode = 0;      // of the last EvalMesh
   std::set<std::int64_t> queried;  // names that Get queries
   // Words for the commands, without those that only frame or observe others (Begin, GetError): "Map",
   // "evaluation", "PopAttrib".
@@ -64,49 +43,55 @@ struct Facts {
 
   explicit Facts(const gl::Case& program) {
     std::set<std::int64_t> enabled;
+    std::set<int> dimensions_of_maps;
+    bool is_list_open = false;
     for (const Command& command : program.commands())
-      if (command.entry == EntryPoint::Enable) enabled.insert(integer_of(command, 0));
+      if (command.entry == EntryPoint::Enable) enabled.insert(gl::integer_of(command, 0));
     for (const Command& command : program.commands()) {
       const EntryPoint entry = command.entry;
-      const int dimension = dimension_of(entry);
+      const Role role = gl::role_of(entry);
+      const int dimension = gl::dimension_of(entry);
+      const std::int64_t name = gl::integer_of(command, 0);
       if (entry == EntryPoint::NewList)
-        lists = std::max(lists, integer_of(command, 1) == GL_COMPILE ? Lists::kCompiled : Lists::kExecuted);
-      if (is_evaluation(entry)) {
+        lists =
+            std::max(lists, gl::integer_of(command, 1) == GL_COMPILE ? Lists::kCompiled : Lists::kExecuted);
+      if (entry == EntryPoint::NewList || entry == EntryPoint::EndList)
+        is_list_open = entry == EntryPoint::NewList;
+      nested_lists = nested_lists || (is_list_open && entry == EntryPoint::CallList);
+      if (gl::is_evaluation(entry)) {
         ++evaluations;
-        meshes = meshes || starts_with(entry, "EvalMesh");
-        points = points || starts_with(entry, "EvalPoint");
+        meshes = meshes || role == Role::kEvalMesh;
+        points = points || role == Role::kEvalPoint;
+        if (role == Role::kEvalMesh) mesh_mode = name;
         without_vertices = without_vertices || std::ranges::none_of(enabled, [&](std::int64_t cap) {
                              return is_vertex_map(cap, dimension);
                            });
       }
-      grids = grids || starts_with(entry, "MapGrid");
-      if (starts_with(entry, "Map1") || starts_with(entry, "Map2"))
-        attribute_maps = attribute_maps || !is_vertex_map(integer_of(command, 0), dimension);
-      if (entry == EntryPoint::Enable && integer_of(command, 0) == GL_AUTO_NORMAL) automatic_normals = true;
-      if (starts_with(entry, "Get") && !starts_with(entry, "GetError") && !starts_with(entry, "GetMap") &&
-          !starts_with(entry, "GetnMap"))
-        queried.insert(integer_of(command, 0));
+      grids = grids || role == Role::kMapGrid;
+      explicit_vertices = explicit_vertices || role == Role::kVertex;
+      if (role == Role::kMap) {
+        dimensions_of_maps.insert(dimension);
+        attribute_maps = attribute_maps || !is_vertex_map(name, dimension);
+      }
+      if (entry == EntryPoint::Enable && name == GL_AUTO_NORMAL) automatic_normals = true;
+      if (role == Role::kGet) queried.insert(name);
       if (const std::string word = word_of(command); !word.empty()) words.insert(word);
     }
+    surfaces_only = dimensions_of_maps == std::set<int>{2};
   }
 
   static std::string word_of(const Command& command) {
     const EntryPoint entry = command.entry;
-    if (is_evaluation(entry)) return "evaluation";
-    for (const std::string_view looking :
-         {"GetError", "Begin", "End", "Flush", "Finish", "NewList", "CallList"})
-      if (starts_with(entry, looking)) return {};
-    for (const std::string_view stem : {"MapGrid", "Map", "GetMap", "GetnMap", "Vertex"})
-      if (starts_with(entry, stem)) return std::string(stem);
-    for (const std::string_view stem : {"MultiTexCoord", "TexCoord", "Color", "Normal", "Index", "EdgeFlag"})
-      if (starts_with(entry, stem)) return "current value";
+    if (gl::is_evaluation(entry)) return "evaluation";
+    for (const EntryPoint frame :
+         {EntryPoint::GetError, EntryPoint::Begin, EntryPoint::End, EntryPoint::Flush, EntryPoint::Finish,
+          EntryPoint::NewList, EntryPoint::EndList, EntryPoint::CallList})
+      if (entry == frame) return {};
+    if (gl::role_of(entry) == Role::kCurrentValue) return "current value";
     if ((entry == EntryPoint::Enable || entry == EntryPoint::Disable) &&
-        integer_of(command, 0) == GL_AUTO_NORMAL)
+        gl::integer_of(command, 0) == GL_AUTO_NORMAL)
       return "AUTO_NORMAL";
-    std::string name(gl::name_of(entry).substr(2));
-    for (const std::string_view get : {"GetFloatv", "GetIntegerv", "GetDoublev", "GetBooleanv"})
-      if (name == get) return "Get";
-    return name;
+    return gl::stem_without_dimension(entry);
   }
 
   bool asks_for_current_values() const {
@@ -115,14 +100,6 @@ struct Facts {
     });
   }
 };
-
-// Properties of the component of a vertex that differs.
-struct Difference {
-  bool given = false;  // a current value, or a component of an explicit vertex
-  bool explicit_vertex = false;
-};
-
-bool is_given(const reference::Component& component) { return std::holds_alternative<float>(component); }
 
 struct Rejected {
   std::string word;  // "Map"
@@ -141,72 +118,27 @@ std::optional<Rejected> rejected_command(const gl::Case& program, int max_eval_o
   return std::nullopt;
 }
 
-// Returns the number that follows `word` in the text; none if there is none.
-std::optional<std::size_t> number_behind(std::string_view text, std::string_view word) {
-  const std::size_t at = text.find(word);
-  if (at == std::string_view::npos) return std::nullopt;
-  std::size_t number = 0;
-  const char* const begin = text.data() + at + word.size();
-  return std::from_chars(begin, text.data() + text.size(), number).ec == std::errc() ? std::optional(number)
-                                                                                     : std::nullopt;
-}
-
-// Returns the properties of the component in the failure ("texture coordinate 0.s of vertex 3") according to
-// the specification; none if the failure is not about a component.
-std::optional<Difference> difference_of(const Finding& minimal, int max_eval_order) {
-  const std::string& what = minimal.failure.what;
-  const std::optional<std::size_t> index = number_behind(what, "vertex ");
-  const std::optional<Specified> specified = specify_if_defined(minimal.program, max_eval_order);
-  if (!index || !specified) return std::nullopt;
-  const reference::Vertex* vertex = nullptr;
-  std::size_t left = *index;
-  for (const reference::Primitive& primitive : specified->prediction.primitives) {
-    if (left < primitive.vertices.size()) {
-      vertex = &primitive.vertices[left];
-      break;
-    }
-    left -= primitive.vertices.size();
-  }
-  if (!vertex) return std::nullopt;
-  Difference difference;
-  difference.explicit_vertex = is_given(vertex->position[0]);
-  if (what.starts_with("position")) {
-    difference.given = difference.explicit_vertex;
-  } else if (what.starts_with("color")) {
-    difference.given = is_given(vertex->color[0]);
-  } else if (what.starts_with("normal")) {
-    const auto* components = std::get_if<std::array<reference::Component, 3>>(&vertex->normal);
-    difference.given = components && is_given((*components)[0]);
-  } else if (what.starts_with("texture coordinate")) {
-    const std::size_t unit = number_behind(what, "coordinate ").value_or(0);
-    difference.given =
-        unit >= vertex->texture_coordinate.size() || is_given(vertex->texture_coordinate[unit][0]);
-  } else {
-    return std::nullopt;
-  }
-  return difference;
-}
-
 // Returns the noun for the value that differs or is queried, such as "colour".
-std::string noun_of(const std::string& what, const Facts& facts) {
-  if (what.starts_with("color") || facts.queried.contains(GL_CURRENT_COLOR)) return "colour";
-  if (what.starts_with("normal") || facts.queried.contains(GL_CURRENT_NORMAL)) return "normal";
-  if (what.starts_with("texture") || facts.queried.contains(GL_CURRENT_TEXTURE_COORDS))
+std::string noun_of(const std::string& kind, const Facts& facts) {
+  if (kind == "color" || facts.queried.contains(GL_CURRENT_COLOR)) return "colour";
+  if (kind == "normal" || facts.queried.contains(GL_CURRENT_NORMAL)) return "normal";
+  if (kind == "texture coordinate" || facts.queried.contains(GL_CURRENT_TEXTURE_COORDS))
     return "texture coordinates";
   if (facts.queried.contains(GL_CURRENT_INDEX)) return "colour index";
-  if (what.starts_with("position")) return "position";
-  return "edge flag";
+  return kind == "position" ? "position" : "edge flag";
 }
 
 std::string in_lists(const Facts& facts) {
-  if (facts.lists == Lists::kNone) return {};
-  return facts.lists == Lists::kCompiled ? " in a display list" : " in a list that is compiled and executed";
+  if (facts.lists == Facts::Lists::kNone) return {};
+  return facts.lists == Facts::Lists::kCompiled ? " in a display list"
+                                                : " in a list that is compiled and executed";
 }
 
-std::string cause_from(const std::string& head, const std::vector<std::string>& flags) {
+// Returns "head; part; part" of the parts that are not empty, without their leading spaces.
+std::string cause_from(const std::string& head, const std::vector<std::string>& parts) {
   std::string cause = head;
-  for (const std::string& flag : flags)
-    if (!flag.empty()) cause += "; " + flag;
+  for (const std::string& part : parts)
+    if (!part.empty()) cause += "; " + part.substr(part.starts_with(" ") ? 1 : 0);
   return cause;
 }
 
@@ -219,129 +151,169 @@ std::string words_without(const Facts& facts, std::initializer_list<const char*>
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-std::string trimmed(std::string text) {
-  if (text.starts_with(" ")) text.erase(0, 1);
-  return text;
-}
+struct Name {
+  std::string cause, title;
+};
 
-NormalForm of_current_values(const std::string& what, const Facts& facts, bool after) {
+Name of_current_values(const std::string& kind, const Facts& facts, bool after) {
   const bool automatic = facts.automatic_normals && !facts.attribute_maps;
   const std::string without = facts.without_vertices ? " without a vertex map" : "";
   const std::string with = automatic ? " with AUTO_NORMAL" : "";
   return {cause_from(after ? "current values after an evaluation" : "current values at an evaluated vertex",
-                     {trimmed(without), automatic ? "AUTO_NORMAL" : "", trimmed(in_lists(facts))}),
+                     {without, automatic ? "AUTO_NORMAL" : "", in_lists(facts)}),
           after ? fmt::format("An evaluation{}{}{} changes the current {}", without, with, in_lists(facts),
-                              noun_of(what, facts))
+                              noun_of(kind, facts))
                 : fmt::format("A vertex that is evaluated{}{} does not take the current {}", with,
-                              in_lists(facts), noun_of(what, facts))};
+                              in_lists(facts), noun_of(kind, facts))};
 }
 
-NormalForm of_evaluated_values(const std::string& what, const Facts& facts) {
-  const std::string noun = noun_of(what, facts);
+Name of_evaluated_values(const std::string& kind, const Facts& facts) {
+  const std::string noun = noun_of(kind, facts);
   const bool on_grid = facts.meshes || facts.points;
   const std::string command = facts.meshes ? "EvalMesh" : facts.points ? "EvalPoint" : "EvalCoord";
   const std::string grid = !on_grid ? "" : facts.grids ? " on a grid of MapGrid" : " on the initial grid";
   const std::string with = facts.automatic_normals ? " with AUTO_NORMAL" : "";
   const std::string others = words_without(facts, {"Map", "Enable", "evaluation", "MapGrid", "AUTO_NORMAL"});
   return {cause_from(on_grid ? "evaluated values" : "evaluated " + noun,
-                     {command + grid, facts.automatic_normals ? "AUTO_NORMAL" : "", trimmed(in_lists(facts)),
-                      others}),
+                     {command + grid, facts.automatic_normals ? "AUTO_NORMAL" : "", in_lists(facts), others}),
           fmt::format("{}{}{}{} gives a wrong {}{}", command, grid, with, in_lists(facts), noun,
                       others.empty() ? "" : fmt::format(" (with {})", others))};
 }
 
-NormalForm of_vertices(const Failure& failure, const Facts& facts) {
-  const bool lists = facts.lists != Lists::kNone;
+Name of_vertices(const std::string& relation, const Facts& facts) {
+  const bool lists = facts.lists != Facts::Lists::kNone;
   const std::string command = facts.meshes && !lists   ? "EvalMesh"
                               : facts.points && !lists ? "EvalPoint"
                                                        : "An evaluation";
   const std::string without = facts.without_vertices ? " without a vertex map" : "";
-  const auto expected = number_behind(failure.expected, ""), captured = number_behind(failure.captured, "");
-  const char* how = "other vertices or primitives than it has to";
-  if (expected && captured)
-    how = *captured > *expected ? "too many vertices" : *captured < *expected ? "too few vertices" : how;
-  if (facts.evaluations == 0)
-    return {cause_from("vertices that are drawn",
-                       {"no evaluation", trimmed(in_lists(facts)), words_without(facts, {})}),
-            fmt::format("Vertices without any evaluation{}: {}", in_lists(facts), how)};
-  return {
-      cause_from("vertices that are drawn",
-                 {lists                        ? ""
-                  : command == "An evaluation" ? "evaluation"
-                                               : command,
-                  trimmed(without), facts.automatic_normals ? "AUTO_NORMAL" : "", trimmed(in_lists(facts))}),
-      fmt::format("{}{}{} draws {}", command, without, in_lists(facts), how)};
+  const char* const how = relation == "more"    ? "too many vertices"
+                          : relation == "fewer" ? "too few vertices"
+                                                : "other vertices or primitives than it has to";
+  return {cause_from("vertices that are drawn",
+                     {lists                        ? ""
+                      : command == "An evaluation" ? "evaluation"
+                                                   : command,
+                      without, facts.automatic_normals ? "AUTO_NORMAL" : "", in_lists(facts)}),
+          fmt::format("{}{}{} draws {}", command, without, in_lists(facts), how)};
 }
 
-NormalForm of_errors(const Failure& failure, const Facts& facts) {
-  const std::string kind = failure.message.substr(0, failure.message.find(':'));
+Name of_order(const Facts& facts) {
+  const char* const what = facts.mesh_mode == GL_FILL   ? "FILL draws its quads in another order or division"
+                           : facts.mesh_mode == GL_LINE ? "LINE draws its lines in another order"
+                                                        : "POINT draws its points in another order";
+  return {cause_from("order of a mesh", {in_lists(facts)}),
+          fmt::format("EvalMesh2 of {}{}", what, in_lists(facts))};
+}
+
+Name of_errors(const Failure& failure, const Facts& facts) {
+  const std::string& relation = failure.difference.relation;
+  const std::string kind = relation.starts_with("missing")    ? "missing error"
+                           : relation.starts_with("spurious") ? "spurious error"
+                                                              : "wrong error";
   std::string words = words_without(facts, {});
   if (words.empty()) words = "Begin, End";
   const std::string due =
       kind == "missing error"    ? fmt::format("raises no error, {} is due", failure.expected)
       : kind == "spurious error" ? fmt::format("raises {} without a cause", failure.captured)
                                  : fmt::format("raises {} instead of {}", failure.captured, failure.expected);
-  return {cause_from(kind, {words, trimmed(in_lists(facts))}),
-          fmt::format("{}{} {}", words, in_lists(facts), due)};
+  return {cause_from(kind, {words, in_lists(facts)}), fmt::format("{}{} {}", words, in_lists(facts), due)};
+}
+
+Name of_answers(const Failure& failure, const Facts& facts) {
+  if (facts.asks_for_current_values() && facts.evaluations > 0)
+    return of_current_values(failure.difference.kind, facts, true);
+  const std::string query = failure.difference.place.substr(0, failure.difference.place.find(' '));
+  const std::string words = words_without(facts, {"Map", "GetMap", "GetnMap", "Get", "IsEnabled"});
+  return {cause_from("answer of " + query, {words, in_lists(facts)}),
+          fmt::format("{} answers {} instead of {}{}{}", query, failure.captured, failure.expected,
+                      words.empty() ? "" : " after " + words, in_lists(facts))};
+}
+
+Name name_of(const Finding& minimal, const Facts& facts, int max_eval_order) {
+  const Difference& difference = minimal.failure.difference;
+  const std::string& kind = difference.kind;
+  const std::string lists = in_lists(facts);
+  if (kind == Difference::kCrash || kind == Difference::kHang) {
+    const std::string words = words_without(facts, {"Enable"});
+    return {cause_from(kind, {words, lists}),
+            fmt::format("{} of the library: {}{}", kind == Difference::kCrash ? "Crash" : "Hang",
+                        words.empty() ? "Begin, End" : words, lists)};
+  }
+  if (kind == Difference::kError) return of_errors(minimal.failure, facts);
+  // The program is minimal, so it does not fail without the rejected command, whose error is right.
+  if (const std::optional<Rejected> rejected = rejected_command(minimal.program, max_eval_order))
+    return {cause_from("effect of a rejected command", {rejected->word, rejected->error, lists}),
+            fmt::format("{} is rejected with {}{} and has an effect nevertheless", rejected->word,
+                        rejected->error, lists)};
+  if (kind == Difference::kOrder) return of_order(facts);
+  if (kind == Difference::kVertices) return of_vertices(difference.relation, facts);
+  if (kind == Difference::kAnswer) return of_answers(minimal.failure, facts);
+  if (difference.place.empty()) return of_evaluated_values(kind, facts);
+  if (kind == "position")
+    return {cause_from("position of an explicit vertex after an evaluation", {lists}),
+            fmt::format("An evaluation{} changes the position of an explicit vertex", lists)};
+  return of_current_values(kind, facts,
+                           facts.evaluations > 1 || difference.place == Difference::kExplicitVertex);
+}
+
+// --- the requirement that a minimal program violates
+
+const char* requirement_of_error(const Facts& facts) {
+  const bool active_texture = facts.words.contains("ActiveTexture");
+  if (facts.lists != Facts::Lists::kNone) return active_texture ? "EV-DL-ACTIVETEX" : "EV-DL-ERR-ALL";
+  if (active_texture) return facts.surfaces_only ? "EV-MAP2-ERR-ACTIVETEX" : "EV-MAP1-ERR-ACTIVETEX";
+  return facts.surfaces_only ? "EV-MAP2-ERR-NOEFFECT" : "EV-MAP1-ERR-NOEFFECT";
+}
+
+const char* requirement_of_answer(const std::string& place, const Facts& facts) {
+  if (place.starts_with("GetMap")) return facts.surfaces_only ? "EV-GETMAP-COEFF2" : "EV-GETMAP-COEFF1";
+  if (place.starts_with("IsEnabled")) return "EV-EN-GETS";
+  if (facts.lists == Facts::Lists::kExecuted) return "EV-DL-COMPEXEC";
+  if (facts.without_vertices) return facts.automatic_normals ? "EV-AUTON-NOVERTEX" : "EV-COORD-NOVERTEX";
+  if (facts.lists == Facts::Lists::kCompiled) return "EV-DL-EXECUTE";
+  if (facts.words.contains("PopAttrib")) return "EV-ATTRIB-EVALBIT";
+  if (facts.queried.contains(GL_CURRENT_NORMAL))
+    return facts.automatic_normals ? "EV-AUTON-CURRENT" : "EV-CUR-NORMAL";
+  return facts.queried.contains(GL_CURRENT_TEXTURE_COORDS) ? "EV-CUR-TEX" : "EV-CUR-COLOR";
+}
+
+const char* requirement_of_vertices(const Difference& difference, const Facts& facts) {
+  if (facts.lists == Facts::Lists::kExecuted) return "EV-DL-COMPEXEC";
+  if (facts.without_vertices) return facts.automatic_normals ? "EV-AUTON-NOVERTEX" : "EV-COORD-NOVERTEX";
+  if (facts.lists == Facts::Lists::kCompiled) return "EV-DL-EXECUTE";
+  const bool is_position = difference.kind == "position";
+  if (is_position && facts.automatic_normals) return "EV-AUTON-SAMEVERTEX";
+  if (facts.words.contains("PopAttrib")) return "EV-ATTRIB-EVALBIT";
+  if (is_position || difference.kind == Difference::kVertices) {
+    if (!facts.meshes) return "EV-COORD-ASIF";
+    return facts.surfaces_only ? "EV-MESH2-COORDS" : "EV-MESH1-COORDS";
+  }
+  return facts.explicit_vertices ? "EV-CUR-NEXTVERTEX" : "EV-COORD-CURRENT";
+}
+
+const char* requirement_of(const Difference& difference, const Facts& facts) {
+  const std::string& kind = difference.kind;
+  if (kind == Difference::kCrash || kind == Difference::kHang)
+    return facts.nested_lists                   ? "EV-DL-NESTED"
+           : facts.lists != Facts::Lists::kNone ? "EV-DL-EXECUTE"
+                                                : "EV-NUM-SPECIAL-SAFE";
+  if (kind == Difference::kOrder)
+    return facts.mesh_mode == GL_POINT  ? "EV-MESH2-POINT"
+           : facts.mesh_mode == GL_LINE ? "EV-MESH2-LINE"
+                                        : "EV-MESH2-FILL";
+  if (kind == Difference::kError) return requirement_of_error(facts);
+  if (kind == Difference::kAnswer) return requirement_of_answer(difference.place, facts);
+  return requirement_of_vertices(difference, facts);
 }
 
 }  // namespace
 
-NormalForm normal_form(const Finding& minimal, int max_eval_order) {
+void name_finding(Finding& minimal, int max_eval_order) {
   const Facts facts(minimal.program);
-  const Failure& failure = minimal.failure;
-  const std::string& what = failure.what;
-  const std::string kind = kind_of(what);
-  const std::string lists = in_lists(facts);
-  if (kind == "crash" || kind == "timeout") {
-    const std::string words = words_without(facts, {"Enable"});
-    return {cause_from(kind, {words, trimmed(lists)}),
-            fmt::format("{} of the library: {}{}", kind == "crash" ? "Crash" : "Hang",
-                        words.empty() ? "Begin, End" : words, lists)};
-  }
-  if (kind == "glGetError") return of_errors(failure, facts);
-  // The program is minimal, so it does not fail without the rejected command.
-  if (const std::optional<Rejected> rejected = rejected_command(minimal.program, max_eval_order))
-    return {cause_from("effect of a rejected command", {rejected->word, rejected->error, trimmed(lists)}),
-            fmt::format("{} is rejected with {}{} and has an effect nevertheless", rejected->word,
-                        rejected->error, lists)};
-  if (kind == kOrder)
-    return {cause_from("order of a mesh", {trimmed(lists)}),
-            fmt::format("EvalMesh{} draws its vertices in another order", lists)};
-  if (kind == kPrimitives) return of_vertices(failure, facts);
-  if (kind.starts_with("glGet") && !kind.starts_with("glGetMap") && !kind.starts_with("glGetnMap") &&
-      facts.asks_for_current_values()) {
-    if (facts.evaluations > 0) return of_current_values(what, facts, true);
-    return {cause_from("current values without any evaluation", {trimmed(lists)}),
-            fmt::format("The current {} is wrong{} without any evaluation", noun_of(what, facts), lists)};
-  }
-  if (kind.starts_with("gl")) {
-    std::string command = kind.substr(2);
-    while (!command.empty() && (command.back() == 'v' || command.back() == 'f' || command.back() == 'd' ||
-                                command.back() == 'i')) {
-      const bool vector = command.back() == 'v';
-      command.pop_back();
-      if (!vector) break;
-    }
-    for (const std::string_view stem : {"GetMap", "GetnMap"})
-      if (command.starts_with(stem)) command = stem;
-    if (kind == "glIsEnabled") command = "IsEnabled";
-    const std::string words = words_without(facts, {"Map", "GetMap", "GetnMap", "Get", "IsEnabled"});
-    return {cause_from("answer of " + command, {words, trimmed(lists)}),
-            fmt::format("{} answers {} instead of {}{}{}", command, failure.captured, failure.expected,
-                        words.empty() ? "" : " after " + words, lists)};
-  }
-  const std::optional<Difference> difference = difference_of(minimal, max_eval_order);
-  if (facts.evaluations == 0)
-    return {cause_from("explicit vertices", {kind, trimmed(lists), words_without(facts, {})}),
-            fmt::format("The {} of an explicit vertex{} is wrong without any evaluation",
-                        noun_of(what, facts), lists)};
-  if (difference && difference->given && !what.starts_with("position"))
-    return of_current_values(what, facts, facts.evaluations > 1 || difference->explicit_vertex);
-  if (difference && difference->given)
-    return {cause_from("position of an explicit vertex after an evaluation", {trimmed(lists)}),
-            fmt::format("An evaluation{} changes the position of an explicit vertex", lists)};
-  return of_evaluated_values(what, facts);
+  const Name name = name_of(minimal, facts, max_eval_order);
+  minimal.cause = name.cause;
+  minimal.title = name.title;
+  minimal.requirement = requirement_of(minimal.failure.difference, facts);
 }
 
 }  // namespace evalcts::fuzz

@@ -1,14 +1,13 @@
-// Implements Reducer: tries the commands of known causes first, then shrinks the program.
+// Implements Reducer: recognises known programs first, then shrinks the program.
 #include "reducer.h"
 
 #include <algorithm>
-#include <optional>
+#include <set>
 #include <utility>
 
+#include <evalcts/fuzz/normal_form.h>
 #include <evalcts/gl/display_lists.h>
-#include <evalcts/gl/explicit_vertices.h>
-
-#include "causes.h"
+#include <evalcts/gl/roles.h>
 #include "excerpt.h"
 #include "legal.h"
 #include "shrink.h"
@@ -16,152 +15,292 @@
 namespace evalcts::fuzz {
 namespace {
 
+using gl::EntryPoint;
+
 constexpr int kInShared = 5;  // attempts in the shared context for each attempt in a fresh context
+
+// Returns the stem of the command, by which programs are compared. Commands that set current values have one
+// stem, and so have those that enable or disable AUTO_NORMAL.
+std::string word_of(const gl::Command& command) {
+  if (gl::integer_of(command, 0) == GL_AUTO_NORMAL) return "AUTO_NORMAL";
+  return gl::role_of(command.entry) == gl::Role::kCurrentValue ? "current value" : gl::stem_of(command.entry);
+}
+
+std::set<std::string> words_of(const gl::Case& program) {
+  std::set<std::string> words;
+  for (const gl::Command& command : program.commands()) words.insert(word_of(command));
+  return words;
+}
+
+gl::Case without_word(const gl::Case& program, const std::string& word) {
+  gl::Case without(program.identity());
+  for (const gl::Command& command : program.commands())
+    if (word_of(command) != word) without.add(command);
+  return without;
+}
+
+bool calls_missing_list(const gl::Case& program) {
+  std::set<std::int64_t> defined;
+  std::int64_t open = 0;
+  return std::ranges::any_of(program.commands(), [&](const gl::Command& command) {
+    const std::int64_t list = gl::integer_of(command, 0);
+    if (command.entry == EntryPoint::EndList) defined.insert(open);
+    if (command.entry == EntryPoint::NewList) open = list;
+    return command.entry == EntryPoint::CallList && !defined.contains(list);
+  });
+}
+
+// Returns false if a mesh or grid point is drawn over an initial grid: no MapGrid has its dimension.
+bool keeps_to_grids(const gl::Case& program) {
+  std::set<int> with_grid, drawn;
+  for (const gl::Command& command : program.commands()) {
+    const gl::Role role = gl::role_of(command.entry);
+    if (role == gl::Role::kMapGrid) with_grid.insert(gl::dimension_of(command.entry));
+    if (role == gl::Role::kEvalMesh || role == gl::Role::kEvalPoint)
+      drawn.insert(gl::dimension_of(command.entry));
+  }
+  return std::ranges::includes(with_grid, drawn);
+}
+
+// Returns the program without all commands of each word, without the pairs of commands that only make sense
+// together, and without display lists. Maps stay, because evaluation without them uses the initial maps.
+std::vector<gl::Case> parts_of(const gl::Case& program) {
+  std::vector<gl::Case> parts;
+  const std::set<std::string> words = words_of(program);
+  for (const std::string& word : words)
+    if (word != "Map1" && word != "Map2") parts.push_back(without_word(program, word));
+  for (const auto& [opening, closing] : {std::pair{"Begin", "End"}, {"PushAttrib", "PopAttrib"}})
+    if (words.contains(opening)) parts.push_back(without_word(without_word(program, opening), closing));
+  if (gl::uses_lists(program)) parts.push_back(gl::without_lists(program));
+  return parts;
+}
+
+bool has_rejected_command(const Specified& specified) {
+  return std::ranges::any_of(specified.errors, [](const auto& errors) { return !errors.empty(); });
+}
 
 }  // namespace
 
-Reducer::Reducer(const Subject& subject, SharedContext* shared, std::vector<std::string> causes,
-                 int most_attempts, Hooks hooks)
+std::optional<gl::Case> with_words_of(const gl::Case& minimal, const gl::Case& program) {
+  const std::set<std::string> words = words_of(minimal);
+  gl::Case reduced(program.identity());
+  for (const gl::Command& command : program.commands())
+    if (words.contains(word_of(command))) reduced.add(command);
+  return words_of(reduced) == words ? std::optional(reduced) : std::nullopt;
+}
+
+bool is_explained_by(const gl::Case& minimal, const gl::Case& program, const Specified& specified,
+                     const Still& still) {
+  const std::set<std::string> words = words_of(minimal);
+  gl::Case accepted(program.identity());
+  for (std::size_t i = 0; i < program.commands().size(); ++i)
+    if (words.contains("GetError") || specified.errors[i].empty()) accepted.add(program.commands()[i]);
+  const std::optional<gl::Case> reduced = with_words_of(minimal, accepted);
+  return reduced && still(*reduced) && std::ranges::none_of(words, [&](const std::string& word) {
+           return still(without_word(*reduced, word));
+         });
+}
+
+Alikeness::Alikeness(const gl::Case& program)
+    : keeps_to_grids_(keeps_to_grids(program)), calls_missing_list_(calls_missing_list(program)) {}
+
+bool Alikeness::holds_for(const gl::Case& candidate) const {
+  return (calls_missing_list_ || !calls_missing_list(candidate)) &&
+         (!keeps_to_grids_ || keeps_to_grids(candidate));
+}
+
+Reducer::Reducer(const Subject& subject, SharedContext* shared, int most_attempts, Hooks hooks)
     : subject_(subject),
       shared_(shared),
       table_(subject.implementation->create_context()->table()),
       max_order_(subject.info.max_order()),
-      causes_(std::move(causes)),
       most_attempts_(most_attempts),
       hooks_(std::move(hooks)) {
-  // Causes with fewer commands come first, because they take precedence if several apply.
-  std::ranges::stable_sort(causes_, {}, &std::string::size);
+  for (const KnownProgram& program : known_programs())
+    if (program.record.difference.kind != Difference::kCrash)
+      known_.push_back(
+          {&program, program.program, program.record.difference, program.cause(max_order_), false, {}});
+  // Bugs of the same product are likelier, and smaller programs recognise more.
+  known_.sort([&](const Known& a, const Known& b) {
+    const auto rank = [&](const Known& known) {
+      const std::string& product = find_known_bug(known.record->bug)->affects.product;
+      return std::pair(subject_.info.version.find(product) == std::string::npos,
+                       known.program.commands().size());
+    };
+    return rank(a) < rank(b);
+  });
 }
 
-std::optional<Finding> Reducer::difference_of(const gl::Case& candidate, const std::string& wanted,
+Reducer::Judge Reducer::fresh() const {
+  return
+      [this](const gl::Case& program, const Specified& specified, Outcomes outcomes, Attributes attributes) {
+        return judge_program(subject_, program, specified, outcomes, attributes);
+      };
+}
+
+Reducer::Judge Reducer::in_shared() const {
+  return
+      [this](const gl::Case& program, const Specified& specified, Outcomes outcomes, Attributes attributes) {
+        return shared_->judge_aside(program, specified, outcomes, attributes);
+      };
+}
+
+std::optional<Finding> Reducer::difference_of(const gl::Case& candidate, const Difference& difference,
                                               const Judge& judge) const {
   if (hooks_.alive) hooks_.alive();
   if ((hooks_.is_over && hooks_.is_over()) ||
       with_what_exists(subject_.info, table_, candidate).commands().size() < candidate.commands().size())
     return {};
-  const std::optional<Specified> of_candidate = specify_if_defined(candidate, max_order_);
-  if (!of_candidate || (hooks_.try_start && !hooks_.try_start(candidate))) return {};
-  std::optional<Finding> found = judge(candidate, *of_candidate).finding;
-  return found && kind_of(found->failure.what) == wanted ? std::move(found) : std::nullopt;
+  const std::optional<Specified> specified = specify_if_defined(candidate, max_order_);
+  if (!specified || (hooks_.try_start && !hooks_.try_start(candidate))) return {};
+  const Judged judged =
+      judge(candidate, *specified, outcomes_of(difference.kind), attributes_of(difference.kind));
+  const auto found = std::ranges::find_if(
+      judged.failures, [&](const Failure& failure) { return failure.difference.is_like(difference); });
+  return found == judged.failures.end() ? std::nullopt : std::optional(Finding{candidate, *found});
 }
 
-std::optional<std::string> Reducer::first_cause(const gl::Case& program, const std::string& wanted,
-                                                const Applies& applies) const {
+std::optional<Finding> Reducer::find(const gl::Case& program, const Difference& difference) const {
+  std::optional<Finding> found = difference_of(program, difference, fresh());
+  if (hooks_.finish) hooks_.finish();
+  return found;
+}
+
+bool Reducer::is_minimal(const gl::Case& program, const Difference& difference) const {
+  const auto shows = [&](const gl::Case& part) {
+    if (shared_ && !difference_of(part, difference, in_shared())) return false;
+    return difference_of(part, difference, fresh()).has_value();
+  };
+  const std::vector<gl::Case> parts = parts_of(program);
+  return std::ranges::none_of(parts, shows);
+}
+
+const Finding* Reducer::finding_of(Known& known) {
+  if (known.was_run || !known.record) return known.finding ? &*known.finding : nullptr;
+  known.was_run = true;
+  std::optional<Finding> found = find(known.program, known.difference);
+  if (!found || !known.record->is_shown_by(found->failure) ||
+      !is_minimal(known.program, found->failure.difference))
+    return nullptr;
+  name_finding(*found, max_order_);
+  found->known = known.record->bug;
+  known.finding = std::move(found);
+  return &*known.finding;
+}
+
+const Finding* Reducer::explanation(const gl::Case& program, const Difference& difference,
+                                    bool tries_shared) {
+  const Judge judge = tries_shared ? in_shared() : fresh();
+  const Alikeness alikeness(program);
+  const Still still = [&](const gl::Case& candidate) {
+    return alikeness.holds_for(candidate) && difference_of(candidate, difference, judge);
+  };
   for (const gl::Case& form : forms_of(program)) {
-    const std::optional<Specified> of_form = specify_if_defined(form, max_order_);
-    for (const std::string& cause : causes_)
-      if (of_form && cause.ends_with(": " + wanted) && applies(cause, form, *of_form)) return cause;
+    const std::optional<Specified> specified = specify_if_defined(form, max_order_);
+    if (!specified) continue;
+    for (Known& known : known_) {
+      if ((known.was_run && !known.finding) || !known.difference.is_like(difference)) continue;
+      if (is_explained_by(known.program, form, *specified, still))
+        if (const Finding* const finding = finding_of(known)) return finding;
+    }
   }
+  return nullptr;
+}
+
+std::optional<Finding> Reducer::recognise(const gl::Case& program, const Difference& difference) {
+  if (!shared_ || vertices_of(program) > kMostVertices) return {};
+  const Finding* const known = explanation(program, difference, true);
+  if (hooks_.finish) hooks_.finish();
+  return known ? std::optional(*known) : std::nullopt;
+}
+
+std::optional<Finding> Reducer::prove(const std::string& bug) {
+  for (const KnownProgram& program : known_programs())
+    for (Known& known : known_)
+      if (program.bug == bug && known.record == &program)
+        if (const Finding* const finding = finding_of(known)) return *finding;
   return {};
 }
 
-std::optional<Finding> Reducer::recognise(const gl::Case& program, const Finding& finding) {
-  if (!shared_ || vertices_of(program) > kMostVertices) return {};
-  const std::string kind = kind_of(finding.failure.what);
-  std::optional<Finding> recognised;
-  const auto still = [&](const gl::Case& candidate) {
-    std::optional<Finding> found =
-        difference_of(candidate, kind, [&](const gl::Case& c, const Specified& specified) {
-          return shared_->judge_aside(c, specified, outcomes_of(kind));
-        });
-    if (found) recognised = *found;
-    return found.has_value();
-  };
-  const std::optional<std::string> cause = first_cause(
-      program, kind, [&](const std::string& known, const gl::Case& form, const Specified& of_form) {
-        return reduced_to(known, form, of_form, still).has_value();
-      });
-  if (hooks_.finish) hooks_.finish();
-  if (!cause) return {};
-  recognised->cause = *cause;
-  return recognised;
+void Reducer::name(Finding& finding) {
+  name_finding(finding, max_order_);
+  for (Known& known : known_) {
+    const std::string &relation = known.difference.relation, &found = finding.failure.difference.relation;
+    if (!known.record || known.cause != finding.cause || (!relation.empty() && relation != found)) continue;
+    if (const Finding* const other = finding_of(known)) {
+      finding = *other;
+      return;
+    }
+  }
+  ++new_findings_;
+  known_.push_front({nullptr, finding.program, finding.failure.difference, finding.cause, true, finding});
 }
 
-Finding Reducer::explain(gl::Case program, Finding finding, bool careful, bool tried) {
-  const std::string kind = kind_of(finding.failure.what);
-  const Outcomes outcomes = outcomes_of(kind);
-  std::string wanted = kind;
-  bool outside = false;
-  const auto still = [&](const gl::Case& candidate) {
-    std::optional<Finding> found =
-        difference_of(candidate, wanted, [&](const gl::Case& c, const Specified& specified) {
-          return judge_program(subject_, c, specified, outcomes);
-        });
+Finding Reducer::reduce(Finding finding, bool careful) {
+  const Alikeness alikeness(finding.program);
+  Difference difference = finding.failure.difference;
+  const Still still = [&](const gl::Case& candidate) {
+    if (!alikeness.holds_for(candidate)) return false;
+    std::optional<Finding> found = difference_of(candidate, difference, fresh());
     if (!found) return false;
     finding = *std::move(found);
-    finding.outside_evaluators = outside;
+    difference = difference.completed_by(finding.failure.difference);
     return true;
   };
-  const auto still_in_shared = [&](const gl::Case& candidate) {
-    return difference_of(candidate, wanted,
-                         [&](const gl::Case& c, const Specified& specified) {
-                           return shared_->judge(c, specified, outcomes);
-                         })
-        .has_value();
+  const Still still_in_shared = [&](const gl::Case& candidate) {
+    return alikeness.holds_for(candidate) &&
+           difference_of(candidate, difference,
+                         [&](const gl::Case& program, const Specified& specified, Outcomes outcomes,
+                             Attributes attributes) {
+                           return shared_->judge(program, specified, outcomes, attributes);
+                         });
   };
   const auto finish = [&] {
     if (hooks_.finish) hooks_.finish();
     return finding;
   };
-  // A difference that shows without display lists as well is no bug of lists.
-  if (gl::uses_lists(program) && still(gl::without_lists(program))) {
-    program = finding.program;
-    tried = false;
-  }
-  // Most differences have a known cause, so the commands of known causes are tried first. The shared context
-  // quickly shows which cause it may be.
-  const auto is_known = [&](bool in_shared) {
-    const std::optional<std::string> known = first_cause(
-        program, wanted, [&](const std::string& cause, const gl::Case& form, const Specified& of_form) {
-          // The shared context has shown that each word is necessary, so one repetition in a
-          // fresh context suffices.
-          const std::optional<gl::Case> reduced = in_shared
-                                                      ? reduced_to(cause, form, of_form, still_in_shared)
-                                                      : reduced_to(cause, form, of_form, still);
-          return reduced && (!in_shared || still(*reduced));
-        });
-    if (known) finding.cause = *known;
-    return known.has_value();
-  };
-  // Each run of a program that draws very much takes long, so it gets fewer attempts.
-  const std::int64_t size = std::max<std::int64_t>(vertices_of(program) / kMostVertices, 1);
-  const bool is_cheap_in_shared = shared_ && size == 1;
-  bool known = (is_cheap_in_shared && !tried && is_known(true)) || is_known(false);
-  if (!known && outcomes == Outcomes::kVertices && kind != kPrimitives) {
-    // If some vertices are lost and others are drawn twice, the difference may show as a wrong attribute,
-    // although the cause is a known one of the kind `primitives`.
-    wanted = kPrimitives;
-    known = is_known(false);
-    wanted = kind;
-  }
-  if (known) return finish();
   const auto smaller = [&](const gl::Case&) {
-    if (hooks_.smaller) hooks_.smaller(finding);
+    if (!hooks_.smaller) return;
+    Finding named = finding;
+    name_finding(named, max_order_);
+    hooks_.smaller(named);
   };
-  // If the control fails as well, it replaces the program. Its cause contains no evaluation, so it does not
-  // hide bugs that only evaluation shows.
-  gl::Case shown = program;
-  const auto shows_outside = [&](const gl::Case& control) {
-    outside = true;
-    return outside = still(control);
-  };
-  int most = most_attempts_ / static_cast<int>(std::min<std::int64_t>(size, most_attempts_));
-  if (shows_outside(gl::with_explicit_vertices(program))) {
-    shown = finding.program;
-    most /= 4;  // a bug outside of evaluators need not be minimal
+  smaller(finding.program);  // in case the library dies during the reduction
+  // A difference that shows without display lists as well is no bug of lists.
+  if (gl::uses_lists(finding.program)) still(gl::without_lists(finding.program));
+  // Each run of a program that draws very much takes long. It has the bug of an earlier one if the same
+  // commands alone show it; otherwise it is cut down first.
+  if (vertices_of(finding.program) > kMostVertices) {
+    for (const Known& known : known_)
+      if (known.finding && known.difference.is_like(difference))
+        if (const auto part = with_words_of(known.program, finding.program); part && still(*part)) {
+          finding = *known.finding;
+          return finish();
+        }
+    excerpt_of(gl::Case(finding.program), still);
   }
-  smaller(shown);  // reports the program now, in case the library dies during the reduction
-  for (const std::string& word : words_of(shown))
-    if (still(without_word(shown, word))) shown = finding.program;
+  // Most differences have a known cause. The shared context quickly shows which one it may be.
+  const bool uses_shared = shared_ && vertices_of(finding.program) <= kMostVertices;
+  if (const Finding* const known = explanation(finding.program, difference, uses_shared)) {
+    finding = *known;
+    return finish();
+  }
+  for (const std::string& word : words_of(finding.program)) still(without_word(finding.program, word));
   // The program is first shrunk in the shared context, where runs are cheap, so that few runs in fresh
   // contexts remain.
-  if (is_cheap_in_shared && !careful && still_in_shared(shown)) {
-    const gl::Case small = shrink(shown, still_in_shared, kInShared * most);
-    if (still(small)) shown = small;
-  }
-  shrink(shown, still, most, smaller);
-  if (!outside) shows_outside(gl::with_explicit_vertices(gl::Case(finding.program)));
-  causes_.push_back(finding.cause);
+  if (uses_shared && !careful && still_in_shared(finding.program))
+    still(shrink(finding.program, still_in_shared, kInShared * most_attempts_));
+  // Each run of a program that draws very much takes long, so it gets fewer attempts.
+  const std::int64_t size = std::max<std::int64_t>(vertices_of(finding.program) / kMostVertices, 1);
+  shrink(gl::Case(finding.program), still,
+         most_attempts_ / static_cast<int>(std::min<std::int64_t>(size, most_attempts_)), smaller);
+  // If a command that has to be rejected raises no error or a wrong one, this is closer to the cause than its
+  // effects.
+  const std::optional<Specified> specified = specify_if_defined(finding.program, max_order_);
+  if (difference.kind != Difference::kError && specified && has_rejected_command(*specified))
+    if (std::optional<Finding> error = difference_of(finding.program, {Difference::kError, "", ""}, fresh()))
+      return reduce(*std::move(error), careful);
+  name(finding);
   return finish();
 }
 

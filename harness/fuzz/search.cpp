@@ -14,12 +14,10 @@
 #include <evalcts/fuzz/random_program.h>
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/case_json.h>
-#include <evalcts/gl/explicit_vertices.h>
 #include <evalcts/results/files.h>
 #include <evalcts/runner/interruption.h>
 #include <evalcts/runner/suite_child.h>
-#include "legal.h"
-#include "shrink.h"
+#include "death.h"
 
 namespace evalcts::fuzz {
 namespace {
@@ -117,18 +115,17 @@ class Searcher {
     const double left = request_.seconds > 0 ? request_.seconds - seconds_since(begin_) : 0;
     if (interrupted || (programs && *programs == 0) || (request_.seconds > 0 && left <= 0)) return;
     std::vector<std::string> command = shared_options();
-    command.insert(command.end(),
-                   {"--fuzz", "--first", std::to_string(first), "--step", std::to_string(request_.jobs),
-                    "--length", std::to_string(request_.length), "--known", scratch(k, "known").string(),
-                    "--records", scratch(k, "jsonl").string(), "--in-flight",
-                    scratch(k, "in-flight").string(), "--deadly", scratch(k, "deadly").string()});
+    command.insert(
+        command.end(),
+        {"--fuzz", "--first", std::to_string(first), "--step", std::to_string(request_.jobs), "--length",
+         std::to_string(request_.length), "--records", scratch(k, "jsonl").string(), "--in-flight",
+         scratch(k, "in-flight").string(), "--deadly", scratch(k, "deadly").string()});
     if (request_.fresh_contexts) command.push_back("--fresh-contexts");
     if (programs) command.insert(command.end(), {"--programs", std::to_string(*programs)});
     if (left > 0) command.insert(command.end(), {"--seconds", fmt::format("{:.3f}", left)});
     fs::remove(scratch(k, "jsonl"));
     fs::remove(scratch(k, "in-flight"));
     write_atomically(scratch(k, "deadly"), list_as_text(lane.deadly));
-    write_atomically(scratch(k, "known"), list_as_text(causes_seen("")));
     lane.child = std::make_unique<SuiteChild>(command, scratch(k, "jsonl"), scratch(k, "log"),
                                               Limits{request_.seconds_per_program});
   }
@@ -219,94 +216,57 @@ class Searcher {
   // Adds the finding for a death of a child. The program in which it died, or the candidate of a reduction
   // (`in_flight`), is reduced by running smaller candidates in separate processes.
   void died(const ChildRun& run, std::uint32_t number, const std::string& in_flight) {
-    const std::string how = run.hung ? "timeout" : "crash";
-    gl::Case program = in_flight.empty()
-                           ? random_program(request_.seed, number, request_.length, max_eval_order_)
-                           : gl::parse_case(in_flight);
-    int at = 0;
+    const gl::Case program = in_flight.empty()
+                                 ? random_program(request_.seed, number, request_.length, max_eval_order_)
+                                 : gl::parse_case(in_flight);
     // On a busy machine, any program may exceed the time limit occasionally.
-    if (run.hung && ends_alone(program, ++at, request_.seconds_per_program)) {
+    if (run.hung && !run_alone(program, request_.seconds_per_program)) {
       ++found_.slow;
       return;
     }
     const double patience =
         run.hung ? std::min(kShortPatience, request_.seconds_per_program) : request_.seconds_per_program;
     const Clock::time_point begin = Clock::now();
-    const auto dies = [&](const gl::Case& candidate) {
-      return !interrupted && seconds_since(begin) < kSecondsAlone &&
-             specify_if_defined(candidate, max_eval_order_) && !ends_alone(candidate, ++at, patience);
-    };
-    // Most deaths have a known cause, so the commands of known causes are tried first.
-    std::string cause;
-    for (const gl::Case& form : forms_of(program)) {
-      const std::optional<Specified> specified = specify_if_defined(form, max_eval_order_);
-      for (const std::string& seen : causes_seen(how)) {
-        if (!cause.empty() || !specified) break;
-        std::optional<gl::Case> reduced = reduced_to(seen, form, *specified, dies);
-        if (!reduced) continue;
-        program = *std::move(reduced);
-        cause = seen;
-        // Only the first program of a cause is shown, so only this one is replaced by the minimal program.
-        const bool is_first = std::ranges::count(found_.causes, cause, &Cause::cause) == 0;
-        if (const KnownFinding* const known = known_finding(cause); known && is_first && dies(known->program))
-          program = known->program;
-      }
-    }
-    if (!cause.empty()) found_.seconds_of_known += seconds_since(begin);
-    bool outside = false;
-    if (cause.empty() && !dies(program)) {
-      cause = fmt::format("what was run before: {}", how);
-    } else if (cause.empty()) {
-      program = shrink(program, dies, run.hung ? kMostHangs : kMostAttemptsAlone);
-      outside = dies(gl::with_explicit_vertices(program));
-      if (outside) program = gl::with_explicit_vertices(program);  // so that the cause contains no evaluation
-      cause = cause_of(program, how);
-    }
-    Finding finding;
-    finding.program = program;
-    finding.requirement = requirement_of(program, how);
-    finding.outside_evaluators = outside;
-    finding.cause = cause;
-    finding.failure.what = how;
-    finding.failure.message = fmt::format("{}: {}", how, describe(run.ending));
-    finding.failure.expected = "the program is run to its end";
-    finding.failure.captured = describe(run.ending);
-    finding.failure.calls = gl::all_calls(program);
-    found(fmt::format("program {}", number), finding);
+    const std::size_t before = deaths_.size();
+    const std::optional<Finding> finding = reduce_death(
+        program, death_of(run).value_or(Difference{Difference::kCrash, "", ""}),
+        [&](const gl::Case& candidate) {
+          return interrupted || seconds_since(begin) > kSecondsAlone ? std::nullopt
+                                                                     : run_alone(candidate, patience);
+        },
+        deaths_, run.hung ? kMostHangs : kMostAttemptsAlone, max_eval_order_);
+    if (deaths_.size() == before) found_.seconds_of_known += seconds_since(begin);
+    if (finding) return found(fmt::format("program {}", number), *finding);
+    Finding of_history;
+    of_history.program = program;
+    of_history.failure.what = run.hung ? Difference::kHang : Difference::kCrash;
+    of_history.failure.message = fmt::format("{}: {}", of_history.failure.what, describe(run.ending));
+    of_history.cause = of_history.title = of_history.failure.what + " after what was run before";
+    found(fmt::format("program {}", number), of_history);
   }
 
-  // Returns the causes of deaths of the kind `how` ("crash", "timeout"); all causes if `how` is empty.
-  std::vector<std::string> causes_seen(const std::string& how) const {
-    std::vector<std::string> seen;
-    for (const Cause& cause : found_.causes) seen.push_back(cause.cause);
-    for (const auto& [cause, as] : request_.known) seen.push_back(cause);
-    if (!how.empty())
-      std::erase_if(seen, [&](const std::string& cause) { return !cause.ends_with(": " + how); });
-    return seen;
-  }
-
-  // Returns true if the program runs to its end in a separate process. `at` makes the file name unique.
-  bool ends_alone(const gl::Case& program, int at, double patience) const {
-    const fs::path file = scratch_ / "alone.json", events = scratch_ / fmt::format("alone-{}.jsonl", at);
+  // Runs the program in a separate process.
+  std::optional<Difference> run_alone(const gl::Case& program, double patience) {
+    const fs::path file = scratch_ / "alone.json";
+    const fs::path events = scratch_ / fmt::format("alone-{}.jsonl", ++runs_alone_);
     write_atomically(file, gl::to_text(program));
     std::vector<std::string> command = shared_options();
     command.insert(command.end(), {"--replay", file.string(), "--records", events.string()});
     SuiteChild child(command, events, scratch_ / "alone.log", {patience});
     while (!child.look(kLook)) continue;
     fs::remove(events);
-    return child.run().complete;
+    return death_of(child.run());
   }
 
   void found(const std::string& program, const Finding& finding) {
-    const std::string& cause = finding.cause;
+    const std::string& cause = finding.known.empty() ? finding.cause : finding.known;
     auto known = std::ranges::find(found_.causes, cause, &Cause::cause);
     if (known == found_.causes.end()) {
       Cause fresh;
       fresh.cause = cause;
       fresh.program = program;
       fresh.finding = finding;
-      const auto as = request_.known.find(cause);
-      if (as != request_.known.end()) fresh.known_as = as->second;
+      fresh.known_as = finding.known;
       if (finding.outside_evaluators) fresh.known_as = "a bug outside the evaluators";
       fresh.file = (request_.output / fmt::format("fuzz-{}-{}.json", request_.name, found_.causes.size() + 1))
                        .string();
@@ -321,14 +281,13 @@ class Searcher {
     write_atomically(cause.file, to_text(cause.finding));
     const Failure& failure = cause.finding.failure;
     std::string text =
-        fmt::format("{}\n{}\nexpected {}\ncaptured {}\nrequirement {}\n", cause.cause, failure.message,
-                    failure.expected, failure.captured, cause.finding.requirement);
-    const gl::Case& program = cause.finding.program;
-    text += fmt::format("{}\n", fmt::join(gl::all_calls(program, 1000, 0), "\n"));
+        fmt::format("{}\n{}\nexpected {}\ncaptured {}\nrequirement {}\n", cause.finding.title,
+                    failure.message, failure.expected, failure.captured, cause.finding.requirement);
+    text += fmt::format("{}\n", fmt::join(gl::all_calls(cause.finding.program, 1000, 0), "\n"));
     write_atomically(fs::path(cause.file).replace_extension(".txt"), text);
     // Writes the C program, if the implementation supports it.
     const fs::path replay = scratch_ / "write.json", events = scratch_ / "write.jsonl";
-    write_atomically(replay, gl::to_text(program));
+    write_atomically(replay, gl::to_text(cause.finding.program));
     std::vector<std::string> command = shared_options();
     command.insert(command.end(), {"--replay", replay.string(), "--records", events.string(), "--reproduce",
                                    fs::path(cause.file).replace_extension(".c").string()});
@@ -343,7 +302,8 @@ class Searcher {
   const Clock::time_point begin_ = Clock::now();
   std::vector<Lane> lanes_;
   SearchResult found_;
-  int empty_starts_ = 0;
+  std::vector<Finding> deaths_;  // minimal programs in which the library died
+  int empty_starts_ = 0, runs_alone_ = 0;
   int max_eval_order_ = 8;  // reported by the children
 };
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <evalcts/backends/reused_context.h>
-#include <evalcts/fuzz/campaign.h>
+#include <evalcts/fuzz/finding.h>
 
 namespace evalcts::fuzz {
 
@@ -27,14 +27,16 @@ class SharedContext {
     subject_.implementation = &warm_->implementation();
   }
 
-  Judged judge(const gl::Case& program, const Specified& specified, Outcomes outcomes = Outcomes::kAll) {
+  Judged judge(const gl::Case& program, const Specified& specified, Outcomes outcomes = Outcomes::kAll,
+               Attributes attributes = kAllAttributes) {
     history_.push_back(program);
     if (history_.size() > kMostHistory + 1) history_.pop_front();
-    return judge_aside(program, specified, outcomes);
+    return judge_aside(program, specified, outcomes, attributes);
   }
   // The same, but the program is not added to the history.
-  Judged judge_aside(const gl::Case& program, const Specified& specified, Outcomes outcomes) const {
-    return judge_program(subject_, program, specified, outcomes);
+  Judged judge_aside(const gl::Case& program, const Specified& specified, Outcomes outcomes,
+                     Attributes attributes) const {
+    return judge_program(subject_, program, specified, outcomes, attributes);
   }
 
   // Returns a case of the last `count` programs before the latest one, followed by the latest one; empty if

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <evalcts/gl/call_log.h>
+#include <evalcts/gl/roles.h>
 #include <evalcts/gl/tokens.h>
 #include <evalcts/runner/delta_debugging.h>
 
@@ -111,7 +112,7 @@ Command as_points(Command command) {
   if (command.entry == EntryPoint::Begin) command.arguments[0] = std::int64_t{GL_POINTS};
   if (command.entry == EntryPoint::EvalMesh1 || command.entry == EntryPoint::EvalMesh2)
     command.arguments[0] = std::int64_t{GL_POINT};
-  if (gl::name_of(command.entry).starts_with("glVertex")) return {EntryPoint::Vertex3f, {0.0f, 0.0f, 0.0f}};
+  if (gl::role_of(command.entry) == gl::Role::kVertex) return {EntryPoint::Vertex3f, {0.0f, 0.0f, 0.0f}};
   return command;
 }
 
@@ -202,6 +203,7 @@ class Shrinker {
   bool simplify_arguments() {
     bool any = false;
     for (std::size_t i = 0; i < size() && left_ > 0; ++i) {
+      any = trim_points(i) || any;
       any = lower_order(i) || any;
       for (std::size_t k = 0; i < size() && k < best_.commands()[i].arguments.size(); ++k)
         any = simplify(i, k) || any;
@@ -270,6 +272,25 @@ class Shrinker {
     bool any = false;
     for (const std::size_t i : changed) any = replace(i, after[i]) || any;
     return any;
+  }
+
+  // Removes what stands behind the last control point of a map, if its arguments are valid: a library may
+  // read what a rejected command points to.
+  bool trim_points(std::size_t i) {
+    Command command = best_.commands()[i];
+    if (gl::role_of(command.entry) != gl::Role::kMap) return false;
+    const std::int64_t components = gl::components_of(static_cast<GLenum>(gl::integer_of(command, 0)));
+    std::int64_t count = components;
+    for (std::size_t stride = 3; stride + 1 < command.arguments.size(); stride += 4) {
+      const std::int64_t step = gl::integer_of(command, stride), order = gl::integer_of(command, stride + 1);
+      if (components == 0 || step < components || order < 1) return false;
+      count += (order - 1) * step;
+    }
+    auto* const points = std::get_if<gl::Input>(&command.arguments.back());
+    if (!points || points->bytes.size() <= static_cast<std::size_t>(count) * size_of(points->type))
+      return false;
+    points->bytes.resize(static_cast<std::size_t>(count) * size_of(points->type));
+    return replace(i, std::move(command));
   }
 
   // Removes the last control point of a Map1 as often as possible.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <evalcts/gl/display_lists.h>
 #include <evalcts/gl/tokens.h>
 
 namespace evalcts::gl {
@@ -224,6 +225,13 @@ Case with_calls_of_no_list(const Case& script) {
         c.CallList(kNoList);
         c.End();
       });
+}
+
+std::vector<Case> controls_without_evaluators(const Case& script) {
+  std::vector<Case> controls = {with_explicit_vertices(script), with_explicit_commands(script),
+                                with_explicit_commands(script, {}, Arguments::kArray)};
+  if (uses_lists(script)) controls.push_back(with_calls_of_no_list(script));
+  return controls;
 }
 
 }  // namespace evalcts::gl

@@ -77,10 +77,13 @@ class VertexJudge {
     if (capture_error > 0 && options_.level == Level::kQuality) return;
     if (capture_error > 0) measured_ = false;
     // If a map supplies some components only, the others have fixed values, not current ones.
-    const bool is_current =
-        attribute != kPosition && std::ranges::none_of(expected, [](const auto& component) {
-          return std::holds_alternative<Sample>(component);
-        });
+    using Source = Mismatch::Source;
+    const bool is_given = std::ranges::none_of(
+        expected, [](const auto& component) { return std::holds_alternative<Sample>(component); });
+    const Source source = !is_given                ? Source::kMap
+                          : attribute == kPosition ? Source::kExplicitPosition
+                          : is_evaluated_          ? Source::kCurrentOfEvaluatedVertex
+                                                   : Source::kCurrentOfExplicitVertex;
     for (std::size_t i = 0; i < got.size(); ++i) {
       const auto what = [&] {
         const std::string number = attribute == kTextureCoordinate0 || attribute == kTextureCoordinatesOther
@@ -89,8 +92,7 @@ class VertexJudge {
         return fmt::format("{}{}.{} of vertex {}", name, number, components[i], index_);
       };
       if (const auto* given = std::get_if<float>(&expected[i])) {
-        given_value(what, clamped ? std::clamp(*given, 0.0f, 1.0f) : *given, got[i], is_current,
-                    capture_error);
+        given_value(what, clamped ? std::clamp(*given, 0.0f, 1.0f) : *given, got[i], source, capture_error);
       } else {
         evaluated_value(what, std::get<Sample>(expected[i]), got[i], clamped, capture_error);
       }
@@ -98,9 +100,12 @@ class VertexJudge {
   }
 
   template <class Describe>
-  void given_value(const Describe& what, float expected, float got, bool is_current, double capture_error) {
+  void given_value(const Describe& what, float expected, float got, Mismatch::Source source,
+                   double capture_error) {
     if (expected == got || (std::isnan(expected) && std::isnan(got))) return;
     if (std::abs(static_cast<double>(expected) - static_cast<double>(got)) <= capture_error) return;
+    const bool is_current = source == Mismatch::Source::kCurrentOfEvaluatedVertex ||
+                            source == Mismatch::Source::kCurrentOfExplicitVertex;
     Mismatch mismatch;
     mismatch.what = what();
     mismatch.message =
@@ -109,9 +114,7 @@ class VertexJudge {
     mismatch.expected = text(expected);
     mismatch.captured = text(got);
     mismatch.exact = text(expected);
-    if (is_current)
-      mismatch.current_of =
-          is_evaluated_ ? Mismatch::CurrentOf::kEvaluatedVertex : Mismatch::CurrentOf::kExplicitVertex;
+    mismatch.source = source;
     mismatch.ulp = std::isfinite(expected)
                        ? reference::ulp_distance(got, Rational(static_cast<double>(expected)))
                        : std::numeric_limits<double>::infinity();
@@ -414,6 +417,24 @@ Judgement judge_until(std::size_t most, const Prediction& prediction, const Topo
 }
 
 }  // namespace
+
+Difference Mismatch::difference() const {
+  if (kind == Kind::kVertices)
+    return {Difference::kVertices, "", got > highest ? "more" : got < lowest ? "fewer" : "other primitives"};
+  if (!observed.empty()) return {observed, "", ""};
+  const std::string attribute = kind_of(what);
+  if (attribute.empty()) return {};
+  switch (source) {
+    case Source::kMap:
+      return {attribute, "", relation_of(got, lowest, highest)};
+    case Source::kCurrentOfEvaluatedVertex:
+      return {attribute, Difference::kEvaluatedVertex, ""};
+    case Source::kCurrentOfExplicitVertex:
+    case Source::kExplicitPosition:
+      return {attribute, Difference::kExplicitVertex, ""};
+  }
+  return {};
+}
 
 Judgement judge(const Prediction& prediction, const Topology& topology, const Observation& observation,
                 const JudgeOptions& options) {

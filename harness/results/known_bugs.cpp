@@ -1,4 +1,4 @@
-// Reads the known bugs from JSON that is compiled in, finds a bug by its ID or its sign, checks all of them,
+// Reads the known bugs from JSON that is compiled in, finds a bug by its ID, checks all of them,
 // and lists them as Markdown.
 #include <evalcts/results/known_bugs.h>
 
@@ -6,10 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <map>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -53,53 +50,20 @@ KnownBug read_known_bug(const JsonObject& in) {
   out.suspected = in.boolean("suspected");
   out.real_programs = in.text("real_programs");
   out.verified = in.text("verified");
-  out.crashes = in.boolean("crashes");
-  in.each_object("signs", [&](const JsonObject& sign) {
-    out.signs.push_back({sign.text("cause"), sign.text("what"), sign.text("expected"), sign.text("captured"),
-                         sign.text("relation")});
+  FailingTests of_programs;
+  in.each_object("programs", [&](const JsonObject& program) {
+    BugProgram& added = out.programs.emplace_back();
+    added.name = program.text("name");
+    added.requirement = program.text("requirement");
+    added.difference = program.word("difference", parse_difference).value_or(Difference());
+    added.captured = program.text("captured");
+    added.commands = program.json_text("commands");
+    if (!added.name.empty()) of_programs.tests.push_back("Findings." + added.name);
   });
-  FailingTests of_findings;
-  if (out.crashes) of_findings.status = "Crash";
-  in.each_object("findings", [&](const JsonObject& finding) {
-    out.findings.push_back({finding.text("name"), finding.text("requirement"), finding.text("what"),
-                            finding.json_text("program")});
-    of_findings.tests.push_back("Findings." + out.findings.back().name);
-  });
-  if (!of_findings.tests.empty()) out.tests.push_back(of_findings);
+  if (out.dies()) of_programs.status = "Crash";
+  if (!of_programs.tests.empty()) out.tests.push_back(of_programs);
   in.each_object("tests", [&](const JsonObject& tests) { out.tests.push_back(read_failing_tests(tests)); });
-  // `program` is the name of a finding, or commands.
-  out.program = in.json_text("program");
-  for (const FindingRecord& finding : out.findings)
-    if (out.program == json(finding.name).dump()) out.program = finding.program;
   return out;
-}
-
-bool matches_whole(const std::string& expression, const std::string& text) {
-  return expression.empty() || std::regex_match(text, std::regex(expression));
-}
-
-// Returns the first numbers of the text, at most `most`: {0.5, 1} of "[0.5, 1]", {3} of "3 vertices".
-std::vector<double> numbers_in(const std::string& text, std::size_t most) {
-  static const std::regex kNumber("[-+]?[0-9.]+(e[-+]?[0-9]+)?");
-  std::vector<double> numbers;
-  for (std::sregex_iterator it(text.begin(), text.end(), kNumber), end; it != end && numbers.size() < most;
-       ++it)
-    numbers.push_back(std::strtod(it->str().c_str(), nullptr));
-  return numbers;
-}
-
-// See BugSign::relation.
-bool has_relation(const std::string& relation, const Failure& failure) {
-  constexpr double kNear = 0.01;
-  if (relation.empty()) return true;
-  const std::vector<double> expected =
-      numbers_in(failure.expected, failure.expected.starts_with('[') ? 2 : 1);
-  const std::vector<double> captured = numbers_in(failure.captured, 1);
-  if (expected.empty() || captured.empty()) return false;
-  const double above = captured[0] - expected.back(), below = expected[0] - captured[0];
-  if (relation == "more") return above > 0;
-  if (relation == "less") return below > 0;
-  return std::max(above, below) <= kNear * std::max(1.0, std::abs(expected[0]));
 }
 
 }  // namespace
@@ -120,14 +84,9 @@ bool AffectedVersions::may_contain(const ImplementationRecord& implementation) c
          VersionRange(fmt::format("{} {} or newer", product, first)).contains(implementation.version);
 }
 
-bool BugSign::matches(const std::string& of_cause, const Failure& failure) const {
-  return cause == of_cause && matches_whole(what, failure.what) &&
-         matches_whole(expected, failure.expected) && matches_whole(captured, failure.captured) &&
-         has_relation(relation, failure);
-}
-
-bool KnownBug::has_sign(const std::string& of_cause, const Failure& failure) const {
-  return std::ranges::any_of(signs, [&](const BugSign& sign) { return sign.matches(of_cause, failure); });
+bool KnownBug::dies() const {
+  return !programs.empty() && (programs.front().difference.kind == Difference::kCrash ||
+                               programs.front().difference.kind == Difference::kHang);
 }
 
 std::vector<KnownBug> parse_known_bugs(const std::string& text) {
@@ -169,7 +128,7 @@ const KnownBug* find_known_bug(const std::string& id) {
 std::vector<std::string> lint(const std::vector<KnownBug>& bugs) {
   std::vector<std::string> problems;
   static const std::set<std::string> kStatuses = {"Fail", "Crash", "Timeout", "Flaky", "Skip"};
-  std::set<std::string> ids, signs, findings;
+  std::set<std::string> ids, programs;
   for (const KnownBug& bug : bugs) {
     const auto complain = [&](const std::string& words) {
       problems.push_back(fmt::format("{}: {}", bug.id.empty() ? "(no ID)" : bug.id, words));
@@ -188,29 +147,17 @@ std::vector<std::string> lint(const std::vector<KnownBug>& bugs) {
                                       {"verified", bug.verified}})
       if (value.empty()) complain(fmt::format("'{}' is missing", name));
     if (bug.requirements.empty()) complain("'requirements' is empty");
-    if (bug.program.empty() ? bug.crashes || !bug.signs.empty() : bug.crashes && !bug.signs.empty())
-      complain("a bug with a program has either 'signs' or 'crashes', and a bug without one has neither");
     for (const RequirementId& id : bug.requirements)
       if (!catalogue().find(id)) complain(fmt::format("unknown requirement {}", id.text()));
-    for (const BugSign& sign : bug.signs) {
-      const std::string text = fmt::format("{}: {}: {}: {}: {}", sign.cause, sign.what, sign.expected,
-                                           sign.captured, sign.relation);
-      if (!signs.insert(bug.affects.product + ": " + text).second)
-        complain(fmt::format("another bug has the sign '{}', too", text));
-      if (!sign.relation.empty() && sign.relation != "more" && sign.relation != "less" &&
-          sign.relation != "near")
-        complain(fmt::format("unknown relation '{}'", sign.relation));
-      for (const std::string& expression : {sign.what, sign.expected, sign.captured}) try {
-          std::regex checked(expression);
-        } catch (const std::regex_error& error) {
-          complain(fmt::format("'{}' is not a regular expression: {}", expression, error.what()));
-        }
-    }
-    for (const FindingRecord& finding : bug.findings) {
-      if (!findings.insert(finding.name).second)
-        complain(fmt::format("another finding has the name '{}', too", finding.name));
-      if (!catalogue().find(finding.requirement))
-        complain(fmt::format("unknown requirement {} of {}", finding.requirement, finding.name));
+    for (const BugProgram& program : bug.programs) {
+      const std::string name = program.name.empty() ? "a program" : program.name;
+      if (program.difference.kind.empty()) complain(fmt::format("'difference' of {} is missing", name));
+      if (program.commands.empty()) complain(fmt::format("'commands' of {} is missing", name));
+      if (program.name.empty()) continue;
+      if (!programs.insert(name).second)
+        complain(fmt::format("another program has the name '{}', too", name));
+      if (!catalogue().find(program.requirement))
+        complain(fmt::format("unknown requirement {} of {}", program.requirement, name));
     }
     if (bug.tests.empty()) complain("'tests' is empty");
     for (const FailingTests& failing : bug.tests)
@@ -227,10 +174,11 @@ std::string known_bugs_as_markdown(const std::vector<KnownBug>& bugs,
   std::string text = fmt::format(
       "# Known bugs\n\n"
       "Bugs that make tests of evaluators fail with {}, one for each root cause. `evalcts run`\n"
-      "calls a bug known if the program below fails in the same way in that run, or if a failing test is one "
-      "of "
-      "those\n"
-      "that the register lists for it. The failures of known bugs are expected (see "
+      "calls a bug known if one of its programs fails in the same way in that run (a bug without a program: "
+      "if "
+      "a\n"
+      "failing test is one of those that the register lists for it). The failures of known bugs are expected "
+      "(see "
       "[Baselines](baselines.md)). This page is\n"
       "generated from `suites/bugs/` by the target `known_bugs`.\n\n"
       "| bug | affects |\n| --- | --- |\n",

@@ -75,6 +75,7 @@ Failure read_failure(const JsonObject& in) {
   out.case_identity = in.text("case");
   out.message = in.text("message");
   out.what = in.text("what");
+  out.difference = in.word("difference", parse_difference).value_or(Difference());
   out.expected = in.text("expected");
   out.captured = in.text("captured");
   out.exact = in.text("exact");

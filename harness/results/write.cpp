@@ -74,6 +74,7 @@ json to_json(const Plot& plot) {
 json to_json(const Failure& failure) {
   json out = {{"case", failure.case_identity}, {"message", failure.message},   {"what", failure.what},
               {"expected", failure.expected},  {"captured", failure.captured}, {"calls", failure.calls}};
+  if (!failure.difference.kind.empty()) out["difference"] = failure.difference.text();
   set(out, "exact", failure.exact);
   set(out, "capture", failure.capture);
   set_distances(out, failure);

@@ -60,7 +60,7 @@ struct Options {
   std::uint32_t seed = 1;
   std::string records, tests, claims, answer, prove, reproduce;
   fuzz::Campaign campaign;
-  std::string known, deadly, replay, reduce;
+  std::string deadly, replay, reduce;
   double reduce_seconds = 0;      // time limit; 0: none
   std::uint64_t renew_above = 0;  // MiB; 0: no limit
   std::vector<std::string> left_out;
@@ -321,7 +321,6 @@ void parse(int argc, char** argv, Options& options) {
   app.add_option("--programs", options.campaign.programs, "how many")->needs("--fuzz");
   app.add_option("--seconds", options.campaign.seconds, "time limit of the search, in seconds")
       ->needs("--fuzz");
-  app.add_option("--known", options.known, "file of causes that are known (JSON)")->needs("--fuzz");
   app.add_option("--in-flight", options.campaign.in_flight,
                  "file for each smaller version of a program, before it is run")
       ->needs("--fuzz");
@@ -392,7 +391,6 @@ int run_programs(const Program& program) {
   const auto report = [&](const fuzz::CampaignEvent& event) { program.records->write(fuzz::to_line(event)); };
   if (program.options.fuzz) {
     fuzz::Campaign campaign = program.options.campaign;
-    campaign.known = fuzz::parse_list(read_file(program.options.known));
     campaign.deadly = fuzz::parse_list(read_file(program.options.deadly));
     fuzz::run_campaign(program.subject, campaign, report);
     return 0;
@@ -407,18 +405,19 @@ int run_programs(const Program& program) {
   std::vector<Outcomes> all_outcomes = {Outcomes::kAll};
   if (specified.prediction.vertex_count() == 0) all_outcomes.push_back(Outcomes::kVertices);
   if (specified.prediction.has_meshes()) all_outcomes.push_back(Outcomes::kOrder);
-  std::optional<fuzz::Finding> finding;
-  for (const Outcomes outcomes : all_outcomes)
-    if (!finding) finding = fuzz::judge_program(program.subject, script, specified, outcomes).finding;
   TestRecord record;
   record.name = "program";
-  record.verdict = finding ? Verdict::kFail : Verdict::kPass;
-  if (finding) {
-    record.failures = {finding->failure};
-    record.message = finding->failure.message;
+  record.verdict = Verdict::kPass;
+  for (const Outcomes outcomes : all_outcomes) {
+    if (!record.failures.empty()) break;
+    record.failures = fuzz::judge_program(program.subject, script, specified, outcomes).failures;
+  }
+  if (!record.failures.empty()) {
+    record.verdict = Verdict::kFail;
+    record.message = record.failures.front().message;
   }
   program.records->write(to_line(TestFinished{record}));
-  return finding ? 1 : 0;
+  return record.failures.empty() ? 0 : 1;
 }
 
 // Returns the queries of grids that raise an error. Their own tests fail; other tests leave these queries out
@@ -444,7 +443,7 @@ std::set<std::string> rejected_queries(Implementation& implementation) {
 // are left out. If the case draws no vertices, the first control omits evaluation instead. Throws
 // NotObservable if the library survives all controls.
 void run_without_evaluators(const Program& program, const gl::Case& script) {
-  std::vector<gl::Case> controls = fuzz::controls_without_evaluators(script);
+  std::vector<gl::Case> controls = gl::controls_without_evaluators(script);
   if (predict(script, program.subject.info.max_order()).vertex_count() == 0) {
     gl::Case without = script.without_commands();
     for (const gl::Command& command : script.commands())

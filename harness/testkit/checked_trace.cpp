@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <evalcts/gl/call_log.h>
+#include <evalcts/gl/roles.h>
 #include <evalcts/gl/tokens.h>
 #include <evalcts/testkit/test.h>
 
@@ -28,6 +30,21 @@ std::string list(const std::vector<double>& values) {
   for (std::size_t i = 0; i < values.size() && i < 16; ++i) text += (i ? ", " : "") + shortest(values[i]);
   if (values.size() > 16) text += fmt::format(", ... ({} values)", values.size());
   return "{" + text + "}";
+}
+
+// Returns the relation of a wrong answer to the intervals of permitted ones: near or far, or
+// Difference::kSaturated if the value that is due does not fit into the integer.
+std::string relation_of(double captured, const CheckedTrace::Intervals& permitted, gl::Scalar type) {
+  constexpr double kLargest = std::numeric_limits<GLint>::max(),
+                   kSmallest = std::numeric_limits<GLint>::min();
+  const auto is_near = [&](const auto& interval) {
+    return evalcts::relation_of(captured, interval.first, interval.second) == "near";
+  };
+  const auto is_saturated = [&](const auto& interval) {
+    return type == gl::Scalar::kI32 && (interval.first >= kLargest || interval.second <= kSmallest);
+  };
+  if (std::ranges::any_of(permitted, is_saturated)) return Difference::kSaturated;
+  return std::ranges::any_of(permitted, is_near) ? "near" : "far";
 }
 
 gl::Check at_most_written(gl::Ref query, std::size_t count) {
@@ -61,14 +78,15 @@ std::vector<double> all_values(const gl::Trace& trace, gl::Ref query) {
 CheckedTrace::CheckedTrace(Test& test, gl::DeliveredCase delivered, const gl::Trace& trace)
     : test_(test), delivered_(std::move(delivered)), trace_(trace.of(delivered_.positions)) {}
 
-void CheckedTrace::fail(gl::Check check, const std::string& message, const std::string& expected,
-                        const std::string& captured) {
+void CheckedTrace::fail(gl::Check check, const Difference& difference, const std::string& message,
+                        const std::string& expected, const std::string& captured) {
   ++failures_;
   const gl::Case& script = delivered_.script;
   Failure failure;
   failure.case_identity = script.identity();
   failure.message = message;
   failure.what = std::string(gl::name_of(command(check.answer.command).entry));
+  failure.difference = difference;
   // The C program contains the delivered case, so the check must refer to its commands.
   check.answer.command = as_delivered(check.answer.command);
   if (check.other.index >= 0) check.other = as_delivered(check.other);
@@ -94,7 +112,13 @@ void CheckedTrace::expect_error(gl::Ref get_error, const std::vector<GLenum>& al
   const char* kind = none_allowed ? "spurious error" : got == GL_NO_ERROR ? "missing error" : "wrong error";
   gl::Check check{.answer = {.kind = gl::Answer::Kind::kReturned, .command = get_error, .is_error = true}};
   for (const GLenum error : allowed) check.accepted.emplace_back(error, error);
+  // If the command before GetError executes or ends a list, it does not show which command raises the error.
+  const gl::EntryPoint entry = subject.entry;
+  const bool hides_command = entry == gl::EntryPoint::CallList || entry == gl::EntryPoint::CallLists ||
+                             entry == gl::EntryPoint::EndList || entry == gl::EntryPoint::NewList;
   fail(std::move(check),
+       {Difference::kError, hides_command ? "" : gl::stem_without_dimension(entry),
+        relation_of_errors(captured, gl::error_name(allowed.front()))},
        fmt::format("{}: after {} glGetError gives {}, expected {}", kind, gl::to_c(subject, 4), captured,
                    expected),
        expected, captured);
@@ -105,6 +129,7 @@ void CheckedTrace::expect_result(gl::Ref asked, std::int64_t expected) {
   if (got == expected) return;
   fail({.answer = {.kind = gl::Answer::Kind::kReturned, .command = asked},
         .accepted = {{static_cast<double>(expected), static_cast<double>(expected)}}},
+       {Difference::kAnswer, place_of(asked), "far"},
        fmt::format("{} returns {}, expected {}", gl::to_c(command(asked), 4), got, expected),
        std::to_string(expected), std::to_string(got));
 }
@@ -119,6 +144,18 @@ bool CheckedTrace::is_query_of_state(gl::Ref query) const {
   const gl::EntryPoint entry = command(query).entry;
   return entry == gl::EntryPoint::GetBooleanv || entry == gl::EntryPoint::GetIntegerv ||
          entry == gl::EntryPoint::GetFloatv || entry == gl::EntryPoint::GetDoublev;
+}
+
+std::string CheckedTrace::place_of(gl::Ref query) const {
+  const gl::Command& asked = command(query);
+  std::string place = gl::stem_without_dimension(asked.entry);
+  if (place == "GetnMap") place = "GetMap";
+  const std::size_t name = gl::role_of(asked.entry) == gl::Role::kGetMap ? 1 : 0;
+  if (asked.arguments.size() <= name || gl::parameter_kinds(asked.entry)[name] == '.') return place;
+  std::string token = gl::token_name(static_cast<GLenum>(gl::integer_of(asked, name)));
+  // The targets and grids of one and two dimensions have the same rules.
+  if (token.starts_with("GL_MAP1") || token.starts_with("GL_MAP2")) token.erase(6, 1);
+  return place + " " + token;
 }
 
 void CheckedTrace::require_answer(gl::Ref query) const {
@@ -167,12 +204,14 @@ void CheckedTrace::expect_permitted(gl::Ref query, const std::vector<Intervals>&
   const std::string call = gl::to_c(command(query), 4);
   const std::size_t i = first_wrong(all_values(trace_, query), permitted);
   if (written > expected.size()) {
-    fail(at_most_written(query, expected.size()),
+    fail(at_most_written(query, expected.size()), {Difference::kAnswer, place_of(query), "more values"},
          fmt::format("{} writes {} values, expected {}", call, written, expected.size()), list(expected),
          list(written_values(query)));
   } else if (i < expected.size()) {
     fail({.answer = {.kind = gl::Answer::Kind::kElement, .command = query, .element = i},
           .accepted = permitted[i]},
+         {Difference::kAnswer, place_of(query),
+          relation_of(all_values(trace_, query)[i], permitted[i], trace_.type(query))},
          fmt::format("{} answers {}, expected {}", call, list(written_values(query)), list(expected)),
          list(expected), list(written_values(query)));
   }
@@ -180,7 +219,7 @@ void CheckedTrace::expect_permitted(gl::Ref query, const std::vector<Intervals>&
 
 void CheckedTrace::expect_nothing_written(gl::Ref query) {
   if (trace_.written(query) == 0) return;
-  fail(at_most_written(query, 0),
+  fail(at_most_written(query, 0), {Difference::kAnswer, place_of(query), "written in spite of the error"},
        fmt::format("{} writes to its array in spite of the error", gl::to_c(command(query), 4)),
        "nothing written", list(written_values(query)));
 }
@@ -193,6 +232,7 @@ void CheckedTrace::expect_same(gl::Ref before, gl::Ref after) {
   };
   const std::string was = answer(before), is = answer(after);
   fail({.rule = gl::Check::Rule::kSame, .answer = {.command = after}, .other = before},
+       {Difference::kAnswer, place_of(after), ""},
        fmt::format("{} answered {} before and answers {} now", gl::to_c(command(after), 4), was, is), was,
        is);
 }
@@ -201,7 +241,8 @@ void CheckedTrace::expect(bool holds, gl::Ref command, const std::string& messag
                           const std::string& expected, const std::string& captured) {
   if (holds) return;
   require_answer(command);
-  fail({.rule = gl::Check::Rule::kUnlike, .answer = {.command = command}, .recorded = {command}}, message,
+  fail({.rule = gl::Check::Rule::kUnlike, .answer = {.command = command}, .recorded = {command}},
+       {kind_of(std::string(gl::name_of(this->command(command).entry))), place_of(command), ""}, message,
        expected, captured);
 }
 

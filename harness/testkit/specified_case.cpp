@@ -1,10 +1,15 @@
 // Judges a case by the executable specification: every answer, error and emitted vertex.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
 #include <utility>
 
+#include <evalcts/gl/call_log.h>
+#include <evalcts/gl/explicit_vertices.h>
+#include <evalcts/gl/roles.h>
 #include <evalcts/testkit/test.h>
 #include "blame.h"
 
@@ -109,7 +114,8 @@ void Test::require_rounding_of_other_state() {
     throw NotObservable("pipeline: GetIntegerv rounds other state wrongly as well");
 }
 
-void Test::judge_answer(CheckedTrace& checked, const Specified& specified, gl::Ref query) {
+void Test::judge_answer(CheckedTrace& checked, const gl::Case& script, const Specified& specified,
+                        gl::Ref query) {
   const auto& permitted = specified.permitted[static_cast<std::size_t>(query.index)];
   const bool is_advisory = std::ranges::any_of(permitted, &reference::PermittedValue::is_advisory);
   if (is_advisory && record_.level != Level::kQuality) return;
@@ -133,7 +139,30 @@ void Test::judge_answer(CheckedTrace& checked, const Specified& specified, gl::R
   if (type == gl::Scalar::kI32 && std::ranges::any_of(permitted, is_rounded) &&
       checked.is_query_of_state(query) && !checked.is_permitted(query, accepted(permitted, 0)))
     require_rounding_of_other_state();
+  if (!checked.is_permitted(query, accepted(permitted, tolerance))) require_explicit_answer(script, query);
   checked.expect_permitted(query, accepted(permitted, tolerance), expected);
+}
+
+void Test::require_explicit_answer(const gl::Case& script, gl::Ref query) {
+  const gl::Command& asked = script.commands()[static_cast<std::size_t>(query.index)];
+  if (subject_.is_warm || subject_.reproduction || gl::role_of(asked.entry) != gl::Role::kGet) return;
+  for (const gl::Case& control : {gl::with_explicit_commands(script), gl::with_explicit_vertices(script)}) {
+    const Specified specified = specify(control, max_order(), texture_units(), OtherState::kSkipped);
+    const gl::DeliveredCase delivered = delivery_.apply(control);
+    const gl::Trace trace = subject_.implementation->create_context()->play(delivered.script);
+    const CheckedTrace checked(*this, delivered, trace);
+    for (std::size_t i = 0; i < control.commands().size(); ++i) {
+      const gl::Ref same{static_cast<int>(i)};
+      if (!specified.known[i] || !specified.errors[i].empty() || !is_same_query(asked, control.commands()[i]))
+        continue;
+      const double tolerance = is_real(specified.answers.type(same)) ? kTolerance : 0;
+      if (!checked.is_permitted(same, accepted(specified.permitted[i], tolerance)))
+        throw NotObservable(
+            fmt::format("pipeline: with explicit commands instead of evaluations, {} gives a "
+                        "wrong answer as well",
+                        gl::to_c(asked, 4)));
+    }
+  }
 }
 
 gl::Ref Test::same_as(const Specified& specified, const gl::Case& script, gl::Ref query) const {
@@ -187,7 +216,7 @@ void Test::judge_answers(const gl::Case& script, const Specified& specified) {
       checked.expect_nothing_written(command);
     } else if (specified.answers.has_output(command)) {
       blame(Observed::kAnswer);
-      judge_answer(checked, specified, command);
+      judge_answer(checked, script, specified, command);
     } else {
       blame(Observed::kAnswer);
       checked.expect_result(command, specified.answers.result(command));
@@ -215,14 +244,15 @@ void Test::judge_answers(const gl::Case& script) {
   judge_answers(script, specify(script, max_order(), texture_units(), OtherState::kSkipped));
 }
 
-void Test::judge(const gl::Case& script, const Specified& specified, Outcomes outcomes) {
+void Test::judge(const gl::Case& script, const Specified& specified, Outcomes outcomes,
+                 Attributes attributes) {
   if (outcomes == Outcomes::kAll || outcomes == Outcomes::kAnswers) judge_answers(script, specified);
   if (outcomes == Outcomes::kAnswers) return;
   if (outcomes == Outcomes::kAll && specified.prediction.vertex_count() == 0) return;
   if (outcomes == Outcomes::kOrder) judge_order_of_meshes();
   if (!delivery_.name.empty()) throw std::logic_error("a prediction is of the case as it is delivered");
   begin_case(script);
-  judge_emission(script, specified.prediction, kJudged, Thoroughness::kFirstWrongVertex);
+  judge_emission(script, specified.prediction, kJudged, Thoroughness::kFirstWrongVertex, attributes);
 }
 
 }  // namespace evalcts

@@ -82,6 +82,7 @@ CheckedTrace Test::play(const gl::Case& written) {
     failure.case_identity = script.identity();
     failure.message = "spurious error: left behind after the last command: " + captured;
     failure.what = "glGetError";
+    failure.difference = {Difference::kError, "", relation_of_errors(names.front(), "GL_NO_ERROR")};
     failure.expected = "GL_NO_ERROR";
     failure.captured = captured;
     const gl::Check check{.answer = {.kind = gl::Answer::Kind::kLeftOver, .is_error = true},
@@ -179,7 +180,7 @@ std::vector<Test::CapturedObservation> Test::observe_by_captures(const gl::Case&
 }
 
 void Test::judge_emission(const gl::Case& script, const Prediction& prediction, Attributes required,
-                          Thoroughness thoroughness) {
+                          Thoroughness thoroughness, Attributes judged_attributes) {
   // There is room for some surplus vertices, so that a message can state their number.
   const std::size_t room = most_vertices_of(prediction) + 8;
   const std::vector<CapturedObservation> observations =
@@ -188,6 +189,7 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
   if (observation.error_observed && observation.error != GL_NO_ERROR && observation.error != prediction.error)
     control_.require_no_such_error(script, {observation.error});
   JudgeOptions options = options_for(script, *capture, required);
+  options.attributes = judged_attributes;
   if (thoroughness == Thoroughness::kFirstWrongVertex)
     options.most = 1;
   else if (prediction.vertex_count() <= kMostMeasured)
@@ -243,6 +245,7 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Captu
     failure.case_identity = script.identity();
     failure.message = mismatch.message;
     failure.what = mismatch.what;
+    failure.difference = difference_of(mismatch);
     failure.expected = mismatch.expected;
     failure.captured = mismatch.captured;
     failure.exact = mismatch.exact;
@@ -261,14 +264,21 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Captu
         return judge(capture.observe(implementation, script, request));
       });
     const std::vector<RequirementId> decided = decided_;
-    if (decided_.empty() && mismatch.current_of == Mismatch::CurrentOf::kEvaluatedVertex)
+    if (decided_.empty() && mismatch.source == Mismatch::Source::kCurrentOfEvaluatedVertex)
       blame(Observed::kEvaluatedVertex);
-    if (decided_.empty() && mismatch.current_of == Mismatch::CurrentOf::kExplicitVertex)
+    if (decided_.empty() && mismatch.source == Mismatch::Source::kCurrentOfExplicitVertex)
       blame(Observed::kExplicitVertex);
     fail(
         std::move(failure), [&] { return gl::all_calls(script); }, check);
     decided_ = decided;
   }
+}
+
+Difference Test::difference_of(const Mismatch& mismatch) const {
+  if (mismatch.kind == Mismatch::Kind::kError)
+    return {Difference::kError, "", relation_of_errors(mismatch.captured, mismatch.expected)};
+  if (judges_order_of_meshes_ && mismatch.kind == Mismatch::Kind::kValue) return {Difference::kOrder, "", ""};
+  return mismatch.difference();
 }
 
 void Test::blame(Observed observed) {

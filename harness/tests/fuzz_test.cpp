@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <evalcts/fuzz/events.h>
+#include <evalcts/fuzz/known_programs.h>
+#include <evalcts/fuzz/normal_form.h>
 #include <evalcts/fuzz/random_program.h>
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/case_json.h>
@@ -9,6 +11,7 @@
 #include <evalcts/results/json.h>
 #include "altered.h"
 #include "fuzz/legal.h"
+#include "fuzz/reducer.h"
 #include "fuzz/shrink.h"
 #include "program.h"
 
@@ -237,6 +240,18 @@ TEST(Shrink, StopsWhenItMayNotAskAnyMore) {
   EXPECT_EQ(asked, 40);
 }
 
+TEST(Shrink, CutsOffWhatNoMapReads) {
+  const auto points_left = [](GLint stride) {
+    gl::Case c;
+    c.Map1f(GL_MAP1_VERTEX_3, 0, 1, stride, 1, std::vector<GLfloat>(64, 1));
+    const gl::Case shrunk = shrink(
+        c, [](const gl::Case& candidate) { return has(candidate, gl::EntryPoint::Map1f); }, 100);
+    return std::get<gl::Input>(shrunk.commands()[0].arguments[5]).bytes.size() / sizeof(GLfloat);
+  };
+  EXPECT_EQ(points_left(5), 3u);
+  EXPECT_EQ(points_left(2), 64u) << "a rejected command may read anything";
+}
+
 // The dimension of an evaluated vertex after an EvalCoord2 without vertices distinguishes causes.
 TEST(Shrink, ChangesTheDimensionOfWhatGoesTogether) {
   gl::Case c;
@@ -291,40 +306,53 @@ TEST(Shrink, TakesListsAwayTogetherWithTheirCalls) {
   EXPECT_EQ(text_of(shrink(c, still, 100)), "glEvalPoint1(0);\n");
 }
 
-// --- causes -----------------------------------------------------------------------------------------------
+// --- names ------------------------------------------------------------------------------------------------
 
-TEST(Cause, IsToldByCommandsAndWhatDiffers) {
-  EXPECT_EQ(cause_of(small_curve(), "color.R of vertex 0"), "Begin, Enable, End, EvalCoord1, Map1: color");
-  EXPECT_EQ(cause_of(small_curve(), "number of vertices"), cause_of(small_curve(), "primitives"));
+std::string requirement_of(const gl::Case& program, const Difference& difference) {
+  Finding finding{program, {}};
+  finding.failure.difference = difference;
+  name_finding(finding, kMaxOrder);
+  return finding.requirement;
+}
+
+TEST(Requirement, IsThatOfTheCommandsAndOfTheDifference) {
+  const Difference position = {"position", "", "far"}, color = {"color", Difference::kEvaluatedVertex, ""},
+                   answer = {Difference::kAnswer, "Get", ""}, crash = {Difference::kCrash, "", ""};
+  EXPECT_EQ(requirement_of(small_curve(), position), "EV-COORD-ASIF");
   gl::Case normals = small_curve();
   normals.Enable(GL_AUTO_NORMAL);
-  EXPECT_EQ(requirement_of(small_curve(), "position.x of vertex 0"), "EV-COORD-ASIF");
-  EXPECT_EQ(requirement_of(normals, "position.x of vertex 0"), "EV-AUTON-SAMEVERTEX");
+  EXPECT_EQ(requirement_of(normals, position), "EV-AUTON-SAMEVERTEX");
   normals.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));
-  EXPECT_EQ(requirement_of(normals, "glGetFloatv"), "EV-AUTON-CURRENT");
+  EXPECT_EQ(requirement_of(normals, answer), "EV-AUTON-CURRENT");
   gl::Case given = small_curve();
   given.Vertex3f(0, 0, 0);
-  EXPECT_EQ(requirement_of(small_curve(), "color.R of vertex 0"), "EV-COORD-CURRENT");
-  EXPECT_EQ(requirement_of(given, "color.R of vertex 0"), "EV-CUR-NEXTVERTEX");
+  EXPECT_EQ(requirement_of(small_curve(), color), "EV-COORD-CURRENT");
+  EXPECT_EQ(requirement_of(given, color), "EV-CUR-NEXTVERTEX");
   gl::Case without_vertices;
   without_vertices.EvalCoord2f(0, 0);
-  EXPECT_EQ(requirement_of(without_vertices, "glGetFloatv"), "EV-COORD-NOVERTEX");
+  EXPECT_EQ(requirement_of(without_vertices, answer), "EV-COORD-NOVERTEX");
   without_vertices.Enable(GL_AUTO_NORMAL);
-  EXPECT_EQ(requirement_of(without_vertices, "glGetFloatv"), "EV-AUTON-NOVERTEX");
+  EXPECT_EQ(requirement_of(without_vertices, answer), "EV-AUTON-NOVERTEX");
   gl::Case list;
   list.NewList(1, GL_COMPILE);
   list.EndList();
-  EXPECT_EQ(requirement_of(list, "crash"), "EV-DL-EXECUTE");
-  EXPECT_EQ(requirement_of(list, "glGetError"), "EV-DL-ERR-ALL");
+  EXPECT_EQ(requirement_of(list, crash), "EV-DL-EXECUTE");
+  EXPECT_EQ(requirement_of(list, {Difference::kError, "", ""}), "EV-DL-ERR-ALL");
   gl::Case nested;
   nested.NewList(1, GL_COMPILE);
   nested.CallList(2);
   nested.EndList();
-  EXPECT_EQ(requirement_of(nested, "crash"), "EV-DL-NESTED");
+  EXPECT_EQ(requirement_of(nested, crash), "EV-DL-NESTED");
 }
 
-// A known cause does not explain a difference that only part of its commands, or other commands, show.
-TEST(Cause, NeedsAllItsWords) {
+gl::Case program_of(std::initializer_list<gl::Command> commands) {
+  gl::Case program;
+  for (const gl::Command& command : commands) program.add(command);
+  return program;
+}
+
+// A known program does not explain a difference that only part of its commands, or other commands, show.
+TEST(KnownProgram, ExplainsWhatNeedsAllItsCommands) {
   gl::Case program = small_curve();
   program.NewList(1, GL_COMPILE);
   program.EndList();
@@ -336,11 +364,16 @@ TEST(Cause, NeedsAllItsWords) {
   const auto by_both = [&](const gl::Case& candidate) {
     return by_evaluation(candidate) && has(candidate, gl::EntryPoint::NewList);
   };
-  EXPECT_TRUE(reduced_to("EvalCoord1: color", program, specified, by_evaluation));
-  EXPECT_FALSE(reduced_to("EvalCoord1, NewList: color", program, specified, by_evaluation));
-  EXPECT_TRUE(reduced_to("EvalCoord1, NewList: color", program, specified, by_both));
-  EXPECT_FALSE(reduced_to("EvalCoord1: color", program, specified, by_both));
-  EXPECT_FALSE(reduced_to("EvalCoord1, EvalCoord2: color", program, specified, by_evaluation));
+  const gl::Case evaluation = program_of({{gl::EntryPoint::EvalCoord1d, {0.5}}}),
+                 both = program_of({{gl::EntryPoint::EvalCoord1d, {0.5}},
+                                    {gl::EntryPoint::NewList, {std::int64_t{1}, std::int64_t{GL_COMPILE}}}}),
+                 other = program_of(
+                     {{gl::EntryPoint::EvalCoord1d, {0.5}}, {gl::EntryPoint::EvalCoord2f, {0.5f, 0.5f}}});
+  EXPECT_TRUE(is_explained_by(evaluation, program, specified, by_evaluation));
+  EXPECT_FALSE(is_explained_by(both, program, specified, by_evaluation));
+  EXPECT_TRUE(is_explained_by(both, program, specified, by_both));
+  EXPECT_FALSE(is_explained_by(evaluation, program, specified, by_both));
+  EXPECT_FALSE(is_explained_by(other, program, specified, by_evaluation));
 }
 
 // --- judging ----------------------------------------------------------------------------------------------
@@ -350,23 +383,20 @@ struct CampaignResult {
   std::uint64_t programs = 0, commands = 0;
 };
 
-CampaignResult run_campaign(Implementation& implementation, std::uint32_t programs,
-                            const std::vector<std::string>& known = {}) {
+CampaignResult run_campaign(Implementation& implementation, std::uint32_t programs) {
   Subject subject;
   subject.implementation = &implementation;
   subject.info = inquire(implementation);
   Captures captures(implementation, subject.info, nullptr);
   subject.captures = &captures;
   CampaignResult result;
-  fuzz::run_campaign(subject, {.programs = programs, .length = 60, .known = known},
-                     [&](const CampaignEvent& event) {
-                       if (const auto* made = std::get_if<FindingMade>(&event))
-                         result.findings.push_back(made->finding);
-                       if (const auto* progress = std::get_if<CampaignProgress>(&event)) {
-                         result.programs = progress->programs;
-                         result.commands = progress->commands;
-                       }
-                     });
+  fuzz::run_campaign(subject, {.programs = programs, .length = 60}, [&](const CampaignEvent& event) {
+    if (const auto* made = std::get_if<FindingMade>(&event)) result.findings.push_back(made->finding);
+    if (const auto* progress = std::get_if<CampaignProgress>(&event)) {
+      result.programs = progress->programs;
+      result.commands = progress->commands;
+    }
+  });
   return result;
 }
 
@@ -389,25 +419,19 @@ TEST(Campaign, FindsADefectAndMakesItSmall) {
   const gl::Case& program = finding.program;
   EXPECT_LE(program.commands().size(), 5u) << text_of(program);
   EXPECT_TRUE(has(program, gl::EntryPoint::EvalCoord2d)) << text_of(program);
-  EXPECT_EQ(finding.cause, "Begin, Enable, End, EvalCoord2, Map2: position");
-  EXPECT_FALSE(finding.outside_evaluators);
+  EXPECT_EQ(finding.title, "EvalCoord gives a wrong position");
 }
 
-// Color4f is also wrong with explicit vertices. The finding states this, and its cause does not hide a cause
-// that contains evaluation.
-TEST(Campaign, TellsDefectsOutsideEvaluatorsApart) {
+// Color4f is also wrong with explicit commands, so it is no difference of evaluators.
+TEST(Campaign, LeavesOutWhatExplicitCommandsShowAsWell) {
   Altered altered([](gl::Table& table) {
     table.Color4f = [](GLfloat r, GLfloat g, GLfloat b, GLfloat a) { Altered::original.Color4f(g, r, b, a); };
   });
-  const CampaignResult result = run_campaign(altered, 800);
-  ASSERT_FALSE(result.findings.empty());
-  const Finding& finding = result.findings.front();
-  EXPECT_TRUE(finding.outside_evaluators) << to_text(finding);
-  EXPECT_FALSE(contains(finding.cause, "Eval"));
+  for (const Finding& finding : run_campaign(altered, 800).findings) ADD_FAILURE() << to_text(finding);
 }
 
-// A campaign shows a known cause by the program of the known finding, not by commands of the random program.
-TEST(Campaign, ShowsTheMinimalProgramOfAKnownCause) {
+// A campaign shows a known bug by its own program, not by commands of the random program.
+TEST(Campaign, ShowsTheProgramOfAKnownBug) {
   static bool has_grid;
   Altered altered([](gl::Table& table) {
     has_grid = false;
@@ -425,12 +449,10 @@ TEST(Campaign, ShowsTheMinimalProgramOfAKnownCause) {
       if (!has_grid) Altered::original.MapGrid1f(1, 0, 1);
     };
   });
-  const auto known = std::ranges::find(known_findings(), "MeshOverTheInitialGrid1", &KnownFinding::name);
-  ASSERT_NE(known, known_findings().end());
-  const std::string cause = cause_of(known->program, known->what);
-  // The first finding is the one that a campaign shows.
-  const std::vector<Finding> findings = run_campaign(altered, 400, {cause}).findings;
-  const auto first = std::ranges::find(findings, cause, &Finding::cause);
+  const auto known = std::ranges::find(known_programs(), "mesa-initial-grid", &KnownProgram::bug);
+  ASSERT_NE(known, known_programs().end());
+  const std::vector<Finding> findings = run_campaign(altered, 400).findings;
+  const auto first = std::ranges::find(findings, known->bug, &Finding::known);
   ASSERT_NE(first, findings.end());
   EXPECT_EQ(text_of(first->program), text_of(known->program));
 }
@@ -444,7 +466,7 @@ TEST(Campaign, FindsAWrongAnswer) {
   });
   const CampaignResult result = run_campaign(altered, 400);
   ASSERT_FALSE(result.findings.empty());
-  EXPECT_EQ(result.findings.front().cause, "GetError, MapGrid1: glGetError");
+  EXPECT_EQ(result.findings.front().cause, "missing error; MapGrid");
 }
 
 // --- the command ------------------------------------------------------------------------------------------
@@ -512,7 +534,7 @@ TEST_F(FuzzCommand, ACrashIsMadeSmall) {
   EXPECT_EQ(outcome.code, 1) << outcome.text;
   EXPECT_TRUE(contains(outcome.text, "150 programs"));
   ASSERT_TRUE(finding().is_object()) << outcome.text;
-  EXPECT_EQ(as_text(finding()["cause"]), "Map1: crash");
+  EXPECT_EQ(as_text(finding()["cause"]), "crash; Map");
   EXPECT_EQ(finding()["program"].size(), 1u);
   std::ifstream program(folder_ / "fuzz-osmesa-1.c");
   EXPECT_TRUE(program) << "a C program";
@@ -526,9 +548,9 @@ TEST_F(FuzzCommand, ACrashOnTheWayToAWrongAnswerIsAFinding) {
   EXPECT_TRUE(contains(outcome.text, "150 programs"));
   const json crash = finding(1), answer = finding(2);
   ASSERT_TRUE(crash.is_object() && answer.is_object()) << outcome.text;
-  EXPECT_EQ(as_text(crash["cause"]), "GetError, Map1: crash");
+  EXPECT_EQ(as_text(crash["cause"]), "crash; Map");
   EXPECT_EQ(crash["program"].size(), 2u) << crash["program"];
-  EXPECT_EQ(as_text(answer["cause"]), "Enable, GetError, Map1: glGetError");
+  EXPECT_EQ(as_text(answer["cause"]), "missing error; Enable, Map");
   EXPECT_EQ(answer["program"].size(), 3u) << answer["program"];
 }
 
@@ -546,8 +568,7 @@ TEST_F(FuzzCommand, WhatDependsOnHistoryIsFound) {
   const Outcome outcome = fuzz_drill("worn", {"--jobs", "1"});
   EXPECT_EQ(outcome.code, 1) << outcome.text;
   ASSERT_TRUE(finding().is_object()) << outcome.text;
-  EXPECT_TRUE(finding()["cause"].get<std::string>().ends_with("IsEnabled: glIsEnabled"))
-      << finding()["cause"];
+  EXPECT_TRUE(finding()["cause"].get<std::string>().starts_with("answer of IsEnabled")) << finding()["cause"];
   EXPECT_GT(finding()["program"].size(), 90u);
   EXPECT_EQ(fuzz_drill("worn", {"--fresh-contexts"}).code, 0);
 }

@@ -177,7 +177,7 @@ TEST_P(OffScreenLibraries, KnownFailuresBelongToTheBugOfTheBaseline) {
   EXPECT_EQ(as_text(result["bugs"][0]["known"]), "mesa-getmap-saturation");
   EXPECT_EQ(result["bugs"][0]["tests"].size(), 9u);
   EXPECT_EQ(as_text(result["bugs_note"]),
-            "6 of 9 failing tests belong to the known bugs that the baseline names and were not reduced");
+            "9 of 9 failing tests belong to the known bugs that the baseline names and were not reduced");
 }
 
 // Restored state hides bugs of the initial state and of long primitives, so tests of these use fresh

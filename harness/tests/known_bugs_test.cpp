@@ -1,7 +1,8 @@
-// Tests the register of known bugs: its data, its signs and versions, and the mistakes that are found in it.
+// Tests the register of known bugs: its data and versions, and the mistakes that are found in it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,10 @@ TEST(KnownBugs, AreWhole) {
   EXPECT_GE(known_bugs().size(), 10u);
   EXPECT_EQ(lint(known_bugs()), std::vector<std::string>());
   for (const KnownBug& bug : known_bugs()) {
-    if (bug.program.empty()) continue;
-    EXPECT_NO_THROW(gl::parse_case(bug.program)) << bug.id;
-    EXPECT_LE(gl::parse_case(bug.program).commands().size(), 20u) << bug.id;
+    if (bug.programs.empty()) continue;
+    for (const BugProgram& program : bug.programs)
+      EXPECT_NO_THROW(gl::parse_case(program.commands)) << bug.id << ": " << program.name;
+    EXPECT_LE(gl::parse_case(bug.programs.front().commands).commands().size(), 20u) << bug.id;
   }
 }
 
@@ -37,15 +39,14 @@ TEST(KnownBugs, ExpectFailuresOfTestsThatExist) {
 TEST(KnownBugs, MistakesAreNamed) {
   std::vector<KnownBug> bugs = parse_known_bugs(
       R"({"bugs": [{"id": "a", "title": "t", "affects": {"product": "Mesa", "first": "20.3", "last": "26.2"},
-      "requirements": ["EV-MAP1-COPY"], "clause": "c", "program": [["GetError"]], "expected": "e", "captured": "x",
-      "cause": "c", "real_programs": "r", "verified": "v", "signs": [{"cause": "s", "captured": "0"}],
-      "findings": [{"name": "F", "requirement": "EV-MAP1-COPY", "what": "w", "program": [["GetError"]]}],
+      "requirements": ["EV-MAP1-COPY"], "clause": "c", "expected": "e", "captured": "x",
+      "cause": "c", "real_programs": "r", "verified": "v", "programs": [{"name": "F", "requirement": "EV-MAP1-COPY",
+      "difference": "error; ; missing GL_INVALID_VALUE", "commands": [["GetError"]]}],
       "tests": [{"tests": ["A.B*"]}, {"renderer": "softpipe", "status": "Flaky", "tests": ["A.C"]}]}]})");
   EXPECT_EQ(lint(bugs), std::vector<std::string>());
   bugs.push_back(bugs[0]);
   EXPECT_EQ(lint(bugs), (std::vector<std::string>{"a: another bug has the same ID",
-                                                  "a: another bug has the sign 's: : : 0: ', too",
-                                                  "a: another finding has the name 'F', too"}));
+                                                  "a: another program has the name 'F', too"}));
   bugs.pop_back();
   bugs[0].clause.clear();
   bugs[0].requirements = {"EV-NO-SUCH"};
@@ -53,32 +54,46 @@ TEST(KnownBugs, MistakesAreNamed) {
             (std::vector<std::string>{"a: 'clause' is missing", "a: unknown requirement EV-NO-SUCH"}));
   bugs[0].requirements = {"EV-MAP1-COPY"};
   bugs[0].clause = "c";
-  bugs[0].crashes = true;
-  bugs[0].signs[0].captured = "(";
+  bugs[0].programs[0].requirement = "EV-NO-SUCH";
+  bugs[0].programs.push_back({});
   bugs[0].tests[1].status = "Sometimes";
-  EXPECT_EQ(lint(bugs).size(), 3u)
-      << "a crash with signs, a sign that is not a regular expression, and a status";
+  EXPECT_EQ(lint(bugs).size(), 4u)
+      << "a requirement, a difference and commands that are missing, and a status";
   bugs[0].tests.clear();
-  EXPECT_EQ(lint(bugs).size(), 3u) << "no tests";
+  EXPECT_EQ(lint(bugs).size(), 4u) << "no tests";
   EXPECT_THROW(parse_known_bugs("{"), FormatError);
 }
 
-TEST(KnownBugs, HaveSignsWithRelationsOfNumbers) {
-  const auto matches = [](const std::string& relation, const std::string& expected,
-                          const std::string& captured) {
-    Failure failure;
-    failure.expected = expected;
-    failure.captured = captured;
-    return BugSign{"c", "", "", "", relation}.matches("c", failure);
-  };
-  EXPECT_TRUE(matches("more", "2 vertices", "3 vertices"));
-  EXPECT_FALSE(matches("more", "2 vertices", "1 vertices"));
-  EXPECT_TRUE(matches("less", "2 LINES of 2 vertices", "1 LINES of 2 vertices"));
-  EXPECT_TRUE(matches("near", "[-3.01e-37, 3.01e-37]", "-9.93410723e-08 (-0x1.aaaaaap-24)"));
-  EXPECT_TRUE(matches("near", "[999.749964, 1000.25004]", "1002 (0x1.f5p+9)"));
-  EXPECT_FALSE(matches("near", "[0.999829975, 1.00017002]", "0 (0x0p+0)"));
-  EXPECT_FALSE(matches("near", "[0.5, 0.6]", "-nan (-nan)"));
-  EXPECT_TRUE(matches("", "anything", "else"));
+TEST(Differences, HaveRelationsOfNumbersAndErrors) {
+  EXPECT_EQ(relation_of(-9.9e-8, -3e-37, 3e-37), "near");
+  EXPECT_EQ(relation_of(1002, 999.75, 1000.25), "near");
+  EXPECT_EQ(relation_of(0, 0.99983, 1.00017), "far");
+  EXPECT_EQ(relation_of(std::nan(""), 0.5, 0.6), "far");
+  EXPECT_EQ(relation_of_errors("GL_NO_ERROR", "GL_INVALID_VALUE"), "missing GL_INVALID_VALUE");
+  EXPECT_EQ(relation_of_errors("GL_INVALID_VALUE", "GL_NO_ERROR"), "spurious GL_INVALID_VALUE");
+  EXPECT_EQ(relation_of_errors("GL_INVALID_VALUE", "GL_INVALID_ENUM"),
+            "GL_INVALID_VALUE instead of GL_INVALID_ENUM");
+}
+
+TEST(Differences, AreAlikeInThePartsThatBothHave) {
+  const Difference answer = {Difference::kAnswer, "GetMap GL_COEFF", "far"};
+  EXPECT_EQ(answer.text(), "answer; GetMap GL_COEFF; far");
+  EXPECT_EQ(parse_difference(answer.text()), answer);
+  EXPECT_FALSE(parse_difference("answer; GetMap"));
+  EXPECT_TRUE(answer.is_like({Difference::kAnswer, "", ""}));
+  EXPECT_FALSE(answer.is_like({Difference::kAnswer, "GetMap GL_ORDER", ""}));
+  EXPECT_FALSE(answer.is_like({Difference::kAnswer, "", "near"}));
+  EXPECT_FALSE(answer.is_like({Difference::kError, "", ""}));
+  EXPECT_EQ((Difference{Difference::kAnswer, "", "far"}.completed_by(answer)), answer);
+}
+
+TEST(Differences, HaveTheKindOfWhatWasCompared) {
+  EXPECT_EQ(kind_of("texture coordinate 0.s of vertex 1"), "texture coordinate");
+  EXPECT_EQ(kind_of("point 17: position.x of vertex 0"), "position");
+  EXPECT_EQ(kind_of("number of vertices"), Difference::kVertices);
+  EXPECT_EQ(kind_of("glGetError"), Difference::kError);
+  EXPECT_EQ(kind_of("glIsEnabled"), Difference::kAnswer);
+  EXPECT_EQ(kind_of("glReadPixels"), "");
 }
 
 TEST(KnownBugs, AffectVersionsOfAProduct) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <evalcts/fuzz/campaign.h>
+#include <evalcts/fuzz/finding.h>
 #include <evalcts/results/serialization.h>
 
 namespace evalcts::fuzz {
@@ -47,23 +48,12 @@ std::string to_line(const CampaignEvent& event);
 // Returns none if the line is not such an event.
 std::optional<CampaignEvent> parse_campaign_event(const std::string& line);
 
-// Returns a finding as JSON: {"program": commands as in gl/case_json.h, "cause", "requirement",
-// "outside_evaluators", "what", "message", "expected", "captured", "calls"}.
+// Returns a finding as JSON: {"program": commands as in gl/case_json.h, "cause", "title", "requirement",
+// "known", "outside_evaluators", "difference", "what", "message", "expected", "captured", "calls"}.
 std::string to_text(const Finding& finding);
 
 // Write and read a list of texts. parse_list() returns an empty list if the text is not a list.
 std::string list_as_text(const std::vector<std::string>& list);
 std::vector<std::string> parse_list(const std::string& text);
-
-// A program that random search has found on an implementation, and that every run replays (a finding of a
-// known bug).
-struct KnownFinding {
-  std::string name, requirement;
-  std::string what;  // the difference, as in Failure
-  gl::Case program;
-};
-const std::vector<KnownFinding>& known_findings();
-// Returns the known finding with this cause, or null.
-const KnownFinding* known_finding(const std::string& cause);
 
 }  // namespace evalcts::fuzz

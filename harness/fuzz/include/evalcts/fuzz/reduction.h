@@ -7,20 +7,22 @@
 #include <variant>
 #include <vector>
 
-#include <evalcts/fuzz/campaign.h>
+#include <evalcts/fuzz/finding.h>
 #include <evalcts/results/serialization.h>
 #include <evalcts/runner/claims.h>
 
 namespace evalcts::fuzz {
 
-// The first failing case of a test.
+// The first failing case of a test, or a known bug that has to be proven.
 struct FailingCase {
-  std::string test;
-  std::string what;      // Failure::what: "color.R of vertex 1"
+  std::string test;  // name of the test, or kProof and the ID of the bug
+  Difference difference;
   std::string commands;  // JSON text (gl/case_json.h); may be empty
 };
+inline constexpr char kProof[] = "known bug ";
 
-// The outcome of one reduction.
+// The outcome of one reduction. For a known bug: its finding, if one of its programs fails here as the
+// register describes.
 struct Reduction {
   std::string test;
   std::optional<Finding> minimal;  // none if the case could not be reduced

@@ -5,13 +5,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <evalcts/backends/implementation.h>
-#include <evalcts/fuzz/campaign.h>
+#include <evalcts/fuzz/finding.h>
 
 namespace evalcts::fuzz {
 
@@ -26,14 +25,13 @@ struct SearchRequest {
   int jobs = 1;
   bool fresh_contexts = false;  // see Campaign
   double seconds_per_program = 20;
-  std::map<std::string, std::string> known;  // names of the known causes, by cause
-  std::filesystem::path output;              // an existing folder
+  std::filesystem::path output;  // an existing folder
 };
 
-// All findings with one cause, which the first of them represents.
+// All findings with one cause, or of one known bug, which the first of them represents.
 struct Cause {
-  std::string cause;
-  std::string known_as;  // name of the known cause, or the reason why evaluators are not at fault; empty: new
+  std::string cause;     // Finding::cause, or the ID of the known bug
+  std::string known_as;  // ID of the known bug, or the reason why evaluators are not at fault; empty: new
   std::string program;   // "program 17", the first program with this cause
   std::string file;      // fuzz-NAME-K.json in the output folder; there are .txt and .c files of this name
   std::size_t times = 0;

@@ -34,4 +34,7 @@ Case with_explicit_commands(const Case& script, IdleCapability idle = {},
 // evaluation, make some implementations leave their fast path for vertices while they compile a list.
 Case with_calls_of_no_list(const Case& script);
 
+// Returns all these controls of the case; the last one only if the case uses display lists.
+std::vector<Case> controls_without_evaluators(const Case& script);
+
 }  // namespace evalcts::gl

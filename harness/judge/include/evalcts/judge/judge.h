@@ -10,6 +10,7 @@
 #include <evalcts/judge/prediction.h>
 #include <evalcts/judge/topology.h>
 #include <evalcts/results/accuracy.h>
+#include <evalcts/results/difference.h>
 #include <evalcts/results/verdict.h>
 
 namespace evalcts {
@@ -21,14 +22,20 @@ struct Mismatch {
   std::string expected;  // the interval, or the value
   std::string captured;
   std::string exact;  // decimal and hex float
-  // The vertex, if the value should be a current value other than the position.
-  enum class CurrentOf { kNothing, kEvaluatedVertex, kExplicitVertex } current_of = CurrentOf::kNothing;
+  // The source that the value should have: a map (or a default component beside those of a map), the current
+  // value, at an evaluated or an explicit vertex, or the position of an explicit vertex.
+  enum class Source { kMap, kCurrentOfEvaluatedVertex, kCurrentOfExplicitVertex, kExplicitPosition };
+  Source source = Source::kMap;
+  std::string observed = {};  // Difference::kind, if neither `what` nor `kind` tells it
   double ulp = 0;
   double condition_aware = 0;
 
   // The captured value and the interval as numbers: `got` is outside [lowest, highest].
   enum class Kind { kValue, kVertices, kError } kind = Kind::kValue;
   double got = 0, lowest = 0, highest = 0;
+
+  // Returns the identity of a wrong value or of wrong vertices.
+  Difference difference() const;
 };
 
 struct Judgement {

@@ -1,5 +1,5 @@
-// The register of known bugs, which is stored as data in suites/bugs: what each bug is, by which differences
-// it shows, the programs that random search has found for it, and the tests that it makes fail.
+// The register of known bugs, which is stored as data in suites/bugs: what each bug is, the programs that
+// show it, and the tests that it makes fail.
 #pragma once
 
 #include <set>
@@ -27,23 +27,12 @@ struct AffectedVersions {
   bool may_contain(const ImplementationRecord& implementation) const;
 };
 
-// A difference by which a known bug shows. `what`, `expected` and `captured` are regular expressions that
-// match the whole text of the member of Failure with the same name. An empty text permits everything.
-struct BugSign {
-  std::string cause;  // Bug::cause
-  std::string what, expected, captured;
-  // The captured number in relation to the expected number or interval: "more", "less", or "near", at most
-  // 0.01 away, or 1 % of a larger number.
-  std::string relation;
-
-  bool matches(const std::string& of_cause, const Failure& failure) const;
-};
-
-// A minimal program that random search has found, which every run replays as the test Findings.NAME.
-struct FindingRecord {
-  std::string name, requirement;
-  std::string what;     // the difference, as in Failure
-  std::string program;  // as JSON text (gl/case_json.h)
+// A minimal program of a bug, and how it fails. With a name, every run replays it as the test Findings.NAME.
+struct BugProgram {
+  std::string name, requirement;  // requirement: of the test; both may be empty
+  Difference difference;
+  std::string captured;  // Failure::captured, if only this value is the bug; empty: any
+  std::string commands;  // as JSON text (gl/case_json.h)
 };
 
 // Tests that a bug makes fail.
@@ -60,19 +49,18 @@ struct KnownBug {
   AffectedVersions affects;
   std::vector<RequirementId> requirements;
   std::string clause;
-  std::string program;  // the minimal program as JSON text (gl/case_json.h); empty if JSON cannot express it
   std::string expected, captured;   // the required and the observed result of the program
   std::string cause;                // the root cause in the library, in words, with the function
   bool outside_evaluators = false;  // explicit vertices or other commands show it as well
   bool suspected = false;           // the cause was read from the source, not proven by a repair
   std::string real_programs;        // the effect on real programs
   std::string verified;             // the way in which the bug was verified
-  bool crashes = false;             // the library crashes or hangs in the program; there are no signs then
-  std::vector<BugSign> signs;       // the differences by which the bug shows
-  std::vector<FindingRecord> findings;
-  std::vector<FailingTests> tests;  // Findings.NAME of `findings` included
+  // Reports show the first program. Empty if JSON cannot express one.
+  std::vector<BugProgram> programs;
+  std::vector<FailingTests> tests;  // Findings.NAME of `programs` included
 
-  bool has_sign(const std::string& of_cause, const Failure& failure) const;
+  // True if the library crashes or hangs in the programs.
+  bool dies() const;
 };
 
 // Returns the known bugs that are compiled in, in the order of their IDs.
@@ -87,8 +75,8 @@ const std::set<std::string>& known_signatures(const std::string& product, const 
 // Reads {"bugs": [...]}. Throws FormatError.
 std::vector<KnownBug> parse_known_bugs(const std::string& text);
 
-// Returns descriptions of the mistakes in known bugs: missing fields, duplicate IDs, duplicate signs of a
-// product, wrong expressions and relations in signs, and requirements that do not exist.
+// Returns descriptions of the mistakes in known bugs: missing fields, duplicate IDs and names, and
+// requirements that do not exist.
 std::vector<std::string> lint(const std::vector<KnownBug>& bugs);
 
 // Returns the text of docs/known-bugs.md. `programs_as_c` has the minimal program of each bug as

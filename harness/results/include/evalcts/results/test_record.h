@@ -11,6 +11,7 @@
 
 #include <evalcts/results/accuracy.h>
 #include <evalcts/results/depth.h>
+#include <evalcts/results/difference.h>
 #include <evalcts/results/requirement_id.h>
 #include <evalcts/results/verdict.h>
 
@@ -59,6 +60,7 @@ struct Failure {
   std::string case_identity;
   std::string message;
   std::string what;  // the compared value: "texcoord[0].s of vertex 3"
+  Difference difference;
   std::string expected;
   std::string captured;
   std::string exact;                           // the exact value; empty if nothing was evaluated

@@ -74,8 +74,11 @@ class CheckedTrace {
  private:
   void check_values(gl::Ref query, const std::vector<double>& expected, double relative);
   // `check`: the condition that a C program can decide.
-  void fail(gl::Check check, const std::string& message, const std::string& expected,
-            const std::string& captured);
+  void fail(gl::Check check, const Difference& difference, const std::string& message,
+            const std::string& expected, const std::string& captured);
+  // Returns the place of a wrong answer: "GetMap GL_COEFF", "Get GL_CURRENT_COLOR", "IsEnabled
+  // GL_MAP_VERTEX_3".
+  std::string place_of(gl::Ref query) const;
 
   gl::Ref as_delivered(gl::Ref command) const {
     return {delivered_.positions.at(static_cast<std::size_t>(command.index))};

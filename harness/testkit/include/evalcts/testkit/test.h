@@ -70,9 +70,11 @@ class Test : public Conditions {
   // are recorded as unobserved, and if none of them is shown, the test is not-observable. In one test of 32
   // (at thorough depth in all tests), other captures observe the case, too, and must agree.
   void judge_vertices(const gl::Case& script, Attributes about);
-  // The same for some of the outcomes, with given predictions. Vertices are not judged through a delivery,
-  // only until one is wrong, and without a record of the accuracy, because this takes longer than judging.
-  void judge(const gl::Case& script, const Specified& specified, Outcomes outcomes = Outcomes::kAll);
+  // The same for some of the outcomes and attributes, with given predictions. Vertices are not judged through
+  // a delivery, only until one is wrong, and without a record of the accuracy, because this takes longer than
+  // judging.
+  void judge(const gl::Case& script, const Specified& specified, Outcomes outcomes = Outcomes::kAll,
+             Attributes attributes = kAllAttributes);
 
   // Makes the answers of these queries of the next judged case a snapshot: an answer violates a requirement
   // only if the same query has had another answer earlier, and the specification says that it does not
@@ -121,6 +123,10 @@ class Test : public Conditions {
   };
   Ending end_of(const std::function<void(Test&)>& body);
   std::string mistake() const;
+  Difference difference_of(const Mismatch& mismatch) const;
+  // Throws NotObservable if the same query of state gives a wrong answer with explicit commands in place of
+  // evaluations as well. `script`: before delivery.
+  void require_explicit_answer(const gl::Case& script, gl::Ref query);
   // Makes the next failures violate the requirements to which the table of blame gives the observation.
   void blame(Observed observed);
   gl::DeliveredCase begin_case(const gl::Case& script);
@@ -130,7 +136,7 @@ class Test : public Conditions {
   // raises no errors at all.
   void require_rejections_in_primitives(const gl::Case& script, const Specified& specified);
   void judge_answers(const gl::Case& script, const Specified& specified);
-  void judge_answer(CheckedTrace& checked, const Specified& specified, gl::Ref query);
+  void judge_answer(CheckedTrace& checked, const gl::Case& script, const Specified& specified, gl::Ref query);
   // Returns the first query of the snapshot with which this one must agree; -1 if there is none.
   gl::Ref same_as(const Specified& specified, const gl::Case& script, gl::Ref query) const;
   // Throws NotObservable if GetIntegerv rounds FOG_START wrongly.
@@ -153,7 +159,7 @@ class Test : public Conditions {
                                                        Attributes required, std::size_t most_vertices);
   enum class Thoroughness { kAllVertices, kFirstWrongVertex };
   void judge_emission(const gl::Case& delivered, const Prediction& prediction, Attributes required,
-                      Thoroughness thoroughness);
+                      Thoroughness thoroughness, Attributes judged = kAllAttributes);
   // Adds a failure for each of `mismatches`, which `judge` has found in the observation `seen`. If there is a
   // prediction, the first failure in positions or vertices gets a plot, otherwise the first failure.
   void fail_each(const gl::Case& script, const Capture& capture, const CaptureRequest& request,

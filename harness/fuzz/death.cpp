@@ -1,0 +1,66 @@
+// Implements the reduction of crashes and hangs: each candidate runs in a separate process.
+#include "death.h"
+
+#include <evalcts/fuzz/known_programs.h>
+#include <evalcts/fuzz/normal_form.h>
+#include <evalcts/gl/explicit_vertices.h>
+#include "legal.h"
+#include "reducer.h"
+#include "shrink.h"
+
+namespace evalcts::fuzz {
+
+Finding finding_of_death(const gl::Case& program, const Difference& death, int max_eval_order) {
+  Finding finding;
+  finding.program = program;
+  finding.failure.what = death.kind;
+  finding.failure.difference = death;
+  finding.failure.expected = "the program is run to its end";
+  finding.failure.captured = death.kind;
+  finding.failure.message = death.kind + (death.place.empty() ? "" : " at " + death.place);
+  name_finding(finding, max_eval_order);
+  return finding;
+}
+
+std::optional<Difference> death_of(const ChildRun& run) {
+  if (run.complete) return std::nullopt;
+  if (run.hung) return Difference{Difference::kHang, run.crash ? run.crash->command() : "", ""};
+  return Difference{Difference::kCrash, run.crash ? run.crash->group() : "", ""};
+}
+
+std::optional<Finding> reduce_death(const gl::Case& program, const Difference& death, const RunAlone& run,
+                                    std::vector<Finding>& seen, int most, int max_eval_order) {
+  const Still dies = [&](const gl::Case& candidate) {
+    if (!specify_if_defined(candidate, max_eval_order)) return false;
+    const std::optional<Difference> of_candidate = run(candidate);
+    return of_candidate && of_candidate->is_like(death);
+  };
+  // One place is one bug. Without a place, the commands tell.
+  const auto may_be = [&](const gl::Case& known) {
+    return !death.place.empty() || with_words_of(known, program);
+  };
+  for (const KnownProgram& known : known_programs())
+    if (known.record.difference.kind == death.kind && may_be(known.program) && dies(known.program)) {
+      Finding finding = finding_of_death(known.program, death, max_eval_order);
+      finding.known = known.bug;
+      return finding;
+    }
+  for (const Finding& earlier : seen)
+    if (!death.place.empty() && earlier.failure.difference == death) return earlier;
+  for (const gl::Case& form : forms_of(program))
+    for (const Finding& earlier : seen)
+      if (earlier.failure.difference.is_like(death))
+        if (const std::optional<gl::Case> reduced = with_words_of(earlier.program, form);
+            reduced && dies(*reduced))
+          return earlier;
+  if (!dies(program)) return std::nullopt;
+  gl::Case minimal = shrink(program, dies, most);
+  const gl::Case control = gl::with_explicit_vertices(minimal);
+  const bool is_outside = dies(control);
+  Finding finding = finding_of_death(is_outside ? control : minimal, death, max_eval_order);
+  finding.outside_evaluators = is_outside;
+  seen.push_back(finding);
+  return finding;
+}
+
+}  // namespace evalcts::fuzz
