@@ -8,7 +8,7 @@
 #include <map>
 
 #include <evalcts/results/coverage.h>
-#include <evalcts/runner/question.h>
+#include <evalcts/runner/worker.h>
 #include "command.h"
 #include "places.h"
 #include "wrap.h"

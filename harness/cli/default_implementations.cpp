@@ -7,17 +7,16 @@
 #include <iostream>
 
 #include <evalcts/backends/implementation.h>
-#include <evalcts/runner/question.h>
+#include <evalcts/runner/worker.h>
 #include "places.h"
 
 namespace evalcts::cli {
 
 std::string why_not(const std::string& implementation) {
   std::string reason;
-  return describe_implementation({places().suite_program.string(), "--implementation", implementation},
-                                 reason)
-             ? std::string()
-             : reason;
+  const std::vector<std::string> command = {places().suite_program.string(), "--implementation",
+                                            implementation};
+  return ask<Description>(command, {"describe", "describe"}, reason) ? std::string() : reason;
 }
 
 std::vector<std::string> default_implementations() {

@@ -8,7 +8,7 @@
 
 #include <evalcts/faults/fault_table.h>
 #include <evalcts/results/coverage.h>
-#include <evalcts/runner/question.h>
+#include <evalcts/runner/worker.h>
 #include "command.h"
 #include "help.h"
 #include "places.h"

@@ -8,7 +8,7 @@
 #include <evalcts/results/files.h>
 #include <evalcts/results/filter.h>
 #include <evalcts/runner/interruption.h>
-#include <evalcts/runner/question.h>
+#include <evalcts/runner/worker.h>
 #include "command.h"
 #include "places.h"
 #include "terminal.h"

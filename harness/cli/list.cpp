@@ -12,7 +12,7 @@
 #include <evalcts/results/known_bugs.h>
 #include <evalcts/results/requirements.h>
 #include <evalcts/results/serialization.h>
-#include <evalcts/runner/question.h>
+#include <evalcts/runner/worker.h>
 #include "command.h"
 #include "default_implementations.h"
 #include "help.h"

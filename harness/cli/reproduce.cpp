@@ -13,10 +13,11 @@
 #include <evalcts/results/requirements.h>
 #include <evalcts/results/serialization.h>
 #include <evalcts/results/text.h>
-#include <evalcts/runner/child_process.h>
+#include <evalcts/runner/worker.h>
 #include "command.h"
 #include "places.h"
 #include "recorded.h"
+#include "specified_run.h"
 #include "wrap.h"
 
 namespace evalcts::cli {
@@ -33,8 +34,6 @@ struct ReproduceOptions {
 
 namespace fs = std::filesystem;
 
-constexpr double kLook = 0.1;         // interval, in seconds, at which the child is checked
-constexpr double kStartSeconds = 60;  // time limit, in seconds, for the start of the test
 constexpr std::size_t kMostSuggested = 10;
 
 // Thrown if no reproducer can be written. The message states the reason.
@@ -138,25 +137,6 @@ std::optional<Candidate> find_bug(const std::list<RunResult>& runs, const std::s
   return Candidate{run, &program.test};
 }
 
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "evalcts-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("cannot make a temporary folder");
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  fs::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
-
 // The outcome of the test when the suite program ran it again.
 struct Replayed {
   std::optional<TestRecord> record;  // none if the process died or hung in the test
@@ -165,54 +145,29 @@ struct Replayed {
   std::string program;  // the C program; empty if none was written
 };
 
-// Returns true if the test has started. Sets `record` if the test has finished.
-bool read_events(const fs::path& path, std::optional<TestRecord>& record) {
-  bool started = false;
-  std::ifstream records(path);
-  for (std::string line; std::getline(records, line);) {
-    const std::optional<Event> event = parse_event(line);
-    if (!event) continue;
-    started = started || std::holds_alternative<TestStarted>(*event);
-    if (const auto* result = std::get_if<TestFinished>(&*event)) record = result->record;
-  }
-  return started;
-}
-
 // Runs the test again and writes the C program. `program`: JSON commands that are replayed instead of the
 // test; empty: none. Throws CannotReproduce if the test does not start.
 Replayed replay(const Candidate& failure, const std::string& program) {
   if (failure.run->suite_command.empty())
     throw CannotReproduce("the results come from another version of evalcts; run the test again:\n  " +
                           (failure.test->rerun.empty() ? "evalcts run" : failure.test->rerun));
-  const TemporaryFolder folder;
+  const Scratch scratch;
+  const fs::path log = scratch.path() / "log", program_file = scratch.path() / "program.c";
   std::vector<std::string> command = replay_options(*failure.run);
   command.insert(command.begin(), places().suite_program.string());
-  std::ofstream(folder / "input") << (program.empty() ? failure.name() : program) << "\n";
-  command.insert(command.end(), {"--die-with-parent", program.empty() ? "--tests" : "--replay",
-                                 (folder / "input").string(), "--records", (folder / "records").string(),
-                                 "--reproduce", (folder / "program.c").string()});
+  command.insert(command.end(), {"--die-with-parent", "--reproduce", program_file.string()});
+  Worker worker(command, log, {failure.run->timeout.value_or(Limits().seconds_per_test)});
+  worker.give(program.empty() ? Job{.kind = "test", .name = failure.name()}
+                              : Job{.kind = "case", .name = "program", .data = program});
+  worker.finish();
+  const WorkerRun& run = worker.wait();
+  if (run.finished.empty() && run.in_flight.empty())
+    throw CannotReproduce(fmt::format("{} no longer starts:\n{}", failure.label(), read_file(log)));
   Replayed result;
-  bool started = false;
-  {
-    ChildProcess child(command, (folder / "log").string());
-    const double seconds = failure.run->timeout.value_or(60.0);
-    double waited = 0;
-    std::optional<Ending> ending;
-    while (!(ending = child.wait(kLook)) && waited < (started ? seconds : kStartSeconds)) {
-      waited += kLook;
-      if (!started && read_events(folder / "records", result.record)) {
-        started = true;
-        waited = 0;
-      }
-    }
-    result.hung = !ending;
-    if (ending) result.ending = describe(*ending);
-  }
-  started = read_events(folder / "records", result.record);
-  result.program = read_file(folder / "program.c");
-  if (!started)
-    throw CannotReproduce(
-        fmt::format("{} no longer starts:\n{}", failure.label(), read_file(folder / "log")));
+  if (!run.records.empty()) result.record = run.records.begin()->second;
+  result.hung = run.hung;
+  result.ending = describe(run.ending);
+  result.program = read_file(program_file);
   return result;
 }
 

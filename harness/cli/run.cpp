@@ -20,8 +20,8 @@
 #include <evalcts/results/serialization.h>
 #include <evalcts/results/text.h>
 #include <evalcts/runner/child_process.h>
-#include <evalcts/runner/question.h>
 #include <evalcts/runner/runner.h>
+#include <evalcts/runner/worker.h>
 #include "command.h"
 #include "default_implementations.h"
 #include "environment.h"

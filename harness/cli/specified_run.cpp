@@ -1,14 +1,11 @@
 // Starts the suite program with the executable specification as the implementation.
 #include "specified_run.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <unistd.h>
 
-#include <fstream>
 #include <stdexcept>
 
-#include <evalcts/runner/suite_child.h>
+#include <evalcts/runner/worker.h>
 #include "places.h"
 
 namespace evalcts::cli {
@@ -26,16 +23,13 @@ Scratch::~Scratch() {
 
 bool run_on_specification(const std::vector<std::string>& tests,
                           const std::function<void(const Event&)>& each) {
-  constexpr double kLook = 0.01, kPatience = 60;  // seconds
-  const Scratch scratch;
-  const fs::path list = scratch.path() / "tests.txt", events = scratch.path() / "events.jsonl";
-  std::ofstream(list) << fmt::format("{}\n", fmt::join(tests, "\n"));
-  SuiteChild child(
-      {places().suite_program.string(), "--implementation", "reference", "--depth", "quick", "--tests",
-       list.string(), "--records", events.string(), "--trace-cases", "--die-with-parent", "--gtest_brief=1"},
-      events, scratch.path() / "log.txt", {kPatience});
-  while (!child.look(kLook, {}, each)) continue;
-  return child.run().complete;
+  constexpr double kPatience = 60;  // seconds
+  Worker worker({places().suite_program.string(), "--implementation", "reference", "--depth", "quick",
+                 "--die-with-parent"},
+                {}, {kPatience});
+  for (const std::string& test : tests) worker.give({.kind = "test", .name = test, .traces_cases = true});
+  worker.finish();
+  return worker.wait({}, each).complete;
 }
 
 }  // namespace evalcts::cli

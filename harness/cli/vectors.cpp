@@ -11,7 +11,7 @@
 #include <evalcts/gl/case_json.h>
 #include <evalcts/results/filter.h>
 #include <evalcts/results/requirements.h>
-#include <evalcts/runner/question.h>
+#include <evalcts/runner/worker.h>
 #include <evalcts/vectors/lint.h>
 #include <evalcts/vectors/write.h>
 #include "command.h"
@@ -54,7 +54,7 @@ std::vector<vectors::SuiteCase> cases_of_suite() {
   std::vector<vectors::SuiteCase> cases;
   std::string running, failing;
   const bool is_complete = run_on_specification(names, [&](const Event& event) {
-    if (const auto* test = std::get_if<TestStarted>(&event)) running = test->name;
+    if (const auto* test = std::get_if<JobStarted>(&event)) running = test->name;
     if (const auto* started = std::get_if<CaseStarted>(&event))
       if (!started->is_control && !started->commands.empty())
         cases.push_back({running, requirements[running], gl::parse_case(started->commands)});

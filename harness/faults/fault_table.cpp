@@ -12,7 +12,7 @@
 #include <evalcts/results/files.h>
 #include <evalcts/runner/child_process.h>
 #include <evalcts/runner/interruption.h>
-#include <evalcts/runner/suite_child.h>
+#include <evalcts/runner/worker.h>
 #include "suite_runs.h"
 
 namespace evalcts::faults {
@@ -82,7 +82,7 @@ class Trial {
     for (const std::string& test : tests)
       if (!passes.contains(test)) missing.push_back(test);
     for (int deaths = 0; !missing.empty() && deaths < kMostDeaths && !interrupted; ++deaths) {
-      const ChildRun run = play(fault, "unmodified-" + implementation, depth, missing);
+      const WorkerRun run = play(fault, "unmodified-" + implementation, depth, missing);
       if (run.records.empty() && run.in_flight.empty())
         throw CannotTry{fmt::format("{} does not start: {}", implementation, describe(run.ending))};
       for (const auto& [name, record] : run.records) passes[name] = record.verdict == Verdict::kPass;
@@ -97,7 +97,7 @@ class Trial {
 
   // Runs the tests with the fault until one detects it.
   Detection run_until_detected(const ListedFault& fault, Depth depth, const std::vector<std::string>& tests) {
-    const ChildRun run = play(fault, fault.name, depth, tests);
+    const WorkerRun run = play(fault, fault.name, depth, tests);
     if (interrupted) throw CannotTry{"interrupted"};  // the interruption has killed the child
     const auto detected = [&](const std::string& test, Verdict verdict, const std::string& message) {
       return Detection{"", true, test, by_name_.at(test)->level, depth, verdict, message};
@@ -117,8 +117,8 @@ class Trial {
 
   // Runs the tests in one child. If the label is the name of the fault, the child has the fault and stops at
   // the first failure.
-  ChildRun play(const ListedFault& fault, const std::string& label, Depth depth,
-                const std::vector<std::string>& tests) const {
+  WorkerRun play(const ListedFault& fault, const std::string& label, Depth depth,
+                 const std::vector<std::string>& tests) const {
     std::vector<std::string> arguments = arguments_of(fault);
     if (label == fault.name) arguments.insert(arguments.end(), {"--fault", label, "--gtest_fail_fast"});
     return run_in_child(request_, label, arguments, depth, tests);

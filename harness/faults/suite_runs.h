@@ -10,7 +10,7 @@
 
 #include <evalcts/faults/fault_table.h>
 #include <evalcts/runner/interruption.h>
-#include <evalcts/runner/suite_child.h>
+#include <evalcts/runner/worker.h>
 
 namespace evalcts::faults {
 
@@ -19,9 +19,9 @@ std::vector<std::string> arguments_of(const ListedFault& fault);
 
 // Runs the tests in this order in one child process with these arguments. The run ends early if a test kills
 // the process. The names of files in the scratch folder begin with `label`.
-ChildRun run_in_child(const TableRequest& request, const std::string& label,
-                      const std::vector<std::string>& arguments, Depth depth,
-                      const std::vector<std::string>& tests);
+WorkerRun run_in_child(const TableRequest& request, const std::string& label,
+                       const std::vector<std::string>& arguments, Depth depth,
+                       const std::vector<std::string>& tests);
 
 // Calls try_one() for each of the faults on `jobs` threads, and before each call progress() with the number
 // of completed calls and the name of the fault. Returns the results in the order of the faults, without those

@@ -173,7 +173,7 @@ class VariationTrial {
     arguments.insert(arguments.end(), more.begin(), more.end());
     Verdicts verdicts;
     for (int deaths = 0; !left.empty() && deaths < kMostDeathsOfOne && !interrupted; ++deaths) {
-      const ChildRun run = run_in_child(request_, label, arguments, kTriedDepth, left);
+      const WorkerRun run = run_in_child(request_, label, arguments, kTriedDepth, left);
       if (run.records.empty() && run.in_flight.empty()) break;
       verdicts.insert(run.records.begin(), run.records.end());
       if (!run.in_flight.empty()) {

@@ -34,7 +34,6 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kLookAtReducers = 0.02;
 constexpr std::size_t kMostCalls = 40;        // lines of a minimal program, about a screen
 constexpr std::size_t kMostOfText = 80;       // columns of a requirement's text in a title
 constexpr int kMostAttemptsOfDeath = 60;      // candidates for the reduction of a crash; each needs a process
@@ -43,7 +42,7 @@ constexpr double kSecondsOfHang = 2;          // time limit of a candidate for a
 constexpr double kSecondsOfCase = 30;         // time limit of a reducing process without an event
 constexpr double kSecondsOfProof = 10;        // time limit of the program of a known bug
 constexpr std::size_t kMostTestsOfPlace = 3;  // tests that die at one place, of which one has to be reduced
-constexpr int kMostEmptyReducers = 3;
+constexpr double kShareOfLargeCase = 0.05;    // share of the time for one case that draws very much
 constexpr std::size_t kReducedOfBaselineBug = 3;  // tests of each bug that the baseline names
 
 bool is_to_be_explained(const TestRecord& test) {
@@ -198,66 +197,51 @@ class BugSearch {
     progress_(reductions_.size(), total_);
   }
 
-  fs::path scratch(std::size_t job, const char* extension) const {
-    return request_.scratch / fmt::format("reduce-{}.{}", job + 1, extension);
-  }
-
   void reduce(const std::vector<FailingCase>& cases) {
-    const fs::path list = request_.scratch / "failing-cases.json", taken = request_.scratch / "reduce-claims";
-    write_atomically(list, to_text(cases));
-    Claims::create(taken, cases.size());
-    const Claims claims(taken);
-    std::vector<std::unique_ptr<SuiteChild>> jobs(
-        std::min(static_cast<std::size_t>(std::max(request_.jobs, 1)), cases.size()));
-    const auto start = [&](std::size_t job) {
-      std::vector<std::string> command = request_.suite_command;
-      command.insert(command.end(),
-                     {"--die-with-parent", "--reduce", list.string(), "--claims", taken.string(), "--records",
-                      scratch(job, "jsonl").string(), "--reduce-seconds",
-                      fmt::format("{:.3f}", std::max(seconds_left(), 0.001))});
-      fs::remove(scratch(job, "jsonl"));
-      Limits limits = request_.limits;
-      limits.seconds_per_test = kSecondsOfCase;
-      jobs[job] = std::make_unique<SuiteChild>(command, scratch(job, "jsonl"), scratch(job, "log"), limits);
-    };
-    for (std::size_t job = 0; job < jobs.size(); ++job) start(job);
-    int empty_starts = 0;
-    for (std::size_t running = jobs.size(); running > 0;)
-      for (std::size_t job = 0; job < jobs.size(); ++job) {
-        if (!jobs[job]) continue;
-        const bool ended =
-            jobs[job]->look(kLookAtReducers / static_cast<double>(running), {}, [this](const Event& event) {
+    std::size_t next = 0;
+    const Pool pool{
+        .command = [this] { return suite_command(); },
+        .log = request_.scratch / "reduce.log",
+        .limits = {kSecondsOfCase, request_.limits.memory},
+        .workers = static_cast<std::size_t>(std::max(request_.jobs, 1)),
+        .each =
+            [this](const Event& event) {
               const auto* other = std::get_if<OtherEvent>(&event);
               if (std::optional<Reduction> reduction = other ? parse_reduction(other->line) : std::nullopt)
                 take(*std::move(reduction));
-            });
-        if (!ended) continue;
-        const ChildRun child = jobs[job]->run();
-        jobs[job].reset();
-        --running;
-        if (!child.cannot_write.empty()) throw CannotWrite(child.cannot_write);
-        if (child.complete || interrupted || claims.all_taken()) continue;
-        if (child.in_flight.empty() && ++empty_starts >= kMostEmptyReducers) continue;
-        start(job);
-        ++running;
+            },
+        .ended =
+            [](const WorkerRun& run) {
+              if (!run.cannot_write.empty()) throw CannotWrite(run.cannot_write);
+            }};
+    pool.run([&]() -> std::optional<Job> {
+      for (; next < cases.size(); ++next) {
+        FailingCase failing = cases[next];
+        const double share =
+            draws_very_much(failing) ? kShareOfLargeCase * request_.seconds : request_.seconds;
+        failing.seconds = std::min(share, seconds_left());
+        if (failing.seconds > 0) {
+          ++next;
+          return Job{.kind = "reduce", .name = failing.test, .data = to_text(failing)};
+        }
+        take({failing.test, {}, kOutOfTime});
       }
+      return std::nullopt;
+    });
+  }
+
+  std::vector<std::string> suite_command() const {
+    std::vector<std::string> command = request_.suite_command;
+    command.push_back("--die-with-parent");
+    return command;
   }
 
   // --- crashes and hangs
 
   // Runs the program in a separate process. Returns the death of the library, if it dies.
   std::optional<Difference> run_alone(const gl::Case& program, double patience) const {
-    const fs::path file = request_.scratch / "alone.json", events = request_.scratch / "alone.jsonl";
-    write_atomically(file, gl::to_text(program));
-    fs::remove(events);
-    std::vector<std::string> command = request_.suite_command;
-    command.insert(command.end(),
-                   {"--die-with-parent", "--replay", file.string(), "--records", events.string()});
-    Limits limits = request_.limits;
-    limits.seconds_per_test = patience;
-    SuiteChild child(command, events, request_.scratch / "alone.log", limits);
-    while (!child.look(kLookAtReducers)) continue;
-    return fuzz::death_of(child.run());
+    return fuzz::death_of(run_program(suite_command(), program, request_.scratch / "alone.log",
+                                      {patience, request_.limits.memory}));
   }
 
   // Reduces one test for each place at which the library dies, and tries up to kMostTestsOfPlace tests.

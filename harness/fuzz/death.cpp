@@ -3,6 +3,7 @@
 
 #include <evalcts/fuzz/known_programs.h>
 #include <evalcts/fuzz/normal_form.h>
+#include <evalcts/gl/case_json.h>
 #include <evalcts/gl/explicit_vertices.h>
 #include "legal.h"
 #include "reducer.h"
@@ -22,7 +23,15 @@ Finding finding_of_death(const gl::Case& program, const Difference& death, int m
   return finding;
 }
 
-std::optional<Difference> death_of(const ChildRun& run) {
+WorkerRun run_program(const std::vector<std::string>& command, const gl::Case& program,
+                      const std::filesystem::path& log, const Limits& limits) {
+  Worker worker(command, log, limits);
+  worker.give({.kind = "case", .name = "program", .data = gl::to_text(program)});
+  worker.finish();
+  return worker.wait();
+}
+
+std::optional<Difference> death_of(const WorkerRun& run) {
   if (run.complete) return std::nullopt;
   if (run.hung) return Difference{Difference::kHang, run.crash ? run.crash->command() : "", ""};
   return Difference{Difference::kCrash, run.crash ? run.crash->group() : "", ""};

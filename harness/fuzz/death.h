@@ -1,18 +1,23 @@
 // Reduces programs in which the library crashes or hangs. Private to harness/fuzz.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <vector>
 
 #include <evalcts/fuzz/finding.h>
-#include <evalcts/runner/suite_child.h>
+#include <evalcts/runner/worker.h>
 
 namespace evalcts::fuzz {
 
+// Runs the program in a process of its own. `command`: starts the suite program with the implementation.
+WorkerRun run_program(const std::vector<std::string>& command, const gl::Case& program,
+                      const std::filesystem::path& log, const Limits& limits);
+
 // Returns the difference that the end of a process is: a crash or hang, whose place is that of the innermost
 // frames, or the command in flight for a hang. Returns none if the process ran to its end.
-std::optional<Difference> death_of(const ChildRun& run);
+std::optional<Difference> death_of(const WorkerRun& run);
 
 // Returns the named finding of a program in which the library dies.
 Finding finding_of_death(const gl::Case& program, const Difference& death, int max_eval_order);

@@ -48,21 +48,20 @@ struct EventWriter {
   json operator()(const CampaignStarted& start) const {
     return {{"event", "campaign"}, {"max_eval_order", start.max_eval_order}};
   }
-  json operator()(const TestStarted& start) const { return {{"event", "start"}, {"name", start.name}}; }
   json operator()(const FindingShrank& smaller) const {
-    return {{"event", "smaller"}, {"finding", to_json(smaller.finding)}};
+    return {{"event", "smaller"}, {"number", smaller.number}, {"finding", to_json(smaller.finding)}};
   }
   json operator()(const FindingMade& found) const {
     return {{"event", "finding"}, {"number", found.number}, {"finding", to_json(found.finding)}};
   }
-  json operator()(const CampaignProgress& progress) const {
-    return {{"event", "progress"},
-            {"programs", progress.programs},
-            {"judged", progress.judged},
-            {"in_full", progress.in_full},
-            {"commands", progress.commands},
-            {"not_repeated", progress.not_repeated},
-            {"seconds_of_known", progress.seconds_of_known}};
+  json operator()(const StillJudging&) const { return {{"event", "judging"}}; }
+  json operator()(const ProgramJudged& result) const {
+    return {{"event", "judged"},
+            {"judged", result.judged},
+            {"in_full", result.in_full},
+            {"commands", result.commands},
+            {"not_repeated", result.not_repeated},
+            {"seconds_of_known", result.seconds_of_known}};
   }
 };
 
@@ -77,12 +76,12 @@ std::optional<CampaignEvent> parse_campaign_event(const std::string& line) {
     const json event = json::parse(line);
     const std::string kind = event.at("event");
     if (kind == "campaign") return CampaignStarted{event.at("max_eval_order")};
-    if (kind == "start") return TestStarted{event.at("name")};
-    if (kind == "smaller") return FindingShrank{finding_from(event.at("finding"))};
+    if (kind == "smaller") return FindingShrank{event.at("number"), finding_from(event.at("finding"))};
     if (kind == "finding") return FindingMade{event.at("number"), finding_from(event.at("finding"))};
-    if (kind == "progress")
-      return CampaignProgress{event.at("programs"), event.at("judged"),       event.at("in_full"),
-                              event.at("commands"), event.at("not_repeated"), event.at("seconds_of_known")};
+    if (kind == "judging") return StillJudging{};
+    if (kind == "judged")
+      return ProgramJudged{event.at("judged"), event.at("in_full"), event.at("commands"),
+                           event.at("not_repeated"), event.at("seconds_of_known")};
   } catch (const json::exception&) {
   } catch (const std::invalid_argument&) {
   }
@@ -93,36 +92,46 @@ std::string to_text(const Finding& finding) {
   return to_json(finding).dump(1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
-std::string to_text(const std::vector<FailingCase>& cases) {
-  json list = json::array();
-  for (const FailingCase& each : cases)
-    list.push_back(
-        {{"test", each.test}, {"difference", each.difference.text()}, {"commands", each.commands}});
-  return list.dump(-1, ' ', false, json::error_handler_t::replace);
+std::string to_text(const RandomJob& job) {
+  return json{{"number", job.number},
+              {"length", job.length},
+              {"seconds", job.seconds},
+              {"in_fresh_context", job.in_fresh_context},
+              {"most_attempts", job.most_attempts},
+              {"in_flight", job.in_flight},
+              {"deadly", job.deadly}}
+      .dump();
 }
 
-std::vector<FailingCase> parse_failing_cases(const std::string& text) {
-  try {
-    std::vector<FailingCase> cases;
-    for (const json& data : json::parse(text))
-      cases.push_back({data.at("test"), parse_difference(data.at("difference")).value_or(Difference()),
-                       data.at("commands")});
-    return cases;
-  } catch (const json::exception& error) {
-    throw std::invalid_argument(error.what());
-  }
+RandomJob parse_random_job(const std::string& text) try {
+  const json data = json::parse(text);
+  return {data.at("number"),        data.at("length"),    data.at("seconds"), data.at("in_fresh_context"),
+          data.at("most_attempts"), data.at("in_flight"), data.at("deadly")};
+} catch (const json::exception& error) {
+  throw std::invalid_argument(error.what());
+}
+
+std::string to_text(const FailingCase& failing) {
+  return json{{"test", failing.test},
+              {"difference", failing.difference.text()},
+              {"commands", failing.commands},
+              {"seconds", failing.seconds}}
+      .dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+FailingCase parse_failing_case(const std::string& text) try {
+  const json data = json::parse(text);
+  return {data.at("test"), parse_difference(data.at("difference")).value_or(Difference()),
+          data.at("commands"), data.at("seconds")};
+} catch (const json::exception& error) {
+  throw std::invalid_argument(error.what());
 }
 
 std::string to_line(const ReductionEvent& event) {
-  json data;
-  if (const auto* start = std::get_if<TestStarted>(&event)) {
-    data = {{"event", "start"}, {"name", start->name}};
-  } else if (std::holds_alternative<StillReducing>(event)) {
-    data = {{"event", "reducing"}};
-  } else {
-    const auto& reduction = std::get<Reduction>(event);
-    data = {{"event", "reduction"}, {"test", reduction.test}, {"why_not", reduction.why_not}};
-    if (reduction.minimal) data["finding"] = to_json(*reduction.minimal);
+  json data = {{"event", "reducing"}};
+  if (const auto* reduction = std::get_if<Reduction>(&event)) {
+    data = {{"event", "reduction"}, {"test", reduction->test}, {"why_not", reduction->why_not}};
+    if (reduction->minimal) data["finding"] = to_json(*reduction->minimal);
   }
   return data.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
 }
@@ -138,13 +147,6 @@ std::optional<Reduction> parse_reduction(const std::string& line) {
   } catch (const std::invalid_argument&) {
   }
   return std::nullopt;
-}
-
-std::string list_as_text(const std::vector<std::string>& list) { return json(list).dump(); }
-
-std::vector<std::string> parse_list(const std::string& text) {
-  const json list = json::parse(text, nullptr, false);
-  return list.is_array() ? list.get<std::vector<std::string>>() : std::vector<std::string>();
 }
 
 }  // namespace evalcts::fuzz

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include <evalcts/gl/case_json.h>
 #include "excerpt.h"
@@ -19,17 +21,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kMostAttempts = 150;          // maximum number of candidates for one program
-constexpr double kShareOfLargeCase = 0.05;  // share of the time for one case that draws very much
+constexpr int kMostAttempts = 150;  // maximum number of candidates for one program
 constexpr auto kReportReductionEvery = std::chrono::milliseconds(500);
 
 class CaseReducer {
  public:
-  CaseReducer(const Subject& subject, double seconds,
-              const std::function<void(const ReductionEvent&)>& report)
+  CaseReducer(const Subject& subject, std::function<void(const StillReducing&)> report)
       : subject_(subject),
-        seconds_(seconds),
-        report_(report),
+        report_(std::move(report)),
         table_(subject.implementation->create_context()->table()),
         max_order_(subject.info.max_order()),
         shared_(SharedContext::of(subject)),
@@ -37,8 +36,8 @@ class CaseReducer {
                  {.alive = [this] { report_now_and_then(); }, .is_over = [this] { return is_over(); }}) {}
 
   Reduction reduce(const FailingCase& failing) {
-    is_large_ = false;
-    if (is_over()) return not_reduced(failing, kOutOfTime);
+    seconds_ = failing.seconds;
+    begin_ = Clock::now();
     if (failing.test.starts_with(kProof)) {
       std::optional<Finding> proof = reducer_.prove(failing.test.substr(std::size(kProof) - 1));
       return {failing.test, std::move(proof), "its programs do not fail here as the register describes"};
@@ -59,8 +58,6 @@ class CaseReducer {
     if (!specify_if_defined(program, max_order_)) program = with_errors_asked_for(program, max_order_);
     if (!specify_if_defined(program, max_order_))
       return not_reduced(failing, "the specification does not define everything that its case does");
-    is_large_ = vertices_of(program) > kMostVertices;
-    case_begin_ = Clock::now();
     const gl::Case plain = forms_of(program).back();
     const std::string key = failing.difference.text() + ": " + gl::to_text(plain);
     if (const auto same = reduced_.find(key); same != reduced_.end()) return {failing.test, same->second, ""};
@@ -68,7 +65,8 @@ class CaseReducer {
     if (!found) return not_reduced(failing, is_over() ? kOutOfTime : why_it_does_not_show(script, program));
     const Finding minimal = reducer_.reduce(*found);
     if (is_over()) return not_reduced(failing, kOutOfTime);
-    if (!is_large_ && reducer_.find(plain, failing.difference)) reduced_[key] = minimal;
+    if (vertices_of(program) <= kMostVertices && reducer_.find(plain, failing.difference))
+      reduced_[key] = minimal;
     return {failing.test, minimal, ""};
   }
 
@@ -84,11 +82,7 @@ class CaseReducer {
   }
 
   bool is_over() const {
-    const auto seconds_since = [](Clock::time_point begin) {
-      return std::chrono::duration<double>(Clock::now() - begin).count();
-    };
-    return seconds_ > 0 && (seconds_since(begin_) >= seconds_ ||
-                            (is_large_ && seconds_since(case_begin_) >= kShareOfLargeCase * seconds_));
+    return seconds_ > 0 && std::chrono::duration<double>(Clock::now() - begin_).count() >= seconds_;
   }
 
   // Returns the reason why the case alone does not differ from the executable specification in this way.
@@ -102,12 +96,9 @@ class CaseReducer {
   }
 
   const Subject& subject_;
-  const double seconds_;
-  const std::function<void(const ReductionEvent&)>& report_;
-  const Clock::time_point begin_ = Clock::now();
-  Clock::time_point reported_ = begin_;
-  Clock::time_point case_begin_ = begin_;
-  bool is_large_ = false;  // the current case draws very much
+  const std::function<void(const StillReducing&)> report_;
+  double seconds_ = 0;  // time limit of the current case; 0: none
+  Clock::time_point begin_ = Clock::now(), reported_ = begin_;
   const gl::Table table_;
   const int max_order_;
   std::unique_ptr<SharedContext> shared_;  // may be null
@@ -117,14 +108,10 @@ class CaseReducer {
 
 }  // namespace
 
-void reduce(const Subject& subject, const std::vector<FailingCase>& cases, Claims& claims, double seconds,
-            const std::function<void(const ReductionEvent&)>& report) {
-  CaseReducer reducer(subject, seconds, report);
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (!claims.take(i)) continue;
-    report(TestStarted{cases[i].test});
-    report(reducer.reduce(cases[i]));
-  }
+std::function<Reduction(const FailingCase&)> case_reducer(
+    const Subject& subject, const std::function<void(const StillReducing&)>& report) {
+  const auto reducer = std::make_shared<CaseReducer>(subject, report);
+  return [reducer](const FailingCase& failing) { return reducer->reduce(failing); };
 }
 
 }  // namespace evalcts::fuzz

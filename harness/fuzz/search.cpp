@@ -1,4 +1,4 @@
-// Starts the child processes of a search, collects their findings, and groups them by cause.
+// Gives random programs to workers, collects their findings, and groups them by cause.
 #include <evalcts/fuzz/search.h>
 
 #include <fmt/format.h>
@@ -6,8 +6,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
 #include <fstream>
-#include <memory>
+#include <map>
 
 #include <evalcts/fuzz/campaign.h>
 #include <evalcts/fuzz/events.h>
@@ -16,7 +17,7 @@
 #include <evalcts/gl/case_json.h>
 #include <evalcts/results/files.h>
 #include <evalcts/runner/interruption.h>
-#include <evalcts/runner/suite_child.h>
+#include <evalcts/runner/worker.h>
 #include "death.h"
 
 namespace evalcts::fuzz {
@@ -25,14 +26,13 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kLook = 0.02;
 constexpr int kMostAttemptsAlone = 400;  // candidates for the reduction of a crash; each needs a process
 constexpr int kMostHangs = 60;           // candidates for the reduction of a hang; each takes kShortPatience
 constexpr double kSecondsAlone = 30;     // time limit for the reduction of a crash or hang
 constexpr std::size_t kMostDeaths = 10;  // deaths of the library during the reduction of one program
 constexpr double kShortPatience = 2;     // time limit, in seconds, of a program that has hung before
 constexpr double kPatience = 60;         // seconds that a reduction may take after the end of the search
-constexpr int kMostEmptyStarts = 3;
+constexpr double kGrace = 30;  // seconds that a worker gives a reduction after the end of the search
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -50,8 +50,16 @@ class Searcher {
   SearchResult run() {
     remove_stale_files();
     fs::create_directory(scratch_);
-    for (int k = 0; k < request_.jobs; ++k) start(k, static_cast<std::uint32_t>(k), programs_of(k));
-    while (std::ranges::any_of(lanes_, [](const Lane& lane) { return lane.child != nullptr; })) look();
+    Pool pool{.command = [this] { return suite_command(); },
+              .log = scratch_ / "log",
+              .limits = {request_.seconds_per_program},
+              .workers = static_cast<std::size_t>(request_.jobs),
+              .each = [this](const Event& event) { take(event); },
+              .ended = [this](const WorkerRun& run) { finish(run); }};
+    if (request_.seconds > 0) pool.deadline = begin_ + seconds(request_.seconds + kPatience);
+    const bool started = pool.run([this] { return next(); });
+    if (!started && found_.programs == 0)
+      found_.cannot_start = "it does not start: " + latest_end_ + "; " + last_line(scratch_ / "log");
     found_.seconds = seconds_since(begin_);
     std::ranges::sort(found_.causes, {}, [](const Cause& cause) { return number_of(cause.program); });
     fs::remove_all(scratch_);
@@ -59,20 +67,36 @@ class Searcher {
   }
 
  private:
-  struct Lane {
-    std::unique_ptr<SuiteChild> child;
-    std::uint32_t first = 0;
-    std::optional<std::uint32_t> programs;
-    CampaignProgress totals;          // the latest totals of the child
-    std::optional<Finding> smaller;   // the smallest program so far of the current reduction
-    std::vector<std::string> deadly;  // programs of this reduction in which the library has died
-  };
+  static Clock::duration seconds(double count) {
+    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(count));
+  }
 
-  // Returns the number of programs of lane k, which are k, k + jobs, k + 2 jobs, ...; none: no limit.
-  std::optional<std::uint32_t> programs_of(int k) const {
-    if (!request_.programs) return {};
-    const auto jobs = static_cast<std::uint32_t>(request_.jobs), own = static_cast<std::uint32_t>(k);
-    return *request_.programs / jobs + (own < *request_.programs % jobs ? 1 : 0);
+  // Returns the next program to judge.
+  std::optional<Job> next() {
+    const double left = request_.seconds > 0 ? request_.seconds - seconds_since(begin_) : 0;
+    std::uint32_t number = 0;
+    if (!again_.empty()) {
+      number = again_.front();
+      again_.pop_front();
+    } else if (request_.seconds > 0 && left <= 0) {
+      return std::nullopt;
+    } else if (request_.programs && next_ >= *request_.programs) {
+      return std::nullopt;
+    } else {
+      number = next_++;
+    }
+    const RandomJob job = {.number = number,
+                           .length = request_.length,
+                           .seconds = request_.seconds > 0 ? std::max(left, 0.0) + kGrace : 0,
+                           .in_fresh_context = request_.fresh_contexts,
+                           .in_flight = in_flight_file(number),
+                           .deadly = deadly_[number]};
+    fs::remove(job.in_flight);
+    return Job{.kind = "fuzz", .name = fmt::format("program {}", number), .data = to_text(job)};
+  }
+
+  std::string in_flight_file(std::uint32_t number) const {
+    return (scratch_ / fmt::format("in-flight-{}", number)).string();
   }
 
   // Removes the files of an earlier campaign.
@@ -88,121 +112,62 @@ class Searcher {
     for (const fs::path& path : stale) fs::remove(path);
   }
 
-  std::vector<std::string> shared_options() const {
-    std::vector<std::string> options = {request_.suite_program.string(), "--seed",
+  std::vector<std::string> suite_command() const {
+    std::vector<std::string> command = {request_.suite_program.string(), "--seed",
                                         std::to_string(request_.seed), "--die-with-parent"};
     const auto add = [&](const char* name, const std::string& value) {
-      if (!value.empty()) options.insert(options.end(), {name, value});
+      if (!value.empty()) command.insert(command.end(), {name, value});
     };
     add("--implementation", request_.implementation.name);
     add("--library", request_.implementation.library);
     add("--context", request_.implementation.context);
-    return options;
+    return command;
   }
 
-  fs::path scratch(int lane, const char* extension) const {
-    return scratch_ / fmt::format("{}.{}", lane + 1, extension);
-  }
-
-  void start(int k, std::uint32_t first, std::optional<std::uint32_t> programs,
-             std::vector<std::string> deadly = {}) {
-    if (lanes_.size() <= static_cast<std::size_t>(k)) lanes_.resize(static_cast<std::size_t>(k) + 1);
-    Lane& lane = lanes_[static_cast<std::size_t>(k)];
-    lane = {};
-    lane.first = first;
-    lane.programs = programs;
-    lane.deadly = std::move(deadly);
-    const double left = request_.seconds > 0 ? request_.seconds - seconds_since(begin_) : 0;
-    if (interrupted || (programs && *programs == 0) || (request_.seconds > 0 && left <= 0)) return;
-    std::vector<std::string> command = shared_options();
-    command.insert(
-        command.end(),
-        {"--fuzz", "--first", std::to_string(first), "--step", std::to_string(request_.jobs), "--length",
-         std::to_string(request_.length), "--records", scratch(k, "jsonl").string(), "--in-flight",
-         scratch(k, "in-flight").string(), "--deadly", scratch(k, "deadly").string()});
-    if (request_.fresh_contexts) command.push_back("--fresh-contexts");
-    if (programs) command.insert(command.end(), {"--programs", std::to_string(*programs)});
-    if (left > 0) command.insert(command.end(), {"--seconds", fmt::format("{:.3f}", left)});
-    fs::remove(scratch(k, "jsonl"));
-    fs::remove(scratch(k, "in-flight"));
-    write_atomically(scratch(k, "deadly"), list_as_text(lane.deadly));
-    lane.child = std::make_unique<SuiteChild>(command, scratch(k, "jsonl"), scratch(k, "log"),
-                                              Limits{request_.seconds_per_program});
-  }
-
-  void look() {
-    for (std::size_t k = 0; k < lanes_.size(); ++k) {
-      Lane& lane = lanes_[k];
-      if (!lane.child) continue;
-      SuiteChild::Deadline deadline;
-      if (request_.seconds > 0)
-        deadline = begin_ + std::chrono::duration_cast<Clock::duration>(
-                                std::chrono::duration<double>(request_.seconds + kPatience));
-      const bool ended = lane.child->look(kLook, deadline, [&](const Event& event) {
-        if (std::holds_alternative<TestStarted>(event)) lane.smaller.reset();
-        const auto* other = std::get_if<OtherEvent>(&event);
-        const std::optional<CampaignEvent> of_campaign =
-            other ? parse_campaign_event(other->line) : std::nullopt;
-        if (of_campaign) take(lane, *of_campaign);
-      });
-      if (ended) finish(static_cast<int>(k));
-    }
-    found_.seconds = seconds_since(begin_);
-    progress_(found_);
-  }
-
-  void take(Lane& lane, const CampaignEvent& event) {
-    if (const auto* started = std::get_if<CampaignStarted>(&event)) {
+  void take(const Event& event) {
+    const auto* const other = std::get_if<OtherEvent>(&event);
+    const std::optional<CampaignEvent> of_campaign = other ? parse_campaign_event(other->line) : std::nullopt;
+    if (!of_campaign) return;
+    if (const auto* started = std::get_if<CampaignStarted>(&*of_campaign)) {
       max_eval_order_ = started->max_eval_order;
-    } else if (const auto* smaller = std::get_if<FindingShrank>(&event)) {
-      lane.smaller = smaller->finding;
-    } else if (const auto* made = std::get_if<FindingMade>(&event)) {
+    } else if (const auto* smaller = std::get_if<FindingShrank>(&*of_campaign)) {
+      smaller_[smaller->number] = smaller->finding;
+    } else if (const auto* made = std::get_if<FindingMade>(&*of_campaign)) {
+      smaller_.erase(made->number);
       found(fmt::format("program {}", made->number), made->finding);
-    } else if (const auto* now = std::get_if<CampaignProgress>(&event)) {
-      found_.programs += now->programs - lane.totals.programs;
-      found_.commands += now->commands - lane.totals.commands;
-      found_.judged += now->judged - lane.totals.judged;
-      found_.in_full += now->in_full - lane.totals.in_full;
-      found_.not_repeated += now->not_repeated - lane.totals.not_repeated;
-      found_.seconds_of_known += now->seconds_of_known - lane.totals.seconds_of_known;
-      lane.totals = *now;
+    } else if (const auto* result = std::get_if<ProgramJudged>(&*of_campaign)) {
+      ++found_.programs;
+      found_.commands += result->commands;
+      found_.judged += result->judged;
+      found_.in_full += result->in_full;
+      found_.not_repeated += result->not_repeated;
+      found_.seconds_of_known += result->seconds_of_known;
+      found_.seconds = seconds_since(begin_);
+      progress_(found_);
     }
   }
 
-  // Handles the end of a child. If the child has died, which is a finding, another child continues with the
-  // next program.
-  void finish(int k) {
-    Lane& lane = lanes_[static_cast<std::size_t>(k)];
-    const ChildRun run = lane.child->run();
-    const Lane last = std::exchange(lane, {});
+  // Handles the end of a worker. If the library has died, this is a finding.
+  void finish(const WorkerRun& run) {
+    latest_end_ = run.cannot_start.empty() ? describe(run.ending) : run.cannot_start;
     if (run.complete || interrupted || run.cut_short) return;
     if (!run.cannot_write.empty()) throw CannotWrite(run.cannot_write);
     constexpr int kOwnFault = 3;
     if (!run.ending.signalled && run.ending.value == kOwnFault)
-      throw std::runtime_error(fmt::format("{}: {}", run.in_flight, last_line(scratch(k, "log"))));
-    if (run.in_flight.empty()) {
-      if (++empty_starts_ < kMostEmptyStarts) return start(k, last.first, last.programs);
-      found_.cannot_start =
-          "it does not start: " + describe(run.ending) + "; " + last_line(scratch(k, "log"));
+      throw std::runtime_error(fmt::format("{}: {}", run.in_flight, last_line(scratch_ / "log")));
+    if (run.in_flight.empty()) return;
+    const std::uint32_t number = number_of(run.in_flight);
+    const std::string in_flight = read_file(in_flight_file(number));
+    died(run, number, in_flight);
+    const auto smaller = smaller_.extract(number);
+    if (!in_flight.empty() && deadly_[number].size() < kMostDeaths) {
+      // The library died during the reduction of another difference, so this reduction is repeated.
+      deadly_[number].push_back(in_flight);
+      again_.push_back(number);
       return;
     }
-    const std::uint32_t number = number_of(run.in_flight);
-    const std::uint32_t done = (number - last.first) / static_cast<std::uint32_t>(request_.jobs) + 1;
-    const auto left_behind = [&](std::uint32_t behind) {
-      return last.programs ? std::optional(*last.programs - behind) : std::nullopt;
-    };
-    const std::string in_flight = read_file(scratch(k, "in-flight"));
-    died(run, number, in_flight);
-    if (!in_flight.empty() && last.deadly.size() < kMostDeaths) {
-      // The child died during the reduction of another difference, so this reduction is repeated.
-      std::vector<std::string> deadly = number == last.first ? last.deadly : std::vector<std::string>();
-      deadly.push_back(in_flight);
-      found_.programs += done - 1 - last.totals.programs;
-      return start(k, number, left_behind(done - 1), std::move(deadly));
-    }
-    if (last.smaller) found(fmt::format("program {}", number), *last.smaller);
-    found_.programs += done - last.totals.programs;
-    start(k, number + static_cast<std::uint32_t>(request_.jobs), left_behind(done));
+    if (!smaller.empty()) found(fmt::format("program {}", number), smaller.mapped());
+    ++found_.programs;
   }
 
   static std::string last_line(const fs::path& log) {
@@ -215,7 +180,7 @@ class Searcher {
 
   // Adds the finding for a death of a child. The program in which it died, or the candidate of a reduction
   // (`in_flight`), is reduced by running smaller candidates in separate processes.
-  void died(const ChildRun& run, std::uint32_t number, const std::string& in_flight) {
+  void died(const WorkerRun& run, std::uint32_t number, const std::string& in_flight) {
     const gl::Case program = in_flight.empty()
                                  ? random_program(request_.seed, number, request_.length, max_eval_order_)
                                  : gl::parse_case(in_flight);
@@ -246,16 +211,8 @@ class Searcher {
   }
 
   // Runs the program in a separate process.
-  std::optional<Difference> run_alone(const gl::Case& program, double patience) {
-    const fs::path file = scratch_ / "alone.json";
-    const fs::path events = scratch_ / fmt::format("alone-{}.jsonl", ++runs_alone_);
-    write_atomically(file, gl::to_text(program));
-    std::vector<std::string> command = shared_options();
-    command.insert(command.end(), {"--replay", file.string(), "--records", events.string()});
-    SuiteChild child(command, events, scratch_ / "alone.log", {patience});
-    while (!child.look(kLook)) continue;
-    fs::remove(events);
-    return death_of(child.run());
+  std::optional<Difference> run_alone(const gl::Case& program, double patience) const {
+    return death_of(run_program(suite_command(), program, scratch_ / "alone.log", {patience}));
   }
 
   void found(const std::string& program, const Finding& finding) {
@@ -286,25 +243,23 @@ class Searcher {
     text += fmt::format("{}\n", fmt::join(gl::all_calls(cause.finding.program, 1000, 0), "\n"));
     write_atomically(fs::path(cause.file).replace_extension(".txt"), text);
     // Writes the C program, if the implementation supports it.
-    const fs::path replay = scratch_ / "write.json", events = scratch_ / "write.jsonl";
-    write_atomically(replay, gl::to_text(cause.finding.program));
-    std::vector<std::string> command = shared_options();
-    command.insert(command.end(), {"--replay", replay.string(), "--records", events.string(), "--reproduce",
-                                   fs::path(cause.file).replace_extension(".c").string()});
-    SuiteChild child(command, events, scratch_ / "write.log", {request_.seconds_per_program});
-    while (!child.look(kLook)) continue;
-    fs::remove(events);
+    std::vector<std::string> command = suite_command();
+    command.insert(command.end(), {"--reproduce", fs::path(cause.file).replace_extension(".c").string()});
+    run_program(command, cause.finding.program, scratch_ / "write.log", {request_.seconds_per_program});
   }
 
   const SearchRequest& request_;
   const std::function<void(const SearchResult&)>& progress_;
   const fs::path scratch_;
   const Clock::time_point begin_ = Clock::now();
-  std::vector<Lane> lanes_;
   SearchResult found_;
-  std::vector<Finding> deaths_;  // minimal programs in which the library died
-  int empty_starts_ = 0, runs_alone_ = 0;
-  int max_eval_order_ = 8;  // reported by the children
+  std::vector<Finding> deaths_;                               // minimal programs in which the library died
+  std::uint32_t next_ = 0;                                    // number of the next program
+  std::deque<std::uint32_t> again_;                           // programs whose reduction is repeated
+  std::map<std::uint32_t, Finding> smaller_;                  // smallest programs of reductions, by program
+  std::map<std::uint32_t, std::vector<std::string>> deadly_;  // see RandomJob, by program
+  std::string latest_end_;                                    // of a worker, in words
+  int max_eval_order_ = 8;                                    // reported by the children
 };
 
 }  // namespace

@@ -244,6 +244,17 @@ auto parse_object(const std::string& text, Read read) -> decltype(read(json())) 
   }
 }
 
+std::vector<ListedTest> read_listed_tests(const JsonObject& in) {
+  std::vector<ListedTest> tests;
+  in.each_object("tests", [&](const JsonObject& test) {
+    tests.push_back({test.text("name"), read_requirements(test),
+                     test.word("level", level_named).value_or(Level::kMust),
+                     test.word("from", [](const std::string& word) { return depth_named(word); })
+                         .value_or(Depth::kQuick)});
+  });
+  return tests;
+}
+
 }  // namespace
 
 RunResult read_run_result(const json& value) {
@@ -301,7 +312,8 @@ std::optional<Event> parse_event(const std::string& line) {
   return parse_object(line, [&](const json& value) -> std::optional<Event> {
     const JsonObject in(value, "event");
     const std::string kind = in.text("event");
-    if (kind == "start") return TestStarted{in.text("name")};
+    if (kind == "start") return JobStarted{in.text("name")};
+    if (kind == "done") return JobEnded{};
     if (kind == "case")
       return CaseStarted{in.text("case"), in.boolean("control"), in.texts("calls"), in.text("commands")};
     if (kind == "failing-case") return CaseFailed{in.text("name"), in.text("commands")};
@@ -310,47 +322,27 @@ std::optional<Event> parse_event(const std::string& line) {
     if (kind == "crash" && crash) return Crashed{read_crash(*crash)};
     const auto record = in.object("record");
     if (kind == "result" && record && record->has("verdict")) return TestFinished{read_test(*record)};
+    const auto implementation = in.object("implementation");
+    if (kind == "description" && implementation)
+      return Description{read_implementation(*implementation), in.texts("all_captures")};
+    const auto capture = in.object("capture");
+    if (kind == "capture" && capture) return read_capture(*capture);
+    if (kind == "cannot-open") return CannotOpen{in.text("reason")};
+    if (kind == "tests") return TestsListed{read_listed_tests(in)};
     return OtherEvent{line};
   });
 }
 
-std::optional<Description> parse_description(const std::string& text) {
-  return parse_object(text, [](const json& value) -> std::optional<Description> {
-    const JsonObject in(value, "description");
-    const auto implementation = in.object("implementation");
-    if (!implementation) return std::nullopt;
-    return Description{read_implementation(*implementation), in.texts("all_captures")};
-  });
-}
-
-std::optional<CaptureRecord> parse_capture(const std::string& text) {
-  return parse_object(text, [](const json& value) -> std::optional<CaptureRecord> {
-    const JsonObject in(value, "capture");
-    if (in.text("name").empty()) return std::nullopt;
-    return read_capture(in);
-  });
-}
-
-std::optional<std::vector<ListedTest>> parse_tests(const std::string& text) {
-  return parse_object(text, [](const json& value) -> std::optional<std::vector<ListedTest>> {
-    const JsonObject in(value, "tests");
-    if (!in.has("tests")) return std::nullopt;
-    std::vector<ListedTest> tests;
-    in.each_object("tests", [&](const JsonObject& test) {
-      tests.push_back({test.text("name"), read_requirements(test),
-                       test.word("level", level_named).value_or(Level::kMust),
-                       test.word("from", [](const std::string& word) { return depth_named(word); })
-                           .value_or(Depth::kQuick)});
-    });
-    return tests;
-  });
-}
-
-std::optional<std::string> parse_cannot_start(const std::string& text) {
-  return parse_object(text, [](const json& value) -> std::optional<std::string> {
-    const JsonObject in(value, "answer");
-    if (!in.has("cannot_start")) return std::nullopt;
-    return in.text("cannot_start");
+std::optional<Job> parse_job(const std::string& line) {
+  return parse_object(line, [](const json& value) -> std::optional<Job> {
+    const JsonObject in(value, "job");
+    if (in.text("job").empty()) return std::nullopt;
+    Job job{in.text("job"), in.text("name")};
+    if (const auto cases = in.integer("cases")) job.cases = static_cast<std::uint64_t>(*cases);
+    job.traces_cases = in.boolean("traces_cases");
+    job.runs_control = in.boolean("runs_control");
+    job.data = in.text("data");
+    return job;
   });
 }
 

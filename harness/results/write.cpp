@@ -190,7 +190,19 @@ json to_json(const ImplementationRecord& implementation) {
   return out;
 }
 
+json to_json(const std::vector<ListedTest>& tests) {
+  json out = json::array();
+  for (const ListedTest& test : tests)
+    out.push_back({{"name", test.name},
+                   {"requirements", texts_of(test.requirements)},
+                   {"level", name_of(test.level)},
+                   {"from", name_of(test.from)}});
+  return out;
+}
+
 }  // namespace
+
+std::string to_text(const std::vector<ListedTest>& tests) { return dumped({{"tests", to_json(tests)}}, -1); }
 
 std::string to_text(const RunResult& result) {
   json out = {{"format", "evalcts-results-1"},
@@ -222,9 +234,19 @@ std::string to_text(const RunResult& result) {
   return dumped(out, 1);
 }
 
+std::string to_line(const Job& job) {
+  json out = {{"job", job.kind}, {"name", job.name}};
+  set(out, "cases", job.cases);
+  set(out, "traces_cases", job.traces_cases);
+  set(out, "runs_control", job.runs_control);
+  set(out, "data", job.data);
+  return dumped(out, -1);
+}
+
 std::string to_line(const Event& event) {
   struct Writer {
-    json operator()(const TestStarted& start) const { return {{"event", "start"}, {"name", start.name}}; }
+    json operator()(const JobStarted& start) const { return {{"event", "start"}, {"name", start.name}}; }
+    json operator()(const JobEnded&) const { return {{"event", "done"}}; }
     json operator()(const CaseStarted& start) const {
       json event = {
           {"event", "case"}, {"case", start.identity}, {"calls", start.calls}, {"commands", start.commands}};
@@ -237,6 +259,20 @@ std::string to_line(const Event& event) {
     json operator()(const TestFinished& result) const {
       return {{"event", "result"}, {"record", to_json(result.record)}};
     }
+    json operator()(const TestsListed& listing) const {
+      return {{"event", "tests"}, {"tests", to_json(listing.tests)}};
+    }
+    json operator()(const Description& description) const {
+      return {{"event", "description"},
+              {"implementation", to_json(description.implementation)},
+              {"all_captures", description.captures}};
+    }
+    json operator()(const CaptureRecord& capture) const {
+      return {{"event", "capture"}, {"capture", to_json(capture)}};
+    }
+    json operator()(const CannotOpen& why) const {
+      return {{"event", "cannot-open"}, {"reason", why.reason}};
+    }
     json operator()(const Crashed& crashed) const {
       return {{"event", "crash"}, {"crash", to_json(crashed.crash)}};
     }
@@ -245,24 +281,5 @@ std::string to_line(const Event& event) {
   };
   return dumped(std::visit(Writer(), event), -1);
 }
-
-std::string to_text(const Description& description) {
-  return dumped(
-      {{"implementation", to_json(description.implementation)}, {"all_captures", description.captures}}, 1);
-}
-
-std::string to_text(const CaptureRecord& capture) { return dumped(to_json(capture), 1); }
-
-std::string to_text(const std::vector<ListedTest>& tests) {
-  json out = json::array();
-  for (const ListedTest& test : tests)
-    out.push_back({{"name", test.name},
-                   {"requirements", texts_of(test.requirements)},
-                   {"level", name_of(test.level)},
-                   {"from", name_of(test.from)}});
-  return dumped({{"tests", out}}, -1);
-}
-
-std::string cannot_start_text(const std::string& reason) { return dumped({{"cannot_start", reason}}, 1); }
 
 }  // namespace evalcts

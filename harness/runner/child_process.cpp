@@ -90,11 +90,15 @@ void adopt_what_children_leave() {
   adopting = prctl(PR_SET_CHILD_SUBREAPER, 1) == 0;
 }
 
-ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::string& log, Prints prints) {
+ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::string& log, Prints prints,
+                           int input) {
   if (prints == Prints::kLimited && !log.empty()) output_.emplace(log);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  if (input >= 0)
+    posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  else
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   if (output_) {
     posix_spawn_file_actions_adddup2(&actions, output_->writer(), STDOUT_FILENO);
   } else {
@@ -146,19 +150,23 @@ std::optional<Ending> ChildProcess::wait(double seconds) {
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
   for (double left = seconds; !has_ended();
        left = std::chrono::duration<double>(end - Clock::now()).count()) {
+    if (output_) output_->take();
     if (left <= 0) return std::nullopt;
     wait_for_news(left);
-    if (output_) output_->take();
   }
   reap();
   if (output_) output_->finish();
   return ending_;
 }
 
+std::vector<int> ChildProcess::news() const { return {descriptor_, output_ ? output_->reader() : -1}; }
+
 // Waits until the process prints or ends, for at most `seconds`.
 void ChildProcess::wait_for_news(double seconds) const {
-  pollfd events[] = {{descriptor_, POLLIN, 0}, {output_ ? output_->reader() : -1, POLLIN, 0}};
-  poll(events, 2, static_cast<int>((descriptor_ < 0 ? std::min(seconds, kPollSeconds) : seconds) * 1000));
+  std::vector<pollfd> events;
+  for (const int descriptor : news()) events.push_back({descriptor, POLLIN, 0});
+  poll(events.data(), events.size(),
+       static_cast<int>((descriptor_ < 0 ? std::min(seconds, kPollSeconds) : seconds) * 1000));
 }
 
 bool ChildProcess::has_ended() const {

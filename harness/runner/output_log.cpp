@@ -69,6 +69,7 @@ void OutputLog::finish() {
   take();
   if (!partial_.empty()) take_line(std::exchange(partial_, {}));
   say_what_is_left_out();
+  flush();
 }
 
 void OutputLog::take_line(const std::string& line) {
@@ -76,6 +77,7 @@ void OutputLog::take_line(const std::string& line) {
   // incomplete line before.
   if (const std::size_t test = line.find(kTestBegins); test != std::string::npos) {
     say_what_is_left_out();
+    flush();
     kept_ = 0;
   }
   if (beginning_.size() + line.size() <= kMostRemembered) beginning_ += line;
@@ -85,21 +87,22 @@ void OutputLog::take_line(const std::string& line) {
     return;
   }
   kept_ += line.size();
-  append(line);
+  unwritten_ += line;
 }
 
 void OutputLog::say_what_is_left_out() {
-  if (left_out_ > 0) append(fmt::format("evalcts: {} more bytes are omitted here\n", left_out_));
+  if (left_out_ > 0) unwritten_ += fmt::format("evalcts: {} more bytes are omitted here\n", left_out_);
   left_out_ = 0;
 }
 
-void OutputLog::append(const std::string& text) const {
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t count = write(log_, text.data() + done, text.size() - done);
+void OutputLog::flush() {
+  for (std::size_t done = 0; done < unwritten_.size();) {
+    const ssize_t count = write(log_, unwritten_.data() + done, unwritten_.size() - done);
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return;
+    if (count <= 0) break;
     done += static_cast<std::size_t>(count);
   }
+  unwritten_.clear();
 }
 
 }  // namespace evalcts

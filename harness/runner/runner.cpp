@@ -8,16 +8,14 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <deque>
 #include <fstream>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 
-#include <evalcts/runner/child_process.h>
-#include <evalcts/runner/claims.h>
-#include <evalcts/runner/question.h>
-#include <evalcts/runner/suite_child.h>
+#include <evalcts/runner/worker.h>
 #include "history.h"
 #include "request.h"
 
@@ -28,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kLookSeconds = 0.02;    // interval at which a child is checked
+constexpr double kSecondsToStart = 60;   // for the description of the implementation, and each proof
 constexpr double kSearchBudget = 30;     // seconds for the search for the history of one failure
 constexpr double kSearchesBudget = 120;  // seconds for all these searches
 constexpr int kMostEmptyStarts = 2;      // attempts that may end without a result before the run gives up
@@ -41,16 +39,7 @@ double seconds_since(Clock::time_point start) {
 class Run {
  public:
   Run(const RunRequest& request, const std::function<void(const Progress&)>& progress)
-      : request_(request),
-        progress_(progress),
-        result_(header_of(request)),
-        scratch_(request.output / ("scratch-" + result_.file_label())) {}
-  ~Run() {
-    std::error_code error;
-    fs::remove_all(scratch_, error);
-  }
-  Run(const Run&) = delete;
-  Run& operator=(const Run&) = delete;
+      : request_(request), progress_(progress), result_(header_of(request)) {}
 
   RunResult run() {
     remove_stale_files();
@@ -80,19 +69,14 @@ class Run {
     for (const auto& [kind, extension] :
          {std::pair{"results", "json"}, {"records", "jsonl"}, {"junit", "xml"}, {"log", "txt"}})
       fs::remove(file(kind, extension));
-    fs::remove_all(scratch_);
-    fs::create_directory(scratch_);
-  }
-
-  std::unique_ptr<Question> ask(const std::vector<std::string>& question) const {
-    std::vector<std::string> command = suite_command(request_);
-    command.insert(command.end(), question.begin(), question.end());
-    return std::make_unique<Question>(command, file("log", "txt"), request_.limits.memory);
   }
 
   bool start() {
     std::string& reason = result_.reason;
-    const std::optional<Description> description = ask({"--describe"})->answer(parse_description, reason);
+    const Limits limits = {kSecondsToStart, request_.limits.memory};
+    const fs::path log = file("log", "txt");
+    const std::optional<Description> description =
+        ask<Description>(suite_command_alone(), {"describe", "describe"}, reason, log, limits);
     if (!description) return false;
     ImplementationRecord& implementation = result_.implementation;
     const ImplementationRecord named = implementation;
@@ -100,12 +84,30 @@ class Run {
     implementation.kind = std::exchange(implementation.name, named.name);
     implementation.machine = named.machine;
     baseline_ = Baseline(request_.baseline, implementation, result_.pass);
-    std::vector<std::unique_ptr<Question>> proofs;
-    for (const std::string& name : description->captures) proofs.push_back(ask({"--prove", name}));
-    for (std::size_t i = 0; i < proofs.size(); ++i) {
-      CaptureRecord failed{description->captures[i], false, "", ""};
-      const std::optional<CaptureRecord> proof = proofs[i]->answer(parse_capture, failed.reason);
-      const CaptureRecord capture = proof.value_or(failed);
+    std::map<std::string, CaptureRecord> proofs;
+    std::size_t next = 0;
+    Pool{.command = [this] { return suite_command_alone(); },
+         .log = log,
+         .limits = limits,
+         .workers = description->captures.size(),
+         .is_each_alone = true,
+         .each =
+             [&](const Event& event) {
+               if (const auto* proof = std::get_if<CaptureRecord>(&event)) proofs[proof->name] = *proof;
+             },
+         .ended =
+             [&](const WorkerRun& run) {
+               if (!run.in_flight.empty())
+                 proofs[run.in_flight] = {run.in_flight, false, why_no_answer(run, log, limits), ""};
+             }}
+        .run([&]() -> std::optional<Job> {
+          if (next == description->captures.size()) return std::nullopt;
+          return Job{.kind = "prove", .name = description->captures[next++]};
+        });
+    for (const std::string& name : description->captures) {
+      const auto proof = proofs.find(name);
+      const CaptureRecord capture =
+          proof != proofs.end() ? proof->second : CaptureRecord{name, false, "it does not start", ""};
       if (capture.available) captures_.push_back(capture.name);
       implementation.captures.push_back(capture);
     }
@@ -115,18 +117,17 @@ class Run {
 
   // --- running tests -------------------------------------------------------------------------------------
 
-  // Writes `tests` (lines of a file for --tests) to `list` and returns the command that runs them and writes
-  // its events to `events`. Throws CannotWrite.
-  std::vector<std::string> command_for(const std::vector<std::string>& tests, const fs::path& list,
-                                       const fs::path& events) const {
-    std::ofstream stream(list);
-    for (const std::string& test : tests) stream << test << '\n';
-    if (!stream.flush()) throw CannotWrite(fmt::format("cannot write '{}'", list.string()));
-    fs::remove(events);
+  std::vector<std::string> suite_command_alone() const {
     std::vector<std::string> command = suite_command(request_);
+    command.push_back("--die-with-parent");
+    return command;
+  }
+
+  // Returns the command of a worker that runs tests.
+  std::vector<std::string> command_for_tests() const {
+    std::vector<std::string> command = suite_command_alone();
     command.insert(command.end(),
-                   {"--die-with-parent", "--tests", list.string(), "--records", events.string(), "--captures",
-                    captures_.empty() ? "none" : fmt::format("{}", fmt::join(captures_, ","))});
+                   {"--captures", captures_.empty() ? "none" : fmt::format("{}", fmt::join(captures_, ","))});
     if (second_pass()) command.push_back("--reuse-context");
     for (const std::string& call : crashing_calls_) command.insert(command.end(), {"--leave-out", call});
     return command;
@@ -137,46 +138,45 @@ class Run {
     return !second_pass() && !request_.only_fresh_contexts && !dies_with_second_context_;
   }
 
-  // Runs some tests again in one process, without adding to the results. `option` is an option of the suite
-  // program, or empty.
-  ChildRun run_scratch(const std::vector<std::string>& tests, const std::string& option) const {
-    const fs::path events = scratch_ / "again.jsonl";
-    std::vector<std::string> command = command_for(tests, scratch_ / "again.txt", events);
-    if (!option.empty()) command.push_back(option);
-    SuiteChild child(command, events, file("log", "txt"), request_.limits);
-    while (!child.look(kLookSeconds, deadline_)) continue;
-    throw_if_it_cannot_write(child.run());
-    return child.run();
+  // Runs some tests again in one process, without adding to the results.
+  WorkerRun run_scratch(const std::vector<Job>& tests, bool in_warm_context = false) const {
+    std::vector<std::string> command = command_for_tests();
+    if (in_warm_context) command.push_back("--warm");
+    Worker worker(command, file("log", "txt"), request_.limits);
+    for (const Job& test : tests) worker.give(test);
+    worker.finish();
+    const WorkerRun& run = worker.wait(deadline_);
+    throw_if_it_cannot_write(run);
+    return run;
   }
 
-  // Runs each of the tests again in its own process, all in parallel, without adding to the results.
-  std::vector<ChildRun> run_alone(const std::vector<std::string>& tests, bool trace_cases) const {
-    std::vector<std::unique_ptr<SuiteChild>> children;
-    const auto of_test = [this](std::size_t i, const char* extension) {
-      return scratch_ / fmt::format("alone-{}.{}", i + 1, extension);
-    };
-    for (std::size_t i = 0; i < tests.size(); ++i) {
-      std::vector<std::string> command = command_for({tests[i]}, of_test(i, "txt"), of_test(i, "jsonl"));
-      if (trace_cases) command.push_back("--trace-cases");
-      children.push_back(
-          std::make_unique<SuiteChild>(command, of_test(i, "jsonl"), of_test(i, "log"), request_.limits));
-    }
-    std::vector<bool> has_ended(children.size());
-    while (std::ranges::count(has_ended, false) > 0)
-      for (std::size_t i = 0; i < children.size(); ++i)
-        has_ended[i] =
-            has_ended[i] || children[i]->look(kLookSeconds / static_cast<double>(children.size()), deadline_);
-    std::vector<ChildRun> runs;
-    for (std::size_t i = 0; i < children.size(); ++i) {
-      runs.push_back(children[i]->run());
-      append_to_log(of_test(i, "log"));
-      throw_if_it_cannot_write(runs.back());
-    }
-    return runs;
+  // Runs each of the tests again in its own process, in parallel, without adding to the results.
+  std::vector<WorkerRun> run_alone(const std::vector<std::string>& tests, bool traces_cases) const {
+    std::map<std::string, WorkerRun> runs;
+    std::size_t next = 0;
+    Pool{.command = [this] { return command_for_tests(); },
+         .log = file("log", "txt"),
+         .limits = request_.limits,
+         .workers = tests.size(),
+         .is_each_alone = true,
+         .deadline = deadline_,
+         .ended =
+             [&](const WorkerRun& run) {
+               throw_if_it_cannot_write(run);
+               if (!run.in_flight.empty()) runs[run.in_flight] = run;
+               if (!run.finished.empty()) runs[run.finished.front()] = run;
+             }}
+        .run([&]() -> std::optional<Job> {
+          if (next == tests.size()) return std::nullopt;
+          return Job{.kind = "test", .name = tests[next++], .traces_cases = traces_cases};
+        });
+    std::vector<WorkerRun> all;
+    for (const std::string& test : tests) all.push_back(runs[test]);
+    return all;
   }
 
   // Ends the run if the disk is full, because the end of a child is then not the fault of the library.
-  void throw_if_it_cannot_write(const ChildRun& run) const {
+  void throw_if_it_cannot_write(const WorkerRun& run) const {
     if (!run.cannot_write.empty())
       throw CannotWrite(fmt::format("cannot write into '{}': {}", request_.output.string(),
                                     run.cannot_write.substr(run.cannot_write.rfind(": ") + 2)));
@@ -189,19 +189,21 @@ class Run {
         add_record(test.name, Verdict::kSkipped, *why).baseline_reason = *why;
     int fruitless = 0;
     while (!interrupted) {
-      std::vector<std::string> remaining;
+      std::deque<std::string> remaining;
       for (const ListedTest& test : request_.tests)
         if (!records_.contains(test.name)) remaining.push_back(test.name);
       if (remaining.empty()) return;
       const std::size_t before = records_.size(), calls_before = crashing_calls_.size();
-      const std::vector<ChildRun> ended = run_side_by_side(remaining);
+      const std::vector<WorkerRun> ended = run_side_by_side(remaining);
       record_deaths(ended);
       if (interrupted || records_.size() > before || crashing_calls_.size() > calls_before ||
           ++fruitless < kMostEmptyStarts)
         continue;
-      const ChildRun& last = ended.back();
+      const WorkerRun& last = ended.back();
       for (const std::string& name : remaining)
-        add_record(name, verdict_of_death(last), describe(last, request_.limits) + " before its first test");
+        if (!records_.contains(name))
+          add_record(name, verdict_of_death(last),
+                     describe(last, request_.limits) + " before its first test");
     }
   }
 
@@ -209,62 +211,48 @@ class Run {
   // replaced. Results are added to records_. Returns the processes that have ended. `in_flight` is
   // cleared if an interruption killed the process, or if the test is to be run again without the command
   // in which it crashed.
-  std::vector<ChildRun> run_side_by_side(const std::vector<std::string>& tests) {
-    Claims::create(scratch_ / "claims", tests.size());
-    const Claims claims(scratch_ / "claims");
-    std::vector<std::unique_ptr<SuiteChild>> jobs(
-        std::min(static_cast<std::size_t>(second_pass() ? 1 : request_.jobs), tests.size()));
-    const auto of_job = [this](std::size_t job, const char* extension) {
-      return scratch_ / fmt::format("job-{}.{}", job + 1, extension);
-    };
-    std::vector<std::size_t> calls_left_out(jobs.size()), left_out_by_ended;  // numbers of commands
-    const auto start = [&](std::size_t job) {
-      calls_left_out[job] = crashing_calls_.size();
-      std::vector<std::string> command = command_for(tests, of_job(job, "txt"), of_job(job, "jsonl"));
-      // A process above a quarter of the limit is replaced between tests, because a library may lose memory
-      // in each context, and a test of thorough depth may need more than half of the limit.
-      command.insert(command.end(), {"--claims", (scratch_ / "claims").string(), "--gtest_brief=1",
-                                     "--renew-above", std::to_string((request_.limits.memory >> 20) / 4)});
-      if (uses_warm_context()) command.push_back("--warm");
-      jobs[job] =
-          std::make_unique<SuiteChild>(command, of_job(job, "jsonl"), of_job(job, "log"), request_.limits);
-    };
-    for (std::size_t job = 0; job < jobs.size(); ++job) start(job);
-    std::vector<ChildRun> ended;
-    for (std::size_t running = jobs.size(); running > 0;) {
-      for (std::size_t job = 0; job < jobs.size(); ++job) {
-        if (!jobs[job]) continue;
-        if (!jobs[job]->look(kLookSeconds / static_cast<double>(running), {},
-                             [this](const Event& event) { note(event); }))
-          continue;
-        ChildRun run = jobs[job]->run();
-        jobs[job].reset();
-        --running;
-        append_to_log(of_job(job, "log"));
-        throw_if_it_cannot_write(run);
-        // A library that cannot have two contexts may die when the warm context is made.
-        if (!run.complete && run.finished.empty() && run.in_flight.empty()) dies_with_second_context_ = true;
-        sequences_.push_back(run.finished);
-        left_out_by_ended.push_back(calls_left_out[job]);
-        count_crash(run);
-        if (interrupted) {
-          run.in_flight.clear();
-        } else if (!run.complete && (!run.finished.empty() || !run.in_flight.empty()) &&
-                   !claims.all_taken()) {
-          start(job);
-          ++running;
-        }
-        ended.push_back(std::move(run));
-      }
-    }
-    for (std::size_t i = 0; i < ended.size(); ++i)
-      if (may_survive_now(ended[i], left_out_by_ended[i])) ended[i].in_flight.clear();
+  std::vector<WorkerRun> run_side_by_side(std::deque<std::string> tests) {
+    std::vector<WorkerRun> ended;
+    const Pool pool{
+        .command =
+            [this] {
+              std::vector<std::string> command = command_for_tests();
+              // A process above a quarter of the limit is replaced between tests, because a library may lose
+              // memory in each context, and a test of thorough depth may need more than half of the limit.
+              command.insert(command.end(),
+                             {"--renew-above", std::to_string((request_.limits.memory >> 20) / 4)});
+              if (uses_warm_context()) command.push_back("--warm");
+              return command;
+            },
+        .log = file("log", "txt"),
+        .limits = request_.limits,
+        .workers = std::min(static_cast<std::size_t>(second_pass() ? 1 : request_.jobs), tests.size()),
+        .each = [this](const Event& event) { note(event); },
+        .ended =
+            [&](const WorkerRun& run) {
+              throw_if_it_cannot_write(run);
+              // A library that cannot have two contexts may die when the warm context is made.
+              if (!run.complete && run.finished.empty() && run.in_flight.empty())
+                dies_with_second_context_ = true;
+              sequences_.push_back(run.finished);
+              count_crash(run);
+              ended.push_back(run);
+              if (interrupted) ended.back().in_flight.clear();
+            }};
+    pool.run([&]() -> std::optional<Job> {
+      if (tests.empty()) return std::nullopt;
+      Job job{.kind = "test", .name = tests.front()};
+      tests.pop_front();
+      return job;
+    });
+    for (WorkerRun& run : ended)
+      if (may_survive_now(run)) run.in_flight.clear();
     return ended;
   }
 
   // Counts the crash of a test. Once kSameCrashes tests have crashed in the same command, processes that
   // start later omit this command from tests in which it is optional.
-  void count_crash(const ChildRun& run) {
+  void count_crash(const WorkerRun& run) {
     if (run.in_flight.empty() || !run.crash || run.crash->call.empty()) return;
     std::set<std::string>& tests = tests_that_crash_in_[run.crash->call];
     tests.insert(run.in_flight);
@@ -272,25 +260,23 @@ class Run {
       crashing_calls_.push_back(run.crash->call);
   }
 
-  // True if the test crashed in a command that new processes omit, but its process did not: it omitted only
-  // the first `calls_left_out` of crashing_calls_.
-  bool may_survive_now(const ChildRun& run, std::size_t calls_left_out) const {
-    if (run.in_flight.empty() || !run.crash) return false;
-    const auto call = std::ranges::find(crashing_calls_, run.crash->call);
-    return call - crashing_calls_.begin() >= static_cast<std::ptrdiff_t>(calls_left_out) &&
-           call != crashing_calls_.end();
+  // True if the test crashed in a command that new processes omit, but its process did not.
+  bool may_survive_now(const WorkerRun& run) const {
+    return !run.in_flight.empty() && run.crash && std::ranges::count(crashing_calls_, run.crash->call) > 0 &&
+           std::ranges::count(run.command, run.crash->call) == 0;
   }
 
   // Handles an event of a process of run_side_by_side().
   void note(const Event& event) {
-    if (const auto* start = std::get_if<TestStarted>(&event)) {
+    if (const auto* start = std::get_if<JobStarted>(&event)) {
       progress_({"test", records_.size(), request_.tests.size(), start->name});
     } else if (const auto* result = std::get_if<TestFinished>(&event)) {
       records_[result->record.name] = result->record;
     } else if (const auto* failed = std::get_if<CaseFailed>(&event)) {
       result_.failing_cases[failed->test] = failed->commands;
     }
-    if (!std::holds_alternative<RunEnded>(event) && !std::holds_alternative<Crashed>(event))
+    if (!std::holds_alternative<RunEnded>(event) && !std::holds_alternative<JobEnded>(event) &&
+        !std::holds_alternative<Crashed>(event))
       append_to_records(event);
   }
 
@@ -299,13 +285,6 @@ class Run {
     file << to_line(event);
     if (!file.flush())
       throw CannotWrite(fmt::format("cannot write '{}': {}", records_file_.string(), std::strerror(errno)));
-  }
-
-  void append_to_log(const fs::path& part) const {
-    std::ifstream from(part, std::ios::binary);
-    if (from && from.peek() != std::ifstream::traits_type::eof())
-      std::ofstream(file("log", "txt"), std::ios::app | std::ios::binary) << from.rdbuf();
-    fs::remove(part);
   }
 
   // Adds the record of a test for which the suite program did not write one.
@@ -335,7 +314,7 @@ class Run {
     return records_[name] = std::move(record);
   }
 
-  static Verdict verdict_of_death(const ChildRun& run) {
+  static Verdict verdict_of_death(const WorkerRun& run) {
     return run.hung ? Verdict::kTimeout : Verdict::kCrash;
   }
 
@@ -347,29 +326,29 @@ class Run {
 
   // True for a crash in a command that defines or queries a map. No control is needed to blame evaluators for
   // it, because a control has no such commands.
-  static bool is_in_map_command(const ChildRun& run) {
+  static bool is_in_map_command(const WorkerRun& run) {
     if (!run.crash || run.hung || run.over_memory) return false;
     return std::ranges::any_of(std::array{"glMap", "glGetMap", "glGetnMap"},
                                [&](const char* name) { return run.crash->call.starts_with(name); });
   }
 
-  SameCrashes& crashes_like(const ChildRun& run) {
+  SameCrashes& crashes_like(const WorkerRun& run) {
     return same_crashes_[run.crash->call + "\n" + run.crash->group()];
   }
 
   // Records the tests that children died in. Each test is run again alone, unless it crashed in a map command
   // and kSameCrashes tests with the same crash have been confirmed and none had another outcome.
-  void record_deaths(const std::vector<ChildRun>& ended) {
-    std::vector<const ChildRun*> first, like_others, rest;
+  void record_deaths(const std::vector<WorkerRun>& ended) {
+    std::vector<const WorkerRun*> first, like_others, rest;
     std::map<const SameCrashes*, std::size_t> chosen;
-    for (const ChildRun& child : ended) {
+    for (const WorkerRun& child : ended) {
       if (child.in_flight.empty()) continue;
       const bool has_like = !second_pass() && is_in_map_command(child);
       const SameCrashes* const same = has_like ? &crashes_like(child) : nullptr;
       (same && same->confirmed + chosen[same]++ >= kSameCrashes ? like_others : first).push_back(&child);
     }
     confirm_deaths(first);
-    for (const ChildRun* child : like_others) {
+    for (const WorkerRun* child : like_others) {
       const SameCrashes& same = crashes_like(*child);
       if (interrupted || same.others > 0 || same.confirmed < kSameCrashes) {
         rest.push_back(child);
@@ -385,29 +364,28 @@ class Run {
 
   // Runs each of these tests alone in a new process, with its cases traced to get the calls, and records it.
   // If a test passes alone, its history is searched for.
-  void confirm_deaths(const std::vector<const ChildRun*>& dead) {
+  void confirm_deaths(const std::vector<const WorkerRun*>& dead) {
     const auto jobs = static_cast<std::size_t>(request_.jobs);
     for (std::size_t begin = 0; begin < dead.size(); begin += jobs) {
       const std::size_t end = std::min(begin + jobs, dead.size());
       std::vector<std::string> names;
       for (std::size_t i = begin; i < end; ++i) names.push_back(dead[i]->in_flight);
       progress_({"confirming", records_.size(), request_.tests.size(), names.front()});
-      const std::vector<ChildRun> alone =
-          interrupted ? std::vector<ChildRun>(names.size()) : run_alone(names, true);
+      const std::vector<WorkerRun> alone =
+          interrupted ? std::vector<WorkerRun>(names.size()) : run_alone(names, true);
       for (std::size_t i = begin; i < end; ++i) record_death(*dead[i], alone[i - begin]);
     }
   }
 
   // True if the control of the case in which the test died alone, without evaluators, also ends the process.
-  bool dies_with_explicit_vertices(const std::string& name, const ChildRun& alone) const {
+  bool dies_with_explicit_vertices(const std::string& name, const WorkerRun& alone) const {
     const auto cases = alone.cases.find(name);
     if (is_in_map_command(alone) || cases == alone.cases.end() || cases->second.empty()) return false;
-    const ChildRun control =
-        run_scratch({fmt::format("{}\t{}", name, cases->second.size())}, "--crash-control");
-    return !control.in_flight.empty();
+    return !run_scratch({{.kind = "test", .name = name, .cases = cases->second.size(), .runs_control = true}})
+                .in_flight.empty();
   }
 
-  void record_death(const ChildRun& child, const ChildRun& alone) {
+  void record_death(const WorkerRun& child, const WorkerRun& alone) {
     const std::string name = child.in_flight;
     const Verdict verdict = verdict_of_death(child);
     const std::string how = describe(child, request_.limits);
@@ -450,7 +428,7 @@ class Run {
   // --- repetition of failures ------------------------------------------------------------------------------
 
   // Returns the outcome of the test when it ran alone, if it differs from the outcome in the record.
-  std::optional<Repetition> other_outcome(const TestRecord& record, const ChildRun& again) const {
+  std::optional<Repetition> other_outcome(const TestRecord& record, const WorkerRun& again) const {
     if (again.in_flight == record.name)
       return Repetition{verdict_of_death(again), describe(again, request_.limits)};
     const auto found = again.records.find(record.name);
@@ -480,7 +458,7 @@ class Run {
             names.begin() + static_cast<std::ptrdiff_t>(begin),
             names.begin() + static_cast<std::ptrdiff_t>(std::min(begin + jobs, names.size())));
         progress_({"running again", begin, names.size(), some.front()});
-        const std::vector<ChildRun> runs = run_alone(some, false);
+        const std::vector<WorkerRun> runs = run_alone(some, false);
         for (std::size_t i = 0; i < some.size() && !interrupted; ++i) {
           const std::optional<Repetition> other = other_outcome(records_[some[i]], runs[i]);
           if (!other) {
@@ -571,11 +549,17 @@ class Run {
     return {};
   }
 
+  static std::vector<Job> jobs_of(const std::vector<std::string>& tests) {
+    std::vector<Job> jobs;
+    for (const std::string& test : tests) jobs.push_back({.kind = "test", .name = test});
+    return jobs;
+  }
+
   // Returns true if the test fails again when it runs after these tests; empty if time runs out first.
-  std::optional<bool> happens_again(const TestRecord& record, std::vector<std::string> tests) {
+  std::optional<bool> happens_again(const TestRecord& record, std::vector<Job> tests) {
     const std::string& name = record.name;
-    tests.push_back(name);
-    const ChildRun child = run_scratch(tests, uses_warm_context() ? "--warm" : "");
+    tests.push_back({.kind = "test", .name = name});
+    const WorkerRun child = run_scratch(tests, uses_warm_context());
     if (child.cut_short || interrupted) return std::nullopt;
     if (is_death(record.verdict)) return child.in_flight == name;
     const auto again = child.records.find(name);
@@ -600,7 +584,7 @@ class Run {
       });
       history = shortest_history(
           predecessors, guess_applies ? guess_ : std::vector<std::string>(),
-          [&](const std::vector<std::string>& tests) { return happens_again(record, tests); });
+          [&](const std::vector<std::string>& tests) { return happens_again(record, jobs_of(tests)); });
     }
     std::string only_case;
     if (history.tests.size() == 1) only_case = case_of_history(record, history.tests[0]);
@@ -618,11 +602,12 @@ class Run {
   // For a history of one test, returns the last of the cases of this test that the failure depends on; empty
   // if it was not found.
   std::string case_of_history(const TestRecord& record, const std::string& test) {
-    const ChildRun traced = run_scratch({test, record.name}, "--trace-cases");
+    const WorkerRun traced = run_scratch(
+        {{.kind = "test", .name = test, .traces_cases = true}, {.kind = "test", .name = record.name}});
     const auto cases = traced.cases.find(test);
     if (traced.cut_short || interrupted || cases == traced.cases.end()) return {};
     const auto enough = least(cases->second.size(), [&](std::size_t count) {
-      return happens_again(record, {fmt::format("{}\t{}", test, count)});
+      return happens_again(record, {{.kind = "test", .name = test, .cases = count}});
     });
     return enough ? cases->second[*enough - 1] : std::string();
   }
@@ -663,7 +648,6 @@ class Run {
       result_.tests.push_back(found->second);
     }
     result_.summarize();
-    fs::remove_all(scratch_);
     try {
       write_atomically(file("results", "json"), to_text(result_));
     } catch (const CannotWrite& error) {
@@ -677,14 +661,13 @@ class Run {
   const RunRequest& request_;
   const std::function<void(const Progress&)>& progress_;
   RunResult result_;
-  const fs::path scratch_;  // folder of files that the runner and its children exchange
   std::vector<std::string> captures_;
   std::map<std::string, TestRecord> records_;
   fs::path records_file_;
   bool dies_with_second_context_ = false;  // set if a process died before its first test
   Baseline baseline_;
   std::vector<std::vector<std::string>> sequences_;  // the tests that each child finished, in order
-  SuiteChild::Deadline deadline_;                    // the end of the search in progress
+  Deadline deadline_;                                // the end of the search in progress
   double searches_left_ = kSearchesBudget;
   std::set<std::string> searched_;                                    // tests whose history was searched for
   std::map<std::string, std::set<std::string>> tests_that_crash_in_;  // by command

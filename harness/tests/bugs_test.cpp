@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <set>
@@ -364,13 +363,14 @@ TEST(Reductions, GoThroughTheirText) {
   EXPECT_EQ(gl::to_text(read->minimal->program), gl::to_text(reduction.minimal->program));
   EXPECT_EQ(read->minimal->failure.difference.text(), "position; ; far");
   EXPECT_EQ(read->minimal->title, reduction.minimal->title);
-  EXPECT_FALSE(parse_reduction(to_line(ReductionEvent(TestStarted{"A.b"}))));
   EXPECT_FALSE(parse_reduction(to_line(StillReducing())));
   EXPECT_FALSE(parse_reduction("{"));
-  const std::vector<FailingCase> cases = parse_failing_cases(to_text({{"A.b", {"position", "", ""}, "[]"}}));
-  ASSERT_EQ(cases.size(), 1u);
-  EXPECT_EQ(cases[0].commands, "[]");
-  EXPECT_THROW(parse_failing_cases("{]"), std::invalid_argument);
+  const FailingCase failing =
+      parse_failing_case(to_text(FailingCase{"A.b", {"position", "", ""}, "[]", 1.5}));
+  EXPECT_EQ(failing.commands, "[]");
+  EXPECT_EQ(failing.difference.kind, "position");
+  EXPECT_EQ(failing.seconds, 1.5);
+  EXPECT_THROW(parse_failing_case("{]"), std::invalid_argument);
 }
 
 // Reduces the cases on an implementation. `starts` is called before each case.
@@ -382,16 +382,12 @@ std::vector<Reduction> reduced_on(
   subject.info = inquire(implementation);
   Captures captures(implementation, subject.info, nullptr);
   subject.captures = &captures;
-  const std::filesystem::path file =
-      std::filesystem::path(testing::TempDir()) / fmt::format("claims-{}", getpid());
-  Claims::create(file, cases.size());
-  Claims claims(file);
-  std::filesystem::remove(file);
+  const auto reduce = case_reducer(subject, [](const StillReducing&) {});
   std::vector<Reduction> reductions;
-  fuzz::reduce(subject, cases, claims, 0, [&](const ReductionEvent& event) {
-    if (std::holds_alternative<TestStarted>(event)) starts();
-    if (const auto* reduction = std::get_if<Reduction>(&event)) reductions.push_back(*reduction);
-  });
+  for (const FailingCase& failing : cases) {
+    starts();
+    reductions.push_back(reduce(failing));
+  }
   for (const Reduction& reduction : reductions)
     EXPECT_TRUE(reduction.minimal) << reduction.test << ": " << reduction.why_not;
   return reductions;
@@ -568,22 +564,17 @@ RunResult run_with_fault(const std::string& fault, const std::vector<std::string
   fs::create_directories(folder);
   const std::vector<std::string> suite = {FAULTY_SUITE_PROGRAM, "--fault", fault, "--implementation",
                                           "production"};
-  std::ofstream list(folder / "tests");
-  for (const std::string& test : tests) list << test << "\n";
-  list.close();
-  std::vector<std::string> command = suite;
-  command.insert(command.end(),
-                 {"--tests", (folder / "tests").string(), "--records", (folder / "records").string()});
   RunResult run;
   run.implementation.max_eval_order = kMaxOrder;
   run.seed = seed;
-  SuiteChild child(command, folder / "records", folder / "log", {});
-  while (!child.look(0.05, {}, [&](const Event& event) {
+  Worker worker(suite, folder / "log", {});
+  for (const std::string& test : tests) worker.give({.kind = "test", .name = test});
+  worker.finish();
+  worker.wait({}, [&](const Event& event) {
     if (const auto* failed = std::get_if<CaseFailed>(&event))
       run.failing_cases[failed->test] = failed->commands;
     if (const auto* result = std::get_if<TestFinished>(&event)) run.tests.push_back(result->record);
-  })) {
-  }
+  });
   for (TestRecord& test : run.tests) {
     test.expected_by_baseline = !known_bug.empty();
     if (!known_bug.empty()) test.known_bugs = {known_bug};

@@ -159,7 +159,6 @@ TEST_F(CommandLine, JobsDecideTheSame) {
     std::ifstream log(folder_ / "log-drill.txt");
     for (std::string line; std::getline(log, line);) logged += line.starts_with("[ RUN ");
     EXPECT_EQ(logged, result["tests"].size());
-    EXPECT_FALSE(fs::exists(folder_ / "scratch-drill"));
     result.erase("command");
     for (json& test : result["tests"]) test.erase("seconds");
     return result.dump();
@@ -625,12 +624,12 @@ TEST_F(CommandLine, KilledChildIsReplaced) {
     for (int i = 0; i < 1000; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       const pid_t child = child_of(run.id());
-      std::ifstream records(folder_ / (round ? "scratch-drill/alone-1.jsonl" : "records-drill.jsonl"));
+      std::ifstream records(folder_ / "records-drill.jsonl");
       std::string last;
       for (std::string line; std::getline(records, line);) last = line;
-      if (child > 0 && child != killed && last.find(round ? "\"case\"" : "\"start\"") != std::string::npos &&
-          last.find(round ? "GL_MAP1_INDEX" : "MAP1_INDEX_f") != std::string::npos) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(200));  // until it has reached the hanging call
+      if (child > 0 && child != killed && last.find("MAP1_INDEX_f") != std::string::npos) {
+        // Until it has reached the hanging call. The second child first opens the library.
+        std::this_thread::sleep_for(std::chrono::milliseconds(round ? 2000 : 200));
         kill(child, SIGKILL);
         killed = child;
         break;
@@ -689,7 +688,6 @@ TEST_F(CommandLine, InterruptedRunKeepsWhatItHas) {
         EXPECT_TRUE(contains(victim["message"], "not confirmed")) << victim;
       }
       EXPECT_TRUE(fs::exists(folder_ / "junit-drill.xml"));
-      EXPECT_FALSE(fs::exists(folder_ / "scratch-drill"));
     }
 }
 

@@ -390,13 +390,14 @@ CampaignResult run_campaign(Implementation& implementation, std::uint32_t progra
   Captures captures(implementation, subject.info, nullptr);
   subject.captures = &captures;
   CampaignResult result;
-  fuzz::run_campaign(subject, {.programs = programs, .length = 60}, [&](const CampaignEvent& event) {
+  const auto judge = campaign(subject, [&](const CampaignEvent& event) {
     if (const auto* made = std::get_if<FindingMade>(&event)) result.findings.push_back(made->finding);
-    if (const auto* progress = std::get_if<CampaignProgress>(&event)) {
-      result.programs = progress->programs;
-      result.commands = progress->commands;
+    if (const auto* judged = std::get_if<ProgramJudged>(&event)) {
+      ++result.programs;
+      result.commands += judged->commands;
     }
   });
+  for (std::uint32_t number = 0; number < programs; ++number) judge({.number = number, .length = 60});
   return result;
 }
 

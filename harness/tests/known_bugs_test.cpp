@@ -9,7 +9,7 @@
 #include <evalcts/gl/case_json.h>
 #include <evalcts/results/baseline.h>
 #include <evalcts/results/known_bugs.h>
-#include <evalcts/runner/question.h>
+#include <evalcts/runner/worker.h>
 
 namespace evalcts {
 namespace {

@@ -77,7 +77,6 @@ class Misbehaviours : public DrillTest, public testing::WithParamInterface<Misbe
     }
     std::ifstream processes(drill_file());
     for (pid_t process = 0; processes >> process;) EXPECT_NE(kill(process, 0), 0) << process;
-    EXPECT_FALSE(fs::exists(folder_ / "scratch-drill"));
     EXPECT_FALSE(fs::exists(folder_ / ".lock"));
     EXPECT_LT(fs::file_size(folder_ / "log-drill.txt"), 200'000u);
   }

@@ -152,10 +152,9 @@ TEST_F(Reproduce, ResultsAreNotTrusted) {
     std::ofstream(folder_ / "results-drill.json") << changed;
     return evalcts({"reproduce", "StrideBelowK", "--results", folder_.string()});
   };
-  for (const std::vector<std::string>& more : {std::vector<std::string>{"--records", elsewhere},
-                                               {"--answer", elsewhere},
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--worker", elsewhere},
                                                {"--reproduce", elsewhere},
-                                               {"--seed", "--records=" + elsewhere.string()},
+                                               {"--seed", "--worker=" + elsewhere.string()},
                                                {"--gtest_output=xml:" + elsewhere.string(), "x"},
                                                {"--depth"}}) {
     json changed = good;
@@ -166,7 +165,7 @@ TEST_F(Reproduce, ResultsAreNotTrusted) {
     EXPECT_FALSE(fs::exists(elsewhere)) << more[0];
   }
   json changed = good;
-  changed["implementation"]["captures"] = {{{"name", "a,--records"}, {"available", true}}};
+  changed["implementation"]["captures"] = {{{"name", "a,--worker"}, {"available", true}}};
   EXPECT_EQ(answer(changed).code, 2);
   for (const char* member : {"timeout", "tests", "implementation", "suite_command"}) {
     changed = good;

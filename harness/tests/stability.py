@@ -43,12 +43,12 @@ def alone(program, name, depth, captures, test, folder):
     with its controls what that means."""
     suite = str(pathlib.Path(program).with_name("evalcts-suite"))
     stem = test.replace("/", "~")
-    tests, records = folder / f"{stem}.txt", folder / f"{stem}.jsonl"
-    tests.write_text(test + "\n")
-    command = [suite, "--implementation", name, "--depth", depth, "--tests", str(tests), "--records", str(records),
+    records = folder / f"{stem}.jsonl"
+    command = [suite, "--implementation", name, "--depth", depth, "--worker", str(records),
                "--captures", ",".join(captures) or "none"]
     try:
-        subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=120)
+        subprocess.run(command, input=json.dumps({"job": "test", "name": test}) + "\n", text=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=120)
     except subprocess.TimeoutExpired:
         pass
     for line in records.read_text().splitlines() if records.exists() else ():

@@ -19,6 +19,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
@@ -62,9 +63,12 @@ class Suite:
     @lru_cache(None)
     def listed(self, depth=None):
         """Returns the requirements of each test of one depth, or of all."""
-        text = subprocess.run([self.program, "--list"], capture_output=True, check=True).stdout
-        return {test["name"]: set(test["requirements"]) for test in json.loads(text)["tests"]
-                if depth in (None, test["from"])}
+        with tempfile.TemporaryDirectory() as folder:
+            events = Path(folder) / "events"
+            subprocess.run([self.program, "--worker", events], input=b'{"job": "list", "name": "list"}\n', check=True)
+            listing = next(event for event in map(json.loads, events.read_text().splitlines())
+                           if event["event"] == "tests")
+        return {test["name"]: set(test["requirements"]) for test in listing["tests"] if depth in (None, test["from"])}
 
     def run(self, wrong, tests):
         """Runs tests with a wrong evaluator or state machine ("": the correct one) until one fails.
@@ -72,28 +76,39 @@ class Suite:
         Returns their names and verdicts; a test in flight at the time limit has none.
         """
         with tempfile.TemporaryDirectory() as folder:
-            records, names = Path(folder) / "records", Path(folder) / "names"
-            records.touch()
-            names.write_text("\n".join(tests) + "\n")
-            command = [self.program, "--library", self.sink, "--depth", "quick", "--records", records,
-                       "--tests", names, "--gtest_brief=1", "--gtest_fail_fast"]
+            events = Path(folder) / "events"
+            events.touch()
+            command = [self.program, "--library", self.sink, "--depth", "quick", "--worker", events]
             environment = {**os.environ, "EVALCTS_WRONG": wrong, "PYTHONPATH": str(HERE),
                            "PYTHONDONTWRITEBYTECODE": "1"}
-            try:
-                subprocess.run(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                               timeout=SECONDS_OF_BATCH, check=False)
-                is_complete = True
-            except subprocess.TimeoutExpired:
-                is_complete = False
-            found, in_flight = {}, None
-            for event in map(json.loads, records.read_text().splitlines()):
-                if event["event"] == "start":
-                    in_flight = event["name"]
-                elif event["event"] == "result":
-                    found[event["record"]["name"]] = event["record"]["verdict"]
-                    in_flight = None
-            if in_flight and is_complete:
-                found[in_flight] = "crash"
+            worker = subprocess.Popen(command, env=environment, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                                      stderr=subprocess.DEVNULL)
+            found, end = {}, time.monotonic() + SECONDS_OF_BATCH
+            with worker, open(events) as lines:
+                for test in tests:
+                    try:
+                        worker.stdin.write(json.dumps({"job": "test", "name": test}).encode() + b"\n")
+                        worker.stdin.flush()
+                    except BrokenPipeError:
+                        pass
+                    verdict, partial = None, ""
+                    while verdict is None and time.monotonic() < end:
+                        partial += lines.readline()
+                        if not partial.endswith("\n"):
+                            if worker.poll() is not None and not partial:
+                                verdict = "crash"
+                            time.sleep(0.0002)
+                            continue
+                        event = json.loads(partial)
+                        partial = ""
+                        if event["event"] == "result":
+                            verdict = event["record"]["verdict"]
+                    if verdict is None:
+                        break
+                    found[test] = verdict
+                    if verdict not in NOT_FAILED:
+                        break
+                worker.kill()
             return found
 
     @lru_cache(None)

@@ -10,7 +10,7 @@
 #include <evalcts/fuzz/reduction.h>
 #include <evalcts/results/known_bugs.h>
 #include <evalcts/results/run_result.h>
-#include <evalcts/runner/suite_child.h>
+#include <evalcts/runner/worker.h>
 
 namespace evalcts::fuzz {
 

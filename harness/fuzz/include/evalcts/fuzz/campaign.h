@@ -1,29 +1,59 @@
-// The options with which random programs are judged on one implementation, in one process.
+// Judges random programs on one implementation, in this process.
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <functional>
 #include <string>
+#include <variant>
 #include <vector>
+
+#include <evalcts/fuzz/finding.h>
 
 namespace evalcts::fuzz {
 
-struct Campaign {
-  std::uint32_t first = 0;                // number of the first program
-  std::uint32_t step = 1;                 // difference between the numbers of successive programs
-  std::optional<std::uint32_t> programs;  // number of programs; none: until the time is over
-  double seconds = 0;                     // time limit; 0: none
-  int length = 120;                       // approximate number of commands of a program
-  int most_attempts = 400;                // maximum number of candidates for the reduction of a program
+// A random program to judge: the data of a job of a worker.
+struct RandomJob {
+  std::uint32_t number = 0;  // of the program
+  int length = 120;          // approximate number of commands
+  double seconds = 0;        // time limit of a reduction; 0: none
+  // True: the program has its own context. False: most programs of a worker share a context, if the
+  // implementation can create it beside others. Creating a context and its shaders takes most of the time of
+  // a program. A difference in the shared context must be reproduced in a fresh context, alone or after some
+  // of the earlier programs.
+  bool in_fresh_context = false;
+  int most_attempts = 400;  // maximum number of candidates for the reduction
   // File to which each candidate of a reduction is written before it runs, so that the candidate is known if
   // the library dies in it. The file is empty at other times. An empty name means no file.
   std::string in_flight = {};
   std::vector<std::string> deadly = {};  // candidates (JSON) in which the library has died; not run again
-  // True: each program has its own context. False: most programs share a context, if the implementation can
-  // create it beside others. Creating a context and its shaders takes most of the time of a program. A
-  // difference in the shared context must be reproduced in a fresh context, alone or after some of the
-  // earlier programs.
-  bool fresh_contexts = false;
 };
+
+struct CampaignStarted {
+  int max_eval_order = 8;  // the limit with which programs are made
+};
+// A smaller program of the finding that is being reduced.
+struct FindingShrank {
+  std::uint32_t number = 0;  // of the random program
+  Finding finding;
+};
+struct FindingMade {
+  std::uint32_t number = 0;
+  Finding finding;
+};
+struct StillJudging {};  // reported every half second
+struct ProgramJudged {
+  bool judged = true;   // at least some effects could be observed
+  bool in_full = true;  // all effects could be observed
+  std::uint64_t commands = 0;
+  bool not_repeated = false;    // the program differed only in the shared context
+  double seconds_of_known = 0;  // time spent on a difference without a new cause
+};
+using CampaignEvent = std::variant<CampaignStarted, FindingShrank, FindingMade, StillJudging, ProgramJudged>;
+
+// Returns a function that judges the program of a job, and reports ProgramJudged after its findings. It
+// reports CampaignStarted at once. Commands that the implementation does not provide are left out of the
+// programs. `subject` must outlive the function.
+std::function<void(const RandomJob&)> campaign(const Subject& subject,
+                                               const std::function<void(const CampaignEvent& event)>& report);
 
 }  // namespace evalcts::fuzz

@@ -8,8 +8,6 @@
 #include <vector>
 
 #include <evalcts/fuzz/finding.h>
-#include <evalcts/results/serialization.h>
-#include <evalcts/runner/claims.h>
 
 namespace evalcts::fuzz {
 
@@ -18,6 +16,7 @@ struct FailingCase {
   std::string test;  // name of the test, or kProof and the ID of the bug
   Difference difference;
   std::string commands;  // JSON text (gl/case_json.h); may be empty
+  double seconds = 0;    // time limit; 0: none
 };
 inline constexpr char kProof[] = "known bug ";
 
@@ -30,17 +29,16 @@ struct Reduction {
 };
 
 struct StillReducing {};  // reported every half second, which distinguishes a slow case from a hang
-using ReductionEvent = std::variant<TestStarted, StillReducing, Reduction>;
-// Reduces the cases that no other process with the same list has taken. Reports TestStarted before each case,
-// and its Reduction. If a case has the same plain form (one dimension, EvalCoord1f, points) as an earlier
-// case, the result is shared. Cases that remain after `seconds` are reported as not reduced.
-void reduce(const Subject& subject, const std::vector<FailingCase>& cases, Claims& claims, double seconds,
-            const std::function<void(const ReductionEvent&)>& report);
+using ReductionEvent = std::variant<StillReducing, Reduction>;
+// Returns a function that reduces cases. If a case has the same plain form (one dimension, EvalCoord1f,
+// points) as an earlier case, the result is shared. `subject` must outlive the function.
+std::function<Reduction(const FailingCase&)> case_reducer(
+    const Subject& subject, const std::function<void(const StillReducing&)>& report);
 
-// Convert to text and back. parse_failing_cases() throws std::invalid_argument. parse_reduction() returns
-// none if the line is not a Reduction.
-std::string to_text(const std::vector<FailingCase>& cases);
-std::vector<FailingCase> parse_failing_cases(const std::string& text);
+// Convert to text and back. parse_failing_case() throws std::invalid_argument. parse_reduction() returns none
+// if the line is not a Reduction.
+std::string to_text(const FailingCase& failing);
+FailingCase parse_failing_case(const std::string& text);
 std::string to_line(const ReductionEvent& event);
 std::optional<Reduction> parse_reduction(const std::string& line);
 

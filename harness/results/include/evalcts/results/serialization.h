@@ -1,5 +1,5 @@
 // Reads and writes JSON: result files ("evalcts-results-1", described field by field in
-// reports/schema/results-1.schema.json), the events of the suite program, and its answers. All text that was
+// reports/schema/results-1.schema.json), and the jobs and events of workers. All text that was
 // read is clean (see text.h), so that writers only have to escape for their own syntax.
 #pragma once
 
@@ -27,11 +27,33 @@ RunResult read_run_result(const nlohmann::json& json);
 // Returns the text of results-NAME.json.
 std::string to_text(const RunResult& result);
 
-// --- events of the suite program, one line each
+// Returns the tests as JSON: {"tests": [{"name", "requirements", "level", "from"}]}.
+std::string to_text(const std::vector<ListedTest>& tests);
 
-struct TestStarted {
+// --- jobs of a worker, one line each
+
+struct Job {
+  // "list": list all tests. "describe": describe the implementation. "prove": prove the capture `name`.
+  // "test": run the test `name`. "case": judge the program `data`. "reduce" and "fuzz": see reduction.h and
+  // campaign.h.
+  std::string kind;
+  std::string name;
+  std::optional<std::uint64_t> cases = {};  // of a test: run only so many (it then decides nothing)
+  bool traces_cases = false;                // report CaseStarted before each case
+  // Run the last of `cases` with explicit vertices instead of evaluations, and stop the test.
+  bool runs_control = false;
+  std::string data = {};  // JSON text (a case: gl/case_json.h)
+};
+std::string to_line(const Job& job);
+// Returns none if the line is not a job.
+std::optional<Job> parse_job(const std::string& line);
+
+// --- events of a worker, one line each
+
+struct JobStarted {
   std::string name;
 };
+struct JobEnded {};
 // Written before each case, only if cases are traced.
 struct CaseStarted {
   std::string identity;
@@ -47,38 +69,33 @@ struct CaseFailed {
 struct TestFinished {
   TestRecord record;
 };
+struct TestsListed {
+  std::vector<ListedTest> tests;
+};
+// Properties of the implementation that are known before a test runs.
+struct Description {
+  ImplementationRecord implementation;
+  std::vector<std::string> captures;  // names of all captures that can be tried
+};
+// The implementation does not start; the process ends.
+struct CannotOpen {
+  std::string reason;
+};
 // The last event of a process that a signal ends.
 struct Crashed {
   Crash crash;
 };
+// All jobs have ended.
 struct RunEnded {};
 // An event of a kind that parse_event() does not know, such as those of fuzzing; `line` is its JSON.
 struct OtherEvent {
   std::string line;
 };
-using Event = std::variant<TestStarted, CaseStarted, CaseFailed, TestFinished, Crashed, RunEnded, OtherEvent>;
+using Event = std::variant<JobStarted, JobEnded, CaseStarted, CaseFailed, TestFinished, TestsListed,
+                           Description, CaptureRecord, CannotOpen, Crashed, RunEnded, OtherEvent>;
 
 std::string to_line(const Event& event);
 // Returns none if the line is not an event, for example because it was cut off.
 std::optional<Event> parse_event(const std::string& line);
-
-// --- answers of the suite program
-
-// Properties of the implementation that the suite program knows before a test runs.
-struct Description {
-  ImplementationRecord implementation;
-  std::vector<std::string> captures;  // names of all captures that can be tried
-};
-std::string to_text(const Description& description);
-std::string to_text(const CaptureRecord& capture);
-std::string to_text(const std::vector<ListedTest>& tests);
-// Returns the answer to any question if the implementation does not start.
-std::string cannot_start_text(const std::string& reason);
-
-// Return none if the text is not an answer of this kind.
-std::optional<Description> parse_description(const std::string& text);
-std::optional<CaptureRecord> parse_capture(const std::string& text);
-std::optional<std::vector<ListedTest>> parse_tests(const std::string& text);
-std::optional<std::string> parse_cannot_start(const std::string& text);
 
 }  // namespace evalcts

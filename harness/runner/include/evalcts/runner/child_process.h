@@ -34,10 +34,10 @@ class ChildProcess {
   // Amount of output that the log keeps: everything, or at most kMostPrinted bytes per test (output_log.h).
   enum class Prints { kUnlimited, kLimited };
 
-  // Starts the program command[0], a path, with empty standard input. Standard output and error are appended
-  // to `log` (empty: discarded). Throws std::runtime_error.
+  // Starts the program command[0], a path. Standard input is `input`, a descriptor; negative: it is empty.
+  // Standard output and error are appended to `log` (empty: discarded). Throws std::runtime_error.
   ChildProcess(const std::vector<std::string>& command, const std::string& log,
-               Prints prints = Prints::kUnlimited);
+               Prints prints = Prints::kUnlimited, int input = -1);
   // Kills the process if it is still running.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
@@ -47,6 +47,9 @@ class ChildProcess {
   // Waits up to `seconds` for the end of the process; empty if it is still running then. When the process has
   // ended, the remaining processes of its group are killed.
   std::optional<Ending> wait(double seconds);
+  // Returns the descriptors, for poll(), that become readable when the process prints or ends. Negative ones
+  // stand for nothing.
+  std::vector<int> news() const;
   void kill();
   // Sends SIGABRT to the process, which may report where it is before it ends.
   void abort();

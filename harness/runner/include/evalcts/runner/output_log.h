@@ -43,11 +43,13 @@ class OutputLog {
 
  private:
   void take_line(const std::string& line);
-  void append(const std::string& text) const;
+  void flush();
   void say_what_is_left_out();
 
   int reader_ = -1, writer_ = -1, log_ = -1;
   std::string partial_;  // the beginning of a line whose end has not arrived yet
+  // The output of the current test, which is written as a whole, because several processes share a log.
+  std::string unwritten_;
   std::size_t kept_ = 0, left_out_ = 0;
   std::string own_words_, beginning_;
 };

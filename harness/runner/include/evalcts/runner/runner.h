@@ -13,7 +13,7 @@
 #include <evalcts/results/files.h>
 #include <evalcts/results/run_result.h>
 #include <evalcts/runner/interruption.h>
-#include <evalcts/runner/suite_child.h>
+#include <evalcts/runner/worker.h>
 
 namespace evalcts {
 

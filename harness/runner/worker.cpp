@@ -1,0 +1,285 @@
+// Implements Worker and Pool: writes jobs to the standard input of processes, and reads their events.
+#include <evalcts/runner/worker.h>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include <evalcts/backends/gl_environment.h>
+#include <evalcts/results/event_file.h>
+#include <evalcts/runner/interruption.h>
+
+namespace evalcts {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+namespace fs = std::filesystem;
+
+constexpr int kLookMilliseconds = 20;  // longest time between two checks of the limits
+constexpr double kMostToEnd = 2;       // seconds that the process may take to exit after its last job
+constexpr int kMostFruitless = 2;      // workers in turn that may end before their first job
+constexpr std::size_t kMostQuotedLines = 3;
+constexpr char kCannotStartLine[] = "cannot start: ";  // suite_main prints the reason in such a line, too
+// Time that a process that hangs may take to report its command in flight.
+constexpr std::chrono::seconds kMostToReport(1);
+
+struct Pipe {
+  int reader = -1, writer = -1;
+  Pipe() {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0)
+      throw std::runtime_error(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
+    reader = ends[0];
+    writer = ends[1];
+  }
+};
+
+// Returns a clause with the first different lines that a library printed before it failed to start, and the
+// name of the log with all of them; empty if it printed none.
+std::string quoted(const std::string& printed, const fs::path& log) {
+  std::vector<std::string> lines;
+  std::istringstream stream(printed);
+  for (std::string line; std::getline(stream, line);)
+    if (!line.empty() && !line.starts_with(kCannotStartLine) && std::ranges::count(lines, line) == 0)
+      lines.push_back(line);
+  if (lines.empty() || log.empty()) return {};
+  if (lines.size() > kMostQuotedLines) lines.resize(kMostQuotedLines);
+  return fmt::format("; the library printed \"{}\" (all of its output is in {})", fmt::join(lines, " | "),
+                     log.string());
+}
+
+}  // namespace
+
+std::string describe(const WorkerRun& run, const Limits& limits) {
+  if (run.over_memory) return fmt::format("it used more than {} MiB of memory", limits.memory >> 20);
+  std::string text = run.hung ? fmt::format("no answer within {} seconds", limits.seconds_per_test)
+                              : "the process ended with " + describe(run.ending);
+  if (!run.crash) return text;
+  if (!run.crash->call.empty())
+    text += fmt::format(" in {}, after {} commands", run.crash->call, run.crash->commands_before);
+  if (!run.crash->frames.empty()) text += ", at " + run.crash->frames.front();
+  return text;
+}
+
+Worker::Worker(std::vector<std::string> command, const fs::path& log, const Limits& limits)
+    : limits_(limits) {
+  const Pipe events, jobs;
+  events_ = events.reader;
+  events_writer_ = events.writer;
+  input_ = jobs.writer;
+  fcntl(events_, F_SETFL, O_NONBLOCK);
+  fcntl(input_, F_SETFL, O_NONBLOCK);
+  // The process opens the pipe by this name, so that it can open it again if the library closes it.
+  command.insert(command.end(), {"--worker", fmt::format("/proc/{}/fd/{}", getpid(), events_writer_)});
+  run_.command = command;
+  process_.emplace(command, log.string(), ChildProcess::Prints::kLimited, jobs.reader);
+  close(jobs.reader);
+}
+
+Worker::~Worker() {
+  close_input();
+  process_.reset();
+  for (const int descriptor : {events_, events_writer_}) close(descriptor);
+}
+
+void Worker::give(const Job& job) {
+  if (is_idle()) latest_event_ = Clock::now();
+  waiting_.push_back(job);
+  unwritten_ += to_line(job);
+  write_jobs();
+}
+
+void Worker::finish() {
+  is_finishing_ = true;
+  latest_event_ = Clock::now();
+  write_jobs();
+}
+
+void Worker::close_input() {
+  if (input_ >= 0) close(input_);
+  input_ = -1;
+}
+
+void Worker::write_jobs() {
+  while (input_ >= 0 && !unwritten_.empty()) {
+    const ssize_t count = write(input_, unwritten_.data(), unwritten_.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0 && errno == EAGAIN) return;
+    if (count < 0) return close_input();  // the process has ended
+    unwritten_.erase(0, static_cast<std::size_t>(count));
+  }
+  if (is_finishing_) close_input();
+}
+
+void Worker::read_events(const EachEvent& each) {
+  std::array<char, 65536> bytes{};
+  for (ssize_t count; (count = read(events_, bytes.data(), bytes.size())) != 0;) {
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) break;
+    partial_.append(bytes.data(), static_cast<std::size_t>(count));
+  }
+  std::size_t begin = 0;
+  for (std::size_t end; (end = partial_.find('\n', begin)) != std::string::npos; begin = end + 1) {
+    const std::optional<Event> event = parse_event(partial_.substr(begin, end - begin));
+    if (!event) continue;
+    take(*event);
+    if (each) each(*event);
+    latest_event_ = Clock::now();
+  }
+  partial_.erase(0, begin);
+}
+
+bool Worker::look(const Deadline& deadline, const EachEvent& each) {
+  write_jobs();
+  const std::optional<Ending> ending = process_->wait(0);
+  read_events(each);
+  if (!ending) {
+    check_limits(deadline);
+    return false;
+  }
+  run_.ending = *ending;
+  run_.printed = process_->printed();
+  if (!ending->signalled && ending->value == kExitCannotWrite &&
+      process_->own_words().starts_with(kCannotWriteEvent))
+    run_.cannot_write = process_->own_words();
+  return true;
+}
+
+void Worker::check_limits(const Deadline& deadline) {
+  const bool is_working = !waiting_.empty() || !run_.in_flight.empty() || is_finishing_;
+  const double patience =
+      run_.complete ? std::min(limits_.seconds_per_test, kMostToEnd) : limits_.seconds_per_test;
+  if (interrupted || (report_deadline_ && Clock::now() > *report_deadline_)) {
+    process_->kill();
+  } else if (deadline && Clock::now() > *deadline) {
+    run_.cut_short = true;
+    process_->kill();
+  } else if (process_->memory() > limits_.memory) {
+    run_.over_memory = true;
+    process_->kill();
+  } else if (is_working && std::chrono::duration<double>(Clock::now() - latest_event_).count() > patience) {
+    if (run_.complete) {
+      process_->kill();
+    } else if (!report_deadline_) {
+      run_.hung = true;
+      report_deadline_ = Clock::now() + kMostToReport;
+      process_->abort();  // the signal handler reports the command in flight
+    }
+  }
+}
+
+const WorkerRun& Worker::wait(const Deadline& deadline, const EachEvent& each) {
+  while (!look(deadline, each)) wait_for_news({this});
+  return run_;
+}
+
+void Worker::take(const Event& event) {
+  if (const auto* start = std::get_if<JobStarted>(&event)) {
+    if (!waiting_.empty()) waiting_.pop_front();
+    run_.in_flight = start->name;
+    run_.last_case.reset();
+    run_.crash.reset();
+  } else if (const auto* of_case = std::get_if<CaseStarted>(&event)) {
+    run_.last_case = *of_case;
+    run_.cases[run_.in_flight].push_back(of_case->identity);
+  } else if (const auto* result = std::get_if<TestFinished>(&event)) {
+    run_.records[result->record.name] = result->record;
+  } else if (std::holds_alternative<JobEnded>(event)) {
+    run_.finished.push_back(std::exchange(run_.in_flight, {}));
+  } else if (const auto* crashed = std::get_if<Crashed>(&event)) {
+    run_.crash = crashed->crash;
+  } else if (const auto* why = std::get_if<CannotOpen>(&event)) {
+    run_.cannot_start = why->reason;
+  } else if (std::holds_alternative<RunEnded>(event)) {
+    run_.complete = true;
+  }
+}
+
+void wait_for_news(const std::vector<const Worker*>& workers) {
+  std::vector<pollfd> news;
+  for (const Worker* worker : workers) {
+    news.push_back({worker->events_, POLLIN, 0});
+    if (!worker->unwritten_.empty()) news.push_back({worker->input_, POLLOUT, 0});
+    for (const int descriptor : worker->process_->news()) news.push_back({descriptor, POLLIN, 0});
+  }
+  poll(news.data(), news.size(), kLookMilliseconds);
+}
+
+bool Pool::run(const std::function<std::optional<Job>()>& next) const {
+  std::vector<std::unique_ptr<Worker>> running;
+  std::deque<Job> returned;  // jobs that a worker has not started before its end
+  int empty_starts = 0;
+  const auto next_job = [&]() -> std::optional<Job> {
+    if (interrupted) return std::nullopt;
+    if (returned.empty()) return next();
+    Job job = std::move(returned.front());
+    returned.pop_front();
+    return job;
+  };
+  const auto supply = [&](Worker& worker, const std::optional<Job>& job) {
+    if (job) worker.give(*job);
+    if (!job || is_each_alone) worker.finish();
+  };
+  const auto start = [&] {
+    if (empty_starts >= kMostFruitless) return false;
+    const std::optional<Job> job = next_job();
+    if (!job) return false;
+    running.push_back(std::make_unique<Worker>(command(), log, limits));
+    supply(*running.back(), job);
+    return true;
+  };
+  while (running.size() < workers && start()) continue;
+  while (!running.empty()) {
+    std::vector<const Worker*> all;
+    for (const auto& worker : running) all.push_back(worker.get());
+    wait_for_news(all);
+    for (std::size_t i = 0; i < running.size();) {
+      Worker& worker = *running[i];
+      if (!worker.look(deadline, each)) {
+        if (worker.is_idle()) supply(worker, next_job());
+        ++i;
+        continue;
+      }
+      const std::unique_ptr<Worker> done = std::move(running[i]);
+      running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
+      const WorkerRun& run = done->run();
+      returned.insert(returned.begin(), done->waiting().begin(), done->waiting().end());
+      const bool is_empty = run.finished.empty() && run.in_flight.empty();
+      empty_starts = is_empty && !run.complete ? empty_starts + 1 : 0;
+      if (ended) ended(run);
+      while (running.size() < workers && start()) continue;
+    }
+  }
+  return returned.empty();
+}
+
+std::string why_no_answer(const WorkerRun& run, const fs::path& log, const Limits& limits) {
+  if (interrupted) return "interrupted";
+  if (!run.cannot_start.empty()) return run.cannot_start + quoted(run.printed, log);
+  if (run.hung || run.over_memory) return describe(run, limits);
+  return fmt::format("the process that loads the library ended with {}{}{}{}", describe(run.ending),
+                     describe_gl_environment(), log.empty() ? "" : "; see " + log.string(),
+                     quoted(run.printed, log));
+}
+
+std::vector<ListedTest> list_tests(const fs::path& suite_program) {
+  std::string reason;
+  const std::optional<TestsListed> listed =
+      ask<TestsListed>({suite_program.string()}, {"list", "list"}, reason);
+  if (!listed)
+    throw std::runtime_error(fmt::format("{} does not list its tests ({})", suite_program.string(), reason));
+  return listed->tests;
+}
+
+}  // namespace evalcts

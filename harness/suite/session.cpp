@@ -1,0 +1,260 @@
+// Implements Session: opens the implementation and its captures, and runs tests in warm and fresh contexts.
+#include "session.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <chrono>
+#include <iostream>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include <evalcts/backends/gl_environment.h>
+#include <evalcts/backends/rejected_queries.h>
+#include <evalcts/fuzz/finding.h>
+#include <evalcts/gl/call_in_flight.h>
+#include <evalcts/gl/call_log.h>
+#include <evalcts/gl/case_json.h>
+#include <evalcts/gl/explicit_vertices.h>
+#include <evalcts/gl/roles.h>
+#include <evalcts/results/hash.h>
+#include "surroundings.h"
+
+namespace evalcts {
+namespace {
+
+// Returns a warning if another driver than requested was loaded; otherwise an empty string. Sinks and
+// built-in implementations have no driver, and a layer hides the renderer below it.
+std::string note_on_driver(const ImplementationInfo& info, const ImplementationOptions& options) {
+  const bool is_layer = !options.context.empty() && !options.library.empty();
+  if (is_layer || info.name == "sink" || info.name == "production" || info.name == "reference") return {};
+  return describe_other_driver(info.renderer);
+}
+
+// Returns the queries of grids that raise an error. Their own tests fail; other tests leave these queries out
+// when they query all state, because the error would be taken for that of another command.
+std::set<std::string> rejected_queries(Implementation& implementation) {
+  std::set<std::string> rejected;
+  for (const GLenum name :
+       {GL_MAP1_GRID_DOMAIN, GL_MAP1_GRID_SEGMENTS, GL_MAP2_GRID_DOMAIN, GL_MAP2_GRID_SEGMENTS})
+    for (const bool doubles : {false, true}) {
+      gl::Case c;
+      const gl::Ref query =
+          doubles ? c.GetDoublev(name, gl::out<GLdouble>(4)) : c.GetIntegerv(name, gl::out<GLint>(4));
+      const gl::Ref error = c.GetError();
+      const std::unique_ptr<Context> context = implementation.create_context();
+      if (context->table().GetError && gl::has(context->table(), c.commands()[0].entry) &&
+          context->play(c).error(error) != GL_NO_ERROR)
+        rejected.insert(gl::call_text(c.commands()[static_cast<std::size_t>(query.index)]));
+    }
+  return rejected;
+}
+
+// Runs the controls of a case that ends the process: explicit commands replace evaluation, and maps and grids
+// are left out. If the case draws no vertices, the first control omits evaluation instead. Throws
+// NotObservable if the library survives all controls.
+void run_without_evaluators(const Subject& subject, const gl::Case& script) {
+  std::vector<gl::Case> controls = gl::controls_without_evaluators(script);
+  if (predict(script, subject.info.max_order()).vertex_count() == 0) {
+    gl::Case without = script.without_commands();
+    for (const gl::Command& command : script.commands())
+      if (!gl::is_evaluation(command.entry)) without.add(command);
+    controls.front() = gl::with_explicit_vertices(without);
+  }
+  for (const gl::Case& control : controls) subject.implementation->create_context()->play(control);
+  throw NotObservable("the library survives the case with explicit vertices");
+}
+
+}  // namespace
+
+Session::Session(SessionOptions options, const Wrapping& wrapping,
+                 const std::function<void(const Event&)>& report)
+    : options_(std::move(options)), wrapping_(wrapping), report_(report) {}
+
+void Session::close() {
+  warm_.reset();
+  reused_.reset();
+  captures_.reset();
+}
+
+void Session::open() {
+  if (implementation_) return;
+  implementation_ = open_implementation(options_.implementation);
+  if (wrapping_) implementation_ = wrapping_(std::move(implementation_));
+  subject_.info = inquire(*implementation_);
+  if (!subject_.info.rejected_queries.empty())
+    implementation_ = without_queries(std::move(implementation_), subject_.info.rejected_queries);
+  subject_.implementation = implementation_.get();
+  subject_.depth = options_.depth;
+  subject_.seed = options_.seed;
+  subject_.crashing_calls = {options_.left_out.begin(), options_.left_out.end()};
+  for (const std::string& choice : options_.readings) {
+    const std::size_t equals = choice.find('=');
+    if (equals == std::string::npos) throw CannotStart("'" + choice + "' is not NAME=READING");
+    subject_.readings[choice.substr(0, equals)] = choice.substr(equals + 1);
+  }
+}
+
+void Session::open_captures() {
+  open();
+  if (captures_) return;
+  const bool shares_state = subject_.info.shares_state;
+  if (shares_state) reused_ = reuse_context(*implementation_, subject_.info);
+  captures_ = std::make_unique<Captures>(shares_state ? *reused_ : *implementation_, subject_.info,
+                                         options_.captures ? &*options_.captures : nullptr);
+  subject_.captures = captures_.get();
+  if (options_.reuse_context && !shares_state) {
+    captures_->prove_all();
+    reused_ = reuse_context(*implementation_, subject_.info);
+  }
+  if (reused_) subject_.implementation = reused_.get();
+  if (options_.warm && !reused_) warm_ = WarmContext::of(*implementation_, subject_.info);
+  if (!options_.reproduce.empty()) {
+    reproduction_ = std::make_unique<Reproduction>(*subject_.implementation, options_.reproduce);
+    subject_.reproduction = reproduction_.get();
+    subject_.implementation = &reproduction_->implementation();
+  }
+}
+
+void Session::open_for_tests() {
+  open();
+  if (!std::exchange(is_open_for_tests_, true))
+    subject_.crashing_calls.merge(rejected_queries(*implementation_));
+  open_captures();
+}
+
+const Subject& Session::subject() {
+  open_captures();
+  return subject_;
+}
+
+Description Session::describe() {
+  open();
+  const ImplementationInfo& info = subject_.info;
+  Description description;
+  ImplementationRecord& implementation = description.implementation;
+  implementation.name = info.name;
+  implementation.library = info.library;
+  implementation.context_library = implementation_->context_library();
+  implementation.vendor = info.vendor;
+  implementation.renderer = info.renderer;
+  implementation.version = info.version;
+  implementation.max_eval_order = info.max_eval_order;
+  implementation.note = note_on_driver(info, options_.implementation);
+  implementation.files = loaded_gl_files();
+  for (const auto& capture : all_captures()) description.captures.push_back(capture->name());
+  return description;
+}
+
+CaptureRecord Session::prove(const std::string& name) {
+  open();
+  for (auto& capture : all_captures()) {
+    if (capture->name() != name) continue;
+    CaptureRecord result{name, true, "", ""};
+    try {
+      capture->prove(*implementation_, subject_.info);
+      result.shows = evalcts::describe(capture->attributes());
+    } catch (const NotObservable& exception) {
+      result.available = false;
+      result.reason = exception.what();
+    }
+    return result;
+  }
+  throw std::runtime_error("unknown capture '" + name + "'");
+}
+
+// Keeps the latest case of the running test if it is the first that failed.
+void Session::keep_failing_case() {
+  if (!record_ || !failing_case_.empty() || record_->failures.empty() ||
+      record_->failures.front().case_identity != latest_case_.identity())
+    return;
+  failing_case_ = gl::to_text_if_possible(latest_case_);
+}
+
+void Session::begin_case(const gl::Case& script, const Job& job) {
+  keep_failing_case();
+  latest_case_ = script;
+  if (job.runs_control && cases_left_ == 1) run_without_evaluators(subject_, script);
+  if (cases_left_-- == 0) throw std::runtime_error("no further cases of this test were requested");
+  if (job.traces_cases)
+    report_(CaseStarted{script.identity(), script.is_control(), gl::all_calls(script),
+                        gl::to_text_if_possible(script)});
+}
+
+void Session::run(const Subject& subject, const TestInfo& test, const Job& job, TestRecord& record) {
+  cases_left_ = job.cases.value_or(std::numeric_limits<std::uint64_t>::max());
+  record_ = &record;
+  latest_case_ = {};
+  failing_case_.clear();
+  Subject watched = subject;
+  watched.before_case = [&](const gl::Case& script) { begin_case(script, job); };
+  Test running(watched, record);
+  running.run(test.body);
+  keep_failing_case();
+  record_ = nullptr;
+}
+
+// Runs the test in the warm context, if there is one. Returns true, with the result in `record`, if it
+// passes. A sample of the tests runs in fresh contexts anyway.
+bool Session::passes_in_warm_context(const TestInfo& test, const Job& job, TestRecord& record) {
+  constexpr std::uint32_t kSample = 16;
+  // Limit of warm contexts; a library whose answers change by themselves needs more.
+  constexpr int kMostReplaced = 16;
+  if (!warm_ || (fnv1a<std::uint32_t>(record.name) + subject_.seed) % kSample == 0) return false;
+  Subject subject = subject_;
+  subject.implementation = &warm_->implementation();
+  subject.is_warm = true;
+  TestRecord warm = record;
+  run(subject, test, job, warm);
+  const bool is_restored = warm_->restore();
+  if (!is_restored && ++replaced_contexts_ == kMostReplaced) warm_.reset();
+  if (!is_restored || warm.verdict != Verdict::kPass) return false;
+  record = std::move(warm);
+  return true;
+}
+
+TestRecord Session::run_test(const TestInfo& test, const Job& job) {
+  open_for_tests();
+  TestRecord record;
+  record.name = test.full_name();
+  record.requirements = test.requirements;
+  record.level = test.level;
+  const auto start = std::chrono::steady_clock::now();
+  const Surroundings surroundings;
+  if (!passes_in_warm_context(test, job, record)) run(subject_, test, job, record);
+  record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const std::vector<std::string> changed = surroundings.put_back();
+  if (!failing_case_.empty()) report_(CaseFailed{record.name, failing_case_});
+  report_(TestFinished{record});
+  if (!changed.empty())
+    std::cout << fmt::format("evalcts: the library has changed {}; put back", fmt::join(changed, ", "))
+              << std::endl;
+  return record;
+}
+
+TestRecord Session::run_program(const Job& job) {
+  const Subject& of_programs = subject();
+  gl::Case script = fuzz::with_what_exists(of_programs.info, implementation_->create_context()->table(),
+                                           gl::parse_case(job.data));
+  script.set_identity("program");
+  const Specified specified = specify(script, of_programs.info.max_order());
+  std::vector<Outcomes> all_outcomes = {Outcomes::kAll};
+  if (specified.prediction.vertex_count() == 0) all_outcomes.push_back(Outcomes::kVertices);
+  if (specified.prediction.has_meshes()) all_outcomes.push_back(Outcomes::kOrder);
+  TestRecord record;
+  record.name = "program";
+  record.verdict = Verdict::kPass;
+  for (const Outcomes outcomes : all_outcomes) {
+    if (!record.failures.empty()) break;
+    record.failures = fuzz::judge_program(of_programs, script, specified, outcomes).failures;
+  }
+  if (!record.failures.empty()) {
+    record.verdict = Verdict::kFail;
+    record.message = record.failures.front().message;
+  }
+  report_(TestFinished{record});
+  return record;
+}
+
+}  // namespace evalcts
