@@ -124,9 +124,9 @@ class Test : public Conditions {
   Ending end_of(const std::function<void(Test&)>& body);
   std::string mistake() const;
   Difference difference_of(const Mismatch& mismatch) const;
-  // Throws NotObservable if the same query of state gives a wrong answer with explicit commands in place of
-  // evaluations as well. `script`: before delivery.
-  void require_explicit_answer(const gl::Case& script, gl::Ref query);
+  // Returns the reason if the same query of state gives a wrong answer with explicit commands in place of
+  // evaluations as well; otherwise an empty text. `script`: before delivery.
+  std::string fault_of_explicit_answer(const gl::Case& script, gl::Ref query);
   // Makes the next failures violate the requirements to which the table of blame gives the observation.
   void blame(Observed observed);
   gl::DeliveredCase begin_case(const gl::Case& script);
@@ -173,8 +173,9 @@ class Test : public Conditions {
   std::optional<gl::Lists> other_lists_;  // replaces the form of lists of the delivery
   bool lists_used_ = false;
   ExplicitControl control_;
-  Attributes unobserved_ = 0;  // required attributes that no capture shows
-  std::set<int> snapshot_;     // positions of the queries of compare_only()
+  Attributes unobserved_ = 0;             // required attributes that no capture shows
+  std::string fault_outside_evaluators_;  // the reason why an answer of the case is not judged; or empty
+  std::set<int> snapshot_;                // positions of the queries of compare_only()
   std::uint64_t cases_ = 0, failed_cases_ = 0, last_failed_case_ = 0;
 };
 
