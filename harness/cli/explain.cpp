@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <iostream>
 
-#include <evalcts/faults/fault_table.h>
 #include <evalcts/results/coverage.h>
 #include <evalcts/runner/worker.h>
 #include "command.h"
@@ -18,8 +17,6 @@
 
 namespace evalcts::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 void paragraph(const std::string& text, std::size_t indent = 2) {
   const std::string margin(indent, ' ');
@@ -120,37 +117,6 @@ void explain_cases(const TestRun& run) {
   labelled("Compared", fmt::format("{}", fmt::join(compared, "; ")));
 }
 
-// Prints the faults that the test detects, of those that break one of its requirements. './evalcts faults'
-// builds the program with faults.
-void explain_faults(ListedTest test, const fs::path& scratch) {
-  if (!fs::exists(places().faulty_suite_program)) {
-    labelled("Faults that it detects", "known once './evalcts faults' has built the program with faults");
-    return;
-  }
-  std::vector<faults::ListedFault> breaking = faults::list_faults(places().faulty_suite_program);
-  std::erase_if(breaking, [&](const faults::ListedFault& fault) {
-    return std::ranges::none_of(fault.requirements, [&](const std::string& requirement) {
-      return std::ranges::any_of(test.requirements,
-                                 [&](const RequirementId& id) { return id.decides(requirement); });
-    });
-  });
-  test.from = Depth::kQuick;  // a test that is named exactly runs at every depth
-  const std::vector<faults::TriedFault> tried =
-      faults::try_faults({.suite_program = places().faulty_suite_program,
-                          .faults = breaking,
-                          .tests = {test},
-                          .jobs = usual_jobs(),
-                          .scratch = scratch},
-                         [](std::size_t, const std::string&) {});
-  std::vector<const faults::ListedFault*> detected;
-  for (const faults::TriedFault& each : tried)
-    if (std::ranges::any_of(each.detections, &faults::Detection::detected)) detected.push_back(&each.fault);
-  paragraph(fmt::format("Faults that it detects, {} of {} that break its rules{}", detected.size(),
-                        breaking.size(), detected.empty() ? "" : ":"));
-  for (const faults::ListedFault* const fault : detected)
-    paragraph(fmt::format("{}: {}", fault->name, fault->what), 4);
-}
-
 void explain_test(const ListedTest& test) {
   std::cout << fmt::format("{} ({}, from depth {})\n", test.name, name_of(test.level), name_of(test.from));
   for (const RequirementId& id : test.requirements)
@@ -159,8 +125,6 @@ void explain_test(const ListedTest& test) {
       paragraph("Source: " + requirement->source, 4);
     }
   explain_cases(run_of(test.name));
-  const Scratch scratch;
-  explain_faults(test, scratch.path());
 }
 
 // Returns "; did you mean NAME?" for the name that is most similar to the word. For the name of a test

@@ -26,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
+constexpr std::uint64_t kMostBetweenTests = std::uint64_t{400} << 20;  // bytes of memory of a process
 constexpr double kSecondsToStart = 60;   // for the description of the implementation, and each proof
 constexpr double kSearchBudget = 30;     // seconds for the search for the history of one failure
 constexpr double kSearchesBudget = 120;  // seconds for all these searches
@@ -217,10 +218,10 @@ class Run {
         .command =
             [this] {
               std::vector<std::string> command = command_for_tests();
-              // A process above a quarter of the limit is replaced between tests, because a library may lose
-              // memory in each context, and a test of thorough depth may need more than half of the limit.
-              command.insert(command.end(),
-                             {"--renew-above", std::to_string((request_.limits.memory >> 20) / 4)});
+              // A process that has grown is replaced between tests, because a library may lose memory in each
+              // context, and a test of thorough depth may need more than half of the limit.
+              const std::uint64_t most = std::min(request_.limits.memory / 4, kMostBetweenTests);
+              command.insert(command.end(), {"--renew-above", std::to_string(most >> 20)});
               if (uses_warm_context()) command.push_back("--warm");
               return command;
             },
