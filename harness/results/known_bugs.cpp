@@ -73,11 +73,6 @@ std::string AffectedVersions::text() const {
                      renderer.empty() ? "" : " with " + renderer);
 }
 
-bool AffectedVersions::contains(const ImplementationRecord& implementation) const {
-  return implementation.renderer.find(renderer) != std::string::npos &&
-         VersionRange(fmt::format("{} {} to {}", product, first, last)).contains(implementation.version);
-}
-
 bool AffectedVersions::may_contain(const ImplementationRecord& implementation) const {
   return kWithOwnEvaluators.contains(implementation.kind) &&
          implementation.renderer.find(renderer) != std::string::npos &&

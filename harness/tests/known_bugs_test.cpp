@@ -100,17 +100,20 @@ TEST(KnownBugs, AffectVersionsOfAProduct) {
   const AffectedVersions affected = {"Mesa", "20.3", "26.2", "llvmpipe"};
   EXPECT_EQ(affected.text(), "Mesa 20.3 to 26.2 with llvmpipe");
   EXPECT_EQ((AffectedVersions{"NVIDIA", "580", "580", ""}.text()), "NVIDIA 580");
-  const auto contains = [&](const std::string& version, const std::string& renderer) {
+  const auto contains = [&](const std::string& version, const std::string& renderer,
+                            const std::string& kind = "osmesa") {
     ImplementationRecord implementation;
+    implementation.kind = kind;
     implementation.version = version;
     implementation.renderer = renderer;
-    return affected.contains(implementation);
+    return affected.may_contain(implementation);
   };
   EXPECT_TRUE(contains("4.5 (Compatibility Profile) Mesa 22.3.6", "llvmpipe (LLVM 15.0.6, 256 bits)"));
   EXPECT_TRUE(contains("4.5 Mesa 20.3.0", "llvmpipe"));
   EXPECT_TRUE(contains("4.6 (Compatibility Profile) Mesa 26.2.6-1", "llvmpipe"));
   EXPECT_FALSE(contains("4.5 Mesa 20.2.9", "llvmpipe"));
-  EXPECT_FALSE(contains("4.5 Mesa 26.3.0", "llvmpipe"));
+  EXPECT_TRUE(contains("4.5 Mesa 26.3.0", "llvmpipe"));
+  EXPECT_FALSE(contains("4.5 Mesa 22.3.6", "llvmpipe", "library"));
   EXPECT_FALSE(contains("4.5 Mesa 22.3.6", "softpipe"));
   EXPECT_FALSE(contains("4.6.0 NVIDIA 580.159.04", "llvmpipe"));
   EXPECT_FALSE(contains("Mesa", "llvmpipe"));

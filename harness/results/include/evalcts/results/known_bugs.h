@@ -20,10 +20,8 @@ struct AffectedVersions {
 
   // Returns "Mesa 20.3 to 26.2 with llvmpipe".
   std::string text() const;
-  // True if this version was seen to have the bug, or is between such versions.
-  bool contains(const ImplementationRecord& implementation) const;
-  // The same for the first and all newer versions, and only for implementations whose evaluators are those of
-  // the product.
+  // True for the first and all newer versions, if the evaluators of the implementation are those of the
+  // product.
   bool may_contain(const ImplementationRecord& implementation) const;
 };
 
