@@ -3,7 +3,7 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
-#include <evalcts/faults/fault_table.h>
+#include <evalcts/faults/trial.h>
 #include <evalcts/results/coverage.h>
 #include <evalcts/results/files.h>
 #include <evalcts/results/filter.h>
@@ -39,129 +39,117 @@ constexpr const char* kTypicalFaults =
     "SymmetricDomainTakenForUnit:ReversedVSorted:WideNetsTransposed:ColorWaitsForEnd:"
     "CurveMeshAfterDisableOfItsMap";
 
-// Carries out `--legal`: tries variations instead of faults.
-int legal(const FaultsOptions& options, const fs::path& output) {
-  std::vector<faults::ListedFault> chosen =
-      matching(faults::list_faults(places().faulty_suite_program, "--list-variations"), options.filter);
-  if (chosen.empty()) return wrong_use(fmt::format("no variation matches '{}'", options.filter));
-  if (!options.shard.empty()) chosen = Shard::parse(options.shard, "/")->part_of(chosen);
-  const FolderLock lock = claim(output, "evalcts faults");
-  const fs::path scratch = output / "scratch-variations";
-  fs::remove_all(scratch);
-  fs::create_directory(scratch);
-  stop_when_asked();
-  ProgressLine line;
-  const std::vector<faults::TriedVariation> tried = faults::try_variations(
-      {.suite_program = places().faulty_suite_program,
-       .faults = matching(faults::list_faults(places().faulty_suite_program), kTypicalFaults),
-       .tests = list_tests(places().suite_program),
-       .jobs = options.jobs.value_or(usual_jobs()),
-       .seconds_per_test = options.seconds_per_test.value_or(kSecondsOfLegalTest),
-       .scratch = scratch},
-      chosen, [&](std::size_t done, const std::string& variation) {
-        line.show("variations", fmt::format("{} of {}, {}", done, chosen.size(), variation));
-      });
-  fs::remove_all(scratch);
-  write_atomically(output / "variations.md", faults::as_markdown(tried));
+// Returns the text about a variation that was tried.
+std::string text_of_variation(const faults::Tried& tried) {
+  std::string text =
+      fmt::format("{}: {} pass ({} of them in part), {} not observable, {} false alarms\n", tried.change.name,
+                  tried.passed, tried.passed_in_part, tried.unobserved, tried.alarms.size());
+  for (const faults::BadTest& alarm : tried.alarms)
+    text += fmt::format("  false alarm: {} {}: {}\n", text_of(alarm.verdict).word, alarm.test, alarm.message);
+  for (const faults::Detection& detection : tried.detections)
+    if (detection.outcome == faults::Detection::Outcome::kSurvives)
+      text += fmt::format("  survives: {}: it is visible, but no test detects it\n", detection.subject);
+    else if (detection.outcome == faults::Detection::Outcome::kNotVisible)
+      text += fmt::format("  not visible: {}: {}\n", detection.subject, detection.reason);
+  return text;
+}
 
+// Returns the text about a fault that was tried; empty if it was detected.
+std::string text_of_fault(const faults::Tried& tried) {
   std::string text;
-  std::size_t good = 0, not_tried = 0;
-  for (const faults::TriedVariation& each : tried) {
-    const std::string& name = each.variation.name;
-    if (!each.reason.empty()) {
-      ++not_tried;
-      text += fmt::format("not tried: {}: {}\n", name, each.reason);
-      continue;
-    }
-    good += each.is_good();
-    text += fmt::format("{}: {} pass ({} of them in part), {} not observable, {} false alarms\n", name,
-                        each.passed, each.passed_in_part, each.unobserved, each.alarms.size());
-    for (const faults::FalseAlarm& alarm : each.alarms)
-      text +=
-          fmt::format("  false alarm: {} {}: {}\n", text_of(alarm.verdict).word, alarm.test, alarm.message);
-    for (const faults::DetectionBehind& detection : each.detections)
-      if (detection.outcome == faults::DetectionBehind::Outcome::kSurvives)
-        text += fmt::format("  survives: {}: it is visible, but no test detects it\n", detection.fault);
-      else if (detection.outcome == faults::DetectionBehind::Outcome::kNotVisible)
-        text += fmt::format("  not visible: {}: {}\n", detection.fault, detection.reason);
-  }
-  text += fmt::format(
+  for (const faults::Detection& each : tried.detections)
+    if (!each.is_detected())
+      text += fmt::format("survives: {} ({}): no test of {} detects it\n", tried.change.name,
+                          tried.change.what, each.subject);
+  return text;
+}
+
+// Writes the table of the variations. Returns the text about it.
+std::string write_variations(const fs::path& output, const std::vector<faults::Tried>& tried,
+                             std::size_t good, std::size_t not_tried) {
+  write_atomically(output / "variations.md", faults::as_markdown(tried));
+  return fmt::format(
       "{} variations: {} without a false alarm and with all visible faults detected, {} not "
       "tried\nTable: {}\n",
       tried.size(), good, not_tried, (output / "variations.md").string());
-  line.print(text);
-  if (interrupted || not_tried == tried.size()) return kWrongUse;
-  return good + not_tried == tried.size() ? kNothingUnexpected : kUnexpected;
+}
+
+// Writes the tables of the faults. Returns the text about them, and in `without` the requirements that tests
+// decide and that no fault violates.
+std::string write_faults(const fs::path& output, const std::vector<faults::Tried>& tried,
+                         const std::vector<ListedTest>& tests, std::size_t good, std::size_t not_tried,
+                         bool all, std::vector<std::string>& without) {
+  std::vector<std::string> decided;
+  for (const Coverage& coverage : coverage_of(catalogue(), tests))
+    if (coverage.state == Coverage::State::kDecided) decided.push_back(coverage.id);
+  faults::FaultTable table = faults::make_table(tried, decided);
+  table.is_complete = !interrupted;
+  write_atomically(output / "faults.json", faults::to_text(table));
+  write_atomically(output / "faults.md", faults::as_markdown(table));
+  for (const faults::FaultTable::Row& row : table.requirements)
+    if (row.faults.empty()) without.push_back(row.requirement);
+  std::string text;
+  if (all && !without.empty()) text += fmt::format("without a fault: {}\n", fmt::join(without, " "));
+  text += fmt::format("{} faults: {} detected, {} survive, {} not tried", tried.size(), good,
+                      tried.size() - good - not_tried, not_tried);
+  if (all)
+    text += fmt::format("; {} of {} requirements that tests decide have one", decided.size() - without.size(),
+                        decided.size());
+  return text + fmt::format("\nTable: {}\n", (output / "faults.md").string());
 }
 
 int faults(const FaultsOptions& options) {
-  using faults::FaultOutcome;
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
-  if (options.legal) return legal(options, output);
-
-  std::vector<faults::ListedFault> chosen =
-      matching(faults::list_faults(places().faulty_suite_program), options.filter);
-  if (chosen.empty()) {
+  const fs::path& program = places().faulty_suite_program;
+  std::vector<faults::ListedChange> chosen = matching(
+      options.legal ? faults::list_variations(program) : faults::list_faults(program), options.filter);
+  if (chosen.empty() && options.legal)
+    return wrong_use(fmt::format("no variation matches '{}'", options.filter));
+  if (chosen.empty())
     return wrong_use(fmt::format("no fault matches '{}'; see 'evalcts list faults'", options.filter));
-  }
   const bool all = options.filter.empty() && options.shard.empty();
   if (!options.shard.empty()) chosen = Shard::parse(options.shard, "/")->part_of(chosen);
 
   const std::vector<ListedTest> tests = list_tests(places().suite_program);
   const FolderLock lock = claim(output, "evalcts faults");
-  const fs::path scratch = output / "scratch-faults";
+  const fs::path scratch = output / (options.legal ? "scratch-variations" : "scratch-faults");
   fs::remove_all(scratch);
   fs::create_directory(scratch);
   stop_when_asked();
   ProgressLine line;
-  std::vector<faults::TriedFault> results =
-      faults::try_faults({.suite_program = places().faulty_suite_program,
-                          .faults = chosen,
-                          .tests = tests,
-                          .jobs = options.jobs.value_or(usual_jobs()),
-                          .seconds_per_test = options.seconds_per_test.value_or(kSecondsOfTest),
-                          .scratch = scratch},
-                         [&](std::size_t done, const std::string& fault) {
-                           line.show("faults", fmt::format("{} of {}, {}", done, chosen.size(), fault));
-                         });
+  const std::vector<faults::Tried> tried = faults::try_all(
+      {.suite_program = program,
+       .changes = chosen,
+       .behind = options.legal ? matching(faults::list_faults(program), kTypicalFaults)
+                               : std::vector<faults::ListedChange>(),
+       .tests = tests,
+       .jobs = options.jobs.value_or(usual_jobs()),
+       .seconds_per_test =
+           options.seconds_per_test.value_or(options.legal ? kSecondsOfLegalTest : kSecondsOfTest),
+       .scratch = scratch},
+      [&](std::size_t done, const std::string& name) {
+        line.show(options.legal ? "variations" : "faults",
+                  fmt::format("{} of {}, {}", done, chosen.size(), name));
+      });
   fs::remove_all(scratch);
 
-  std::vector<std::string> decided;
-  for (const Coverage& coverage : coverage_of(catalogue(), tests))
-    if (coverage.state == Coverage::State::kDecided) decided.push_back(coverage.id);
-  faults::FaultTable table = faults::make_table(std::move(results), decided);
-  table.is_complete = !interrupted;
-  write_atomically(output / "faults.json", faults::to_text(table));
-  write_atomically(output / "faults.md", faults::as_markdown(table));
-
-  std::map<FaultOutcome, std::size_t> counts;
   std::string text;
-  for (const faults::TriedFault& tried : table.faults) {
-    ++counts[tried.outcome];
-    if (tried.outcome == FaultOutcome::kNotTried)
-      text += fmt::format("not tried: {}: {}\n", tried.fault.name, tried.reason);
-    if (tried.outcome != FaultOutcome::kSurvives) continue;
-    for (const faults::Detection& each : tried.detections)
-      if (!each.detected)
-        text += fmt::format("survives: {} ({}): no test of {} detects it\n", tried.fault.name,
-                            tried.fault.what, each.requirement);
+  std::size_t good = 0, not_tried = 0;
+  for (const faults::Tried& each : tried) {
+    good += each.is_good();
+    not_tried += !each.not_tried.empty();
+    text += !each.not_tried.empty() ? fmt::format("not tried: {}: {}\n", each.change.name, each.not_tried)
+            : options.legal         ? text_of_variation(each)
+                                    : text_of_fault(each);
   }
   std::vector<std::string> without;
-  for (const faults::FaultTable::Row& row : table.requirements)
-    if (row.faults.empty()) without.push_back(row.requirement);
-  if (all && !without.empty()) text += fmt::format("without a fault: {}\n", fmt::join(without, " "));
-  text += fmt::format("{} faults: {} detected, {} survive, {} not tried", table.faults.size(),
-                      counts[FaultOutcome::kDetected], counts[FaultOutcome::kSurvives],
-                      counts[FaultOutcome::kNotTried]);
-  if (all)
-    text += fmt::format("; {} of {} requirements that tests decide have one", decided.size() - without.size(),
-                        decided.size());
-  line.print(text + fmt::format("\nTable: {}\n", (output / "faults.md").string()));
-  if (interrupted) {
-    return wrong_use("interrupted; the results so far are in the output folder");
-  }
-  return counts[FaultOutcome::kSurvives] > 0 || (options.complete && !without.empty()) ? kUnexpected
-                                                                                       : kNothingUnexpected;
+  text += options.legal ? write_variations(output, tried, good, not_tried)
+                        : write_faults(output, tried, tests, good, not_tried, all, without);
+  line.print(text);
+  if (interrupted) return wrong_use("interrupted; the results so far are in the output folder");
+  if (options.legal && not_tried == tried.size()) return kWrongUse;
+  return good + not_tried < tried.size() || (options.complete && !without.empty()) ? kUnexpected
+                                                                                   : kNothingUnexpected;
 }
 
 std::function<int()> define_faults(CLI::App& app, const Call&) {

@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include <evalcts/backends/implementation.h>
-#include <evalcts/faults/fault_table.h>
+#include <evalcts/faults/trial.h>
 #include <evalcts/results/json.h>
 #include <evalcts/results/known_bugs.h>
 #include <evalcts/results/requirements.h>
@@ -74,11 +74,11 @@ int list(const std::string& what, bool as_json) {
       for (const Ambiguity* const entry : catalogue().interpretations())
         for (const auto& [reading, meaning] : entry->readings) line(36, entry->id + "=" + reading, meaning);
   } else if (what == "faults") {
-    const std::vector<faults::ListedFault> all = faults::list_faults(places().faulty_suite_program);
+    const std::vector<faults::ListedChange> all = faults::list_faults(places().faulty_suite_program);
     if (as_json)
       std::cout << faults::to_text(all);
     else
-      for (const faults::ListedFault& fault : all) line(44, fault.name, fault.what);
+      for (const faults::ListedChange& fault : all) line(44, fault.name, fault.what);
   } else if (what == "requirements") {
     if (as_json)
       std::cout << catalogue_as_json() << "\n";

@@ -1,4 +1,4 @@
-// Defines the wrappers that turn calls of entry points into Call objects, and call the unmodified commands.
+// Defines the wrappers that turn calls of entry points into Call objects, and Call objects into calls.
 #include "call.h"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ T give(Call& call, std::size_t i) {
   return T{};
 }
 
-// The wrapper of an entry point (run), and the unmodified command with the arguments of a Call (original).
+// The wrapper of an entry point (run), and the command with the arguments of a Call (original).
 template <gl::EntryPoint kEntry, auto kMember, class Signature>
 struct Wrapper;
 template <gl::EntryPoint kEntry, auto kMember, class R, class... A>
@@ -66,9 +66,9 @@ struct Wrapper<kEntry, kMember, R (*)(A...)> {
     if constexpr (is_coordinate_vector(kEntry)) {
       call.numbers = {call.read(0), kEntry == EvalCoord2fv || kEntry == EvalCoord2dv ? call.read(1) : 0};
     }
-    call.go();
+    call.enter();
     if constexpr (std::is_arithmetic_v<R>) return static_cast<R>(call.result);
-    if constexpr (std::is_pointer_v<R>) return R{};
+    if constexpr (std::is_pointer_v<R>) return static_cast<R>(call.result_pointer);
   }
   static void install(gl::Table& table) { table.*kMember = run; }
   static void remove(gl::Table& table) { table.*kMember = nullptr; }
@@ -76,7 +76,7 @@ struct Wrapper<kEntry, kMember, R (*)(A...)> {
     if constexpr (is_coordinate_vector(kEntry)) {
       using Real = std::remove_const_t<std::remove_pointer_t<std::common_type_t<A...>>>;
       const Real values[2] = {static_cast<Real>(call.numbers[0]), static_cast<Real>(call.numbers[1])};
-      (unmodified.*kMember)(values);
+      (innermost.*kMember)(values);
     } else {
       invoke(call, std::index_sequence_for<A...>{});
     }
@@ -84,9 +84,11 @@ struct Wrapper<kEntry, kMember, R (*)(A...)> {
   template <std::size_t... kI>
   static void invoke(Call& call, std::index_sequence<kI...>) {
     if constexpr (std::is_arithmetic_v<R>)
-      call.result = static_cast<double>((unmodified.*kMember)(give<A>(call, kI)...));
+      call.result = static_cast<double>((innermost.*kMember)(give<A>(call, kI)...));
+    else if constexpr (std::is_pointer_v<R>)
+      call.result_pointer = (innermost.*kMember)(give<A>(call, kI)...);
     else
-      (unmodified.*kMember)(give<A>(call, kI)...);
+      (innermost.*kMember)(give<A>(call, kI)...);
   }
 };
 
@@ -98,7 +100,7 @@ struct Command {
 };
 template <gl::EntryPoint kEntry, auto kMember>
 Command describe(std::string_view name) {
-  using Wrapped = Wrapper<kEntry, kMember, std::remove_cvref_t<decltype(unmodified.*kMember)>>;
+  using Wrapped = Wrapper<kEntry, kMember, std::remove_cvref_t<decltype(innermost.*kMember)>>;
   return {Wrapped::install, Wrapped::remove, Wrapped::original, name};
 }
 const std::array<Command, gl::kEntryPointCount> kCommands{{
@@ -142,7 +144,7 @@ Map current_map(GLenum target) {
 void install(gl::EntryPoint entry, gl::Table& table) { command(entry).install(table); }
 void remove(gl::EntryPoint entry, gl::Table& table) { command(entry).remove(table); }
 
-void Call::go_original() { command(entry).original(*this); }
+void call_innermost(Call& call) { command(call.entry).original(call); }
 
 double& Call::argument(char letter) {
   if (letter >= '0' && letter <= '9') return numbers[static_cast<std::size_t>(letter - '0')];
@@ -172,33 +174,36 @@ void Call::write(std::size_t i, double value) {
 }
 
 bool Call::is_legal() {
-  const bool curve = entry == Map1f || entry == Map1d;
   const auto legal = [&](char order, char stride, char first, char last) {
     return argument(order) >= 1 && argument(order) <= kMaxOrder &&
            argument(stride) >= gl::components_of(target()) && argument(first) != argument(last);
   };
-  return (curve ? is_map1_target(target()) : is_map2_target(target())) && legal('o', 's', 'a', 'b') &&
-         (curve || legal('p', 'w', 'c', 'd'));
+  return (is_curve() ? is_map1_target(target()) : is_map2_target(target())) && legal('o', 's', 'a', 'b') &&
+         (is_curve() || legal('p', 'w', 'c', 'd'));
 }
 
+std::size_t Call::place(int i, int j, int k) {
+  return static_cast<std::size_t>(i * argument('s') + (is_curve() ? 0 : j * argument('w')) + k);
+}
 Net Call::net() {
-  const bool curve = entry == Map1f || entry == Map1d;
-  Net net{gl::components_of(target()), integer('o'), curve ? 1 : integer('p'), {}};
+  Net net{gl::components_of(target()), integer('o'), is_curve() ? 1 : integer('p'), {}};
   for (int i = 0; i < net.rows; ++i)
     for (int j = 0; j < net.columns; ++j)
-      for (int k = 0; k < net.components; ++k)
-        net.values.push_back(
-            read(static_cast<std::size_t>(i * argument('s') + (curve ? 0 : j * argument('w')) + k)));
+      for (int k = 0; k < net.components; ++k) net.values.push_back(read(place(i, j, k)));
   return net;
 }
 void Call::set_net(const Net& net) {
-  storage = net.values;
-  pointer = storage.data();
-  for (std::size_t i = 0; i < net.values.size(); ++i) write(i, net.values[i]);
-  const bool curve = entry == Map1f || entry == Map1d;
-  if (!curve) argument('w') = net.components;
+  if (!is_curve()) argument('w') = net.components;
   argument('s') = net.components * net.columns;
   argument('o') = net.rows;
+  set_values(net);
+}
+void Call::set_values(Net net) {
+  storage.resize(place(net.rows - 1, net.columns - 1, net.components));
+  pointer = storage.data();
+  for (int i = 0; i < net.rows; ++i)
+    for (int j = 0; j < net.columns; ++j)
+      for (int k = 0; k < net.components; ++k) write(place(i, j, k), net.point(i, j)[k]);
 }
 
 }  // namespace evalcts::faults

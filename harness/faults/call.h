@@ -4,15 +4,21 @@
 #include <array>
 #include <vector>
 
+#include <evalcts/gl/table.h>
 #include <evalcts/gl/tokens.h>
-#include "fault.h"
 
 namespace evalcts::faults {
 
 using enum gl::EntryPoint;
 
+// The entry points of the implementation without any layer.
+inline gl::Table innermost;
+// The entry points behind the layer whose rules run.
+inline gl::Table unmodified;
+
 inline constexpr GLint kMaxOrder = 64;  // MAX_EVAL_ORDER of production
 
+inline GLenum token(double value) { return static_cast<GLenum>(value); }
 inline bool is_map1_target(GLenum token) { return token >= GL_MAP1_COLOR_4 && token <= GL_MAP1_VERTEX_4; }
 inline bool is_map2_target(GLenum token) { return token >= GL_MAP2_COLOR_4 && token <= GL_MAP2_VERTEX_4; }
 
@@ -47,11 +53,14 @@ struct Call {
   std::size_t last_pointer = 0;
   char element = ' ';  // type of the elements at `pointer`: f (float), d (double), i (int) or b (boolean)
   double result = 0;
-  std::size_t next = 0;         // the rules before this index have been applied
+  const void* result_pointer = nullptr;
+  std::size_t next = 0;         // the rules of the layer before this index have been applied
   std::vector<double> storage;  // keeps the points of set_net() alive
 
-  // Applies the next rule for the command, or if there is none, calls the unmodified command with
-  // the current arguments.
+  // Makes the call of a wrapper: takes it through the layers behind the one whose rules run, to the command.
+  void enter();
+  // Applies the next rule of the layer for the command, or if there is none, calls the unmodified command
+  // with the current arguments.
   void go();
   // Calls the unmodified command with the current arguments.
   void go_original();
@@ -63,17 +72,24 @@ struct Call {
   // Read and write element i at `pointer`.
   double read(std::size_t i) const;
   void write(std::size_t i, double value);
+  bool is_curve() const { return entry == Map1f || entry == Map1d; }
   // Returns true if the arguments of Map1 or Map2 are legal, so that the control points may be read.
   bool is_legal();
+  // Returns the index, at `pointer`, of value k of a control point of Map1 or Map2.
+  std::size_t place(int i, int j, int k);
   // Returns the control points of a legal call of Map1 or Map2.
   Net net();
   // Replaces the control points of Map1 or Map2, and adapts the strides and the order of u.
   void set_net(const Net& net);
+  // Replaces the values of the control points, and keeps the strides.
+  void set_values(Net net);
 };
 
 // Sets an entry point of the table to its wrapper, which makes a Call.
 void install(gl::EntryPoint entry, gl::Table& table);
 // Sets an entry point of the table to null.
 void remove(gl::EntryPoint entry, gl::Table& table);
+// Calls the command of `innermost`.
+void call_innermost(Call& call);
 
 }  // namespace evalcts::faults

@@ -1,17 +1,16 @@
-// The suite program with faults. --fault NAME injects a fault into the implementation under test, --base NAME
-// first replaces this implementation by one of fault.h, and --variation NAME puts a variation in front of
-// both. --list-faults FILE and --list-variations FILE write all faults or variations as JSON.
+// The suite program with faults. --variation NAME, --fault NAME and --base NAME put changes in front of the
+// implementation under test, the variation outermost; --base names the repair or version that the faults of
+// some implementations of layer.h need. --list-faults FILE and --list-variations FILE write all faults or
+// variations as JSON.
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <sstream>
 
-#include <evalcts/faults/fault_table.h>
+#include <evalcts/faults/trial.h>
 #include <evalcts/suite/suite_main.h>
-#include "fault.h"
-#include "repaired_osmesa.h"
-#include "variation.h"
+#include "layer.h"
 
 namespace {
 
@@ -31,7 +30,7 @@ bool has_osmesa() {
   return kHas;
 }
 
-// Returns the arguments that make this program open the implementation of a fault.
+// Returns the arguments that make this program open the implementation of a change.
 std::vector<std::string> arguments_of(std::string_view implementation) {
   if (implementation == "osmesa" && !has_osmesa()) return {"--implementation", "egl"};
   if (implementation == "dropin" && !has_osmesa()) return {"--implementation", "dropin-egl"};
@@ -42,80 +41,47 @@ std::vector<std::string> arguments_of(std::string_view implementation) {
   return {"--implementation", std::string(implementation)};
 }
 
-void list_faults(const char* file) {
-  std::vector<faults::ListedFault> all;
-  for (const faults::Fault& fault : faults::all_faults()) {
-    std::istringstream requirements{std::string(fault.requirements)};
-    all.push_back({std::string(fault.name),
-                   std::string(fault.implementation),
-                   arguments_of(fault.implementation),
-                   fault.level,
+void list_changes(const char* file, bool variations) {
+  std::vector<faults::ListedChange> all;
+  for (const faults::Change& change : faults::all_changes()) {
+    if (change.kind == faults::kRepair || (change.kind == faults::kVariation) != variations) continue;
+    std::istringstream requirements{std::string(change.requirements)};
+    all.push_back({std::string(change.name),
+                   std::string(change.implementation),
+                   arguments_of(change.implementation),
+                   change.level,
                    {std::istream_iterator<std::string>(requirements), {}},
-                   std::string(fault.what),
-                   fault.inject ? "wrapper" : "switch"});
+                   std::string(change.what),
+                   std::string(change.kind)});
   }
   std::ofstream(file) << faults::to_text(all);
-}
-
-void list_variations(const char* file) {
-  std::vector<faults::ListedFault> all;
-  for (const variations::Variation& variation : variations::all_variations()) {
-    std::istringstream violated{std::string(variation.violates)};
-    all.push_back({std::string(variation.name),
-                   std::string(variation.implementation),
-                   arguments_of(variation.implementation),
-                   Level::kMust,
-                   {std::istream_iterator<std::string>(violated), {}},
-                   std::string(variation.what),
-                   "variation"});
-  }
-  std::ofstream(file) << faults::to_text(all);
-}
-
-// Names of the layers in front of the implementation that the other arguments select, innermost first. A name
-// may be empty.
-struct Layers {
-  std::string base, fault, variation;
-};
-
-std::unique_ptr<Implementation> wrapped(std::unique_ptr<Implementation> implementation,
-                                        const Layers& layers) {
-  if (layers.base == faults::kRepairedOSMesa)
-    implementation = faults::repaired_osmesa(std::move(implementation));
-  if (!layers.fault.empty()) implementation = faults::with_fault(std::move(implementation), layers.fault);
-  if (!layers.variation.empty())
-    implementation = variations::with_variation(std::move(implementation), layers.variation);
-  return implementation;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  Layers layers;
+  std::map<std::string, std::string> layers = {{"--variation", ""}, {"--fault", ""}, {"--base", ""}};
   std::vector<char*> rest;  // arguments of the ordinary suite program
   for (int i = 0; i < argc; ++i) {
+    const std::string argument = argv[i];
     const bool has_value = i + 1 < argc;
-    if (has_value && std::strcmp(argv[i], "--list-faults") == 0) {
-      list_faults(argv[i + 1]);
+    if (has_value && (argument == "--list-faults" || argument == "--list-variations")) {
+      list_changes(argv[i + 1], argument == "--list-variations");
       return 0;
     }
-    if (has_value && std::strcmp(argv[i], "--list-variations") == 0) {
-      list_variations(argv[i + 1]);
-      return 0;
-    }
-    if (has_value && std::strcmp(argv[i], "--fault") == 0)
-      layers.fault = argv[++i];
-    else if (has_value && std::strcmp(argv[i], "--base") == 0)
-      layers.base = argv[++i];
-    else if (has_value && std::strcmp(argv[i], "--variation") == 0)
-      layers.variation = argv[++i];
+    if (has_value && layers.contains(argument))
+      layers[argument] = argv[++i];
     else
       rest.push_back(argv[i]);
   }
   rest.push_back(nullptr);
-  if (layers.base == faults::kOSMesa30) setenv("MESA_GL_VERSION_OVERRIDE", "3.0", 1);
+  std::vector<std::string> changes;
+  if (layers["--base"] == faults::kOSMesa30) setenv("MESA_GL_VERSION_OVERRIDE", "3.0", 1);
+  for (const char* const layer : {"--variation", "--fault", "--base"})
+    if (const std::string& name = layers[layer]; !name.empty() && name != faults::kOSMesa30)
+      changes.push_back(name);
   return suite_main(static_cast<int>(rest.size()) - 1, rest.data(),
                     [&](std::unique_ptr<Implementation> implementation) {
-                      return wrapped(std::move(implementation), layers);
+                      return faults::with_changes(std::move(implementation), changes);
                     });
 }

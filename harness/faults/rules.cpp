@@ -1,5 +1,4 @@
-// Evaluates the conditions and steps of faults during a call, with the state that the rules of a fault keep
-// between calls.
+// Evaluates the conditions and steps of rules during a call.
 #include "rules.h"
 
 #include <algorithm>
@@ -9,11 +8,6 @@
 
 namespace evalcts::faults {
 namespace {
-
-std::vector<Rule> active;
-std::map<double, double> numbers;  // the storage of remembered()
-std::vector<double> numbers_listed;
-std::vector<Call> held;
 
 // Returns a new place that no other rule uses.
 Place fresh_place() {
@@ -32,7 +26,6 @@ Value binary(Value a, Value b, F f) {
     return f(first, b(c));
   };
 }
-GLenum token(double value) { return static_cast<GLenum>(value); }
 std::size_t index(double value) { return static_cast<std::size_t>(value); }
 
 // Returns the answers to GetMap, or Get of a grid, in double precision.
@@ -56,28 +49,7 @@ std::vector<double> exact_answers(Call& call) {
   return values;
 }
 
-// Changes the output by the rules whose conditions hold.
-void change_emitted(Primitives& primitives) {
-  Call none;
-  for (const Rule& rule : active)
-    if (rule.emitted && rule.condition.holds(none)) rule.emitted(primitives);
-}
-
 }  // namespace
-
-void Call::go() {
-  const std::size_t before = next;
-  const auto rule = std::find_if(active.begin() + static_cast<std::ptrdiff_t>(next), active.end(),
-                                 [&](const Rule& r) { return r.entries.contain(entry); });
-  if (rule == active.end()) return go_original();
-  next = static_cast<std::size_t>(rule - active.begin()) + 1;
-  if (rule->late) go();
-  if (rule->condition.holds(*this))
-    rule->step(*this);
-  else if (!rule->late)
-    go();
-  next = before;
-}
 
 // --- Arguments and memory ----------------------------------------------------------------------------------
 
@@ -85,9 +57,10 @@ Place argument(char letter) {
   return {[=](Call& c) { return c.argument(letter); }, [=](Call& c, double x) { c.argument(letter) = x; }};
 }
 Place remembered(Value key) {
-  return {unary(key, [](double k) { return numbers[k]; }), [=](Call& c, double x) { numbers[key(c)] = x; }};
+  return {unary(key, [](double k) { return running_layer().numbers[k]; }),
+          [=](Call& c, double x) { running_layer().numbers[key(c)] = x; }};
 }
-std::vector<double>& remembered_list() { return numbers_listed; }
+std::vector<double>& remembered_list() { return running_layer().list; }
 // Uses negative keys, which differ from all tokens.
 Place kept(int i) { return remembered(-100 - i); }
 Value keep(std::initializer_list<Value> values) {
@@ -106,8 +79,8 @@ std::vector<Value> kept_values(int count) {
 }
 Value forget() {
   return [](Call&) {
-    numbers.clear();
-    numbers_listed.clear();
+    running_layer().numbers.clear();
+    running_layer().list.clear();
   };
 }
 
@@ -131,17 +104,17 @@ Value real_state(Value pname, int i) {
   });
 }
 Value noted_on(Value cap) {
-  return unary(cap, [](double c) { return is_noted_on(token(c)); });
+  return unary(cap, [](double c) { return tracked().enabled[token(c)]; });
 }
 Value maps_vertices(Value dimension) {
-  return unary(dimension, [](double d) { return has_vertex_map(static_cast<int>(d)); });
+  return unary(dimension, [](double d) { return tracked().has_vertex_map(static_cast<int>(d)); });
 }
 Value evaluates() {
   return enabled(GL_MAP1_VERTEX_3) || enabled(GL_MAP1_VERTEX_4) || enabled(GL_MAP2_VERTEX_3) ||
          enabled(GL_MAP2_VERTEX_4);
 }
 Value has_buffer(Value target) {
-  return unary(target, [](double t) { return watched.buffers[token(t)]; });
+  return unary(target, [](double t) { return tracked().buffers[token(t)]; });
 }
 Value grid1(int i) { return i == 0 ? state(GL_MAP1_GRID_SEGMENTS) : real_state(GL_MAP1_GRID_DOMAIN, i - 1); }
 Value grid2(int i) {
@@ -222,6 +195,9 @@ double with_precision(double a, int bits) {
 }
 Value with_precision(Value a, int bits) {
   return unary(a, [bits](double x) { return with_precision(x, bits); });
+}
+Value to_float(Value a) {
+  return unary(a, [](double x) { return static_cast<float>(x); });
 }
 Value choose(Value condition, Value yes, Value no) {
   return [=](Call& c) { return condition.holds(c) ? yes(c) : no(c); };
@@ -317,17 +293,17 @@ Value primitive(Value mode, Steps steps) { return sequence({call(Begin, {mode}),
 
 Value hold() {
   return [](Call& c) {
-    held.push_back(c);
-    if (!c.storage.empty()) held.back().pointer = held.back().storage.data();
+    Call& held = running_layer().held.emplace_back(c);
+    if (!c.storage.empty()) held.pointer = held.storage.data();
   };
 }
 Value release() {
   return [](Call&) {
-    for (Call& call : std::exchange(held, {})) call.go_original();
+    for (Call& call : std::exchange(running_layer().held, {})) call.go_original();
   };
 }
 Value drop() {
-  return [](Call&) { held.clear(); };
+  return [](Call&) { running_layer().held.clear(); };
 }
 
 namespace {
@@ -359,10 +335,10 @@ Value swap_components(int one, int other) {
 }
 Value repeat_points(Value condition) {
   return change_net([=](Net& net, Call& c) {
-    if (condition.holds(c) && numbers_listed.size() == net.values.size())
-      net.values = numbers_listed;
+    if (condition.holds(c) && remembered_list().size() == net.values.size())
+      net.values = remembered_list();
     else
-      numbers_listed = net.values;
+      remembered_list() = net.values;
   });
 }
 Value define(GLenum target, std::initializer_list<double> points) {
@@ -444,27 +420,22 @@ Rule before(const Entries& entries, Value condition, Steps steps) {
   return {entries, condition, sequence({steps, kGo})};
 }
 Rule before(const Entries& entries, Steps steps) { return before(entries, true, steps); }
-Rule after(const Entries& entries, Value condition, Steps steps) { return {entries, condition, steps, true}; }
+Rule after(const Entries& entries, Value condition, Steps steps) {
+  return {entries, condition, steps, Rule::Kind::kLate};
+}
 Rule after(const Entries& entries, Steps steps) { return after(entries, true, steps); }
 Rule instead(const Entries& entries, Value condition, Steps steps) { return {entries, condition, steps}; }
 Rule instead(const Entries& entries, Steps steps) { return instead(entries, true, steps); }
+Rule provide(const Entries& entries, Steps steps) { return {entries, true, steps, Rule::Kind::kProvided}; }
 Rule skip(const Entries& entries, Value condition) { return {entries, condition, 0}; }
-Rule missing(gl::EntryPoint entry) {
-  return {.entries = entry, .condition = true, .step = 0, .missing = true};
-}
-
-Rules initially(Steps steps) {
-  Call none;
-  steps.all(none);
-  return {};
-}
+Rule missing(const Entries& entries) { return {entries, true, 0, Rule::Kind::kMissing}; }
+Rule one_state() { return {{}, true, 0, Rule::Kind::kOneState}; }
+Rule initially(Steps steps) { return {{}, true, steps, Rule::Kind::kInitial}; }
 
 Rules around(const Entries& entries, Value condition, Steps first, Steps last) {
-  Entries others;
-  for (std::size_t i = 0; i < entries.count; ++i)
-    if (entries.all[i] != Begin) others = others | entries.all[i];
-  const Rule rule{others, condition, sequence({first, kGo, last})};
+  Rule rule{entries, condition, sequence({first, kGo, last})};
   if (!entries.contain(Begin)) return rule;
+  rule.entries.all.reset(static_cast<std::size_t>(Begin));
   const Place begun = fresh_place();
   return {rule, before(Begin, condition, {set(begun, 1), first}), after(End, begun, {set(begun, 0), last})};
 }
@@ -507,6 +478,11 @@ Rules restored(const State& state, Value condition) {
 Rules change_output(Value condition, std::function<void(Primitives&)> change) {
   return Rule{.entries = {}, .condition = condition, .step = 0, .emitted = std::move(change)};
 }
+Rules change_all_vertices(std::function<void(ObservedVertex&)> change) {
+  return change_output(true, [=](Primitives& all) {
+    for (ObservedPrimitive& primitive : all) std::ranges::for_each(primitive.vertices, change);
+  });
+}
 Rules change_evaluated(std::function<void(Primitives&)> change) {
   const Place evaluated = fresh_place();
   return {before(kPoints | kMeshes, set(evaluated, 1)), change_output(evaluated, std::move(change))};
@@ -523,22 +499,6 @@ Rules change_pairs(void (*change)(ObservedVertex& now, const ObservedVertex& bef
     for (std::size_t i = primitive.vertices.size(); i-- > from;)
       change(primitive.vertices[i], primitive.vertices[i - 1]);
   });
-}
-
-void apply(Injection& in, std::initializer_list<Rules> rules) {
-  for (const Rule& rule : Rules(rules).all) {
-    active.push_back(rule);
-    for (std::size_t i = 0; i < rule.entries.count; ++i)
-      (rule.missing ? remove : install)(rule.entries.all[i], in.gl);
-    if (rule.emitted) in.emitted = change_emitted;
-  }
-}
-
-void forget_rules() {
-  active.clear();
-  numbers.clear();
-  numbers_listed.clear();
-  held.clear();
 }
 
 }  // namespace evalcts::faults

@@ -1,13 +1,14 @@
-// Defines faults as data. A rule consists of entry points, a condition and the wrong steps:
+// Defines faults, variations and repairs as data. A rule consists of entry points, a condition and steps:
 //
-//   EVALCTS_RULES(OrderZeroTaken, production, kMust, "EV-MAP1-ERR-ORDER-LOW", "Map1 takes order 0 as 1",
-//                 before(kMap1, kOrder == 0, set(kOrder, 1)));
+//   FAULT(OrderZeroTaken, "EV-MAP1-ERR-ORDER-LOW", "Map1 takes order 0 as 1",
+//         before(kMap1, kOrder == 0, set(kOrder, 1)));
 //
 // Conditions and steps are expressions (Value), which are evaluated during the call. A lambda that takes the
 // Call is an expression, too. The condition may be omitted: before(kMap1, set(kOrder, 1)).
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <concepts>
 #include <cstdint>
 #include <functional>
@@ -18,8 +19,7 @@
 
 #include <evalcts/gl/tokens.h>
 #include "call.h"
-#include "fault.h"
-#include "watched.h"
+#include "layer.h"
 
 namespace evalcts::faults {
 
@@ -102,16 +102,17 @@ Value forget();
 
 // --- State -------------------------------------------------------------------------------------------------
 
-// State that is known from the calls of the application (see watched.h), and available everywhere.
-inline const Value kInside{[](Call&) { return is_inside(); }};
-inline const Value kOpenMode{[](Call&) { return open_mode(); }};
-inline const Value kUnit{[](Call&) { return watched.unit; }};           // set by the last ActiveTexture
-inline const Value kListMode{[](Call&) { return watched.list_mode; }};  // 0 if no list is open
-inline const Value kCompiling{[](Call&) { return watched.list_mode == GL_COMPILE; }};
-inline const Value kKind{[](Call&) { return watched.kind; }};  // the argument of ContextOfKindEVALCTS
+// State that is known from the calls that reach the layer (see TrackedState), and available everywhere.
+inline TrackedState& tracked() { return running_layer().tracked; }
+inline const Value kInside{[](Call&) { return tracked().is_inside(); }};
+inline const Value kOpenMode{[](Call&) { return tracked().primitive; }};
+inline const Value kUnit{[](Call&) { return tracked().unit; }};           // set by the last ActiveTexture
+inline const Value kListMode{[](Call&) { return tracked().list_mode; }};  // 0 if no list is open
+inline const Value kCompiling{[](Call&) { return tracked().list_mode == GL_COMPILE; }};
+inline const Value kKind{[](Call&) { return tracked().kind; }};  // the argument of ContextOfKindEVALCTS
 // The argument of the PushAttrib that the next PopAttrib undoes.
-inline const Value kLevelMask{[](Call&) { return watched.masks.empty() ? 0 : watched.masks.back(); }};
-inline const Value kLevel{[](Call&) { return watched.masks.size(); }};  // depth of the attribute stack
+inline const Value kLevelMask{[](Call&) { return tracked().masks.empty() ? 0 : tracked().masks.back(); }};
+inline const Value kLevel{[](Call&) { return tracked().masks.size(); }};  // depth of the attribute stack
 Value noted_on(Value cap);
 Value maps_vertices(Value dimension);
 Value has_buffer(Value target);
@@ -159,6 +160,7 @@ Value next_float(Value a, double towards);  // the adjacent float in that direct
 Value in_bits(Value a, int bits);           // the low bits, as a signed number
 Value with_precision(Value a, int bits);    // rounded to a significand of that length
 double with_precision(double a, int bits);
+Value to_float(Value a);
 Value choose(Value condition, Value yes, Value no);
 Value swapped(Value token, GLenum one, GLenum other);  // exchanges the two tokens, keeps other values
 Value element(Value i);  // element i at the pointer argument: answers of queries, control points
@@ -244,44 +246,43 @@ Value send(const State& state);
 // --- Rules -------------------------------------------------------------------------------------------------
 
 struct Entries {
-  std::array<gl::EntryPoint, 16> all{};
-  std::size_t count = 0;
-  constexpr Entries() = default;
-  constexpr Entries(gl::EntryPoint one) : all{one}, count(1) {}
-  constexpr Entries operator|(const Entries& other) const {
-    Entries both = *this;
-    for (std::size_t i = 0; i < other.count; ++i) both.all[both.count++] = other.all[i];
-    return both;
-  }
-  constexpr bool contain(gl::EntryPoint entry) const {
-    for (std::size_t i = 0; i < count; ++i)
-      if (all[i] == entry) return true;
-    return false;
-  }
+  std::bitset<gl::kEntryPointCount> all;
+  Entries() = default;
+  Entries(gl::EntryPoint one) { all.set(static_cast<std::size_t>(one)); }
+  bool contain(gl::EntryPoint entry) const { return all.test(static_cast<std::size_t>(entry)); }
 };
-constexpr Entries operator|(gl::EntryPoint one, gl::EntryPoint other) {
-  return Entries(one) | Entries(other);
+inline Entries operator|(Entries one, const Entries& other) {
+  one.all |= other.all;
+  return one;
 }
-inline constexpr Entries kMap1 = Map1f | Map1d, kMap2 = Map2f | Map2d, kMaps = kMap1 | kMap2,
-                         kMapGrid1 = MapGrid1f | MapGrid1d, kMapGrid2 = MapGrid2f | MapGrid2d,
-                         kMapGrids = kMapGrid1 | kMapGrid2,
-                         kEvalCoord1 = EvalCoord1f | EvalCoord1d | EvalCoord1fv | EvalCoord1dv,
-                         kEvalCoord2 = EvalCoord2f | EvalCoord2d | EvalCoord2fv | EvalCoord2dv,
-                         kEvalCoords = kEvalCoord1 | kEvalCoord2, kPoints1 = kEvalCoord1 | EvalPoint1,
-                         kPoints2 = kEvalCoord2 | EvalPoint2, kPoints = kPoints1 | kPoints2,
-                         kMeshes = EvalMesh1 | EvalMesh2, kGetMap = GetMapfv | GetMapdv | Entries(GetMapiv),
-                         kGetnMap = GetnMapfv | GetnMapdv | Entries(GetnMapiv),
-                         kGet = GetBooleanv | GetIntegerv | Entries(GetFloatv) | GetDoublev,
-                         kSwitches = Enable | Disable,
-                         kOtherContexts = OtherContextEVALCTS | SharingContextEVALCTS;
+inline Entries operator|(gl::EntryPoint one, gl::EntryPoint other) { return Entries(one) | Entries(other); }
+inline const Entries kMap1 = Map1f | Map1d, kMap2 = Map2f | Map2d, kMaps = kMap1 | kMap2,
+                     kMapGrid1 = MapGrid1f | MapGrid1d, kMapGrid2 = MapGrid2f | MapGrid2d,
+                     kMapGrids = kMapGrid1 | kMapGrid2,
+                     kEvalCoord1 = EvalCoord1f | EvalCoord1d | EvalCoord1fv | EvalCoord1dv,
+                     kEvalCoord2 = EvalCoord2f | EvalCoord2d | EvalCoord2fv | EvalCoord2dv,
+                     kEvalCoords = kEvalCoord1 | kEvalCoord2, kPoints1 = kEvalCoord1 | EvalPoint1,
+                     kPoints2 = kEvalCoord2 | EvalPoint2, kPoints = kPoints1 | kPoints2,
+                     kMeshes = EvalMesh1 | EvalMesh2, kGetMap = GetMapfv | GetMapdv | Entries(GetMapiv),
+                     kGetnMap = GetnMapfv | GetnMapdv | Entries(GetnMapiv),
+                     kGet = GetBooleanv | GetIntegerv | Entries(GetFloatv) | GetDoublev,
+                     kSwitches = Enable | Disable,
+                     kOtherContexts = OtherContextEVALCTS | SharingContextEVALCTS;
 
 using Primitives = std::vector<ObservedPrimitive>;
 
 struct Rule {
+  enum class Kind {
+    kInstead,   // the step replaces the call
+    kProvided,  // the step replaces the call of a command that the implementation may lack
+    kLate,      // the step follows the call
+    kMissing,   // the commands are missing
+    kInitial,   // the step is taken in a fresh context
+    kOneState,  // all contexts have one state
+  };
   Entries entries;
   Value condition, step;
-  bool late = false;                           // true: the step follows the call; false: it replaces the call
-  bool missing = false;                        // true: the commands are missing
+  Kind kind = Kind::kInstead;
   std::function<void(Primitives&)> emitted{};  // changes the output if the condition holds at that time
 };
 // One rule or several.
@@ -297,10 +298,11 @@ Rule after(const Entries& entries, Value condition, Steps steps);
 Rule after(const Entries& entries, Steps steps);
 Rule instead(const Entries& entries, Value condition, Steps steps);
 Rule instead(const Entries& entries, Steps steps);
+Rule provide(const Entries& entries, Steps steps);  // also if the implementation lacks the command
 Rule skip(const Entries& entries, Value condition);
-Rule missing(gl::EntryPoint entry);  // the implementation does not provide the command
-// Takes the steps in a fresh context.
-Rules initially(Steps steps);
+Rule missing(const Entries& entries);  // the implementation does not provide the commands
+Rule one_state();                      // all contexts have one state
+Rule initially(Steps steps);           // takes the steps in a fresh context
 // Takes the first steps before the call and the last steps after it. For Begin, the last steps
 // follow the End.
 Rules around(const Entries& entries, Value condition, Steps first, Steps last);
@@ -321,6 +323,7 @@ Rules not_restored(const State& state, Value condition);
 Rules restored(const State& state, Value condition);
 // Changes the output if the condition holds.
 Rules change_output(Value condition, std::function<void(Primitives&)> change);
+Rules change_all_vertices(std::function<void(ObservedVertex&)> change);
 // Change the output of a context that has evaluated: the whole output, each primitive, each vertex, or each
 // vertex together with the previous vertex of its primitive, from the last vertex down to index `from`.
 Rules change_evaluated(std::function<void(Primitives&)> change);
@@ -333,20 +336,21 @@ void scale(std::array<float, kSize>& vector, float factor) {
   for (float& x : vector) x *= factor;
 }
 
-// Puts the rules into effect.
-void apply(Injection& in, std::initializer_list<Rules> rules);
-// Removes all rules and clears memory. Called before a fault is injected.
-void forget_rules();
-
-#define EVALCTS_RULES(name, implementation, level, requirements, what, ...) \
-  EVALCTS_RULES_IN(#implementation, name, level, requirements, what, __VA_ARGS__)
-// Like EVALCTS_RULES, for an implementation whose name is not an identifier ("glx-indirect").
-#define EVALCTS_RULES_IN(implementation, name, level, requirements, what, ...) \
-  static const ::evalcts::faults::FaultRegistration name##_registration {      \
-    {                                                                          \
-#name, implementation, ::evalcts::Level::level, requirements, what,      \
-          [](::evalcts::faults::Injection & in) { apply(in, {__VA_ARGS__}); }  \
-    }                                                                          \
+// Define a change as a row. The name of its implementation is that of the closest kImplementation. A quality
+// fault has to be detected by tests of level quality.
+inline constexpr std::string_view kImplementation = "production";
+#define EVALCTS_CHANGE(name, kind, level, requirements, what, ...)               \
+  static const ::evalcts::faults::Registration name##_registration {             \
+    {                                                                            \
+#name, kind, kImplementation, ::evalcts::Level::level, requirements, what, \
+          [] { return Rules{__VA_ARGS__}; }                                      \
+    }                                                                            \
   }
+#define FAULT(name, requirements, what, ...) \
+  EVALCTS_CHANGE(name, kFault, kMust, requirements, what, __VA_ARGS__)
+#define QUALITY_FAULT(name, requirements, what, ...) \
+  EVALCTS_CHANGE(name, kFault, kQuality, requirements, what, __VA_ARGS__)
+#define VARIATION(name, violated, what, ...) \
+  EVALCTS_CHANGE(name, kVariation, kMust, violated, what, __VA_ARGS__)
 
 }  // namespace evalcts::faults

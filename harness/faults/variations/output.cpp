@@ -1,27 +1,181 @@
-// Variations of the output: captures are coarse or missing, and meshes are drawn in a different order.
+// Variations of the output: captures are coarse or missing, results have other errors, and meshes are drawn
+// in another order.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
-#include "variation.h"
+#include "grid_steps.h"
 
-namespace evalcts::variations {
+namespace evalcts::faults::output_variations {
 namespace {
 
-// --- Feedback and transform feedback
+// --- Results -----------------------------------------------------------------------------------------------
 
-GLenum feedback_type = GL_2D;
+// Changes all attributes of all vertices.
+Rules change_attributes(void (*change)(float& x)) {
+  return change_all_vertices([=](ObservedVertex& vertex) {
+    std::ranges::for_each(vertex.position, change);
+    std::ranges::for_each(vertex.color, change);
+    std::ranges::for_each(vertex.normal, change);
+    for (auto& coordinates : vertex.texture_coordinate) std::ranges::for_each(coordinates, change);
+  });
+}
 
-int coordinates_of(GLenum type) { return type == GL_2D ? 2 : type == GL_4D_COLOR_TEXTURE ? 4 : 3; }
-bool has_color(GLenum type) { return type != GL_2D && type != GL_3D; }
-bool has_texture(GLenum type) { return type == GL_3D_COLOR_TEXTURE || type == GL_4D_COLOR_TEXTURE; }
+VARIATION(NoNegativeZero, "", "results of -0 are returned as +0",
+          change_attributes([](float& x) { x += 0.0f; }));
+VARIATION(NoSubnormals, "", "subnormal results are returned as 0", change_attributes([](float& x) {
+            if (std::fpclassify(x) == FP_SUBNORMAL) x = 0;
+          }));
+VARIATION(ClampedColors, "", "colours are clamped to [0,1]", change_all_vertices([](ObservedVertex& vertex) {
+            for (float& x : vertex.color) x = std::clamp(x, 0.0f, 1.0f);
+          }));
+VARIATION(WhiteOnly, "", "every colour comes out white, explicit ones, too",
+          change_all_vertices([](ObservedVertex& vertex) {
+            vertex.color = {1, 1, 1, 1};
+          }));
+VARIATION(PositionOnly, "", "only positions are output", change_all_vertices([](ObservedVertex& vertex) {
+            const auto position = vertex.position;
+            vertex = {};
+            vertex.position = position;
+          }));
+VARIATION(LeastRange, "",
+          "positions, normals and texture coordinates beyond 2^33 become infinite, colours beyond 2^11 "
+          "saturated",
+          change_all_vertices([](ObservedVertex& vertex) {
+            const auto limit = [](float& x) {
+              if (std::abs(x) > 0x1p33f) x = std::copysign(HUGE_VALF, x);
+            };
+            std::ranges::for_each(vertex.position, limit);
+            std::ranges::for_each(vertex.normal, limit);
+            for (auto& coordinates : vertex.texture_coordinate) std::ranges::for_each(coordinates, limit);
+            for (float& x : vertex.color) x = std::clamp(x, -0x1p11f, 0x1p11f);
+          }));
+VARIATION(FloatArguments, "", "arguments of EvalCoord in double are rounded to float",
+          before(kEvalCoords, {set(kU, to_float(kU)), set(kV, to_float(kV))}));
 
-// Calls `change` for each colour component in a feedback buffer of RGBA colours, and `change_token` for each
-// token.
-template <class Change, class ChangeToken>
-void change_feedback(GLfloat* values, std::size_t count, Change change, ChangeToken change_token) {
-  const auto before = static_cast<std::size_t>(coordinates_of(feedback_type));
-  const std::size_t colors = has_color(feedback_type) ? 4 : 0;
-  const std::size_t size = before + colors + (has_texture(feedback_type) ? 4 : 0);
+// --- Other arithmetic --------------------------------------------------------------------------------------
+
+// Changes the last five bits of the significand, which is an error of up to 2 parts in 10^6, unless they are
+// 0 or equal to the pattern. Applied twice, returns the original value.
+double changed(double value) {
+  constexpr std::uint32_t kMask = 0x1f, kPattern = 0x15;
+  const auto x = static_cast<float>(value);
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  const std::uint32_t last = bits & kMask;
+  if (!std::isnormal(x) || last == 0 || last == kPattern) return x;
+  return std::bit_cast<float>(bits ^ kPattern);
+}
+// Defines the maps with changed control points by the original ones, which are needed before commands of
+// lists or of other contexts can use the maps.
+void take_back(Call& call) {
+  GLint unit = GL_TEXTURE0;
+  unmodified.GetIntegerv(GL_ACTIVE_TEXTURE, &unit);
+  unmodified.ActiveTexture(GL_TEXTURE0);
+  for (const auto& targets : {gl::kMap1Targets, gl::kMap2Targets})
+    for (const GLenum target : targets) {
+      if (!remembered(target).holds(call)) continue;
+      remembered(target).assign(call, 0);
+      const auto [same, u1, u2, v1, v2, net] = current_map(target);
+      std::vector<GLfloat> points(net.values.size());
+      std::ranges::transform(net.values, points.begin(), changed);
+      const int k = net.components;
+      const auto f = [](double x) { return static_cast<GLfloat>(x); };
+      if (is_map1_target(target))
+        unmodified.Map1f(target, f(u1), f(u2), k, net.rows, points.data());
+      else
+        unmodified.Map2f(target, f(u1), f(u2), k * net.columns, net.rows, f(v1), f(v2), k, net.columns,
+                         points.data());
+    }
+  unmodified.ActiveTexture(static_cast<GLenum>(unit));
+}
+
+const Value kTakesEffect = kIsLegal && !kInside && !kListMode && state(GL_ACTIVE_TEXTURE) == GL_TEXTURE0;
+const Value kIsChangedAnswer = kQuery == GL_COEFF && !kInside && remembered(kTarget);
+VARIATION(OtherArithmetic, "", "results are those of control points that are off by up to 2 parts in 10^6",
+          before(Map1f | Map2f, kTakesEffect,
+                 {set(remembered(kTarget), 1),
+                  [](Call& c) {
+                    Net net = c.net();
+                    std::ranges::transform(net.values, net.values.begin(), changed);
+                    c.set_values(net);
+                  }}),
+          before(Map1d | Map2d, kTakesEffect, set(remembered(kTarget), 0)),
+          before(NewList | CallList | Entries(CallLists) | OtherContextEVALCTS,
+                 kFlag && !kInside && !kListMode, {take_back, set(kFlag, 0)}),
+          after(GetMapfv | GetMapdv, kIsChangedAnswer,
+                change_answers([](double exact, double) { return changed(exact); })),
+          after(GetMapiv, kIsChangedAnswer, change_answers([](double exact, double) {
+                  return std::clamp(std::floor(changed(exact) + 0.5), -0x1p31, 0x1p31 - 1);
+                })),
+          missing(kGetnMap));
+
+// --- Meshes ------------------------------------------------------------------------------------------------
+
+// The requirements on the order of the loops in the specification. Only their tests may depend on it.
+constexpr std::string_view kLoops = "EV-MESH2-POINT EV-MESH2-LINE EV-MESH2-FILL";
+
+const Value kIsDrawnMesh =
+    kIsMode2 && !kInside && !kListMode && kI1 <= kI2 && kJ1 <= kJ2 && kI2 - kI1 <= 1000 && kJ2 - kJ1 <= 1000;
+
+// Draws the points, line strips and quads of a mesh in another order. Each quad is a primitive of mode QUADS,
+// or QUAD_STRIP, which keeps the provoking vertex.
+Rules draw_meshes(bool backwards, GLenum quads) {
+  const auto from_to = [=](Place index, Value first, Value last, Steps steps) {
+    return backwards ? loop(index, last, first, steps, -1) : loop(index, first, last, steps);
+  };
+  const Value other = quads == GL_QUADS ? 1 : 0;
+  const Steps quad = {point(kColumn, kRow), point(kColumn, kRow + 1), point(kColumn + 1, kRow + other),
+                      point(kColumn + 1, kRow + 1 - other)};
+  return {
+      instead(
+          EvalMesh2, kIsDrawnMesh && kMode == GL_POINT,
+          primitive(GL_POINTS, from_to(kRow, kJ1, kJ2, from_to(kColumn, kI1, kI2, point(kColumn, kRow))))),
+      instead(
+          EvalMesh2, kIsDrawnMesh && kMode == GL_LINE,
+          {from_to(kColumn, kI1, kI2, primitive(GL_LINE_STRIP, loop(kRow, kJ1, kJ2, point(kColumn, kRow)))),
+           from_to(kRow, kJ1, kJ2, primitive(GL_LINE_STRIP, loop(kColumn, kI1, kI2, point(kColumn, kRow))))}),
+      instead(EvalMesh2, kIsDrawnMesh && kMode == GL_FILL,
+              from_to(kColumn, kI1, kI2 - 1, from_to(kRow, kJ1, kJ2 - 1, primitive(quads, quad))))};
+}
+
+VARIATION(MeshesInColumns, kLoops, "EvalMesh2 draws in another order", draw_meshes(false, GL_QUADS));
+VARIATION(MeshesBackwards, kLoops, "EvalMesh2 begins at the last point", draw_meshes(true, GL_QUADS));
+
+namespace with_pipeline {
+
+constexpr std::string_view kImplementation = "dropin";
+
+VARIATION(PipelineMeshesInColumns, kLoops, "EvalMesh2 draws in another order",
+          draw_meshes(false, GL_QUAD_STRIP));
+VARIATION(PipelineMeshesBackwards, kLoops, "EvalMesh2 begins at the last point",
+          draw_meshes(true, GL_QUAD_STRIP));
+// Meshes of one row are left as they are: in deliveries they take the place of other evaluations.
+VARIATION(PipelineMeshLinesBackwards, "EV-MESH2-LINE EV-MESH2-STIPPLE",
+          "the lines of EvalMesh2 run in the other direction if there are several in both ways",
+          instead(EvalMesh2, kIsDrawnMesh&& kMode == GL_LINE && kI1 < kI2 && kJ1 < kJ2,
+                  {loop(kRow, kJ1, kJ2,
+                        primitive(GL_LINE_STRIP, loop(kColumn, kI2, kI1, point(kColumn, kRow), -1))),
+                   loop(kColumn, kI1, kI2,
+                        primitive(GL_LINE_STRIP, loop(kRow, kJ2, kJ1, point(kColumn, kRow), -1)))}));
+
+// --- Feedback and transform feedback -----------------------------------------------------------------------
+
+struct Feedback {
+  GLfloat* values = nullptr;
+  GLsizei size = 0;
+  GLenum type = GL_2D;
+
+  bool has_color() const { return type != GL_2D && type != GL_3D; }
+  bool has_texture() const { return type == GL_3D_COLOR_TEXTURE || type == GL_4D_COLOR_TEXTURE; }
+};
+Feedback feedback;
+
+// Changes each colour component in a feedback buffer of RGBA colours, and each token.
+void change_feedback(std::size_t count, float (*change)(float), GLenum (*change_token)(GLenum)) {
+  GLfloat* const values = feedback.values;
+  const std::size_t before = feedback.type == GL_2D ? 2 : feedback.type == GL_4D_COLOR_TEXTURE ? 4 : 3;
+  const std::size_t colors = feedback.has_color() ? 4 : 0;
+  const std::size_t size = before + colors + (feedback.has_texture() ? 4 : 0);
   for (std::size_t i = 0; i < count;) {
     const auto token = static_cast<GLenum>(values[i]);
     values[i] = static_cast<GLfloat>(change_token(token));
@@ -34,245 +188,48 @@ void change_feedback(GLfloat* values, std::size_t count, Change change, ChangeTo
     if (token == GL_LINE_TOKEN || token == GL_LINE_RESET_TOKEN) vertices = 2;
     if (token == GL_POLYGON_TOKEN && i < count) vertices = static_cast<std::size_t>(values[i++]);
     for (; vertices > 0 && i + size <= count; --vertices, i += size)
-      for (std::size_t k = before; k < before + colors; ++k) values[i + k] = change(values[i + k]);
+      std::transform(values + i + before, values + i + before + colors, values + i + before, change);
     if (vertices > 0) return;
   }
 }
 
-float unchanged(float x) { return x; }
-GLenum unchanged_token(GLenum token) { return token; }
+const Entries kTransformFeedback =
+                  TransformFeedbackVaryings | BeginTransformFeedback | Entries(EndTransformFeedback),
+              kFeedback = RenderMode | FeedbackBuffer;
 
-template <float (*kChange)(float), GLenum (*kChangeToken)(GLenum) = unchanged_token>
-void vary_feedback(Varied& v) {
-  v.gl.FeedbackBuffer = [](GLsizei size, GLenum type, GLfloat* buffer) {
-    unvaried.FeedbackBuffer(size, type, buffer);
-    remembered.feedback = buffer;
-    remembered.feedback_size = size;
-    feedback_type = type;
-  };
-  v.gl.RenderMode = [](GLenum mode) {
-    GLint before = GL_RENDER;
-    if (!remembered.inside) unvaried.GetIntegerv(GL_RENDER_MODE, &before);
-    const GLint count = unvaried.RenderMode(mode);
-    if (before == GL_FEEDBACK && remembered.feedback)
-      change_feedback(remembered.feedback,
-                      static_cast<std::size_t>(count < 0 ? remembered.feedback_size : count), kChange,
-                      kChangeToken);
-    return count;
-  };
+Rules vary_feedback(
+    float (*change)(float), GLenum (*change_token)(GLenum) = [](GLenum token) { return token; }) {
+  return {missing(kTransformFeedback), initially([](Call&) { feedback = {}; }),
+          after(FeedbackBuffer,
+                [](Call& c) {
+                  feedback = {static_cast<GLfloat*>(c.pointer), static_cast<GLsizei>(kFirst(c)),
+                              static_cast<GLenum>(kSecond(c))};
+                }),
+          before(RenderMode, set(kFlag, !kInside && state(GL_RENDER_MODE) == GL_FEEDBACK)),
+          after(RenderMode, kFlag, [=](Call& c) {
+            if (feedback.values)
+              change_feedback(static_cast<std::size_t>(c.result < 0 ? feedback.size : c.result), change,
+                              change_token);
+          })};
 }
 
-float to_8_bits(float x) { return std::round(std::clamp(x, 0.0f, 1.0f) * 255.0f) / 255.0f; }
-float cut_to_8_bits(float x) { return std::floor(std::clamp(x, 0.0f, 1.0f) * 255.0f) / 255.0f; }
-float to_unit_interval(float x) { return std::clamp(x, 0.0f, 1.0f); }
+VARIATION(FeedbackOf8Bits, "", "feedback colours are rounded to 8 bits; no transform feedback",
+          vary_feedback([](float x) { return std::round(std::clamp(x, 0.0f, 1.0f) * 255.0f) / 255.0f; }));
+VARIATION(FeedbackCutTo8Bits, "", "feedback colours are cut to 8 bits; no transform feedback",
+          vary_feedback([](float x) { return std::floor(std::clamp(x, 0.0f, 1.0f) * 255.0f) / 255.0f; }));
+VARIATION(FeedbackClamped, "", "feedback colours are clamped; no transform feedback",
+          vary_feedback([](float x) { return std::clamp(x, 0.0f, 1.0f); }));
+VARIATION(FeedbackLineResets, "",
+          "each line in the feedback buffer resets the stipple; no transform feedback",
+          vary_feedback([](float x) { return x; },
+                        [](GLenum token) -> GLenum {
+                          return token == GL_LINE_TOKEN ? GL_LINE_RESET_TOKEN : token;
+                        }));
+VARIATION(NoTransformFeedback, "", "there is no transform feedback", missing(kTransformFeedback));
+VARIATION(NoFeedback, "", "there is no feedback mode", missing(kFeedback));
+VARIATION(NothingToSee, "", "there is neither feedback mode nor transform feedback",
+          missing(kFeedback | kTransformFeedback));
 
-void remove_transform_feedback(Varied& v) {
-  v.gl.TransformFeedbackVaryings = nullptr;
-  v.gl.BeginTransformFeedback = nullptr;
-  v.gl.EndTransformFeedback = nullptr;
-}
-
-EVALCTS_VARIATION(FeedbackOf8Bits, "dropin", "feedback colours are rounded to 8 bits; no transform feedback",
-                  "") {
-  vary_feedback<to_8_bits>(v);
-  remove_transform_feedback(v);
-}
-EVALCTS_VARIATION(FeedbackCutTo8Bits, "dropin", "feedback colours are cut to 8 bits; no transform feedback",
-                  "") {
-  vary_feedback<cut_to_8_bits>(v);
-  remove_transform_feedback(v);
-}
-EVALCTS_VARIATION(FeedbackClamped, "dropin", "feedback colours are clamped; no transform feedback", "") {
-  vary_feedback<to_unit_interval>(v);
-  remove_transform_feedback(v);
-}
-
-// Resets the line stipple at each segment, not only at the first segment of a strip.
-GLenum with_reset(GLenum token) { return token == GL_LINE_TOKEN ? GL_LINE_RESET_TOKEN : token; }
-EVALCTS_VARIATION(FeedbackLineResets, "dropin",
-                  "each line in the feedback buffer resets the stipple; no transform feedback", "") {
-  vary_feedback<unchanged, with_reset>(v);
-  remove_transform_feedback(v);
-}
-
-void remove_feedback(Varied& v) {
-  v.gl.RenderMode = nullptr;
-  v.gl.FeedbackBuffer = nullptr;
-}
-EVALCTS_VARIATION(NoTransformFeedback, "dropin", "there is no transform feedback", "") {
-  remove_transform_feedback(v);
-}
-EVALCTS_VARIATION(NoFeedback, "dropin", "there is no feedback mode", "") { remove_feedback(v); }
-EVALCTS_VARIATION(NothingToSee, "dropin", "there is neither feedback mode nor transform feedback", "") {
-  remove_feedback(v);
-  remove_transform_feedback(v);
-}
-
-// --- Values
-
-template <class Change>
-void change_values(std::vector<ObservedPrimitive>& primitives, Change change) {
-  for (ObservedPrimitive& primitive : primitives)
-    for (ObservedVertex& vertex : primitive.vertices) {
-      std::ranges::for_each(vertex.position, change);
-      std::ranges::for_each(vertex.color, change);
-      std::ranges::for_each(vertex.normal, change);
-      for (auto& coordinates : vertex.texture_coordinate) std::ranges::for_each(coordinates, change);
-    }
-}
-
-EVALCTS_VARIATION(NoNegativeZero, "production", "results of -0 are returned as +0", "") {
-  v.emitted = [](std::vector<ObservedPrimitive>& primitives) {
-    change_values(primitives, [](float& x) { x += 0.0f; });
-  };
-}
-EVALCTS_VARIATION(NoSubnormals, "production", "subnormal results are returned as 0", "") {
-  v.emitted = [](std::vector<ObservedPrimitive>& primitives) {
-    change_values(primitives, [](float& x) {
-      if (std::fpclassify(x) == FP_SUBNORMAL) x = 0;
-    });
-  };
-}
-EVALCTS_VARIATION(ClampedColors, "production", "colours are clamped to [0,1]", "") {
-  v.emitted = [](std::vector<ObservedPrimitive>& primitives) {
-    for (ObservedPrimitive& primitive : primitives)
-      for (ObservedVertex& vertex : primitive.vertices)
-        for (float& x : vertex.color) x = std::clamp(x, 0.0f, 1.0f);
-  };
-}
-EVALCTS_VARIATION(WhiteOnly, "production", "every colour comes out white, explicit ones, too", "") {
-  v.emitted = [](std::vector<ObservedPrimitive>& primitives) {
-    for (ObservedPrimitive& primitive : primitives)
-      for (ObservedVertex& vertex : primitive.vertices) vertex.color = {1, 1, 1, 1};
-  };
-}
-EVALCTS_VARIATION(PositionOnly, "production", "only positions are output", "") {
-  v.emitted = [](std::vector<ObservedPrimitive>& primitives) {
-    for (ObservedPrimitive& primitive : primitives)
-      for (ObservedVertex& vertex : primitive.vertices) {
-        const auto position = vertex.position;
-        vertex = {};
-        vertex.position = position;
-      }
-  };
-}
-
-EVALCTS_VARIATION(LeastRange, "production",
-                  "positions, normals and texture coordinates beyond 2^33 become infinite, colours beyond "
-                  "2^11 saturated",
-                  "") {
-  v.emitted = [](std::vector<ObservedPrimitive>& primitives) {
-    const auto limit = [](float& x) {
-      if (std::abs(x) > 0x1p33f) x = std::copysign(HUGE_VALF, x);
-    };
-    for (ObservedPrimitive& primitive : primitives)
-      for (ObservedVertex& vertex : primitive.vertices) {
-        std::ranges::for_each(vertex.position, limit);
-        std::ranges::for_each(vertex.normal, limit);
-        for (auto& coordinates : vertex.texture_coordinate) std::ranges::for_each(coordinates, limit);
-        for (float& x : vertex.color) x = std::clamp(x, -0x1p11f, 0x1p11f);
-      }
-  };
-}
-
-// --- Meshes
-
-// True if EvalMesh2 draws: the mode is legal, and the call is neither inside a primitive nor compiled
-// into a list.
-bool draws(GLenum mode) {
-  return !remembered.inside && !remembered.compiling &&
-         (mode == GL_POINT || mode == GL_LINE || mode == GL_FILL);
-}
-
-void point(GLint i, GLint j) { unvaried.EvalPoint2(i, j); }
-
-// Draws the points, line strips and quads of a mesh in a different order. Each quad is a primitive of mode
-// `kQuads`: QUADS, or QUAD_STRIP, which keeps the provoking vertex.
-template <bool kBackwards, GLenum kQuads>
-void draw_mesh(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-  if (!draws(mode) || i2 < i1 || j2 < j1 || i2 - i1 > 1000 || j2 - j1 > 1000)
-    return unvaried.EvalMesh2(mode, i1, i2, j1, j2);
-  const GLint columns = i2 - i1 + 1, rows = j2 - j1 + 1;
-  const auto i_at = [&](GLint k) { return kBackwards ? i2 - k : i1 + k; };
-  const auto j_at = [&](GLint k) { return kBackwards ? j2 - k : j1 + k; };
-  if (mode == GL_POINT) {
-    unvaried.Begin(GL_POINTS);
-    for (GLint b = 0; b < rows; ++b)
-      for (GLint a = 0; a < columns; ++a) point(i_at(a), j_at(b));
-    unvaried.End();
-  } else if (mode == GL_LINE) {
-    for (GLint a = 0; a < columns; ++a) {
-      unvaried.Begin(GL_LINE_STRIP);
-      for (GLint j = j1; j <= j2; ++j) point(i_at(a), j);
-      unvaried.End();
-    }
-    for (GLint b = 0; b < rows; ++b) {
-      unvaried.Begin(GL_LINE_STRIP);
-      for (GLint i = i1; i <= i2; ++i) point(i, j_at(b));
-      unvaried.End();
-    }
-  } else {
-    for (GLint a = 0; a + 1 < columns; ++a)
-      for (GLint b = 0; b + 1 < rows; ++b) {
-        const GLint i = kBackwards ? i2 - 1 - a : i1 + a, j = kBackwards ? j2 - 1 - b : j1 + b;
-        unvaried.Begin(kQuads);
-        point(i, j);
-        point(i, j + 1);
-        point(i + 1, kQuads == GL_QUADS ? j + 1 : j);
-        point(i + 1, kQuads == GL_QUADS ? j : j + 1);
-        unvaried.End();
-      }
-  }
-}
-
-// The requirements on the order of the loops in the specification. Only their tests may
-// depend on it.
-#define MESH_ROWS "EV-MESH2-POINT EV-MESH2-LINE EV-MESH2-FILL"
-EVALCTS_VARIATION(MeshesInColumns, "production", "EvalMesh2 draws in another order", MESH_ROWS) {
-  v.gl.EvalMesh2 = draw_mesh<false, GL_QUADS>;
-}
-EVALCTS_VARIATION(MeshesBackwards, "production", "EvalMesh2 begins at the last point", MESH_ROWS) {
-  v.gl.EvalMesh2 = draw_mesh<true, GL_QUADS>;
-}
-EVALCTS_VARIATION(PipelineMeshesInColumns, "dropin", "EvalMesh2 draws in another order", MESH_ROWS) {
-  v.gl.EvalMesh2 = draw_mesh<false, GL_QUAD_STRIP>;
-}
-EVALCTS_VARIATION(PipelineMeshesBackwards, "dropin", "EvalMesh2 begins at the last point", MESH_ROWS) {
-  v.gl.EvalMesh2 = draw_mesh<true, GL_QUAD_STRIP>;
-}
-
-// Meshes of one row are left as they are: in deliveries they take the place of other evaluations.
-EVALCTS_VARIATION(PipelineMeshLinesBackwards, "dropin",
-                  "the lines of EvalMesh2 run in the other direction if there are several in both ways",
-                  "EV-MESH2-LINE EV-MESH2-STIPPLE") {
-  v.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (!draws(mode) || mode != GL_LINE || i2 <= i1 || j2 <= j1 || i2 - i1 > 1000 || j2 - j1 > 1000)
-      return unvaried.EvalMesh2(mode, i1, i2, j1, j2);
-    for (GLint j = j1; j <= j2; ++j) {
-      unvaried.Begin(GL_LINE_STRIP);
-      for (GLint i = i2; i >= i1; --i) point(i, j);
-      unvaried.End();
-    }
-    for (GLint i = i1; i <= i2; ++i) {
-      unvaried.Begin(GL_LINE_STRIP);
-      for (GLint j = j2; j >= j1; --j) point(i, j);
-      unvaried.End();
-    }
-  };
-}
-
-// --- Single precision
-
-EVALCTS_VARIATION(FloatArguments, "production", "arguments of EvalCoord in double are rounded to float", "") {
-  v.gl.EvalCoord1d = [](GLdouble u) { unvaried.EvalCoord1f(static_cast<GLfloat>(u)); };
-  v.gl.EvalCoord2d = [](GLdouble u, GLdouble w) {
-    unvaried.EvalCoord2f(static_cast<GLfloat>(u), static_cast<GLfloat>(w));
-  };
-  v.gl.EvalCoord1dv = [](const GLdouble* u) { unvaried.EvalCoord1f(static_cast<GLfloat>(u[0])); };
-  v.gl.EvalCoord2dv = [](const GLdouble* u) {
-    unvaried.EvalCoord2f(static_cast<GLfloat>(u[0]), static_cast<GLfloat>(u[1]));
-  };
-}
-
+}  // namespace with_pipeline
 }  // namespace
-}  // namespace evalcts::variations
+}  // namespace evalcts::faults::output_variations

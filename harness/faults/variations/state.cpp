@@ -1,416 +1,197 @@
-// Variations of the commands that a library provides, of its answers to queries, and of the
-// state of contexts.
+// Variations of the commands that a library provides, of its answers to queries, of the state of contexts,
+// and of pixels, buffers and lists.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <iterator>
+#include <limits>
 #include <set>
 #include <string>
-#include <type_traits>
-#include <utility>
 
-#include "variation.h"
+#include "rules.h"
 
-namespace evalcts::variations {
+namespace evalcts::faults::state_variations {
 namespace {
 
-// --- Errors of the variation itself ------------------------------------------------------------------------
+VARIATION(OneStateInProcess, "", "all contexts have one state", one_state());
+VARIATION(MaxOrderEight, "", "MAX_EVAL_ORDER is 8, as small as it may be",
+          after(kGet, kName == GL_MAX_EVAL_ORDER && !kInside,
+                put(0, [](Call& c) { return c.entry == GetBooleanv ? GL_TRUE : 8; })),
+          // Order 0 is rejected with the same error.
+          before(kMaps, kOrder > 8, set(kOrder, 0)), before(kMap2, kVOrder > 8, set(kVOrder, 0)));
+VARIATION(NoisyOutput, "", "each EvalCoord writes to standard output and standard error",
+          before(EvalCoord1f, [](Call& c) {
+            std::printf("EvalCoord1f %g\n", c.argument('u'));
+            std::fprintf(stderr, "{\"event\": \"EvalCoord1f\"}\n");
+          }));
 
-// Makes GetError return the variation's own pending error first, except between Begin and End, where GetError
-// is itself an error.
-void keep_own_errors(Varied& v) {
-  v.gl.GetError = [] {
-    if (remembered.inside || remembered.error == GL_NO_ERROR) return unvaried.GetError();
-    return std::exchange(remembered.error, static_cast<GLenum>(GL_NO_ERROR));
-  };
-}
+namespace with_pipeline {
 
-void raise_own(GLenum error) {
-  if (remembered.error == GL_NO_ERROR) remembered.error = error;
-}
+constexpr std::string_view kImplementation = "dropin";
+
+// --- Errors ------------------------------------------------------------------------------------------------
 
 // A distributed GL has several error flags, and GetError returns any of those that are set (GL 1.0 2.5). Here
 // it returns the largest, not the first.
 std::set<GLenum> error_flags;
 
-void collect_errors() {
+void collect_errors(Call&) {
   for (int i = 0; i < 16; ++i) {
-    const GLenum error = unvaried.GetError();
+    const GLenum error = unmodified.GetError();
     if (error == GL_NO_ERROR) return;
     error_flags.insert(error);
   }
 }
+VARIATION(SeveralErrorFlags, "", "there are several error flags; GetError answers the largest",
+          initially([](Call&) { error_flags.clear(); }),
+          // Between Begin and End, these commands are errors, so GetError may follow them.
+          after(kMaps | kMapGrids | kMeshes | kGetMap | GetFloatv | kSwitches | PopAttrib, collect_errors),
+          instead(GetError, [](Call& c) {
+            collect_errors(c);
+            c.result = error_flags.empty() ? GL_NO_ERROR : *error_flags.rbegin();
+            error_flags.erase(static_cast<GLenum>(c.result));
+          }));
+VARIATION(Slow, "", "each GetError takes a millisecond", before(GetError, [](Call&) {
+            const timespec millisecond{0, 1000000};
+            nanosleep(&millisecond, nullptr);
+          }));
 
-// Wraps a command that is an error between Begin and End, so that GetError may follow it.
-template <auto kCommand, class Signature>
-struct Collecting;
-template <auto kCommand, class... A>
-struct Collecting<kCommand, void (*)(A...)> {
-  static void run(A... arguments) {
-    (unvaried.*kCommand)(arguments...);
-    collect_errors();
-  }
-};
+// --- Queries. The name 0 is rejected. ----------------------------------------------------------------------
 
-EVALCTS_VARIATION(SeveralErrorFlags, "dropin", "there are several error flags; GetError answers the largest",
-                  "") {
-  error_flags.clear();
-  v.gl.GetError = []() -> GLenum {
-    collect_errors();
-    if (error_flags.empty()) return GL_NO_ERROR;
-    return error_flags.extract(std::prev(error_flags.end())).value();
-  };
-#define COLLECT(name) v.gl.name = Collecting<&gl::Table::name, std::remove_cvref_t<decltype(v.gl.name)>>::run
-  COLLECT(Map1f);
-  COLLECT(Map1d);
-  COLLECT(Map2f);
-  COLLECT(Map2d);
-  COLLECT(MapGrid1f);
-  COLLECT(MapGrid1d);
-  COLLECT(MapGrid2f);
-  COLLECT(MapGrid2d);
-  COLLECT(EvalMesh1);
-  COLLECT(EvalMesh2);
-  COLLECT(GetMapfv);
-  COLLECT(GetMapdv);
-  COLLECT(GetMapiv);
-  COLLECT(GetFloatv);
-  COLLECT(Enable);
-  COLLECT(Disable);
-  COLLECT(PopAttrib);
-#undef COLLECT
+const Value kIsLogicOp = kName == GL_INDEX_LOGIC_OP || kName == GL_COLOR_LOGIC_OP;
+
+Value is_one_of(Value name, std::set<GLenum> names) {
+  return [=](Call& c) { return names.contains(static_cast<GLenum>(name(c))); };
 }
+VARIATION(MaxOrderUnanswered, "EV-INIT-MAXORDER EV-GET-MAXORDER", "the query of MAX_EVAL_ORDER is rejected",
+          before(kGet, kName == GL_MAX_EVAL_ORDER, set(kName, 0)));
+VARIATION(QueriesRefused, "", "queries of state that is not about evaluators are rejected",
+          before(kGet,
+                 is_one_of(kName, {GL_CURRENT_RASTER_POSITION, GL_CURRENT_RASTER_COLOR, GL_CURRENT_INDEX,
+                                   GL_EDGE_FLAG, GL_LIST_BASE, GL_LIST_INDEX, GL_LIST_MODE, GL_MATRIX_MODE,
+                                   GL_LINE_WIDTH, GL_POINT_SIZE, GL_SHADE_MODEL}),
+                 set(kName, 0)));
+// As in a layer over OpenGL ES.
+VARIATION(CapabilitiesRefused, "", "the capabilities of logical operations are rejected",
+          before(kSwitches | IsEnabled, kIsLogicOp, set(kName, 0)));
+VARIATION(AnswersInsidePrimitives, "",
+          "IsEnabled answers between Begin and End, without an error, of all capabilities",
+          instead(IsEnabled, kInside, set(kResult, GL_TRUE)));
+VARIATION(OneTextureUnit, "", "there is one texture unit, and no multitexture",
+          after(GetIntegerv, (kName == GL_MAX_TEXTURE_UNITS || kName == GL_MAX_TEXTURE_COORDS) && !kInside,
+                put(0, 1)));
 
-// --- Queries -----------------------------------------------------------------------------------------------
+// --- Versions ----------------------------------------------------------------------------------------------
 
-// Sets the four Get commands to lambdas that answer some names themselves: Answer::answer(GLenum pname, T*
-// values) returns true if it has answered.
-template <class Answer>
-void vary_queries(Varied& v) {
-  v.gl.GetBooleanv = [](GLenum name, GLboolean* values) {
-    if (remembered.inside || !Answer::answer(name, values)) unvaried.GetBooleanv(name, values);
-  };
-  v.gl.GetIntegerv = [](GLenum name, GLint* values) {
-    if (remembered.inside || !Answer::answer(name, values)) unvaried.GetIntegerv(name, values);
-  };
-  v.gl.GetFloatv = [](GLenum name, GLfloat* values) {
-    if (remembered.inside || !Answer::answer(name, values)) unvaried.GetFloatv(name, values);
-  };
-  v.gl.GetDoublev = [](GLenum name, GLdouble* values) {
-    if (remembered.inside || !Answer::answer(name, values)) unvaried.GetDoublev(name, values);
-  };
+Value answer_text(const char* text) {
+  return [=](Call& c) { c.result_pointer = text; };
 }
-
-struct RejectMaxOrder {
-  template <class T>
-  static bool answer(GLenum name, T*) {
-    if (name != GL_MAX_EVAL_ORDER) return false;
-    raise_own(GL_INVALID_ENUM);
-    return true;
-  }
-};
-EVALCTS_VARIATION(MaxOrderUnanswered, "dropin", "the query of MAX_EVAL_ORDER is rejected",
-                  "EV-INIT-MAXORDER EV-GET-MAXORDER") {
-  keep_own_errors(v);
-  vary_queries<RejectMaxOrder>(v);
+Rules set_version(const char* version) {
+  return {instead(GetString, kFirst == GL_VERSION, answer_text(version)),
+          instead(GetString, kFirst == GL_EXTENSIONS, answer_text(""))};
 }
+const Entries kSince1_2 =
+    ActiveTexture | MultiTexCoord1f | Entries(MultiTexCoord2f) | MultiTexCoord3f | MultiTexCoord4f |
+    MultiTexCoord1d | MultiTexCoord2d | MultiTexCoord3d | MultiTexCoord4d | MultiTexCoord1fv |
+    MultiTexCoord2fv | MultiTexCoord3fv | MultiTexCoord4fv | MultiTexCoord1dv | MultiTexCoord2dv |
+    MultiTexCoord3dv | MultiTexCoord4dv | SecondaryColor3f | FogCoordf | VertexAttrib4f | GetVertexAttribfv |
+    GetStringi | kGetnMap | ClampColor | CreateShader | ShaderSource | CompileShader | CreateProgram |
+    LinkProgram | UseProgram | TransformFeedbackVaryings | BeginTransformFeedback | EndTransformFeedback |
+    GenBuffers | BindBuffer | BufferData | BindBufferBase | GenQueries | BeginQuery | EndQuery |
+    BeginConditionalRender | EndConditionalRender | PrimitiveRestartIndex | PatchParameteri |
+    ProvokingVertex | GenFramebuffers | BindFramebuffer | CheckFramebufferStatus | BindProgramARB |
+    ProgramStringARB | BindProgramNV | LoadProgramNV | GetDebugMessageLog;
+VARIATION(Version11, "", "the GL is 1.1, without any extension", set_version("1.1"), missing(kSince1_2));
+VARIATION(Version15, "", "the GL is 1.5, without any extension", set_version("1.5"));
 
-constexpr GLint kSmallestMaxOrder = 8;
-
-struct AnswerEight {
-  template <class T>
-  static bool answer(GLenum name, T* values) {
-    if (name != GL_MAX_EVAL_ORDER) return false;
-    if constexpr (std::is_same_v<T, GLboolean>)
-      *values = GL_TRUE;
-    else
-      *values = static_cast<T>(kSmallestMaxOrder);
-    return true;
-  }
-};
-// Replaces an order above the limit by 0, which is rejected with the same error.
-GLint limited(GLint order) { return order > kSmallestMaxOrder ? 0 : order; }
-
-EVALCTS_VARIATION(MaxOrderEight, "production", "MAX_EVAL_ORDER is 8, as small as it may be", "") {
-  vary_queries<AnswerEight>(v);
-  v.gl.Map1f = [](GLenum t, GLfloat u1, GLfloat u2, GLint s, GLint o, const GLfloat* p) {
-    unvaried.Map1f(t, u1, u2, s, limited(o), p);
-  };
-  v.gl.Map1d = [](GLenum t, GLdouble u1, GLdouble u2, GLint s, GLint o, const GLdouble* p) {
-    unvaried.Map1d(t, u1, u2, s, limited(o), p);
-  };
-  v.gl.Map2f = [](GLenum t, GLfloat u1, GLfloat u2, GLint us, GLint uo, GLfloat v1, GLfloat v2, GLint vs,
-                  GLint vo, const GLfloat* p) {
-    unvaried.Map2f(t, u1, u2, us, limited(uo), v1, v2, vs, limited(vo), p);
-  };
-  v.gl.Map2d = [](GLenum t, GLdouble u1, GLdouble u2, GLint us, GLint uo, GLdouble v1, GLdouble v2, GLint vs,
-                  GLint vo, const GLdouble* p) {
-    unvaried.Map2d(t, u1, u2, us, limited(uo), v1, v2, vs, limited(vo), p);
+// Returns the text of GetString with its end, which must outlive the call.
+Value extend_text(std::string (*extended)(std::string text)) {
+  return [=](Call& c) {
+    static std::map<double, std::string> texts;
+    if (!c.result_pointer) return;
+    std::string& text = texts[c.numbers[0]];
+    text = extended(static_cast<const char*>(c.result_pointer));
+    c.result_pointer = text.c_str();
   };
 }
+VARIATION(WordyVersion, "",
+          "words and more numbers follow the version, and 64 KiB of extensions are advertised",
+          after(GetString, kFirst == GL_VERSION, extend_text([](std::string text) {
+                  return text.substr(0, 3) + ".0 - Build 31.0.101.2115 (\"Vendor's\", \xc2\xae) 9.9 ES 3.2";
+                })),
+          after(GetString, kFirst == GL_EXTENSIONS, extend_text([](std::string text) {
+                  while (text.size() < 65536) text += " GL_VENDOR_extension_" + std::to_string(text.size());
+                  return text;
+                })));
+VARIATION(StringsUnanswered, "", "VENDOR, RENDERER and EXTENSIONS are not answered", missing(GetStringi),
+          instead(GetString, kFirst != GL_VERSION, answer_text(nullptr)));
 
-struct RejectOthers {
-  template <class T>
-  static bool answer(GLenum name, T*) {
-    switch (name) {
-      case GL_CURRENT_RASTER_POSITION:
-      case GL_CURRENT_RASTER_COLOR:
-      case GL_CURRENT_INDEX:
-      case GL_EDGE_FLAG:
-      case GL_LIST_BASE:
-      case GL_LIST_INDEX:
-      case GL_LIST_MODE:
-      case GL_MATRIX_MODE:
-      case GL_LINE_WIDTH:
-      case GL_POINT_SIZE:
-      case GL_SHADE_MODEL:
-        raise_own(GL_INVALID_ENUM);
-        return true;
-      default:
-        return false;
-    }
-  }
-};
-EVALCTS_VARIATION(QueriesRefused, "dropin", "queries of state that is not about evaluators are rejected",
-                  "") {
-  keep_own_errors(v);
-  vary_queries<RejectOthers>(v);
-}
+// --- Missing commands --------------------------------------------------------------------------------------
 
-EVALCTS_VARIATION(OneTextureUnit, "dropin", "there is one texture unit, and no multitexture", "") {
-  struct One {
-    static bool is_limit(GLenum name) {
-      return name == GL_MAX_TEXTURE_UNITS || name == GL_MAX_TEXTURE_COORDS;
-    }
-  };
-  v.gl.GetIntegerv = [](GLenum name, GLint* values) {
-    if (!remembered.inside && One::is_limit(name))
-      *values = 1;
-    else
-      unvaried.GetIntegerv(name, values);
-  };
-}
+VARIATION(NoLists, "", "there are no display lists",
+          missing(NewList | EndList | Entries(CallList) | CallLists | ListBase | GenLists | IsList |
+                  DeleteLists));
+VARIATION(NoAttributeStack, "", "there is no attribute stack", missing(PushAttrib | PopAttrib));
+VARIATION(NoDoubles, "EV-API-ENTRY", "the commands with doubles are missing",
+          missing(Map1d | Map2d | Entries(MapGrid1d) | MapGrid2d | EvalCoord1d | EvalCoord2d | EvalCoord1dv |
+                  EvalCoord2dv | GetMapdv));
+VARIATION(NoGetnMap, "", "there is no GetnMap", missing(kGetnMap));
+VARIATION(NoGetDouble, "EV-API-ENTRY", "GetDoublev and GetMapdv are missing", missing(GetDoublev | GetMapdv));
+VARIATION(NoGetMapiv, "EV-API-ENTRY", "GetMapiv is missing", missing(GetMapiv));
+VARIATION(NoGetMapfv, "EV-API-ENTRY", "GetMapfv is missing", missing(GetMapfv));
+VARIATION(NoColorIndex, "", "the commands of colour-index mode are missing",
+          missing(Indexf | Indexd | Entries(Indexfv) | Indexdv));
+VARIATION(NoPixels, "", "pixels cannot be read", missing(ReadPixels));
+VARIATION(NoShaders, "", "there are no shaders", missing(CreateShader | CreateProgram));
+VARIATION(NoTextures, "", "there are no textures",
+          missing(BindTexture | TexImage2D | Entries(TexParameteri)));
+VARIATION(OneContext, "", "there can be one context at a time",
+          missing(OtherContextEVALCTS | SharingContextEVALCTS | Entries(ContextOfKindEVALCTS) |
+                  CopyContextEVALCTS));
+VARIATION(OneState, "", "all contexts have one state", one_state());
 
-// True for capabilities that a layer over OpenGL ES does not support.
-bool is_rejected(GLenum capability) {
-  return capability == GL_INDEX_LOGIC_OP || capability == GL_COLOR_LOGIC_OP;
-}
+// --- Pixels, buffers and lists -----------------------------------------------------------------------------
 
-EVALCTS_VARIATION(CapabilitiesRefused, "dropin", "the capabilities of logical operations are rejected", "") {
-  keep_own_errors(v);
-  v.gl.Enable = [](GLenum capability) {
-    is_rejected(capability) ? raise_own(GL_INVALID_ENUM) : unvaried.Enable(capability);
-  };
-  v.gl.Disable = [](GLenum capability) {
-    is_rejected(capability) ? raise_own(GL_INVALID_ENUM) : unvaried.Disable(capability);
-  };
-  v.gl.IsEnabled = [](GLenum capability) -> GLboolean {
-    if (!is_rejected(capability)) return unvaried.IsEnabled(capability);
-    raise_own(GL_INVALID_ENUM);
-    return GL_FALSE;
-  };
+// Rounds each component to 5 bits. `largest`: the value of 1.
+template <class T>
+void round_pixels(Call& call, double largest) {
+  T* const pixels = static_cast<T*>(call.pointer);
+  std::transform(pixels, pixels + static_cast<std::size_t>(4 * kThird(call) * kFourth(call)), pixels,
+                 [=](T x) {
+                   const float value = static_cast<float>(x) / static_cast<float>(largest);
+                   const float rounded = std::round(value * 31) / 31 * static_cast<float>(largest);
+                   return static_cast<T>(std::is_integral_v<T> ? std::round(rounded) : rounded);
+                 });
 }
+VARIATION(PixelsOf5Bits, "", "pixels are read with 5 bits for each component",
+          after(ReadPixels, kFifth == GL_RGBA && kThird >= 0 && kFourth >= 0, [](Call& c) {
+            if (c.numbers[5] == GL_FLOAT) round_pixels<GLfloat>(c, 1);
+            if (c.numbers[5] == GL_UNSIGNED_BYTE) round_pixels<GLubyte>(c, 255);
+          }));
+VARIATION(GarbageInBuffers, "",
+          "buffers hold garbage until something is written: those of feedback and selection, and buffer "
+          "objects without data",
+          after(FeedbackBuffer, kAddress&& kFirst > 0,
+                [](Call& c) {
+                  std::fill_n(static_cast<GLfloat*>(c.pointer), static_cast<std::size_t>(kFirst(c)),
+                              std::numeric_limits<GLfloat>::quiet_NaN());
+                }),
+          after(SelectBuffer, kAddress&& kFirst > 0,
+                [](Call& c) {
+                  std::fill_n(static_cast<GLuint*>(c.pointer), static_cast<std::size_t>(kFirst(c)),
+                              0xdeadbeefu);
+                }),
+          before(BufferData, kSecond > 0 && !kAddress, [](Call& c) {
+            static std::vector<GLubyte> garbage;
+            garbage.assign(static_cast<std::size_t>(kSecond(c)), 0xa5);
+            c.pointer = garbage.data();
+          }));
+VARIATION(LargeListNames, "", "GenLists answers names from 2^30 on", initially(set(kCount, 0x1p30)),
+          instead(GenLists, kFirst > 0 && !kInside && !kListMode,
+                  {set(kResult, kCount), set(kCount, kCount + kFirst),
+                   loop(kNumber, kResult, kCount - 1,
+                        {call(NewList, {kNumber, GL_COMPILE}), call(EndList)})}));
 
-EVALCTS_VARIATION(AnswersInsidePrimitives, "dropin",
-                  "IsEnabled answers between Begin and End, without an error, of all capabilities", "") {
-  v.gl.IsEnabled = [](GLenum capability) -> GLboolean {
-    return remembered.inside ? GL_TRUE : unvaried.IsEnabled(capability);
-  };
-}
-
-// --- Versions and missing commands -------------------------------------------------------------------------
-
-void remove_since_1_2(gl::Table& table) {
-#define REMOVE(name) table.name = nullptr
-  REMOVE(ActiveTexture);
-  REMOVE(MultiTexCoord1f);
-  REMOVE(MultiTexCoord2f);
-  REMOVE(MultiTexCoord3f);
-  REMOVE(MultiTexCoord4f);
-  REMOVE(MultiTexCoord1d);
-  REMOVE(MultiTexCoord2d);
-  REMOVE(MultiTexCoord3d);
-  REMOVE(MultiTexCoord4d);
-  REMOVE(MultiTexCoord1fv);
-  REMOVE(MultiTexCoord2fv);
-  REMOVE(MultiTexCoord3fv);
-  REMOVE(MultiTexCoord4fv);
-  REMOVE(MultiTexCoord1dv);
-  REMOVE(MultiTexCoord2dv);
-  REMOVE(MultiTexCoord3dv);
-  REMOVE(MultiTexCoord4dv);
-  REMOVE(SecondaryColor3f);
-  REMOVE(FogCoordf);
-  REMOVE(VertexAttrib4f);
-  REMOVE(GetVertexAttribfv);
-  REMOVE(GetStringi);
-  REMOVE(GetnMapfv);
-  REMOVE(GetnMapdv);
-  REMOVE(GetnMapiv);
-  REMOVE(ClampColor);
-  REMOVE(CreateShader);
-  REMOVE(ShaderSource);
-  REMOVE(CompileShader);
-  REMOVE(CreateProgram);
-  REMOVE(LinkProgram);
-  REMOVE(UseProgram);
-  REMOVE(TransformFeedbackVaryings);
-  REMOVE(BeginTransformFeedback);
-  REMOVE(EndTransformFeedback);
-  REMOVE(GenBuffers);
-  REMOVE(BindBuffer);
-  REMOVE(BufferData);
-  REMOVE(BindBufferBase);
-  REMOVE(GenQueries);
-  REMOVE(BeginQuery);
-  REMOVE(EndQuery);
-  REMOVE(BeginConditionalRender);
-  REMOVE(EndConditionalRender);
-  REMOVE(PrimitiveRestartIndex);
-  REMOVE(PatchParameteri);
-  REMOVE(ProvokingVertex);
-  REMOVE(GenFramebuffers);
-  REMOVE(BindFramebuffer);
-  REMOVE(CheckFramebufferStatus);
-  REMOVE(BindProgramARB);
-  REMOVE(ProgramStringARB);
-  REMOVE(BindProgramNV);
-  REMOVE(LoadProgramNV);
-  REMOVE(GetDebugMessageLog);
-#undef REMOVE
-}
-
-template <int kTenths>
-void set_version(Varied& v) {
-  v.gl.GetString = [](GLenum name) -> const GLubyte* {
-    static constexpr char kVersion[] = {'0' + kTenths / 10, '.', '0' + kTenths % 10, '\0'};
-    if (name == GL_VERSION) return reinterpret_cast<const GLubyte*>(kVersion);
-    if (name == GL_EXTENSIONS) return reinterpret_cast<const GLubyte*>("");
-    return unvaried.GetString(name);
-  };
-}
-
-EVALCTS_VARIATION(Version11, "dropin", "the GL is 1.1, without any extension", "") {
-  set_version<11>(v);
-  remove_since_1_2(v.gl);
-}
-EVALCTS_VARIATION(Version15, "dropin", "the GL is 1.5, without any extension", "") { set_version<15>(v); }
-
-EVALCTS_VARIATION(NoLists, "dropin", "there are no display lists", "") {
-  v.gl.NewList = nullptr;
-  v.gl.EndList = nullptr;
-  v.gl.CallList = nullptr;
-  v.gl.CallLists = nullptr;
-  v.gl.ListBase = nullptr;
-  v.gl.GenLists = nullptr;
-  v.gl.IsList = nullptr;
-  v.gl.DeleteLists = nullptr;
-}
-
-EVALCTS_VARIATION(NoAttributeStack, "dropin", "there is no attribute stack", "") {
-  v.gl.PushAttrib = nullptr;
-  v.gl.PopAttrib = nullptr;
-}
-
-EVALCTS_VARIATION(NoDoubles, "dropin", "the commands with doubles are missing", "EV-API-ENTRY") {
-  v.gl.Map1d = nullptr;
-  v.gl.Map2d = nullptr;
-  v.gl.MapGrid1d = nullptr;
-  v.gl.MapGrid2d = nullptr;
-  v.gl.EvalCoord1d = nullptr;
-  v.gl.EvalCoord2d = nullptr;
-  v.gl.EvalCoord1dv = nullptr;
-  v.gl.EvalCoord2dv = nullptr;
-  v.gl.GetMapdv = nullptr;
-}
-
-EVALCTS_VARIATION(NoGetnMap, "dropin", "there is no GetnMap", "") {
-  v.gl.GetnMapfv = nullptr;
-  v.gl.GetnMapdv = nullptr;
-  v.gl.GetnMapiv = nullptr;
-}
-EVALCTS_VARIATION(NoGetDouble, "dropin", "GetDoublev and GetMapdv are missing", "EV-API-ENTRY") {
-  v.gl.GetDoublev = nullptr;
-  v.gl.GetMapdv = nullptr;
-}
-EVALCTS_VARIATION(NoGetMapiv, "dropin", "GetMapiv is missing", "EV-API-ENTRY") { v.gl.GetMapiv = nullptr; }
-EVALCTS_VARIATION(NoGetMapfv, "dropin", "GetMapfv is missing", "EV-API-ENTRY") { v.gl.GetMapfv = nullptr; }
-EVALCTS_VARIATION(NoColorIndex, "dropin", "the commands of colour-index mode are missing", "") {
-  v.gl.Indexf = nullptr;
-  v.gl.Indexd = nullptr;
-  v.gl.Indexfv = nullptr;
-  v.gl.Indexdv = nullptr;
-}
-EVALCTS_VARIATION(NoPixels, "dropin", "pixels cannot be read", "") { v.gl.ReadPixels = nullptr; }
-EVALCTS_VARIATION(NoShaders, "dropin", "there are no shaders", "") {
-  v.gl.CreateShader = nullptr;
-  v.gl.CreateProgram = nullptr;
-}
-EVALCTS_VARIATION(NoTextures, "dropin", "there are no textures", "") {
-  v.gl.BindTexture = nullptr;
-  v.gl.TexImage2D = nullptr;
-  v.gl.TexParameteri = nullptr;
-}
-
-EVALCTS_VARIATION(WordyVersion, "dropin",
-                  "words and more numbers follow the version, and 64 KiB of extensions are "
-                  "advertised",
-                  "") {
-  v.gl.GetString = [](GLenum name) -> const GLubyte* {
-    static std::string version, extensions;
-    const GLubyte* const inner = unvaried.GetString(name);
-    if (!inner) return inner;
-    const auto* const text = reinterpret_cast<const char*>(inner);
-    if (name == GL_VERSION) {
-      version =
-          std::string(text).substr(0, 3) + ".0 - Build 31.0.101.2115 (\"Vendor's\", \xc2\xae) 9.9 ES 3.2";
-      return reinterpret_cast<const GLubyte*>(version.c_str());
-    }
-    if (name == GL_EXTENSIONS) {
-      extensions = text;
-      while (extensions.size() < 65536)
-        extensions += " GL_VENDOR_extension_" + std::to_string(extensions.size());
-      return reinterpret_cast<const GLubyte*>(extensions.c_str());
-    }
-    return inner;
-  };
-}
-
-EVALCTS_VARIATION(StringsUnanswered, "dropin", "VENDOR, RENDERER and EXTENSIONS are not answered", "") {
-  v.gl.GetStringi = nullptr;
-  v.gl.GetString = [](GLenum name) -> const GLubyte* {
-    return name == GL_VERSION ? unvaried.GetString(name) : nullptr;
-  };
-}
-
-// --- Contexts ----------------------------------------------------------------------------------------------
-
-EVALCTS_VARIATION(OneContext, "dropin", "there can be one context at a time", "") {
-  v.gl.OtherContextEVALCTS = nullptr;
-  v.gl.SharingContextEVALCTS = nullptr;
-  v.gl.ContextOfKindEVALCTS = nullptr;
-  v.gl.CopyContextEVALCTS = nullptr;
-}
-EVALCTS_VARIATION(OneStateInProcess, "production", "all contexts have one state", "") { v.one_state = true; }
-EVALCTS_VARIATION(OneState, "dropin", "all contexts have one state", "") { v.one_state = true; }
-
-// --- State outside of evaluators
-
-EVALCTS_VARIATION(NoisyOutput, "production", "each EvalCoord writes to standard output and standard error",
-                  "") {
-  v.gl.EvalCoord1f = [](GLfloat u) {
-    std::printf("EvalCoord1f %g\n", static_cast<double>(u));
-    std::fprintf(stderr, "{\"event\": \"EvalCoord1f\"}\n");
-    unvaried.EvalCoord1f(u);
-  };
-}
-
-EVALCTS_VARIATION(Slow, "dropin", "each GetError takes a millisecond", "") {
-  v.gl.GetError = [] {
-    const timespec millisecond{0, 1000000};
-    nanosleep(&millisecond, nullptr);
-    return unvaried.GetError();
-  };
-}
-
+}  // namespace with_pipeline
 }  // namespace
-}  // namespace evalcts::variations
+}  // namespace evalcts::faults::state_variations

@@ -5,7 +5,7 @@
 
 #include "rules.h"
 
-namespace evalcts::faults {
+namespace evalcts::faults::automatic_normals {
 namespace {
 
 // Changes the output if AUTO_NORMAL has been enabled and the condition holds.
@@ -37,143 +37,142 @@ void round_normal(ObservedVertex& vertex, float steps) {
     if (std::abs(x) <= 1) x = std::round(x * steps) / steps;
 }
 
-EVALCTS_RULES(NormalMapEnabledLastWins, production, kMust, "EV-AUTON-OVERRIDE",
-              "a normal map that was enabled after AUTO_NORMAL takes precedence",
-              after(Enable, kName == GL_MAP2_NORMAL && noted_on(GL_AUTO_NORMAL), disable(GL_AUTO_NORMAL)));
-EVALCTS_RULES(AutoNormalBeforeVertexMapLost, production, kMust, "EV-AUTON-USED",
-              "Enable of AUTO_NORMAL before that of a vertex map of surfaces has no effect",
-              skip(Enable, kName == GL_AUTO_NORMAL && !maps_vertices(2)));
-EVALCTS_RULES(AutoNormalSuppressesNormalMapOfCurves, production, kMust, "EV-AUTON-1D",
-              "AUTO_NORMAL suppresses the normal map of curves",
-              only_if(GL_MAP1_NORMAL, !noted_on(GL_AUTO_NORMAL)));
-EVALCTS_RULES(NoAutoNormalOfTwoVertexMaps, production, kMust, "EV-AUTON-VERTEX4WINS",
-              "where both vertex maps are enabled no normal is generated",
-              only_if(GL_AUTO_NORMAL, !noted_on(GL_MAP2_VERTEX_3) || !noted_on(GL_MAP2_VERTEX_4)));
-EVALCTS_RULES(NormalMapLostAfterAutoNormal, production, kMust, "EV-AUTON-OFF-MAP",
-              "Disable of AUTO_NORMAL disables the normal map",
-              after(Disable, kName == GL_AUTO_NORMAL, disable(GL_MAP2_NORMAL)));
-EVALCTS_RULES(DisableOfAutoNormalResetsNormal, production, kMust, "EV-AUTON-OFF-NONE",
-              "Disable of AUTO_NORMAL resets the current normal",
-              after(Disable, kName == GL_AUTO_NORMAL, call(Normal3f, {0, 0, 1})));
-EVALCTS_RULES(GeneratedNormalStaysCurrent, production, kMust, "EV-AUTON-CURRENT",
-              "EvalPoint2 with AUTO_NORMAL leaves a normal of its own as the current one",
-              after(EvalPoint2, noted_on(GL_AUTO_NORMAL) && maps_vertices(2), call(Normal3f, {0, 0.6, 0.8})));
-EVALCTS_RULES(MeshWithAutoNormalSetsNormal, production, kMust, "EV-AUTON-CURRENT",
-              "EvalMesh2 with AUTO_NORMAL resets the current normal",
-              after(EvalMesh2, noted_on(GL_AUTO_NORMAL) && maps_vertices(2), call(Normal3f, {0, 0, 1})));
-EVALCTS_RULES(AutoNormalNeedsNoVertexMap, production, kMust, "EV-AUTON-NOVERTEX",
-              "AUTO_NORMAL counts as a map: EvalCoord2 draws the initial point without a vertex map",
-              before(kPoints2, noted_on(GL_AUTO_NORMAL) && !maps_vertices(2), call(Vertex4f, {0, 0, 0, 1})));
-EVALCTS_RULES(AutoNormalMeshNeedsNoVertexMap, production, kMust, "EV-AUTON-NOVERTEX",
-              "EvalMesh2 with AUTO_NORMAL and no vertex map raises INVALID_OPERATION",
-              before(EvalMesh2, noted_on(GL_AUTO_NORMAL) && !maps_vertices(2), call(End)));
-EVALCTS_RULES(AutoNormalDividesByW, production, kMust, "EV-AUTON-SAMEVERTEX",
-              "with AUTO_NORMAL the vertex goes out divided by w",
-              with_auto_normal([](ObservedPrimitive& primitive) {
-                for (ObservedVertex& vertex : primitive.vertices)
-                  if (vertex.position[3] != 0) scale(vertex.position, 1 / vertex.position[3]);
-              }));
-EVALCTS_RULES(AutoNormalDropsTextureMap, production, kMust, "EV-AUTON-SAMEVERTEX",
-              "with AUTO_NORMAL there is no room for TEXTURE_COORD_3 in the vertex",
-              only_if(GL_MAP2_TEXTURE_COORD_3, !noted_on(GL_AUTO_NORMAL)));
-EVALCTS_RULES(AutoNormalMovesVertexByABit, production, kQuality, "EV-AUTON-SAMEVERTEX EV-NUM-UNRELATEDMAPS",
+FAULT(NormalMapEnabledLastWins, "EV-AUTON-OVERRIDE",
+      "a normal map that was enabled after AUTO_NORMAL takes precedence",
+      after(Enable, kName == GL_MAP2_NORMAL && noted_on(GL_AUTO_NORMAL), disable(GL_AUTO_NORMAL)));
+FAULT(AutoNormalBeforeVertexMapLost, "EV-AUTON-USED",
+      "Enable of AUTO_NORMAL before that of a vertex map of surfaces has no effect",
+      skip(Enable, kName == GL_AUTO_NORMAL && !maps_vertices(2)));
+FAULT(AutoNormalSuppressesNormalMapOfCurves, "EV-AUTON-1D", "AUTO_NORMAL suppresses the normal map of curves",
+      only_if(GL_MAP1_NORMAL, !noted_on(GL_AUTO_NORMAL)));
+FAULT(NoAutoNormalOfTwoVertexMaps, "EV-AUTON-VERTEX4WINS",
+      "where both vertex maps are enabled no normal is generated",
+      only_if(GL_AUTO_NORMAL, !noted_on(GL_MAP2_VERTEX_3) || !noted_on(GL_MAP2_VERTEX_4)));
+FAULT(NormalMapLostAfterAutoNormal, "EV-AUTON-OFF-MAP", "Disable of AUTO_NORMAL disables the normal map",
+      after(Disable, kName == GL_AUTO_NORMAL, disable(GL_MAP2_NORMAL)));
+FAULT(DisableOfAutoNormalResetsNormal, "EV-AUTON-OFF-NONE",
+      "Disable of AUTO_NORMAL resets the current normal",
+      after(Disable, kName == GL_AUTO_NORMAL, call(Normal3f, {0, 0, 1})));
+FAULT(GeneratedNormalStaysCurrent, "EV-AUTON-CURRENT",
+      "EvalPoint2 with AUTO_NORMAL leaves a normal of its own as the current one",
+      after(EvalPoint2, noted_on(GL_AUTO_NORMAL) && maps_vertices(2), call(Normal3f, {0, 0.6, 0.8})));
+FAULT(MeshWithAutoNormalSetsNormal, "EV-AUTON-CURRENT",
+      "EvalMesh2 with AUTO_NORMAL resets the current normal",
+      after(EvalMesh2, noted_on(GL_AUTO_NORMAL) && maps_vertices(2), call(Normal3f, {0, 0, 1})));
+FAULT(AutoNormalNeedsNoVertexMap, "EV-AUTON-NOVERTEX",
+      "AUTO_NORMAL counts as a map: EvalCoord2 draws the initial point without a vertex map",
+      before(kPoints2, noted_on(GL_AUTO_NORMAL) && !maps_vertices(2), call(Vertex4f, {0, 0, 0, 1})));
+FAULT(AutoNormalMeshNeedsNoVertexMap, "EV-AUTON-NOVERTEX",
+      "EvalMesh2 with AUTO_NORMAL and no vertex map raises INVALID_OPERATION",
+      before(EvalMesh2, noted_on(GL_AUTO_NORMAL) && !maps_vertices(2), call(End)));
+FAULT(AutoNormalDividesByW, "EV-AUTON-SAMEVERTEX", "with AUTO_NORMAL the vertex goes out divided by w",
+      with_auto_normal([](ObservedPrimitive& primitive) {
+        for (ObservedVertex& vertex : primitive.vertices)
+          if (vertex.position[3] != 0) scale(vertex.position, 1 / vertex.position[3]);
+      }));
+FAULT(AutoNormalDropsTextureMap, "EV-AUTON-SAMEVERTEX",
+      "with AUTO_NORMAL there is no room for TEXTURE_COORD_3 in the vertex",
+      only_if(GL_MAP2_TEXTURE_COORD_3, !noted_on(GL_AUTO_NORMAL)));
+QUALITY_FAULT(AutoNormalMovesVertexByABit, "EV-AUTON-SAMEVERTEX EV-NUM-UNRELATEDMAPS",
               "with AUTO_NORMAL the vertex is evaluated by another path",
               before(kEvalCoord2, noted_on(GL_AUTO_NORMAL), set(kU, next_float(kU, 2))));
 
-EVALCTS_RULES(OneNormalForThePrimitive, production, kMust, "EV-AUTON-USED EV-AUTON-CURVED",
-              "the normal of its first vertex is that of a whole primitive",
-              with_auto_normal([](ObservedPrimitive& primitive) {
-                for (ObservedVertex& vertex : primitive.vertices)
-                  vertex.normal = primitive.vertices[0].normal;
-              }));
-EVALCTS_RULES(NormalsOfWideDomainsShort, production, kMust, "EV-AUTON-UNIT",
-              "normals over a domain wider than 50 are divided by its width",
-              before(kMap2, set(kNumber, abs(kU2 - kU1))), with_auto_normal([](ObservedPrimitive& primitive) {
-                Call none;
-                if (const double width = kNumber(none); width > 50)
-                  for (ObservedVertex& vertex : primitive.vertices)
-                    scale(vertex.normal, static_cast<float>(1 / width));
-              }));
-EVALCTS_RULES(NormalMapReadAfterAutoNormal, production, kMust, "EV-AUTON-OVERRIDE",
-              "AUTO_NORMAL switched on a second time does not go before the normal map",
-              before(Enable, kName == GL_AUTO_NORMAL && noted_on(GL_MAP2_NORMAL), set(kCount, kCount + 1)),
-              skip(Enable, kName == GL_AUTO_NORMAL && noted_on(GL_MAP2_NORMAL) && kCount > 1));
-EVALCTS_RULES(NormalsTowardsTheViewer, production, kMust, "EV-AUTON-DIRECTION",
-              "generated normals that point away from the viewer are turned round",
-              with_auto_normal([](ObservedPrimitive& primitive) {
-                for (ObservedVertex& vertex : primitive.vertices)
-                  if (vertex.normal[2] < 0) scale(vertex.normal, -1);
-              }));
-EVALCTS_RULES(NormalsOfTallPatchesTurned, production, kMust, "EV-AUTON-DIRECTION",
-              "where the order in v is above that in u, the normal is dp/dv x dp/du",
-              before(kMap2, kTarget == GL_MAP2_VERTEX_3 && kVOrder > kOrder, set(kCount, 1)),
-              with_auto_normal(turn, kCount));
-EVALCTS_RULES(
-    NormalsOfLongPatchesTurned, production, kMust, "EV-AUTON-CURVED",
-    "if the order of VERTEX_4 in u is above that in v, and neither is below 3, the normal is turned",
-    turned_if(kTarget == GL_MAP2_VERTEX_4 && kOrder > kVOrder && kVOrder >= 3));
-EVALCTS_RULES(NormalsOfRuledPatchesTurned, production, kMust, "EV-AUTON-CURVED",
-              "if VERTEX_3 has order 2 in u and a higher order in v, the normal is turned",
-              turned_if(kTarget == GL_MAP2_VERTEX_3 && kOrder == 2 && kVOrder > 2));
-EVALCTS_RULES(VertexAfterDegenerateOneLost, production, kMust, "EV-AUTON-DEGENERATE",
-              "the vertex after one whose normal has length 0 is lost",
-              with_auto_normal([](ObservedPrimitive& primitive) {
-                auto& all = primitive.vertices;
-                for (std::size_t i = 1; i < all.size(); ++i)
-                  if (has_no_normal(all[i - 1])) return void(all.erase(all.begin() + 1));
-              }));
-EVALCTS_RULES(NoNormalsOverReversedDomains, production, kMust, "EV-AUTON-CURVED",
-              "over a domain that is reversed in v the normal is (0,0,1)",
-              before(kMap2, kV1 > kV2, set(kCount, 1)),
-              with_auto_normal(
-                  [](ObservedPrimitive& primitive) {
-                    for (ObservedVertex& vertex : primitive.vertices) vertex.normal = {0, 0, 1};
-                  },
-                  kCount));
-EVALCTS_RULES(NormalsTurnedWhereBothAreReversed, production, kMust, "EV-AUTON-CURVED",
-              "over a domain that is reversed in u and in v normals are turned round",
-              before(kMap2, kU1 > kU2 && kV1 > kV2, set(kCount, 1)), with_auto_normal(turn, kCount));
-EVALCTS_RULES(VertexWithoutNormalLost, production, kMust, "EV-AUTON-DEGENERATE",
-              "a vertex whose normal has length 0 is not drawn",
-              with_auto_normal([](ObservedPrimitive& primitive) {
-                std::erase_if(primitive.vertices, has_no_normal);
-              }));
-EVALCTS_RULES(LineMeshesHaveNoNormals, production, kMust, "EV-AUTON-MESH",
-              "AUTO_NORMAL has no effect on EvalMesh2 with LINE",
-              without(EvalMesh2, kMode == GL_LINE, GL_AUTO_NORMAL));
-EVALCTS_RULES(PatchOfOrderOneIsAnError, production, kMust, "EV-AUTON-DEGENERATE",
-              "with AUTO_NORMAL, EvalCoord2 of a patch of order 1 in v raises INVALID_OPERATION",
-              before(kMap2, kTarget == GL_MAP2_VERTEX_4, set(kFlag, kVOrder == 1)),
-              before(kPoints2, noted_on(GL_AUTO_NORMAL) && noted_on(GL_MAP2_VERTEX_4) && kFlag,
-                     error_inside()));
+FAULT(OneNormalForThePrimitive, "EV-AUTON-USED EV-AUTON-CURVED",
+      "the normal of its first vertex is that of a whole primitive",
+      with_auto_normal([](ObservedPrimitive& primitive) {
+        for (ObservedVertex& vertex : primitive.vertices) vertex.normal = primitive.vertices[0].normal;
+      }));
+FAULT(NormalsOfWideDomainsShort, "EV-AUTON-UNIT",
+      "normals over a domain wider than 50 are divided by its width",
+      before(kMap2, set(kNumber, abs(kU2 - kU1))), with_auto_normal([](ObservedPrimitive& primitive) {
+        Call none;
+        if (const double width = kNumber(none); width > 50)
+          for (ObservedVertex& vertex : primitive.vertices)
+            scale(vertex.normal, static_cast<float>(1 / width));
+      }));
+FAULT(NormalMapReadAfterAutoNormal, "EV-AUTON-OVERRIDE",
+      "AUTO_NORMAL switched on a second time does not go before the normal map",
+      before(Enable, kName == GL_AUTO_NORMAL && noted_on(GL_MAP2_NORMAL), set(kCount, kCount + 1)),
+      skip(Enable, kName == GL_AUTO_NORMAL && noted_on(GL_MAP2_NORMAL) && kCount > 1));
+FAULT(NormalsTowardsTheViewer, "EV-AUTON-DIRECTION",
+      "generated normals that point away from the viewer are turned round",
+      with_auto_normal([](ObservedPrimitive& primitive) {
+        for (ObservedVertex& vertex : primitive.vertices)
+          if (vertex.normal[2] < 0) scale(vertex.normal, -1);
+      }));
+FAULT(NormalsOfTallPatchesTurned, "EV-AUTON-DIRECTION",
+      "where the order in v is above that in u, the normal is dp/dv x dp/du",
+      before(kMap2, kTarget == GL_MAP2_VERTEX_3 && kVOrder > kOrder, set(kCount, 1)),
+      with_auto_normal(turn, kCount));
+FAULT(NormalsOfLongPatchesTurned, "EV-AUTON-CURVED",
+      "if the order of VERTEX_4 in u is above that in v, and neither is below 3, the normal is turned",
+      turned_if(kTarget == GL_MAP2_VERTEX_4 && kOrder > kVOrder && kVOrder >= 3));
+FAULT(NormalsOfRuledPatchesTurned, "EV-AUTON-CURVED",
+      "if VERTEX_3 has order 2 in u and a higher order in v, the normal is turned",
+      turned_if(kTarget == GL_MAP2_VERTEX_3 && kOrder == 2 && kVOrder > 2));
+FAULT(VertexAfterDegenerateOneLost, "EV-AUTON-DEGENERATE",
+      "the vertex after one whose normal has length 0 is lost",
+      with_auto_normal([](ObservedPrimitive& primitive) {
+        auto& all = primitive.vertices;
+        for (std::size_t i = 1; i < all.size(); ++i)
+          if (has_no_normal(all[i - 1])) return void(all.erase(all.begin() + 1));
+      }));
+FAULT(NoNormalsOverReversedDomains, "EV-AUTON-CURVED",
+      "over a domain that is reversed in v the normal is (0,0,1)", before(kMap2, kV1 > kV2, set(kCount, 1)),
+      with_auto_normal(
+          [](ObservedPrimitive& primitive) {
+            for (ObservedVertex& vertex : primitive.vertices) vertex.normal = {0, 0, 1};
+          },
+          kCount));
+FAULT(NormalsTurnedWhereBothAreReversed, "EV-AUTON-CURVED",
+      "over a domain that is reversed in u and in v normals are turned round",
+      before(kMap2, kU1 > kU2 && kV1 > kV2, set(kCount, 1)), with_auto_normal(turn, kCount));
+FAULT(VertexWithoutNormalLost, "EV-AUTON-DEGENERATE", "a vertex whose normal has length 0 is not drawn",
+      with_auto_normal([](ObservedPrimitive& primitive) {
+        std::erase_if(primitive.vertices, has_no_normal);
+      }));
+FAULT(LineMeshesHaveNoNormals, "EV-AUTON-MESH", "AUTO_NORMAL has no effect on EvalMesh2 with LINE",
+      without(EvalMesh2, kMode == GL_LINE, GL_AUTO_NORMAL));
+FAULT(PatchOfOrderOneIsAnError, "EV-AUTON-DEGENERATE",
+      "with AUTO_NORMAL, EvalCoord2 of a patch of order 1 in v raises INVALID_OPERATION",
+      before(kMap2, kTarget == GL_MAP2_VERTEX_4, set(kFlag, kVOrder == 1)),
+      before(kPoints2, noted_on(GL_AUTO_NORMAL) && noted_on(GL_MAP2_VERTEX_4) && kFlag, error_inside()));
 
-EVALCTS_RULES(NormalsPackedInBytes, production, kMust, "EV-AUTON-METHOD EV-AUTON-CURVED",
-              "generated normals are packed in 7 bits a component",
-              change_vertices([](ObservedVertex& vertex) { round_normal(vertex, 63); }));
-EVALCTS_RULES(NormalsInCoarseSteps, production, kQuality, "EV-AUTON-METHOD",
+FAULT(NormalsPackedInBytes, "EV-AUTON-METHOD EV-AUTON-CURVED",
+      "generated normals are packed in 7 bits a component",
+      change_vertices([](ObservedVertex& vertex) { round_normal(vertex, 63); }));
+QUALITY_FAULT(NormalsInCoarseSteps, "EV-AUTON-METHOD",
               "components of generated normals are rounded to multiples of 1/2000",
               change_vertices([](ObservedVertex& vertex) { round_normal(vertex, 2000); }));
 
-// --- Through the pipeline. The control, with explicit vertices, does not enable AUTO_NORMAL. --------------
-
-EVALCTS_RULES(GeneratedNormalsNotRescaled, osmesa, kMust, "EV-AUTON-FFTRANSFORM",
-              "RESCALE_NORMAL has no effect on generated normals, which are units already",
-              without(Begin, noted_on(GL_AUTO_NORMAL), GL_RESCALE_NORMAL));
-EVALCTS_RULES(GeneratedNormalsAlwaysNormalized, osmesa, kMust, "EV-AUTON-FFTRANSFORM",
-              "generated normals are normalised in eye space",
-              with(Begin, noted_on(GL_AUTO_NORMAL), GL_NORMALIZE));
-
 // --- With a vertex shader or a vertex program --------------------------------------------------------------
 
-EVALCTS_RULES(NoAutoNormalWithShader, dropin, kMust, "EV-AUTON-SHADER EV-AUTON-VP",
-              "no normal is generated while a vertex shader or a vertex program is active",
-              without(Begin | EvalMesh2, state(GL_CURRENT_PROGRAM) || enabled(GL_VERTEX_PROGRAM_ARB),
-                      GL_AUTO_NORMAL));
+namespace on_osmesa {
 
-EVALCTS_RULES(NormalsForShaderTooShort, dropin, kMust, "EV-AUTON-SHADER EV-AUTON-VP",
-              "with a vertex shader or a vertex program generated normals have half their length",
-              before(kMap2 | kMapGrid2, {set(kU1, 2 * kU1), set(kU2, 2 * kU2)}),
-              before(kEvalCoord2, set(kU, 2 * kU)));
+constexpr std::string_view kImplementation = "osmesa";
+
+FAULT(GeneratedNormalsNotRescaled, "EV-AUTON-FFTRANSFORM",
+      "RESCALE_NORMAL has no effect on generated normals, which are units already",
+      without(Begin, noted_on(GL_AUTO_NORMAL), GL_RESCALE_NORMAL));
+FAULT(GeneratedNormalsAlwaysNormalized, "EV-AUTON-FFTRANSFORM",
+      "generated normals are normalised in eye space", with(Begin, noted_on(GL_AUTO_NORMAL), GL_NORMALIZE));
+
+}  // namespace on_osmesa
+
+namespace on_dropin {
+
+constexpr std::string_view kImplementation = "dropin";
+
+FAULT(NoAutoNormalWithShader, "EV-AUTON-SHADER EV-AUTON-VP",
+      "no normal is generated while a vertex shader or a vertex program is active",
+      without(Begin | EvalMesh2, state(GL_CURRENT_PROGRAM) || enabled(GL_VERTEX_PROGRAM_ARB),
+              GL_AUTO_NORMAL));
+FAULT(NormalsForShaderTooShort, "EV-AUTON-SHADER EV-AUTON-VP",
+      "with a vertex shader or a vertex program generated normals have half their length",
+      before(kMap2 | kMapGrid2, {set(kU1, 2 * kU1), set(kU2, 2 * kU2)}),
+      before(kEvalCoord2, set(kU, 2 * kU)));
+
+}  // namespace on_dropin
 
 }  // namespace
-}  // namespace evalcts::faults
+}  // namespace evalcts::faults::automatic_normals

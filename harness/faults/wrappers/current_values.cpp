@@ -1,107 +1,103 @@
 // Faults against section 11 of the requirements: state that evaluation must not change.
 #include "rules.h"
 
-namespace evalcts::faults {
+namespace evalcts::faults::current_values {
 namespace {
 
-EVALCTS_RULES(MeshLeavesWhite, production, kMust, "EV-CUR-COLOR",
-              "EvalMesh1 with a colour map resets the current colour",
-              after(EvalMesh1, noted_on(GL_MAP1_COLOR_4), call(Color4f, {1, 1, 1, 1})));
+FAULT(MeshLeavesWhite, "EV-CUR-COLOR", "EvalMesh1 with a colour map resets the current colour",
+      after(EvalMesh1, noted_on(GL_MAP1_COLOR_4), call(Color4f, {1, 1, 1, 1})));
 
 // Imitates an implementation that flushes in the middle of a primitive, so that only long primitives
 // show the mistake.
-EVALCTS_RULES(ColorLostInLongPrimitives, production, kMust, "EV-CUR-COLOR",
-              "the 257th evaluated vertex of a primitive leaves its colour as the current one",
-              before(Begin, set(kCount, 0)),
-              after(kPoints1, {set(kCount, kCount + 1), when(kCount == 257 && noted_on(GL_MAP1_COLOR_4),
-                                                             call(Color4f, {0.5, 0.25, 0.5, 1}))}));
-EVALCTS_RULES(NormalLostAfterStrips, production, kMust, "EV-CUR-NORMAL",
-              "End of a TRIANGLE_STRIP with a normal map leaves the last normal as the current one",
-              before(Begin, set(kFlag, 0)),
-              after(kPoints1, noted_on(GL_MAP1_NORMAL), set(kFlag, kOpenMode == GL_TRIANGLE_STRIP)),
-              after(End, kFlag, call(Normal3f, {0, 0, 1})));
-EVALCTS_RULES(VertexAfterEvaluationHasInitialNormal, production, kMust, "EV-CUR-NEXTVERTEX EV-COORD-MIX",
-              "a Vertex right after an evaluation with a normal map has the normal (0,0,1)",
-              before(kPoints, set(kFlag, noted_on(GL_MAP1_NORMAL) || noted_on(GL_MAP2_NORMAL))),
-              before(Vertex3f, kFlag, {set(kFlag, 0), call(Normal3f, {0, 0, 1})}));
-EVALCTS_RULES(NormalLostAfterMeshes, production, kMust, "EV-CUR-NORMAL",
-              "EvalMesh2 with a normal map leaves the last normal as the current one",
-              after(EvalMesh2, noted_on(GL_MAP2_NORMAL), call(Normal3f, {0.6, 0, 0.8})));
-EVALCTS_RULES(MeshCompletesTexCoord, production, kMust, "EV-CUR-TEX",
-              "EvalMesh1 with a texture map leaves r = 0 and q = 1 in the current texture coordinates",
-              after(EvalMesh1,
-                    noted_on(GL_MAP1_TEXTURE_COORD_1) || noted_on(GL_MAP1_TEXTURE_COORD_2) ||
-                        noted_on(GL_MAP1_TEXTURE_COORD_3) || noted_on(GL_MAP1_TEXTURE_COORD_4),
-                    call(TexCoord4f, {real_state(GL_CURRENT_TEXTURE_COORDS),
-                                      real_state(GL_CURRENT_TEXTURE_COORDS, 1), 0, 1})));
-EVALCTS_RULES(MeshSetsIndex, production, kMust, "EV-CUR-INDEX",
-              "EvalMesh2 with an index map leaves its index as the current one",
-              after(EvalMesh2, noted_on(GL_MAP2_INDEX), call(Indexf, {4.5})));
-EVALCTS_RULES(TextureMapResetsUnit1, production, kMust, "EV-CUR-OTHERUNITS",
-              "evaluation with a texture map resets the texture coordinates of unit 1",
-              after(kPoints1, noted_on(GL_MAP1_TEXTURE_COORD_2),
-                    call(MultiTexCoord4f, {GL_TEXTURE1, 0, 0, 0, 1})));
-EVALCTS_RULES(
-    EvaluationResetsTheActiveUnit, production, kMust, "EV-CUR-OTHERUNITS",
-    "evaluation with a texture map resets the texture coordinates of the active unit, but for unit 0",
-    after(kPoints1, noted_on(GL_MAP1_TEXTURE_COORD_2) && kUnit > GL_TEXTURE0,
-          call(MultiTexCoord4f, {kUnit, 0, 0, 0, 1})));
-EVALCTS_RULES(MeshCopiesUnit0ToLastUnit, production, kMust, "EV-CUR-OTHERUNITS",
-              "EvalMesh2 leaves the texture coordinates of unit 7 as those of unit 0",
-              after(EvalMesh2, noted_on(GL_MAP2_TEXTURE_COORD_2),
-                    call(MultiTexCoord4f, {GL_TEXTURE7, 0, 0, 0, 1})));
-EVALCTS_RULES(EvaluationResetsSecondaryColor, osmesa, kMust, "EV-CUR-OTHERUNITS",
-              "evaluation with a colour map resets the current secondary colour",
-              after(kPoints1, noted_on(GL_MAP1_COLOR_4), call(SecondaryColor3f, {0, 0, 0})));
-EVALCTS_RULES(EvalPointSetsEdgeFlag, production, kMust, "EV-CUR-EDGEFLAG",
-              "EvalPoint leaves the edge flag TRUE", after(EvalPoint1, call(EdgeFlag, {GL_TRUE})));
-EVALCTS_RULES(FillMeshSetsEdgeFlag, production, kMust, "EV-CUR-EDGEFLAG",
-              "EvalMesh2 with FILL leaves the edge flag TRUE",
-              after(EvalMesh2, kMode == GL_FILL, call(EdgeFlag, {GL_TRUE})));
-EVALCTS_RULES(MeshMovesRasterPosition, osmesa, kMust, "EV-CUR-RASTERPOS",
-              "evaluation moves the raster position to the last vertex", before(kPoints, set(kFlag, 1)),
-              after(End, kFlag, {set(kFlag, 0), call(RasterPos3f, {0, 0, 0})}),
-              after(kMeshes, call(RasterPos3f, {0, 0, 0})));
-EVALCTS_RULES(RasterPosTakesEvaluatedColor, osmesa, kMust, "EV-CUR-RASTERPOS",
-              "RasterPos after an evaluation takes the evaluated colour",
-              before(kPoints | kMeshes, set(kFlag, 1)),
-              keeping(RasterPos3f, kFlag, current(Color4d, GL_CURRENT_COLOR), call(Color4f, {0, 1, 0, 1})));
-EVALCTS_RULES(EvaluationDisablesIndexMap, production, kMust, "EV-CUR-GRIDMAPS",
-              "evaluation in RGBA mode switches index maps off", before(kPoints, set(kFlag, 1)),
-              after(End, kFlag, {set(kFlag, 0), disable(GL_MAP2_INDEX)}));
-EVALCTS_RULES(MeshBeyondGridExtendsIt, production, kMust, "EV-CUR-GRIDMAPS",
-              "EvalMesh1 beyond the last index of the grid makes the grid longer",
-              after(EvalMesh1, kI2 > grid1(0) && kI2 < 1000,
-                    call(MapGrid1f, {kI2, grid1(1), grid1(1) + kI2*(grid1(2) - grid1(1)) / grid1(0)})));
-EVALCTS_RULES(MeshNormalisesItsMap, production, kMust, "EV-CUR-GRIDMAPS",
-              "EvalMesh2 with FILL leaves the colour map over [0,1] x [0,1]",
-              after(EvalMesh2, kMode == GL_FILL, redefine(GL_MAP2_COLOR_4, [](Map& map, Call&) {
-                      map = {map.target, 0, 1, 0, 1, map.net};
-                    })));
-EVALCTS_RULES(RAndQOfTheVertexBefore, production, kMust, "EV-CUR-MAXCOMP EV-ATTR-TEX1 EV-ATTR-TEX2",
-              "where a texture map gives no r and q, those of the vertex before it stay",
-              change_evaluated([](Primitives& all) {
-                std::array<float, 4> before = {0, 0, 0, 1};
-                for (ObservedPrimitive& primitive : all)
-                  for (ObservedVertex& vertex : primitive.vertices) {
-                    auto& now = vertex.texture_coordinate[0];
-                    const auto given = now;
-                    if (now[2] == 0 && now[3] == 1) now[2] = before[2], now[3] = before[3];
-                    before = given;
-                  }
-              }));
-EVALCTS_RULES(TOfAWiderMapStays, production, kMust, "EV-CUR-MAXCOMP",
-              "after TEXTURE_COORD_3 a vertex of TEXTURE_COORD_1 has the t of the vertex before it",
-              change_evaluated([](Primitives& all) {
-                float before = 0;
-                for (ObservedPrimitive& primitive : all)
-                  for (ObservedVertex& vertex : primitive.vertices) {
-                    auto& now = vertex.texture_coordinate[0];
-                    const float given = now[1];
-                    if (now[1] == 0 && now[2] == 0 && now[3] == 1) now[1] = before;
-                    before = given;
-                  }
-              }));
+FAULT(ColorLostInLongPrimitives, "EV-CUR-COLOR",
+      "the 257th evaluated vertex of a primitive leaves its colour as the current one",
+      before(Begin, set(kCount, 0)),
+      after(kPoints1, {set(kCount, kCount + 1), when(kCount == 257 && noted_on(GL_MAP1_COLOR_4),
+                                                     call(Color4f, {0.5, 0.25, 0.5, 1}))}));
+FAULT(NormalLostAfterStrips, "EV-CUR-NORMAL",
+      "End of a TRIANGLE_STRIP with a normal map leaves the last normal as the current one",
+      before(Begin, set(kFlag, 0)),
+      after(kPoints1, noted_on(GL_MAP1_NORMAL), set(kFlag, kOpenMode == GL_TRIANGLE_STRIP)),
+      after(End, kFlag, call(Normal3f, {0, 0, 1})));
+FAULT(VertexAfterEvaluationHasInitialNormal, "EV-CUR-NEXTVERTEX EV-COORD-MIX",
+      "a Vertex right after an evaluation with a normal map has the normal (0,0,1)",
+      before(kPoints, set(kFlag, noted_on(GL_MAP1_NORMAL) || noted_on(GL_MAP2_NORMAL))),
+      before(Vertex3f, kFlag, {set(kFlag, 0), call(Normal3f, {0, 0, 1})}));
+FAULT(NormalLostAfterMeshes, "EV-CUR-NORMAL",
+      "EvalMesh2 with a normal map leaves the last normal as the current one",
+      after(EvalMesh2, noted_on(GL_MAP2_NORMAL), call(Normal3f, {0.6, 0, 0.8})));
+FAULT(MeshCompletesTexCoord, "EV-CUR-TEX",
+      "EvalMesh1 with a texture map leaves r = 0 and q = 1 in the current texture coordinates",
+      after(EvalMesh1,
+            noted_on(GL_MAP1_TEXTURE_COORD_1) || noted_on(GL_MAP1_TEXTURE_COORD_2) ||
+                noted_on(GL_MAP1_TEXTURE_COORD_3) || noted_on(GL_MAP1_TEXTURE_COORD_4),
+            call(TexCoord4f,
+                 {real_state(GL_CURRENT_TEXTURE_COORDS), real_state(GL_CURRENT_TEXTURE_COORDS, 1), 0, 1})));
+FAULT(MeshSetsIndex, "EV-CUR-INDEX", "EvalMesh2 with an index map leaves its index as the current one",
+      after(EvalMesh2, noted_on(GL_MAP2_INDEX), call(Indexf, {4.5})));
+FAULT(TextureMapResetsUnit1, "EV-CUR-OTHERUNITS",
+      "evaluation with a texture map resets the texture coordinates of unit 1",
+      after(kPoints1, noted_on(GL_MAP1_TEXTURE_COORD_2), call(MultiTexCoord4f, {GL_TEXTURE1, 0, 0, 0, 1})));
+FAULT(EvaluationResetsTheActiveUnit, "EV-CUR-OTHERUNITS",
+      "evaluation with a texture map resets the texture coordinates of the active unit, but for unit 0",
+      after(kPoints1, noted_on(GL_MAP1_TEXTURE_COORD_2) && kUnit > GL_TEXTURE0,
+            call(MultiTexCoord4f, {kUnit, 0, 0, 0, 1})));
+FAULT(MeshCopiesUnit0ToLastUnit, "EV-CUR-OTHERUNITS",
+      "EvalMesh2 leaves the texture coordinates of unit 7 as those of unit 0",
+      after(EvalMesh2, noted_on(GL_MAP2_TEXTURE_COORD_2), call(MultiTexCoord4f, {GL_TEXTURE7, 0, 0, 0, 1})));
+FAULT(EvalPointSetsEdgeFlag, "EV-CUR-EDGEFLAG", "EvalPoint leaves the edge flag TRUE",
+      after(EvalPoint1, call(EdgeFlag, {GL_TRUE})));
+FAULT(FillMeshSetsEdgeFlag, "EV-CUR-EDGEFLAG", "EvalMesh2 with FILL leaves the edge flag TRUE",
+      after(EvalMesh2, kMode == GL_FILL, call(EdgeFlag, {GL_TRUE})));
+FAULT(EvaluationDisablesIndexMap, "EV-CUR-GRIDMAPS", "evaluation in RGBA mode switches index maps off",
+      before(kPoints, set(kFlag, 1)), after(End, kFlag, {set(kFlag, 0), disable(GL_MAP2_INDEX)}));
+FAULT(MeshBeyondGridExtendsIt, "EV-CUR-GRIDMAPS",
+      "EvalMesh1 beyond the last index of the grid makes the grid longer",
+      after(EvalMesh1, kI2 > grid1(0) && kI2 < 1000,
+            call(MapGrid1f, {kI2, grid1(1), grid1(1) + kI2*(grid1(2) - grid1(1)) / grid1(0)})));
+FAULT(MeshNormalisesItsMap, "EV-CUR-GRIDMAPS", "EvalMesh2 with FILL leaves the colour map over [0,1] x [0,1]",
+      after(EvalMesh2, kMode == GL_FILL,
+            redefine(GL_MAP2_COLOR_4, [](Map& map, Call&) { map = {map.target, 0, 1, 0, 1, map.net}; })));
+FAULT(RAndQOfTheVertexBefore, "EV-CUR-MAXCOMP EV-ATTR-TEX1 EV-ATTR-TEX2",
+      "where a texture map gives no r and q, those of the vertex before it stay",
+      change_evaluated([](Primitives& all) {
+        std::array<float, 4> before = {0, 0, 0, 1};
+        for (ObservedPrimitive& primitive : all)
+          for (ObservedVertex& vertex : primitive.vertices) {
+            auto& now = vertex.texture_coordinate[0];
+            const auto given = now;
+            if (now[2] == 0 && now[3] == 1) now[2] = before[2], now[3] = before[3];
+            before = given;
+          }
+      }));
+FAULT(TOfAWiderMapStays, "EV-CUR-MAXCOMP",
+      "after TEXTURE_COORD_3 a vertex of TEXTURE_COORD_1 has the t of the vertex before it",
+      change_evaluated([](Primitives& all) {
+        float before = 0;
+        for (ObservedPrimitive& primitive : all)
+          for (ObservedVertex& vertex : primitive.vertices) {
+            auto& now = vertex.texture_coordinate[0];
+            const float given = now[1];
+            if (now[1] == 0 && now[2] == 0 && now[3] == 1) now[1] = before;
+            before = given;
+          }
+      }));
+
+namespace on_osmesa {
+
+constexpr std::string_view kImplementation = "osmesa";
+
+FAULT(EvaluationResetsSecondaryColor, "EV-CUR-OTHERUNITS",
+      "evaluation with a colour map resets the current secondary colour",
+      after(kPoints1, noted_on(GL_MAP1_COLOR_4), call(SecondaryColor3f, {0, 0, 0})));
+FAULT(MeshMovesRasterPosition, "EV-CUR-RASTERPOS", "evaluation moves the raster position to the last vertex",
+      before(kPoints, set(kFlag, 1)), after(End, kFlag, {set(kFlag, 0), call(RasterPos3f, {0, 0, 0})}),
+      after(kMeshes, call(RasterPos3f, {0, 0, 0})));
+FAULT(RasterPosTakesEvaluatedColor, "EV-CUR-RASTERPOS",
+      "RasterPos after an evaluation takes the evaluated colour", before(kPoints | kMeshes, set(kFlag, 1)),
+      keeping(RasterPos3f, kFlag, current(Color4d, GL_CURRENT_COLOR), call(Color4f, {0, 1, 0, 1})));
+
+}  // namespace on_osmesa
 
 }  // namespace
-}  // namespace evalcts::faults
+}  // namespace evalcts::faults::current_values

@@ -1,7 +1,7 @@
 // Faults against section 7 of the requirements: effects of evaluation, and state that it must not change.
 #include "grid_steps.h"
 
-namespace evalcts::faults {
+namespace evalcts::faults::evaluation {
 namespace {
 
 const Value kMapsVertices = maps_vertices(1) || maps_vertices(2);
@@ -15,200 +15,185 @@ Rule note_array(GLenum array) { return before(EnableClientState, kFirst == array
 
 // --- Dimensions
 
-EVALCTS_RULES(ColorMapOfSurfacesColorsCurves, production, kMust, "EV-COORD-DIM1",
-              "Enable of MAP2_COLOR_4 switches the colour map of curves on, too",
-              after(kSwitches, kName == GL_MAP2_COLOR_4, switch_to(GL_MAP1_COLOR_4, noted_on(kName))));
-EVALCTS_RULES(NormalMapOfCurvesServesSurfaces, production, kMust, "EV-COORD-DIM2",
-              "Enable of MAP1_NORMAL switches the normal map of surfaces on, too",
-              after(kSwitches, kName == GL_MAP1_NORMAL, switch_to(GL_MAP2_NORMAL, noted_on(kName))));
-EVALCTS_RULES(TextureMapOfSurfacesOutranksThatOfCurves, production, kMust, "EV-COORD-DIM1",
-              "TEXTURE_COORD_4 of surfaces suppresses the smaller texture maps of curves",
-              only_if(GL_MAP1_TEXTURE_COORD_2, !noted_on(GL_MAP2_TEXTURE_COORD_4)));
-EVALCTS_RULES(VertexMapOfCurvesOutranksThatOfSurfaces, production, kMust, "EV-COORD-DIM2",
-              "VERTEX_4 of curves suppresses VERTEX_3 of surfaces",
-              only_if(GL_MAP2_VERTEX_3, !noted_on(GL_MAP1_VERTEX_4)));
-EVALCTS_RULES(DimensionFixedByFirstVertex, production, kMust, "EV-COORD-MIXDIM",
-              "EvalPoint of the other dimension than the first vertex of a primitive does nothing",
-              before(Begin | End, set(kCount, 0)), before(kEvalCoord1, !kCount, set(kCount, 1)),
-              before(kEvalCoord2, !kCount, set(kCount, 2)), skip(EvalPoint1, kCount == 2),
-              skip(EvalPoint2, kCount == 1));
-EVALCTS_RULES(SurfaceAfterCurveUsesItsArgument, production, kMust, "EV-COORD-MIXDIM",
-              "EvalCoord2 right after EvalCoord1 takes u from there",
-              before(kEvalCoord1, {set(kNumber, kU), set(kFlag, 1)}),
-              before(EvalPoint1, {set(kNumber, 0.75), set(kFlag, 1)}),
-              before(kEvalCoord2, {when(kFlag && abs(kNumber - kU) > 0.1, set(kU, kNumber)), set(kFlag, 0)}));
-EVALCTS_RULES(EvalCoord2dvTakesVFirst, production, kMust, "EV-COORD-ARGORDER", "EvalCoord2dv takes v, then u",
-              before(EvalCoord2dv, swap(kU, kV)));
-EVALCTS_RULES(EvalPoint2TakesJFirstInSquareGrids, production, kMust, "EV-COORD-ARGORDER EV-POINT2-EQUIV",
-              "EvalPoint2 mixes i and j up, unless one of them is 0",
-              before(EvalPoint2, kI != 0 && kJ, swap(kI, kJ)));
+FAULT(ColorMapOfSurfacesColorsCurves, "EV-COORD-DIM1",
+      "Enable of MAP2_COLOR_4 switches the colour map of curves on, too",
+      after(kSwitches, kName == GL_MAP2_COLOR_4, switch_to(GL_MAP1_COLOR_4, noted_on(kName))));
+FAULT(NormalMapOfCurvesServesSurfaces, "EV-COORD-DIM2",
+      "Enable of MAP1_NORMAL switches the normal map of surfaces on, too",
+      after(kSwitches, kName == GL_MAP1_NORMAL, switch_to(GL_MAP2_NORMAL, noted_on(kName))));
+FAULT(TextureMapOfSurfacesOutranksThatOfCurves, "EV-COORD-DIM1",
+      "TEXTURE_COORD_4 of surfaces suppresses the smaller texture maps of curves",
+      only_if(GL_MAP1_TEXTURE_COORD_2, !noted_on(GL_MAP2_TEXTURE_COORD_4)));
+FAULT(VertexMapOfCurvesOutranksThatOfSurfaces, "EV-COORD-DIM2",
+      "VERTEX_4 of curves suppresses VERTEX_3 of surfaces",
+      only_if(GL_MAP2_VERTEX_3, !noted_on(GL_MAP1_VERTEX_4)));
+FAULT(DimensionFixedByFirstVertex, "EV-COORD-MIXDIM",
+      "EvalPoint of the other dimension than the first vertex of a primitive does nothing",
+      before(Begin | End, set(kCount, 0)), before(kEvalCoord1, !kCount, set(kCount, 1)),
+      before(kEvalCoord2, !kCount, set(kCount, 2)), skip(EvalPoint1, kCount == 2),
+      skip(EvalPoint2, kCount == 1));
+FAULT(SurfaceAfterCurveUsesItsArgument, "EV-COORD-MIXDIM",
+      "EvalCoord2 right after EvalCoord1 takes u from there",
+      before(kEvalCoord1, {set(kNumber, kU), set(kFlag, 1)}),
+      before(EvalPoint1, {set(kNumber, 0.75), set(kFlag, 1)}),
+      before(kEvalCoord2, {when(kFlag && abs(kNumber - kU) > 0.1, set(kU, kNumber)), set(kFlag, 0)}));
+FAULT(EvalCoord2dvTakesVFirst, "EV-COORD-ARGORDER", "EvalCoord2dv takes v, then u",
+      before(EvalCoord2dv, swap(kU, kV)));
+FAULT(EvalPoint2TakesJFirstInSquareGrids, "EV-COORD-ARGORDER EV-POINT2-EQUIV",
+      "EvalPoint2 mixes i and j up, unless one of them is 0",
+      before(EvalPoint2, kI != 0 && kJ, swap(kI, kJ)));
 
 // --- Without a vertex map
 
-EVALCTS_RULES(ColorMapWithoutVertexMapSetsColor, production, kMust, "EV-COORD-NOVERTEX",
-              "without a vertex map, the colour map still sets the current colour",
-              before(kPoints1, noted_on(GL_MAP1_COLOR_4) && !maps_vertices(1),
-                     call(Color4f, {0.75, 0.5, 0.25, 1})));
-EVALCTS_RULES(TexturePointWithoutVertexMapSetsS, production, kMust, "EV-COORD-NOVERTEX",
-              "without a vertex map, EvalPoint2 still sets the current texture coordinates",
-              before(EvalPoint2, noted_on(GL_MAP2_TEXTURE_COORD_2) && !maps_vertices(2),
-                     call(TexCoord2f, {0.5, 0.25})));
-EVALCTS_RULES(NormalMapWithoutVertexMapDrawsOrigin, production, kMust, "EV-COORD-NOVERTEX",
-              "without a vertex map, EvalCoord2 with a normal map draws the initial point of a vertex map",
-              before(kEvalCoord2, noted_on(GL_MAP2_NORMAL) && !maps_vertices(2),
-                     call(Vertex4f, {0, 0, 0, 1})));
-EVALCTS_RULES(IndexMapWithoutVertexMapIsAnError, production, kMust, "EV-COORD-NOVERTEX",
-              "EvalCoord1 with an index map and no vertex map raises INVALID_OPERATION",
-              before(kPoints1, noted_on(GL_MAP1_INDEX) && !maps_vertices(1), error_inside()));
-EVALCTS_RULES(AnyVertexMapWillDo, production, kMust, "EV-COORD-NOVERTEX-OTHERDIM",
-              "EvalCoord1 asks whether any vertex map is enabled, then draws the initial point",
-              before(kPoints1, !maps_vertices(1) && maps_vertices(2), call(Vertex4f, {0, 0, 0, 1})));
-EVALCTS_RULES(SurfacePointOfVertexCurve, production, kMust, "EV-COORD-NOVERTEX-OTHERDIM",
-              "EvalPoint2 asks for MAP1_VERTEX_4 as well as for the maps of its own dimension",
-              before(EvalPoint2, !maps_vertices(2) && noted_on(GL_MAP1_VERTEX_4),
-                     call(Vertex4f, {0, 0, 0, 1})));
-EVALCTS_RULES(MeshOfVertexCurveDrawsSurface, production, kMust, "EV-COORD-NOVERTEX-OTHERDIM",
-              "EvalMesh2 with vertex maps of curves only draws a point for each index",
-              before(EvalMesh2, !maps_vertices(2) && maps_vertices(1) && kMode == GL_POINT,
-                     draw_origins(GL_POINTS)));
+FAULT(ColorMapWithoutVertexMapSetsColor, "EV-COORD-NOVERTEX",
+      "without a vertex map, the colour map still sets the current colour",
+      before(kPoints1, noted_on(GL_MAP1_COLOR_4) && !maps_vertices(1), call(Color4f, {0.75, 0.5, 0.25, 1})));
+FAULT(TexturePointWithoutVertexMapSetsS, "EV-COORD-NOVERTEX",
+      "without a vertex map, EvalPoint2 still sets the current texture coordinates",
+      before(EvalPoint2, noted_on(GL_MAP2_TEXTURE_COORD_2) && !maps_vertices(2),
+             call(TexCoord2f, {0.5, 0.25})));
+FAULT(NormalMapWithoutVertexMapDrawsOrigin, "EV-COORD-NOVERTEX",
+      "without a vertex map, EvalCoord2 with a normal map draws the initial point of a vertex map",
+      before(kEvalCoord2, noted_on(GL_MAP2_NORMAL) && !maps_vertices(2), call(Vertex4f, {0, 0, 0, 1})));
+FAULT(IndexMapWithoutVertexMapIsAnError, "EV-COORD-NOVERTEX",
+      "EvalCoord1 with an index map and no vertex map raises INVALID_OPERATION",
+      before(kPoints1, noted_on(GL_MAP1_INDEX) && !maps_vertices(1), error_inside()));
+FAULT(AnyVertexMapWillDo, "EV-COORD-NOVERTEX-OTHERDIM",
+      "EvalCoord1 asks whether any vertex map is enabled, then draws the initial point",
+      before(kPoints1, !maps_vertices(1) && maps_vertices(2), call(Vertex4f, {0, 0, 0, 1})));
+FAULT(SurfacePointOfVertexCurve, "EV-COORD-NOVERTEX-OTHERDIM",
+      "EvalPoint2 asks for MAP1_VERTEX_4 as well as for the maps of its own dimension",
+      before(EvalPoint2, !maps_vertices(2) && noted_on(GL_MAP1_VERTEX_4), call(Vertex4f, {0, 0, 0, 1})));
+FAULT(MeshOfVertexCurveDrawsSurface, "EV-COORD-NOVERTEX-OTHERDIM",
+      "EvalMesh2 with vertex maps of curves only draws a point for each index",
+      before(EvalMesh2, !maps_vertices(2) && maps_vertices(1) && kMode == GL_POINT, draw_origins(GL_POINTS)));
 
 // --- Inside Begin and End
 
-EVALCTS_RULES(EvalCoordRefusedInPolygons, production, kMust, "EV-COORD-INBEGIN",
-              "EvalCoord2dv raises INVALID_OPERATION in a POLYGON",
-              before(EvalCoord2dv, kOpenMode == GL_POLYGON, error_inside()));
-EVALCTS_RULES(EvalCoordRefusedInAdjacency, production, kMust, "EV-COORD-INBEGIN",
-              "EvalCoord1 raises INVALID_OPERATION in primitives with adjacency, which it is older than",
-              before(kEvalCoord1, kOpenMode > GL_POLYGON && kInside, error_inside()));
-EVALCTS_RULES(EvalPointRefusedInLoops, production, kMust, "EV-COORD-INBEGIN",
-              "EvalPoint1 raises INVALID_OPERATION in a LINE_LOOP, but draws",
-              before(EvalPoint1, kOpenMode == GL_LINE_LOOP, error_inside()));
-EVALCTS_RULES(EvalPoint2RefusedInQuads, production, kMust, "EV-COORD-INBEGIN EV-BE-ALLOWED",
-              "EvalPoint2 is not on the list of commands that are legal in QUADS",
-              before(EvalPoint2, kOpenMode == GL_QUADS, error_inside()));
-EVALCTS_RULES(LoopOfEvaluatedVerticesStaysOpen, production, kMust, "EV-COORD-PRIMS",
-              "a LINE_LOOP with evaluated vertices is not closed",
-              change_primitives([](ObservedPrimitive& primitive) {
-                if (primitive.mode == GL_LINE_LOOP) primitive.mode = GL_LINE_STRIP;
-              }));
-EVALCTS_RULES(OddVertexEndsQuadStrip, production, kMust, "EV-COORD-PRIMS",
-              "an odd last vertex of a QUAD_STRIP takes the last quad with it, from 7 vertices on",
-              change_primitives([](ObservedPrimitive& primitive) {
-                if (primitive.mode == GL_QUAD_STRIP && primitive.vertices.size() == 7)
-                  primitive.vertices.resize(4);
-              }));
-EVALCTS_RULES(FanRestartsAfterEightVertices, production, kMust, "EV-COORD-PRIMS",
-              "the ninth evaluated vertex of a TRIANGLE_FAN begins another one",
-              change_primitives([](ObservedPrimitive& primitive) {
-                if (primitive.mode == GL_TRIANGLE_FAN && primitive.vertices.size() > 8)
-                  primitive.vertices.resize(8);
-              }));
-EVALCTS_RULES(VertexAfterEvaluationLost, production, kMust, "EV-COORD-MIX",
-              "a second Vertex in a row, after an evaluation, is lost", before(kPoints, set(kCount, 1)),
-              before(Begin | Vertex3f, set(kCount, 0)), before(Vertex2f, kCount, set(kCount, 2)),
-              around(Vertex4f, true, 0, set(kCount, 0)), skip(Vertex4f, kCount == 2));
-EVALCTS_RULES(ColorInsidePrimitiveWaits, production, kMust, "EV-COORD-CURRENT",
-              "a Color after an evaluation counts from the next primitive on", before(kPoints, set(kFlag, 1)),
-              before(Begin, set(kFlag, 0)), instead(Color4f, kInside != 0 && kFlag, {drop(), hold()}),
-              after(End, release()));
-EVALCTS_RULES(TexCoord2BetweenEvaluationsKeepsRAndQ, production, kMust, "EV-COORD-CURRENT",
-              "TexCoord2 between evaluations leaves the r and q of an earlier TexCoord4",
-              before(kPoints, set(kFlag, 1)), before(TexCoord4f, {set(kCount, 1), keep({kThird, kFourth})}),
-              instead(TexCoord2f, kFlag != 0 && kCount,
-                      call(TexCoord4f, {kFirst, kSecond, kept(0), kept(1)})));
+FAULT(EvalCoordRefusedInPolygons, "EV-COORD-INBEGIN", "EvalCoord2dv raises INVALID_OPERATION in a POLYGON",
+      before(EvalCoord2dv, kOpenMode == GL_POLYGON, error_inside()));
+FAULT(EvalCoordRefusedInAdjacency, "EV-COORD-INBEGIN",
+      "EvalCoord1 raises INVALID_OPERATION in primitives with adjacency, which it is older than",
+      before(kEvalCoord1, kOpenMode > GL_POLYGON && kInside, error_inside()));
+FAULT(EvalPointRefusedInLoops, "EV-COORD-INBEGIN",
+      "EvalPoint1 raises INVALID_OPERATION in a LINE_LOOP, but draws",
+      before(EvalPoint1, kOpenMode == GL_LINE_LOOP, error_inside()));
+FAULT(EvalPoint2RefusedInQuads, "EV-COORD-INBEGIN EV-BE-ALLOWED",
+      "EvalPoint2 is not on the list of commands that are legal in QUADS",
+      before(EvalPoint2, kOpenMode == GL_QUADS, error_inside()));
+FAULT(LoopOfEvaluatedVerticesStaysOpen, "EV-COORD-PRIMS", "a LINE_LOOP with evaluated vertices is not closed",
+      change_primitives([](ObservedPrimitive& primitive) {
+        if (primitive.mode == GL_LINE_LOOP) primitive.mode = GL_LINE_STRIP;
+      }));
+FAULT(OddVertexEndsQuadStrip, "EV-COORD-PRIMS",
+      "an odd last vertex of a QUAD_STRIP takes the last quad with it, from 7 vertices on",
+      change_primitives([](ObservedPrimitive& primitive) {
+        if (primitive.mode == GL_QUAD_STRIP && primitive.vertices.size() == 7) primitive.vertices.resize(4);
+      }));
+FAULT(FanRestartsAfterEightVertices, "EV-COORD-PRIMS",
+      "the ninth evaluated vertex of a TRIANGLE_FAN begins another one",
+      change_primitives([](ObservedPrimitive& primitive) {
+        if (primitive.mode == GL_TRIANGLE_FAN && primitive.vertices.size() > 8) primitive.vertices.resize(8);
+      }));
+FAULT(VertexAfterEvaluationLost, "EV-COORD-MIX", "a second Vertex in a row, after an evaluation, is lost",
+      before(kPoints, set(kCount, 1)), before(Begin | Vertex3f, set(kCount, 0)),
+      before(Vertex2f, kCount, set(kCount, 2)), around(Vertex4f, true, 0, set(kCount, 0)),
+      skip(Vertex4f, kCount == 2));
+FAULT(ColorInsidePrimitiveWaits, "EV-COORD-CURRENT",
+      "a Color after an evaluation counts from the next primitive on", before(kPoints, set(kFlag, 1)),
+      before(Begin, set(kFlag, 0)), instead(Color4f, kInside != 0 && kFlag, {drop(), hold()}),
+      after(End, release()));
+FAULT(TexCoord2BetweenEvaluationsKeepsRAndQ, "EV-COORD-CURRENT",
+      "TexCoord2 between evaluations leaves the r and q of an earlier TexCoord4",
+      before(kPoints, set(kFlag, 1)), before(TexCoord4f, {set(kCount, 1), keep({kThird, kFourth})}),
+      instead(TexCoord2f, kFlag != 0 && kCount, call(TexCoord4f, {kFirst, kSecond, kept(0), kept(1)})));
 
 // --- Attributes before the vertex
 
-EVALCTS_RULES(ColorOfTheVertexBefore, production, kMust, "EV-COORD-VERTEXLAST EV-COORD-ASIF",
-              "the vertex goes out before its colour is evaluated",
-              change_pairs([](ObservedVertex& now, const ObservedVertex& before) {
-                now.color = before.color;
-              }));
-EVALCTS_RULES(FirstVertexHasTextureOfLastPrimitive, production, kMust, "EV-COORD-VERTEXLAST",
-              "the first vertex of a primitive has the texture coordinates of the one before it",
-              change_evaluated([](Primitives& all) {
-                for (std::size_t i = all.size(); i-- > 1;)
-                  if (!all[i].vertices.empty() && !all[i - 1].vertices.empty())
-                    all[i].vertices.front().texture_coordinate[0] =
-                        all[i - 1].vertices.back().texture_coordinate[0];
-              }));
-EVALCTS_RULES(
-    NormalOfTheVertexBefore, production, kMust, "EV-COORD-VERTEXLAST",
-    "from the third vertex of a primitive on, the vertex goes out before its normal",
-    change_pairs([](ObservedVertex& now, const ObservedVertex& before) { now.normal = before.normal; }, 2));
-EVALCTS_RULES(
-    AllKindsTogetherLoseTheColor, production, kMust, "EV-COORD-ASIF EV-PREC-PERKIND",
-    "where colour, normal, texture and index maps are enabled together, the colour is the current one",
-    only_if(GL_MAP1_COLOR_4, !noted_on(GL_MAP1_NORMAL) || !noted_on(GL_MAP1_INDEX) ||
-                                 (!noted_on(GL_MAP1_TEXTURE_COORD_3) && !noted_on(GL_MAP1_TEXTURE_COORD_4))));
+FAULT(ColorOfTheVertexBefore, "EV-COORD-VERTEXLAST EV-COORD-ASIF",
+      "the vertex goes out before its colour is evaluated",
+      change_pairs([](ObservedVertex& now, const ObservedVertex& before) { now.color = before.color; }));
+FAULT(FirstVertexHasTextureOfLastPrimitive, "EV-COORD-VERTEXLAST",
+      "the first vertex of a primitive has the texture coordinates of the one before it",
+      change_evaluated([](Primitives& all) {
+        for (std::size_t i = all.size(); i-- > 1;)
+          if (!all[i].vertices.empty() && !all[i - 1].vertices.empty())
+            all[i].vertices.front().texture_coordinate[0] = all[i - 1].vertices.back().texture_coordinate[0];
+      }));
+FAULT(NormalOfTheVertexBefore, "EV-COORD-VERTEXLAST",
+      "from the third vertex of a primitive on, the vertex goes out before its normal",
+      change_pairs([](ObservedVertex& now, const ObservedVertex& before) { now.normal = before.normal; }, 2));
+FAULT(AllKindsTogetherLoseTheColor, "EV-COORD-ASIF EV-PREC-PERKIND",
+      "where colour, normal, texture and index maps are enabled together, the colour is the current one",
+      only_if(GL_MAP1_COLOR_4,
+              !noted_on(GL_MAP1_NORMAL) || !noted_on(GL_MAP1_INDEX) ||
+                  (!noted_on(GL_MAP1_TEXTURE_COORD_3) && !noted_on(GL_MAP1_TEXTURE_COORD_4))));
 
 // --- Arguments
 
-EVALCTS_RULES(HugeArgumentIsAnError, production, kMust, "EV-COORD-NOERR/1-D",
-              "EvalCoord1 raises INVALID_OPERATION where the argument is above 2^120",
-              before(kEvalCoord1, kU > 0x1p120, error_inside()));
-EVALCTS_RULES(HugeVIsAnError, production, kMust, "EV-COORD-NOERR/2-D",
-              "EvalCoord2 raises INVALID_OPERATION where v is below -2^120",
-              before(kEvalCoord2, kV < -0x1p120, error_inside()));
-EVALCTS_RULES(DenormalUIsAnError, production, kMust, "EV-COORD-NOERR/2-D",
-              "EvalCoord2f raises INVALID_OPERATION where u is denormal",
-              before(kEvalCoord2, is_subnormal(kU), error_inside()));
-EVALCTS_RULES(DoubleArgumentsInFixedPoint, production, kMust, "EV-COORD-FD",
-              "EvalCoord1d keeps 10 bits behind the point of its argument",
-              before(EvalCoord1d | EvalCoord1dv, set(kU, round(kU * 1024) / 1024)));
-EVALCTS_RULES(DoubleVInFixedPoint, production, kMust, "EV-COORD-FD",
-              "EvalCoord2d keeps 10 bits behind the point of v",
-              before(EvalCoord2d | EvalCoord2dv, set(kV, round(kV * 1024) / 1024)));
-EVALCTS_RULES(EveryFifthEvaluationOneUlpOff, production, kMust, "EV-COORD-REPEAT",
-              "every fifth EvalCoord1f evaluates at the next number",
-              before(EvalCoord1f,
-                     {set(kCount, kCount + 1), when(kCount % 5 == 0, set(kU, next_float(kU, 2)))}));
-EVALCTS_RULES(RepeatedArgumentIsSkipped, production, kMust, "EV-COORD-REPEAT",
-              "EvalCoord2 with the arguments of the last one draws nothing", before(Begin, set(kFlag, 0)),
-              skip(kEvalCoord2, kU == kept(0) && kFlag && kV == kept(1)),
-              before(kEvalCoord2, {set(kFlag, 1), keep({kU, kV})}));
-EVALCTS_RULES(SecondPrimitiveHalfAnUlpOff, production, kMust, "EV-COORD-REPEAT",
-              "from the second primitive on EvalCoord2 evaluates by another path", after(End, set(kFlag, 1)),
-              before(kEvalCoord2, kFlag, set(kU, next_float(kU, 2))));
+FAULT(HugeArgumentIsAnError, "EV-COORD-NOERR/1-D",
+      "EvalCoord1 raises INVALID_OPERATION where the argument is above 2^120",
+      before(kEvalCoord1, kU > 0x1p120, error_inside()));
+FAULT(HugeVIsAnError, "EV-COORD-NOERR/2-D", "EvalCoord2 raises INVALID_OPERATION where v is below -2^120",
+      before(kEvalCoord2, kV < -0x1p120, error_inside()));
+FAULT(DenormalUIsAnError, "EV-COORD-NOERR/2-D", "EvalCoord2f raises INVALID_OPERATION where u is denormal",
+      before(kEvalCoord2, is_subnormal(kU), error_inside()));
+FAULT(DoubleArgumentsInFixedPoint, "EV-COORD-FD",
+      "EvalCoord1d keeps 10 bits behind the point of its argument",
+      before(EvalCoord1d | EvalCoord1dv, set(kU, round(kU * 1024) / 1024)));
+FAULT(DoubleVInFixedPoint, "EV-COORD-FD", "EvalCoord2d keeps 10 bits behind the point of v",
+      before(EvalCoord2d | EvalCoord2dv, set(kV, round(kV * 1024) / 1024)));
+FAULT(EveryFifthEvaluationOneUlpOff, "EV-COORD-REPEAT",
+      "every fifth EvalCoord1f evaluates at the next number",
+      before(EvalCoord1f, {set(kCount, kCount + 1), when(kCount % 5 == 0, set(kU, next_float(kU, 2)))}));
+FAULT(RepeatedArgumentIsSkipped, "EV-COORD-REPEAT",
+      "EvalCoord2 with the arguments of the last one draws nothing", before(Begin, set(kFlag, 0)),
+      skip(kEvalCoord2, kU == kept(0) && kFlag && kV == kept(1)),
+      before(kEvalCoord2, {set(kFlag, 1), keep({kU, kV})}));
+FAULT(SecondPrimitiveHalfAnUlpOff, "EV-COORD-REPEAT",
+      "from the second primitive on EvalCoord2 evaluates by another path", after(End, set(kFlag, 1)),
+      before(kEvalCoord2, kFlag, set(kU, next_float(kU, 2))));
 
 // --- Further down the pipeline
 
-EVALCTS_RULES(NormalBetweenEvaluationsLost, osmesa, kMust, "EV-COORD-MATERIAL",
-              "a Normal after an evaluation in the same primitive is lost", lost_after_evaluation(Normal3f));
-EVALCTS_RULES(MaterialBetweenEvaluationsLost, osmesa, kMust, "EV-COORD-MATERIAL",
-              "a Material after an evaluation in the same primitive is lost",
-              lost_after_evaluation(Materialfv));
-EVALCTS_RULES(ListBetweenEvaluationsLost, osmesa, kMust, "EV-COORD-MATERIAL",
-              "CallList after an evaluation in the same primitive calls nothing",
-              lost_after_evaluation(CallList));
-EVALCTS_RULES(ColorArrayColorsEvaluatedVertices, osmesa, kMust, "EV-COORD-NOARRAYS",
-              "with an enabled colour array, evaluated vertices without a colour map have its first colour",
-              note_array(GL_COLOR_ARRAY),
-              before(kPoints, kFlag, call(Color4f, {0.625, 0.625, 0.625, 0.625})));
-EVALCTS_RULES(TextureCoordinateArrayFeedsEvaluatedVertices, osmesa, kMust, "EV-COORD-NOARRAYS",
-              "with an enabled array, evaluated vertices without a texture map have its first coordinates",
-              note_array(GL_TEXTURE_COORD_ARRAY),
-              before(kPoints, kFlag, call(TexCoord4f, {0.625, 0.625, 0.625, 0.625})));
-EVALCTS_RULES(NormalArrayTurnsNormalMapsOff, osmesa, kMust, "EV-COORD-NOARRAYS",
-              "an enabled normal array goes before the normal map", note_array(GL_NORMAL_ARRAY),
-              skip(Enable, kName == GL_MAP1_NORMAL && kFlag));
-
 // In the control, with explicit vertices, no vertex map is enabled.
-EVALCTS_RULES(EvaluatedVerticesIgnoreClipPlanes, osmesa, kMust, "EV-COORD-TRANSFORM",
-              "evaluated vertices are not clipped by user clip planes",
-              without(Begin, kMapsVertices, GL_CLIP_PLANE0));
-EVALCTS_RULES(EvaluatedVerticesHaveNoFog, osmesa, kMust, "EV-COORD-TRANSFORM",
-              "evaluated vertices are not fogged", without(Begin, kMapsVertices, GL_FOG));
-EVALCTS_RULES(EvaluatedVerticesHaveNoTextureGeneration, osmesa, kMust, "EV-COORD-TRANSFORM",
-              "texture coordinates of evaluated vertices are not generated",
-              without(Begin, kMapsVertices, GL_TEXTURE_GEN_S));
-EVALCTS_RULES(EvaluatedColorsAreNotLit, osmesa, kMust, "EV-COORD-TRANSFORM",
-              "evaluated vertices with a colour map are not lit",
-              without(Begin, noted_on(GL_MAP1_COLOR_4) || noted_on(GL_MAP2_COLOR_4), GL_LIGHTING));
-EVALCTS_RULES(EvaluatedTextureCoordinatesSkipTheirMatrix, osmesa, kMust, "EV-COORD-TRANSFORM",
-              "evaluated texture coordinates do not go through the texture matrix",
-              before(Begin, kMapsVertices,
-                     {call(MatrixMode, {GL_TEXTURE}), call(LoadIdentity), call(MatrixMode, {GL_MODELVIEW})}));
+
+namespace on_osmesa {
+
+constexpr std::string_view kImplementation = "osmesa";
+
+FAULT(NormalBetweenEvaluationsLost, "EV-COORD-MATERIAL",
+      "a Normal after an evaluation in the same primitive is lost", lost_after_evaluation(Normal3f));
+FAULT(MaterialBetweenEvaluationsLost, "EV-COORD-MATERIAL",
+      "a Material after an evaluation in the same primitive is lost", lost_after_evaluation(Materialfv));
+FAULT(ListBetweenEvaluationsLost, "EV-COORD-MATERIAL",
+      "CallList after an evaluation in the same primitive calls nothing", lost_after_evaluation(CallList));
+FAULT(ColorArrayColorsEvaluatedVertices, "EV-COORD-NOARRAYS",
+      "with an enabled colour array, evaluated vertices without a colour map have its first colour",
+      note_array(GL_COLOR_ARRAY), before(kPoints, kFlag, call(Color4f, {0.625, 0.625, 0.625, 0.625})));
+FAULT(TextureCoordinateArrayFeedsEvaluatedVertices, "EV-COORD-NOARRAYS",
+      "with an enabled array, evaluated vertices without a texture map have its first coordinates",
+      note_array(GL_TEXTURE_COORD_ARRAY),
+      before(kPoints, kFlag, call(TexCoord4f, {0.625, 0.625, 0.625, 0.625})));
+FAULT(NormalArrayTurnsNormalMapsOff, "EV-COORD-NOARRAYS",
+      "an enabled normal array goes before the normal map", note_array(GL_NORMAL_ARRAY),
+      skip(Enable, kName == GL_MAP1_NORMAL && kFlag));
+FAULT(EvaluatedVerticesIgnoreClipPlanes, "EV-COORD-TRANSFORM",
+      "evaluated vertices are not clipped by user clip planes",
+      without(Begin, kMapsVertices, GL_CLIP_PLANE0));
+FAULT(EvaluatedVerticesHaveNoFog, "EV-COORD-TRANSFORM", "evaluated vertices are not fogged",
+      without(Begin, kMapsVertices, GL_FOG));
+FAULT(EvaluatedVerticesHaveNoTextureGeneration, "EV-COORD-TRANSFORM",
+      "texture coordinates of evaluated vertices are not generated",
+      without(Begin, kMapsVertices, GL_TEXTURE_GEN_S));
+FAULT(EvaluatedColorsAreNotLit, "EV-COORD-TRANSFORM", "evaluated vertices with a colour map are not lit",
+      without(Begin, noted_on(GL_MAP1_COLOR_4) || noted_on(GL_MAP2_COLOR_4), GL_LIGHTING));
+FAULT(EvaluatedTextureCoordinatesSkipTheirMatrix, "EV-COORD-TRANSFORM",
+      "evaluated texture coordinates do not go through the texture matrix",
+      before(Begin, kMapsVertices,
+             {call(MatrixMode, {GL_TEXTURE}), call(LoadIdentity), call(MatrixMode, {GL_MODELVIEW})}));
+
+}  // namespace on_osmesa
 
 }  // namespace
-}  // namespace evalcts::faults
+}  // namespace evalcts::faults::evaluation

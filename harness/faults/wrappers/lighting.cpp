@@ -4,6 +4,8 @@
 namespace evalcts::faults::lighting {
 namespace {
 
+constexpr std::string_view kImplementation = "osmesa";
+
 const Value kTracked = state(GL_COLOR_MATERIAL_PARAMETER), kTrackedFace = state(GL_COLOR_MATERIAL_FACE);
 State color_material() { return setting(ColorMaterial, {kTrackedFace, kTracked}); }
 
@@ -24,98 +26,101 @@ Rules note_tracking() {
 
 // --- Tracked colours ---------------------------------------------------------------------------------------
 
-EVALCTS_RULES(MeshIgnoresColorMaterial, osmesa, kMust, "EV-CMAT-EFFECT",
-              "meshes are lit with the material of the current colour, regardless of the colour map",
-              without(kMeshes, true, GL_COLOR_MATERIAL));
-EVALCTS_RULES(PrimitiveTracksCurrentColor, osmesa, kMust, "EV-CMAT-EFFECT",
-              "EvalCoord and EvalPoint give no colour while COLOR_MATERIAL is on",
-              without(Begin, enabled(GL_COLOR_MATERIAL) && enabled(GL_LIGHTING), GL_MAP1_COLOR_4));
-EVALCTS_RULES(MeshTracksDiffuseOnly, osmesa, kMust, "EV-CMAT-EFFECT",
-              "of AMBIENT_AND_DIFFUSE meshes track only DIFFUSE",
-              keeping(kMeshes, kTracked == GL_AMBIENT_AND_DIFFUSE, color_material(),
-                      call(ColorMaterial, {kTrackedFace, GL_DIFFUSE})));
-EVALCTS_RULES(SpecularNotTracked, osmesa, kMust, "EV-CMAT-EFFECT",
-              "evaluated colours are not tracked by SPECULAR",
-              after(ColorMaterial, set(kFlag, kSecond == GL_SPECULAR)),
-              without(Begin, kFlag != 0 && enabled(GL_MAP1_VERTEX_3), GL_COLOR_MATERIAL));
-EVALCTS_RULES(SurfaceTracksCurrentColor, osmesa, kMust, "EV-CMAT-EFFECT/2-D",
-              "EvalCoord2 gives no colour while DIFFUSE is tracked",
-              without(Begin, enabled(GL_COLOR_MATERIAL) && kTracked == GL_DIFFUSE, GL_MAP2_COLOR_4));
-EVALCTS_RULES(
-    FirstVertexTracksCurrentColor, osmesa, kMust, "EV-CMAT-EFFECT",
-    "the first EvalCoord1 of a lit primitive is lit with the current colour",
-    before(Begin, {set(kFlag, enabled(GL_COLOR_MATERIAL) && enabled(GL_LIGHTING) && enabled(GL_MAP1_COLOR_4)),
-                   keep_state(GL_CURRENT_COLOR)}),
-    instead(kEvalCoord1, kFlag, {set(kFlag, 0), call(Color4d, kept_values(4)), call(Vertex3f, {kU, 0, 0})}));
+FAULT(MeshIgnoresColorMaterial, "EV-CMAT-EFFECT",
+      "meshes are lit with the material of the current colour, regardless of the colour map",
+      without(kMeshes, true, GL_COLOR_MATERIAL));
+FAULT(PrimitiveTracksCurrentColor, "EV-CMAT-EFFECT",
+      "EvalCoord and EvalPoint give no colour while COLOR_MATERIAL is on",
+      without(Begin, enabled(GL_COLOR_MATERIAL) && enabled(GL_LIGHTING), GL_MAP1_COLOR_4));
+FAULT(MeshTracksDiffuseOnly, "EV-CMAT-EFFECT", "of AMBIENT_AND_DIFFUSE meshes track only DIFFUSE",
+      keeping(kMeshes, kTracked == GL_AMBIENT_AND_DIFFUSE, color_material(),
+              call(ColorMaterial, {kTrackedFace, GL_DIFFUSE})));
+FAULT(SpecularNotTracked, "EV-CMAT-EFFECT", "evaluated colours are not tracked by SPECULAR",
+      after(ColorMaterial, set(kFlag, kSecond == GL_SPECULAR)),
+      without(Begin, kFlag != 0 && enabled(GL_MAP1_VERTEX_3), GL_COLOR_MATERIAL));
+FAULT(SurfaceTracksCurrentColor, "EV-CMAT-EFFECT/2-D", "EvalCoord2 gives no colour while DIFFUSE is tracked",
+      without(Begin, enabled(GL_COLOR_MATERIAL) && kTracked == GL_DIFFUSE, GL_MAP2_COLOR_4));
+FAULT(FirstVertexTracksCurrentColor, "EV-CMAT-EFFECT",
+      "the first EvalCoord1 of a lit primitive is lit with the current colour",
+      before(Begin,
+             {set(kFlag, enabled(GL_COLOR_MATERIAL) && enabled(GL_LIGHTING) && enabled(GL_MAP1_COLOR_4)),
+              keep_state(GL_CURRENT_COLOR)}),
+      instead(kEvalCoord1, kFlag,
+              {set(kFlag, 0), call(Color4d, kept_values(4)), call(Vertex3f, {kU, 0, 0})}));
 
 // --- Faces -------------------------------------------------------------------------------------------------
 
-EVALCTS_RULES(EvaluatedColorOnBothFaces, osmesa, kMust, "EV-CMAT-FACES",
-              "evaluated colours are tracked on both faces though ColorMaterial names FRONT",
-              track_on(GL_FRONT_AND_BACK, evaluates() && kTrackedFace == GL_FRONT));
-EVALCTS_RULES(EvaluatedColorNotOnBack, osmesa, kMust, "EV-CMAT-FACES",
-              "of FRONT_AND_BACK evaluated colours are tracked on the front alone",
-              track_on(GL_FRONT, evaluates() && kTrackedFace == GL_FRONT_AND_BACK));
-EVALCTS_RULES(EvaluatedColorOnOtherFace, osmesa, kMust, "EV-CMAT-FACES",
-              "evaluated colours that BACK tracks go to the front",
-              track_on(GL_FRONT, evaluates() && kTrackedFace == GL_BACK));
-EVALCTS_RULES(SurfaceColorOnBothFaces, osmesa, kMust, "EV-CMAT-FACES/2-D",
-              "evaluated colours of surfaces are tracked on both faces though ColorMaterial names one",
-              track_on(GL_FRONT_AND_BACK, enabled(GL_MAP2_VERTEX_3)));
+FAULT(EvaluatedColorOnBothFaces, "EV-CMAT-FACES",
+      "evaluated colours are tracked on both faces though ColorMaterial names FRONT",
+      track_on(GL_FRONT_AND_BACK, evaluates() && kTrackedFace == GL_FRONT));
+FAULT(EvaluatedColorNotOnBack, "EV-CMAT-FACES",
+      "of FRONT_AND_BACK evaluated colours are tracked on the front alone",
+      track_on(GL_FRONT, evaluates() && kTrackedFace == GL_FRONT_AND_BACK));
+FAULT(EvaluatedColorOnOtherFace, "EV-CMAT-FACES", "evaluated colours that BACK tracks go to the front",
+      track_on(GL_FRONT, evaluates() && kTrackedFace == GL_BACK));
+FAULT(SurfaceColorOnBothFaces, "EV-CMAT-FACES/2-D",
+      "evaluated colours of surfaces are tracked on both faces though ColorMaterial names one",
+      track_on(GL_FRONT_AND_BACK, enabled(GL_MAP2_VERTEX_3)));
 
 // --- No tracking -------------------------------------------------------------------------------------------
 
-EVALCTS_RULES(MeshAlwaysTracksColors, osmesa, kMust, "EV-CMAT-OFF",
-              "meshes are lit with evaluated colours though COLOR_MATERIAL is off",
-              with(kMeshes, enabled(GL_LIGHTING), GL_COLOR_MATERIAL));
-EVALCTS_RULES(EvaluatedColorAlwaysEmitted, osmesa, kMust, "EV-CMAT-OFF",
-              "evaluated colours are the emission of lit primitives though COLOR_MATERIAL is off",
-              around(Begin, evaluates() && enabled(GL_LIGHTING) && !enabled(GL_COLOR_MATERIAL),
-                     {call(ColorMaterial, {GL_FRONT_AND_BACK, GL_EMISSION}), enable(GL_COLOR_MATERIAL)},
-                     disable(GL_COLOR_MATERIAL)));
-EVALCTS_RULES(UnlitMeshColorGoesToMaterial, osmesa, kMust, "EV-CMAT-UNLIT",
-              "with COLOR_MATERIAL on the colour of a mesh goes to the material alone, lit or not",
-              without(kMeshes, enabled(GL_COLOR_MATERIAL) && !enabled(GL_LIGHTING), GL_MAP1_COLOR_4));
-EVALCTS_RULES(UnlitPrimitiveColorGoesToMaterial, osmesa, kMust, "EV-CMAT-UNLIT",
-              "with COLOR_MATERIAL on EvalCoord gives the vertex no colour, lit or not",
-              without(Begin, enabled(GL_COLOR_MATERIAL) && !enabled(GL_LIGHTING), GL_MAP1_COLOR_4));
-EVALCTS_RULES(SurfaceMeshAlwaysTracksColors, osmesa, kMust, "EV-CMAT-OFF/2-D",
-              "EvalMesh2 is lit with evaluated colours though COLOR_MATERIAL is off",
-              with(EvalMesh2, enabled(GL_LIGHTING), GL_COLOR_MATERIAL));
-EVALCTS_RULES(UnlitSurfaceMeshHasCurrentColor, osmesa, kMust, "EV-CMAT-UNLIT/2-D",
-              "an unlit EvalMesh2 with COLOR_MATERIAL on has the current colour",
-              without(EvalMesh2, enabled(GL_COLOR_MATERIAL) && !enabled(GL_LIGHTING), GL_MAP2_COLOR_4));
+FAULT(MeshAlwaysTracksColors, "EV-CMAT-OFF",
+      "meshes are lit with evaluated colours though COLOR_MATERIAL is off",
+      with(kMeshes, enabled(GL_LIGHTING), GL_COLOR_MATERIAL));
+FAULT(EvaluatedColorAlwaysEmitted, "EV-CMAT-OFF",
+      "evaluated colours are the emission of lit primitives though COLOR_MATERIAL is off",
+      around(Begin, evaluates() && enabled(GL_LIGHTING) && !enabled(GL_COLOR_MATERIAL),
+             {call(ColorMaterial, {GL_FRONT_AND_BACK, GL_EMISSION}), enable(GL_COLOR_MATERIAL)},
+             disable(GL_COLOR_MATERIAL)));
+FAULT(UnlitMeshColorGoesToMaterial, "EV-CMAT-UNLIT",
+      "with COLOR_MATERIAL on the colour of a mesh goes to the material alone, lit or not",
+      without(kMeshes, enabled(GL_COLOR_MATERIAL) && !enabled(GL_LIGHTING), GL_MAP1_COLOR_4));
+FAULT(UnlitPrimitiveColorGoesToMaterial, "EV-CMAT-UNLIT",
+      "with COLOR_MATERIAL on EvalCoord gives the vertex no colour, lit or not",
+      without(Begin, enabled(GL_COLOR_MATERIAL) && !enabled(GL_LIGHTING), GL_MAP1_COLOR_4));
+FAULT(SurfaceMeshAlwaysTracksColors, "EV-CMAT-OFF/2-D",
+      "EvalMesh2 is lit with evaluated colours though COLOR_MATERIAL is off",
+      with(EvalMesh2, enabled(GL_LIGHTING), GL_COLOR_MATERIAL));
+FAULT(UnlitSurfaceMeshHasCurrentColor, "EV-CMAT-UNLIT/2-D",
+      "an unlit EvalMesh2 with COLOR_MATERIAL on has the current colour",
+      without(EvalMesh2, enabled(GL_COLOR_MATERIAL) && !enabled(GL_LIGHTING), GL_MAP2_COLOR_4));
 
 // --- No vertex map -----------------------------------------------------------------------------------------
 
-EVALCTS_RULES(MeshWithoutVerticesTracks, osmesa, kMust, "EV-CMAT-NOVERTEX",
-              "EvalMesh1 without a vertex map leaves its first colour in the tracked material",
-              before(EvalMesh1, has_only_colors(GL_MAP1_COLOR_4),
-                     [](Call&) { unmodified.Color4dv(current_map(GL_MAP1_COLOR_4).net.point(0)); }));
-EVALCTS_RULES(SurfaceMeshWithoutVerticesTracks, osmesa, kMust, "EV-CMAT-NOVERTEX/2-D",
-              "EvalMesh2 without a vertex map leaves its first colour in the tracked material",
-              before(EvalMesh2, has_only_colors(GL_MAP2_COLOR_4),
-                     [](Call&) { unmodified.Color4dv(current_map(GL_MAP2_COLOR_4).net.point(0)); }));
-EVALCTS_RULES(
-    EvalCoordWithoutVerticesTracks, osmesa, kMust, "EV-CMAT-NOVERTEX",
-    "EvalCoord1 without a vertex map makes its colour the tracked one",
-    before(Begin, {set(kFlag, has_only_colors(GL_MAP1_COLOR_4)),
-                   when(kFlag, [](Call&) { remembered_list() = current_map(GL_MAP1_COLOR_4).net.values; })}),
-    before(kEvalCoord1, kFlag, [](Call&) { unmodified.Color4dv(remembered_list().data()); }));
+FAULT(MeshWithoutVerticesTracks, "EV-CMAT-NOVERTEX",
+      "EvalMesh1 without a vertex map leaves its first colour in the tracked material",
+      before(EvalMesh1, has_only_colors(GL_MAP1_COLOR_4),
+             [](Call&) { unmodified.Color4dv(current_map(GL_MAP1_COLOR_4).net.point(0)); }));
+FAULT(SurfaceMeshWithoutVerticesTracks, "EV-CMAT-NOVERTEX/2-D",
+      "EvalMesh2 without a vertex map leaves its first colour in the tracked material",
+      before(EvalMesh2, has_only_colors(GL_MAP2_COLOR_4),
+             [](Call&) { unmodified.Color4dv(current_map(GL_MAP2_COLOR_4).net.point(0)); }));
+FAULT(EvalCoordWithoutVerticesTracks, "EV-CMAT-NOVERTEX",
+      "EvalCoord1 without a vertex map makes its colour the tracked one",
+      before(Begin,
+             {set(kFlag, has_only_colors(GL_MAP1_COLOR_4)),
+              when(kFlag, [](Call&) { remembered_list() = current_map(GL_MAP1_COLOR_4).net.values; })}),
+      before(kEvalCoord1, kFlag, [](Call&) { unmodified.Color4dv(remembered_list().data()); }));
 
 // --- Unchanged state ---------------------------------------------------------------------------------------
 
-EVALCTS_RULES(EvaluatedColorStaysInMaterial, dropin, kMust, "EV-CMAT-NOSTATE",
-              "after EvalCoord1 with COLOR_MATERIAL the tracked material is another one", note_tracking(),
-              after(GetMaterialfv, kCount && (kSecond == GL_EMISSION || kSecond == GL_DIFFUSE),
-                    put(0, element(0) + 0.0625)));
-EVALCTS_RULES(EvaluatedColorStaysCurrent, dropin, kMust, "EV-CMAT-NOCURRENT",
-              "EvalCoord1 with COLOR_MATERIAL changes the current colour", note_tracking(),
-              after(End, kCount, call(Color4f, {0.125, 0.25, 0.375, 1})));
-EVALCTS_RULES(NextVertexTracksEvaluatedColor, dropin, kMust, "EV-CMAT-NEXT",
-              "a Vertex behind EvalCoord1 is lit with another colour than the current one", note_tracking(),
-              keeping(Begin, kFlag, current(Color4d, GL_CURRENT_COLOR)),
-              after(kEvalCoord1, kFlag, call(Color4f, {1, 0.125, 0, 1})));
+namespace on_dropin {
+
+constexpr std::string_view kImplementation = "dropin";
+
+FAULT(EvaluatedColorStaysInMaterial, "EV-CMAT-NOSTATE",
+      "after EvalCoord1 with COLOR_MATERIAL the tracked material is another one", note_tracking(),
+      after(GetMaterialfv, kCount && (kSecond == GL_EMISSION || kSecond == GL_DIFFUSE),
+            put(0, element(0) + 0.0625)));
+FAULT(EvaluatedColorStaysCurrent, "EV-CMAT-NOCURRENT",
+      "EvalCoord1 with COLOR_MATERIAL changes the current colour", note_tracking(),
+      after(End, kCount, call(Color4f, {0.125, 0.25, 0.375, 1})));
+FAULT(NextVertexTracksEvaluatedColor, "EV-CMAT-NEXT",
+      "a Vertex behind EvalCoord1 is lit with another colour than the current one", note_tracking(),
+      keeping(Begin, kFlag, current(Color4d, GL_CURRENT_COLOR)),
+      after(kEvalCoord1, kFlag, call(Color4f, {1, 0.125, 0, 1})));
+
+}  // namespace on_dropin
 
 }  // namespace
 }  // namespace evalcts::faults::lighting

@@ -2,8 +2,10 @@
 // polygon modes.
 #include "grid_steps.h"
 
-namespace evalcts::faults {
+namespace evalcts::faults::mesh_pipeline {
 namespace {
+
+constexpr std::string_view kImplementation = "osmesa";
 
 // Index halfway between i1 and i2.
 const Value kMiddle = kI1 + (kI2 - kI1 - (kI2 - kI1) % 2) / 2;
@@ -15,68 +17,64 @@ Value set_two_sides(Value on) {
   };
 }
 
-EVALCTS_RULES(CurveMeshOfSeparateLines, osmesa, kMust, "EV-MESH1-STIPPLE",
-              "EvalMesh1 with LINE draws separate lines: the stipple restarts at each",
-              instead(EvalMesh1, kMode == GL_LINE,
-                      loop(kColumn, kI1, kI2 - 1, curve(GL_LINE, kColumn, kColumn + 1))));
-EVALCTS_RULES(CurveMeshInTwoStrips, osmesa, kMust, "EV-MESH1-STIPPLE",
-              "EvalMesh1 with LINE draws a second strip from the middle on",
-              instead(EvalMesh1, kMode == GL_LINE && kI2 - kI1 >= 2,
-                      {curve(GL_LINE, kI1, kMiddle), curve(GL_LINE, kMiddle, kI2)}));
-EVALCTS_RULES(
-    RowsInTwoStrips, osmesa, kMust, "EV-MESH2-STIPPLE", "strips along u of EvalMesh2 are drawn in two halves",
-    instead(EvalMesh2, kMode == GL_LINE && kI2 - kI1 >= 2,
-            {loop(kRow, kJ1, kJ2,
-                  {surface(GL_LINE, kI1, kMiddle, kRow, kRow), surface(GL_LINE, kMiddle, kI2, kRow, kRow)}),
-             kColumns}));
-EVALCTS_RULES(SurfaceMeshOfSeparateLines, osmesa, kMust, "EV-MESH2-STIPPLE",
-              "strips along v of EvalMesh2 are separate lines",
-              instead(EvalMesh2, kMode == GL_LINE,
-                      {kRows,
-                       loop(kColumn, kI1, kI2,
-                            loop(kRow, kJ1, kJ2 - 1, surface(GL_LINE, kColumn, kColumn, kRow, kRow + 1)))}));
-EVALCTS_RULES(StripsOfMeshesClockwise, osmesa, kMust, "EV-MESH2-WINDING EV-MESH2-TWOSIDE",
-              "EvalMesh2 with FILL turns its quads the other way",
-              instead(EvalMesh2, kMode == GL_FILL, draw_strips(GL_QUAD_STRIP, 1)));
-EVALCTS_RULES(MeshesHaveFrontsOnly, osmesa, kMust, "EV-MESH2-TWOSIDE",
-              "EvalMesh2 with AUTO_NORMAL lights the front alone",
-              around(EvalMesh2, true,
-                     {set(kNumber, state(GL_LIGHT_MODEL_TWO_SIDE)),
-                      when(enabled(GL_AUTO_NORMAL), set_two_sides(0))},
-                     set_two_sides(kNumber)));
-EVALCTS_RULES(LineMeshesAreCulled, osmesa, kMust, "EV-MESH2-NOPOLYMODE",
-              "EvalMesh2 with LINE draws nothing where front and back faces are culled",
-              skip(EvalMesh2, kMode == GL_LINE && enabled(GL_CULL_FACE) &&
-                                  state(GL_CULL_FACE_MODE) == GL_FRONT_AND_BACK));
-EVALCTS_RULES(LineMeshesFollowPolygonMode, osmesa, kMust, "EV-MESH2-NOPOLYMODE",
-              "EvalMesh2 with LINE draws points in polygon mode POINT",
-              before(EvalMesh2, kMode == GL_LINE && state(GL_POLYGON_MODE) == GL_POINT,
-                     set(kMode, GL_POINT)));
-EVALCTS_RULES(FilledMeshesAlwaysFilled, osmesa, kMust, "EV-MESH2-NOPOLYMODE",
-              "EvalMesh2 with FILL ignores the polygon mode",
-              around(EvalMesh2, true,
-                     {keep({state(GL_POLYGON_MODE), state(GL_POLYGON_MODE, 1)}),
-                      call(PolygonMode, {GL_FRONT_AND_BACK, GL_FILL})},
-                     {call(PolygonMode, {GL_FRONT, kept(0)}), call(PolygonMode, {GL_BACK, kept(1)})}));
-EVALCTS_RULES(FilledMeshesNeverCulled, osmesa, kMust, "EV-MESH2-NOPOLYMODE",
-              "EvalMesh2 with FILL is not culled", without(EvalMesh2, true, GL_CULL_FACE));
-EVALCTS_RULES(HalfOfEachQuad, osmesa, kQuality, "EV-MESH2-PLANAR",
-              "EvalMesh2 with FILL draws three corners of each quad",
+FAULT(CurveMeshOfSeparateLines, "EV-MESH1-STIPPLE",
+      "EvalMesh1 with LINE draws separate lines: the stipple restarts at each",
+      instead(EvalMesh1, kMode == GL_LINE,
+              loop(kColumn, kI1, kI2 - 1, curve(GL_LINE, kColumn, kColumn + 1))));
+FAULT(CurveMeshInTwoStrips, "EV-MESH1-STIPPLE", "EvalMesh1 with LINE draws a second strip from the middle on",
+      instead(EvalMesh1, kMode == GL_LINE && kI2 - kI1 >= 2,
+              {curve(GL_LINE, kI1, kMiddle), curve(GL_LINE, kMiddle, kI2)}));
+FAULT(RowsInTwoStrips, "EV-MESH2-STIPPLE", "strips along u of EvalMesh2 are drawn in two halves",
+      instead(EvalMesh2, kMode == GL_LINE && kI2 - kI1 >= 2,
+              {loop(kRow, kJ1, kJ2,
+                    {surface(GL_LINE, kI1, kMiddle, kRow, kRow), surface(GL_LINE, kMiddle, kI2, kRow, kRow)}),
+               kColumns}));
+FAULT(SurfaceMeshOfSeparateLines, "EV-MESH2-STIPPLE", "strips along v of EvalMesh2 are separate lines",
+      instead(EvalMesh2, kMode == GL_LINE,
+              {kRows, loop(kColumn, kI1, kI2,
+                           loop(kRow, kJ1, kJ2 - 1, surface(GL_LINE, kColumn, kColumn, kRow, kRow + 1)))}));
+FAULT(StripsOfMeshesClockwise, "EV-MESH2-WINDING EV-MESH2-TWOSIDE",
+      "EvalMesh2 with FILL turns its quads the other way",
+      instead(EvalMesh2, kMode == GL_FILL, draw_strips(GL_QUAD_STRIP, 1)));
+FAULT(MeshesHaveFrontsOnly, "EV-MESH2-TWOSIDE", "EvalMesh2 with AUTO_NORMAL lights the front alone",
+      around(EvalMesh2, true,
+             {set(kNumber, state(GL_LIGHT_MODEL_TWO_SIDE)), when(enabled(GL_AUTO_NORMAL), set_two_sides(0))},
+             set_two_sides(kNumber)));
+FAULT(LineMeshesAreCulled, "EV-MESH2-NOPOLYMODE",
+      "EvalMesh2 with LINE draws nothing where front and back faces are culled",
+      skip(EvalMesh2,
+           kMode == GL_LINE && enabled(GL_CULL_FACE) && state(GL_CULL_FACE_MODE) == GL_FRONT_AND_BACK));
+FAULT(LineMeshesFollowPolygonMode, "EV-MESH2-NOPOLYMODE",
+      "EvalMesh2 with LINE draws points in polygon mode POINT",
+      before(EvalMesh2, kMode == GL_LINE && state(GL_POLYGON_MODE) == GL_POINT, set(kMode, GL_POINT)));
+FAULT(FilledMeshesAlwaysFilled, "EV-MESH2-NOPOLYMODE", "EvalMesh2 with FILL ignores the polygon mode",
+      around(EvalMesh2, true,
+             {keep({state(GL_POLYGON_MODE), state(GL_POLYGON_MODE, 1)}),
+              call(PolygonMode, {GL_FRONT_AND_BACK, GL_FILL})},
+             {call(PolygonMode, {GL_FRONT, kept(0)}), call(PolygonMode, {GL_BACK, kept(1)})}));
+FAULT(FilledMeshesNeverCulled, "EV-MESH2-NOPOLYMODE", "EvalMesh2 with FILL is not culled",
+      without(EvalMesh2, true, GL_CULL_FACE));
+QUALITY_FAULT(HalfOfEachQuad, "EV-MESH2-PLANAR", "EvalMesh2 with FILL draws three corners of each quad",
               instead(EvalMesh2, kMode == GL_FILL, draw_quads(GL_TRIANGLES, {0, 1, 3})));
 
 // --- Whole quads -------------------------------------------------------------------------------------------
 
-EVALCTS_RULES(FilledMeshesOfTriangleStrips, dropin, kMust, "EV-MESH2-ISQUADS EV-MESH2-FLAT",
-              "EvalMesh2 with FILL draws triangle strips",
-              instead(EvalMesh2, kMode == GL_FILL, draw_strips(GL_TRIANGLE_STRIP)));
+namespace on_dropin {
 
-EVALCTS_RULES(FlatColorOfAnotherCorner, dropin, kMust, "EV-MESH2-FLAT",
-              "EvalMesh2 with FILL draws quads whose last vertex is (i,j+1)",
-              instead(EvalMesh2, kMode == GL_FILL, draw_quads(GL_QUADS, {2, 3, 0, 1})));
-EVALCTS_RULES(FlatColorByFirstVertexOfAnotherCorner, dropin, kMust, "EV-MESH2-FLAT-FIRST",
-              "by the first vertex convention quads of EvalMesh2 begin at (i,j+1) and end at (i,j)",
-              instead(EvalMesh2, kMode == GL_FILL && state(GL_PROVOKING_VERTEX) == GL_FIRST_VERTEX_CONVENTION,
-                      draw_quads(GL_QUADS, {1, 2, 3, 0})));
+constexpr std::string_view kImplementation = "dropin";
+
+FAULT(FilledMeshesOfTriangleStrips, "EV-MESH2-ISQUADS EV-MESH2-FLAT",
+      "EvalMesh2 with FILL draws triangle strips",
+      instead(EvalMesh2, kMode == GL_FILL, draw_strips(GL_TRIANGLE_STRIP)));
+FAULT(FlatColorOfAnotherCorner, "EV-MESH2-FLAT",
+      "EvalMesh2 with FILL draws quads whose last vertex is (i,j+1)",
+      instead(EvalMesh2, kMode == GL_FILL, draw_quads(GL_QUADS, {2, 3, 0, 1})));
+FAULT(FlatColorByFirstVertexOfAnotherCorner, "EV-MESH2-FLAT-FIRST",
+      "by the first vertex convention quads of EvalMesh2 begin at (i,j+1) and end at (i,j)",
+      instead(EvalMesh2, kMode == GL_FILL && state(GL_PROVOKING_VERTEX) == GL_FIRST_VERTEX_CONVENTION,
+              draw_quads(GL_QUADS, {1, 2, 3, 0})));
+
+}  // namespace on_dropin
 
 }  // namespace
-}  // namespace evalcts::faults
+}  // namespace evalcts::faults::mesh_pipeline

@@ -5,7 +5,7 @@
 
 #include "grid_steps.h"
 
-namespace evalcts::faults {
+namespace evalcts::faults::numeric {
 namespace {
 
 Value is_nan(Value a) { return a != a; }
@@ -18,127 +18,112 @@ Rules evaluate_otherwise(Value condition) {
 
 // --- The ends
 
-EVALCTS_RULES(StartOneBitOff, production, kQuality, "EV-NUM-START/1-D",
+QUALITY_FAULT(StartOneBitOff, "EV-NUM-START/1-D",
               "at u1 of the last map the curve is evaluated at the next number",
               before(kMap1, set(kNumber, kU1)),
               before(kEvalCoord1, kU == kNumber, set(kU, next_float(kU, 1e9))));
-EVALCTS_RULES(CornerOneBitOffInV, production, kQuality, "EV-NUM-START/2-D",
+QUALITY_FAULT(CornerOneBitOffInV, "EV-NUM-START/2-D",
               "at v1 of the last map the surface is evaluated at the next number",
               before(kMap2, set(kNumber, kV1)),
               before(kEvalCoord2, kV == kNumber, set(kV, next_float(kV, 1e9))));
-EVALCTS_RULES(StartOfReversedDomainMissed, production, kMust, "EV-NUM-START",
-              "u1 of a reversed domain is moved inside by a thousandth", before(kMap1, keep({kU1, kU2})),
-              before(kEvalCoord1, kept(0) > kept(1) && kU == kept(0),
-                     set(kU, kU + (kept(1) - kept(0)) / 1000)));
-EVALCTS_RULES(EndOfHighOrdersMissed, production, kMust, "EV-NUM-END",
-              "at u2 of a map of order 17 and above the curve is evaluated a thousandth before",
-              before(kMap1, {set(kFlag, kOrder >= 17), keep({kU1, kU2})}),
-              before(kEvalCoord1, kU == kept(1) && kFlag, set(kU, kU + (kept(0) - kept(1)) / 1000)));
-EVALCTS_RULES(EndOfReversedSurfaceMissed, production, kMust, "EV-NUM-END EV-NUM-CORNERS",
-              "v2 of a map of surfaces is moved inside by a hundredth where v1 is not 0",
-              before(kMap2, keep({kV1, kV2})),
-              before(kEvalCoord2, kept(0) && kV == kept(1), set(kV, kV + (kept(0) - kept(1)) / 100)));
-EVALCTS_RULES(ReversedDomainsOnACoarseLattice, production, kMust, "EV-NUM-SYMMETRY",
-              "arguments of a map over a reversed domain are rounded to quarters",
-              before(kMaps, set(kFlag, kU1 > kU2)), before(kEvalCoords, kFlag, set(kU, round(kU * 4) / 4)));
-EVALCTS_RULES(FarDomainsLoseBits, production, kMust, "EV-NUM-DOMAINSHIFT",
-              "arguments of EvalCoord2 above 2000 are kept in steps of 1/16",
-              before(kEvalCoord2, abs(kU) > 2000 && abs(kU) < 1e6, set(kU, round(kU * 16) / 16)));
-EVALCTS_RULES(CornersMixedUp, production, kMust, "EV-NUM-CORNERS",
-              "at (u2, v1) the surface is evaluated at (u2, v2)",
-              before(kMap2, {set(kFlag, 1), keep({kU2, kV1, kV2})}),
-              before(kEvalCoord2, kU == kept(0) && kFlag && kV == kept(1), set(kV, kept(2))));
+FAULT(StartOfReversedDomainMissed, "EV-NUM-START", "u1 of a reversed domain is moved inside by a thousandth",
+      before(kMap1, keep({kU1, kU2})),
+      before(kEvalCoord1, kept(0) > kept(1) && kU == kept(0), set(kU, kU + (kept(1) - kept(0)) / 1000)));
+FAULT(EndOfHighOrdersMissed, "EV-NUM-END",
+      "at u2 of a map of order 17 and above the curve is evaluated a thousandth before",
+      before(kMap1, {set(kFlag, kOrder >= 17), keep({kU1, kU2})}),
+      before(kEvalCoord1, kU == kept(1) && kFlag, set(kU, kU + (kept(0) - kept(1)) / 1000)));
+FAULT(EndOfReversedSurfaceMissed, "EV-NUM-END EV-NUM-CORNERS",
+      "v2 of a map of surfaces is moved inside by a hundredth where v1 is not 0",
+      before(kMap2, keep({kV1, kV2})),
+      before(kEvalCoord2, kept(0) && kV == kept(1), set(kV, kV + (kept(0) - kept(1)) / 100)));
+FAULT(ReversedDomainsOnACoarseLattice, "EV-NUM-SYMMETRY",
+      "arguments of a map over a reversed domain are rounded to quarters",
+      before(kMaps, set(kFlag, kU1 > kU2)), before(kEvalCoords, kFlag, set(kU, round(kU * 4) / 4)));
+FAULT(FarDomainsLoseBits, "EV-NUM-DOMAINSHIFT",
+      "arguments of EvalCoord2 above 2000 are kept in steps of 1/16",
+      before(kEvalCoord2, abs(kU) > 2000 && abs(kU) < 1e6, set(kU, round(kU * 16) / 16)));
+FAULT(CornersMixedUp, "EV-NUM-CORNERS", "at (u2, v1) the surface is evaluated at (u2, v2)",
+      before(kMap2, {set(kFlag, 1), keep({kU2, kV1, kV2})}),
+      before(kEvalCoord2, kU == kept(0) && kFlag && kV == kept(1), set(kV, kept(2))));
 
 // --- Magnitudes
 
-EVALCTS_RULES(PointsSaturateAt2To31, production, kMust, "EV-NUM-RANGE-POS",
-              "control points above 2^31 become 2^31",
-              before(kMap1, change_values([](double x) { return std::clamp(x, -0x1p31, 0x1p31); })));
-EVALCTS_RULES(SurfacePointsSaturateAt2To31, production, kMust, "EV-NUM-RANGE-POS/2-D",
-              "control points of surfaces above 2^31 become 2^31",
-              before(kMap2, change_values([](double x) { return std::clamp(x, -0x1p31, 0x1p31); })));
-EVALCTS_RULES(DomainEndsSaturate, production, kMust, "EV-NUM-RANGE-POS/1-D",
-              "arguments of EvalCoord1 above 2^31 become 2^31",
-              before(kEvalCoord1, set(kU, min(kU, 0x1p31))));
-EVALCTS_RULES(ColorsSaturateAt1000, production, kMust, "EV-NUM-RANGE-COLOR",
-              "points of colour maps are kept up to 1000",
-              before(kMap1, kTarget == GL_MAP1_COLOR_4,
-                     change_values([](double x) { return std::clamp(x, -1000.0, 1000.0); })));
-EVALCTS_RULES(SurfaceColorsSaturateBelow, production, kMust, "EV-NUM-RANGE-COLOR/2-D",
-              "points of colour maps of surfaces are kept down to -512",
-              before(kMap2, kTarget == GL_MAP2_COLOR_4,
-                     change_values([](double x) { return std::max(x, -512.0); })));
-EVALCTS_RULES(SmallPointsFlushedInBigMaps, production, kMust, "EV-NUM-AFFINE",
-              "control points are kept in fixed point, with 12 bits behind it",
-              before(kMap1, change_values([](double x) {
-                       return std::abs(x) < 1 ? std::round(x * 4096) / 4096 : x;
-                     })));
-EVALCTS_RULES(SurfacePointsInFixedPoint, production, kMust, "EV-NUM-AFFINE",
-              "control points of surfaces below 1 are kept in fixed point, with 12 bits behind it",
-              before(kMap2, change_values([](double x) {
-                       return std::abs(x) < 1 ? std::round(x * 4096) / 4096 : x;
-                     })));
+FAULT(PointsSaturateAt2To31, "EV-NUM-RANGE-POS", "control points above 2^31 become 2^31",
+      before(kMap1, change_values([](double x) { return std::clamp(x, -0x1p31, 0x1p31); })));
+FAULT(SurfacePointsSaturateAt2To31, "EV-NUM-RANGE-POS/2-D",
+      "control points of surfaces above 2^31 become 2^31",
+      before(kMap2, change_values([](double x) { return std::clamp(x, -0x1p31, 0x1p31); })));
+FAULT(DomainEndsSaturate, "EV-NUM-RANGE-POS/1-D", "arguments of EvalCoord1 above 2^31 become 2^31",
+      before(kEvalCoord1, set(kU, min(kU, 0x1p31))));
+FAULT(ColorsSaturateAt1000, "EV-NUM-RANGE-COLOR", "points of colour maps are kept up to 1000",
+      before(kMap1, kTarget == GL_MAP1_COLOR_4,
+             change_values([](double x) { return std::clamp(x, -1000.0, 1000.0); })));
+FAULT(SurfaceColorsSaturateBelow, "EV-NUM-RANGE-COLOR/2-D",
+      "points of colour maps of surfaces are kept down to -512",
+      before(kMap2, kTarget == GL_MAP2_COLOR_4, change_values([](double x) { return std::max(x, -512.0); })));
+FAULT(SmallPointsFlushedInBigMaps, "EV-NUM-AFFINE",
+      "control points are kept in fixed point, with 12 bits behind it",
+      before(kMap1,
+             change_values([](double x) { return std::abs(x) < 1 ? std::round(x * 4096) / 4096 : x; })));
+FAULT(SurfacePointsInFixedPoint, "EV-NUM-AFFINE",
+      "control points of surfaces below 1 are kept in fixed point, with 12 bits behind it",
+      before(kMap2,
+             change_values([](double x) { return std::abs(x) < 1 ? std::round(x * 4096) / 4096 : x; })));
 
 // --- NaN, Inf, negative zero and subnormal numbers
 
-EVALCTS_RULES(NaNStopsEvaluation, production, kMust, "EV-NUM-SPECIAL-SAFE/1-D",
-              "after a NaN argument EvalCoord1 draws nothing", before(kEvalCoord1, is_nan(kU), set(kFlag, 1)),
-              skip(kEvalCoord1, kFlag));
-EVALCTS_RULES(InfiniteGridStays, production, kMust, "EV-NUM-SPECIAL-SAFE/2-D",
-              "after a grid with an infinite end, MapGrid2 changes nothing", skip(kMapGrid2, kFlag),
-              after(kMapGrid2, abs(kU1) == HUGE_VAL || abs(kV2) == HUGE_VAL, set(kFlag, 1)));
-EVALCTS_RULES(NaNPointDisablesMap, production, kMust, "EV-NUM-SPECIAL-SAFE",
-              "a map with a NaN point is disabled",
-              after(kMaps, kOrder > 0 && kComponents && is_nan(element(0)), disable(kTarget)));
-EVALCTS_RULES(MapAfterNaNIsLost, production, kMust, "EV-NUM-SPECIAL-SAFE/1-D",
-              "the first Map1 after a NaN argument does nothing",
-              before(kEvalCoord1, is_nan(kU), set(kFlag, 1)), instead(kMap1, kFlag, set(kFlag, 0)));
-EVALCTS_RULES(NegativeZeroIsOutside, production, kMust, "EV-NUM-DENORMAL",
-              "EvalCoord1 at -0 evaluates a little below 0",
-              before(kEvalCoord1, is_negative_zero(kU), set(kU, -1.0 / 512)));
-EVALCTS_RULES(NegativeZeroOneBitOff, production, kQuality, "EV-NUM-DENORMAL",
-              "EvalCoord1 and EvalCoord2 at -0 evaluate at -2^-24",
+FAULT(NaNStopsEvaluation, "EV-NUM-SPECIAL-SAFE/1-D", "after a NaN argument EvalCoord1 draws nothing",
+      before(kEvalCoord1, is_nan(kU), set(kFlag, 1)), skip(kEvalCoord1, kFlag));
+FAULT(InfiniteGridStays, "EV-NUM-SPECIAL-SAFE/2-D",
+      "after a grid with an infinite end, MapGrid2 changes nothing", skip(kMapGrid2, kFlag),
+      after(kMapGrid2, abs(kU1) == HUGE_VAL || abs(kV2) == HUGE_VAL, set(kFlag, 1)));
+FAULT(NaNPointDisablesMap, "EV-NUM-SPECIAL-SAFE", "a map with a NaN point is disabled",
+      after(kMaps, kOrder > 0 && kComponents && is_nan(element(0)), disable(kTarget)));
+FAULT(MapAfterNaNIsLost, "EV-NUM-SPECIAL-SAFE/1-D", "the first Map1 after a NaN argument does nothing",
+      before(kEvalCoord1, is_nan(kU), set(kFlag, 1)), instead(kMap1, kFlag, set(kFlag, 0)));
+FAULT(NegativeZeroIsOutside, "EV-NUM-DENORMAL", "EvalCoord1 at -0 evaluates a little below 0",
+      before(kEvalCoord1, is_negative_zero(kU), set(kU, -1.0 / 512)));
+QUALITY_FAULT(NegativeZeroOneBitOff, "EV-NUM-DENORMAL", "EvalCoord1 and EvalCoord2 at -0 evaluate at -2^-24",
               before(kEvalCoord1, is_negative_zero(kU), set(kU, -0x1p-24)),
               before(kEvalCoord2, is_negative_zero(kV), set(kV, -0x1p-24)));
-EVALCTS_RULES(DenormalArgumentLosesVertex, production, kMust, "EV-NUM-DENORMAL",
-              "EvalCoord1 at a negative denormal number draws nothing",
-              skip(kEvalCoord1, kU <= 0 && is_subnormal(kU)));
-EVALCTS_RULES(DenormalPointIsOne, production, kMust, "EV-NUM-DENORMAL",
-              "the exponent of a denormal control point is lost",
-              before(kMap1, change_values([](double x) {
-                       return std::fpclassify(static_cast<float>(x)) == FP_SUBNORMAL ? std::copysign(1, x)
-                                                                                     : x;
-                     })));
+FAULT(DenormalArgumentLosesVertex, "EV-NUM-DENORMAL",
+      "EvalCoord1 at a negative denormal number draws nothing",
+      skip(kEvalCoord1, kU <= 0 && is_subnormal(kU)));
+FAULT(DenormalPointIsOne, "EV-NUM-DENORMAL", "the exponent of a denormal control point is lost",
+      before(kMap1, change_values([](double x) {
+               return std::fpclassify(static_cast<float>(x)) == FP_SUBNORMAL ? std::copysign(1, x) : x;
+             })));
 
 // --- State that must not matter
 
-EVALCTS_RULES(OtherPathWithoutEdgeFlag, production, kMust, "EV-NUM-INVARIANT-STATE",
-              "with the edge flag FALSE, evaluation takes another path, a bit off",
-              before(EdgeFlag, set(kFlag, kFirst == GL_FALSE)), evaluate_otherwise(kFlag));
+FAULT(OtherPathWithoutEdgeFlag, "EV-NUM-INVARIANT-STATE",
+      "with the edge flag FALSE, evaluation takes another path, a bit off",
+      before(EdgeFlag, set(kFlag, kFirst == GL_FALSE)), evaluate_otherwise(kFlag));
 
-EVALCTS_RULES(OtherPathOnUnit1, production, kMust, "EV-NUM-INVARIANT-STATE",
-              "with TEXTURE1 active, evaluation takes another path, a bit off",
-              evaluate_otherwise(kUnit != GL_TEXTURE0));
-EVALCTS_RULES(OtherPathAfterPopAttrib, production, kMust, "EV-NUM-INVARIANT-STATE",
-              "after PopAttrib evaluation takes another path, a bit off", before(PopAttrib, set(kFlag, 1)),
-              evaluate_otherwise(kFlag));
-EVALCTS_RULES(OtherPathAfterRefusedMap, production, kMust, "EV-NUM-INVARIANT-STATE/1-D",
-              "after a Map1 that was rejected, evaluation takes another path, a bit off",
-              before(kMap1, kOrder < 1, set(kFlag, 1)), evaluate_otherwise(kFlag));
-EVALCTS_RULES(OtherPathAfterQuery, production, kMust, "EV-NUM-INVARIANT-STATE/2-D",
-              "after GetMapdv of a map, evaluation takes another path, a bit off",
-              before(GetMapdv, kQuery == GL_COEFF, set(kFlag, 1)), evaluate_otherwise(kFlag));
-EVALCTS_RULES(OtherPathBesideOtherDimension, production, kMust, "EV-NUM-INVARIANT-STATE/1-D",
-              "with a map of surfaces enabled, curves are evaluated by the general path, a bit off",
-              before(kEvalCoord1, noted_on(GL_MAP2_COLOR_4), set(kU, next_float(kU, 2))));
-EVALCTS_RULES(OtherPathBesideColors, production, kQuality, "EV-NUM-UNRELATEDMAPS/1-D",
+FAULT(OtherPathOnUnit1, "EV-NUM-INVARIANT-STATE",
+      "with TEXTURE1 active, evaluation takes another path, a bit off",
+      evaluate_otherwise(kUnit != GL_TEXTURE0));
+FAULT(OtherPathAfterPopAttrib, "EV-NUM-INVARIANT-STATE",
+      "after PopAttrib evaluation takes another path, a bit off", before(PopAttrib, set(kFlag, 1)),
+      evaluate_otherwise(kFlag));
+FAULT(OtherPathAfterRefusedMap, "EV-NUM-INVARIANT-STATE/1-D",
+      "after a Map1 that was rejected, evaluation takes another path, a bit off",
+      before(kMap1, kOrder < 1, set(kFlag, 1)), evaluate_otherwise(kFlag));
+FAULT(OtherPathAfterQuery, "EV-NUM-INVARIANT-STATE/2-D",
+      "after GetMapdv of a map, evaluation takes another path, a bit off",
+      before(GetMapdv, kQuery == GL_COEFF, set(kFlag, 1)), evaluate_otherwise(kFlag));
+FAULT(OtherPathBesideOtherDimension, "EV-NUM-INVARIANT-STATE/1-D",
+      "with a map of surfaces enabled, curves are evaluated by the general path, a bit off",
+      before(kEvalCoord1, noted_on(GL_MAP2_COLOR_4), set(kU, next_float(kU, 2))));
+QUALITY_FAULT(OtherPathBesideColors, "EV-NUM-UNRELATEDMAPS/1-D",
               "with a colour map enabled, curves are evaluated by another path, a bit off",
               before(kEvalCoord1, noted_on(GL_MAP1_COLOR_4), set(kU, next_float(kU, 2))));
-EVALCTS_RULES(OtherPathBesideTexture, production, kQuality, "EV-NUM-UNRELATEDMAPS/2-D",
+QUALITY_FAULT(OtherPathBesideTexture, "EV-NUM-UNRELATEDMAPS/2-D",
               "with TEXTURE_COORD_1 enabled, EvalPoint2 is evaluated by another path, a bit off",
               point2_at(
                   noted_on(GL_MAP2_TEXTURE_COORD_1),
                   [](const GridIndex& u) { return std::nextafter(u.at(), 2.0f); }, kInexact));
 
 }  // namespace
-}  // namespace evalcts::faults
+}  // namespace evalcts::faults::numeric

@@ -3,11 +3,10 @@
 // harness/tests/drills/nv_vertex_program.cpp.)
 #include "rules.h"
 
-#define NV_RULES(name, requirements, what, ...) \
-  EVALCTS_RULES_IN(kNvVertexProgram, name, kMust, requirements, what, __VA_ARGS__)
-
 namespace evalcts::faults::nv_vertex_program {
 namespace {
+
+constexpr std::string_view kImplementation = kNvVertexProgram;
 
 constexpr GLenum kCurveMap = 0x8660, kSurfaceMap = 0x8670;  // the maps of attribute 0
 constexpr GLenum kNormal = 2, kColor = 3, kLast = 15;
@@ -41,96 +40,93 @@ Restore enables_of_attribute_maps() {
 
 // --- Tokens, components, initial state ---------------------------------------------------------------------
 
-NV_RULES(FifteenAttributeMaps, "EV-EXT-NVVP-TOKENS", "Map2f does not know the map of attribute 15",
-         before(Map2f, kTarget == kSurfaceMap + kLast, set(kTarget, 0)));
-NV_RULES(AttributeMapsNotInGet, "EV-EXT-NVVP-TOKENS", "GetIntegerv tells FALSE of any map of an attribute",
-         after(GetIntegerv, is_attribute_map(kName), put(0, GL_FALSE)));
-NV_RULES(AttributeMapsDoNotSwitchOff, "EV-EXT-NVVP-TOKENS", "Disable does nothing to the map of attribute 7",
-         skip(Disable, kName == kCurveMap + 7));
-NV_RULES(NormalAttributeHasThreeComponents, "EV-EXT-NVVP-K",
-         "k is 3 for the map of attribute 2, as for normals",
-         instead(Map1f, kTarget == kCurveMap + kNormal && kStride == 3 && kOrder >= 1, [](Call& c) {
-           std::vector<double> points;
-           for (std::size_t i = 0; i < static_cast<std::size_t>(c.argument('o')); ++i)
-             points.insert(points.end(), {c.read(3 * i), c.read(3 * i + 1), c.read(3 * i + 2), 1});
-           unmodified.Map1d(c.target(), c.argument('a'), c.argument('b'), 4, c.integer('o'), points.data());
-         }));
-NV_RULES(SmallVStrideOfAttributeMap, "EV-EXT-NVVP-K", "vstride is not checked for maps of attributes",
-         before(Map2f, is_attribute_map(kTarget), set(kVStride, max(kVStride, 4))));
-NV_RULES(FirstAttributeMapInitiallyOn, "EV-EXT-NVVP-INIT",
-         "the map of attribute 0 is on from the start, as in NV_evaluators", initially(enable(kCurveMap)));
-NV_RULES(AttributeMapsInitiallyZero, "EV-EXT-NVVP-INIT",
-         "the initial control point of surfaces of attributes is (0, 0, 0, 0)",
-         after(GetMapfv, kQuery == GL_COEFF && kTarget >= kSurfaceMap && is_attribute_map(kTarget),
-               [](Call& c) {
-                 GLint order[2] = {2, 2};
-                 unmodified.GetMapiv(c.target(), GL_ORDER, order);
-                 if (order[0] * order[1] == 1) c.write(3, 0);
-               }));
+FAULT(FifteenAttributeMaps, "EV-EXT-NVVP-TOKENS", "Map2f does not know the map of attribute 15",
+      before(Map2f, kTarget == kSurfaceMap + kLast, set(kTarget, 0)));
+FAULT(AttributeMapsNotInGet, "EV-EXT-NVVP-TOKENS", "GetIntegerv tells FALSE of any map of an attribute",
+      after(GetIntegerv, is_attribute_map(kName), put(0, GL_FALSE)));
+FAULT(AttributeMapsDoNotSwitchOff, "EV-EXT-NVVP-TOKENS", "Disable does nothing to the map of attribute 7",
+      skip(Disable, kName == kCurveMap + 7));
+FAULT(NormalAttributeHasThreeComponents, "EV-EXT-NVVP-K", "k is 3 for the map of attribute 2, as for normals",
+      instead(Map1f, kTarget == kCurveMap + kNormal && kStride == 3 && kOrder >= 1, [](Call& c) {
+        std::vector<double> points;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(c.argument('o')); ++i)
+          points.insert(points.end(), {c.read(3 * i), c.read(3 * i + 1), c.read(3 * i + 2), 1});
+        unmodified.Map1d(c.target(), c.argument('a'), c.argument('b'), 4, c.integer('o'), points.data());
+      }));
+FAULT(SmallVStrideOfAttributeMap, "EV-EXT-NVVP-K", "vstride is not checked for maps of attributes",
+      before(Map2f, is_attribute_map(kTarget), set(kVStride, max(kVStride, 4))));
+FAULT(FirstAttributeMapInitiallyOn, "EV-EXT-NVVP-INIT",
+      "the map of attribute 0 is on from the start, as in NV_evaluators", initially(enable(kCurveMap)));
+FAULT(AttributeMapsInitiallyZero, "EV-EXT-NVVP-INIT",
+      "the initial control point of surfaces of attributes is (0, 0, 0, 0)",
+      after(GetMapfv, kQuery == GL_COEFF && kTarget >= kSurfaceMap && is_attribute_map(kTarget), [](Call& c) {
+        GLint order[2] = {2, 2};
+        unmodified.GetMapiv(c.target(), GL_ORDER, order);
+        if (order[0] * order[1] == 1) c.write(3, 0);
+      }));
 
 // --- Program mode ------------------------------------------------------------------------------------------
 
-NV_RULES(ColorAttributeWithoutProgram, "EV-EXT-NVVP-MODE",
-         "the map of attribute 3 gives the colour without program mode",
-         before(Begin, !kInProgramMode,
-                {when(enabled(kCurveMap + kColor), stand_in(GL_MAP1_COLOR_4, kCurveMap + kColor)),
-                 when(enabled(kSurfaceMap + kColor), stand_in(GL_MAP2_COLOR_4, kSurfaceMap + kColor))}));
-NV_RULES(VertexAttributeWithoutProgram, "EV-EXT-NVVP-MODE",
-         "the map of attribute 0 gives vertices without program mode where no other does",
-         before(Begin, !kInProgramMode,
-                {when(!evaluates() && enabled(kCurveMap), stand_in(GL_MAP1_VERTEX_4, kCurveMap)),
-                 when(!evaluates() && enabled(kSurfaceMap), stand_in(GL_MAP2_VERTEX_4, kSurfaceMap))}));
+FAULT(ColorAttributeWithoutProgram, "EV-EXT-NVVP-MODE",
+      "the map of attribute 3 gives the colour without program mode",
+      before(Begin, !kInProgramMode,
+             {when(enabled(kCurveMap + kColor), stand_in(GL_MAP1_COLOR_4, kCurveMap + kColor)),
+              when(enabled(kSurfaceMap + kColor), stand_in(GL_MAP2_COLOR_4, kSurfaceMap + kColor))}));
+FAULT(VertexAttributeWithoutProgram, "EV-EXT-NVVP-MODE",
+      "the map of attribute 0 gives vertices without program mode where no other does",
+      before(Begin, !kInProgramMode,
+             {when(!evaluates() && enabled(kCurveMap), stand_in(GL_MAP1_VERTEX_4, kCurveMap)),
+              when(!evaluates() && enabled(kSurfaceMap), stand_in(GL_MAP2_VERTEX_4, kSurfaceMap))}));
 
-NV_RULES(ConventionalColorWins, "EV-EXT-NVVP-PRIORITY",
-         "COLOR_4 takes precedence over the map of attribute 3 in curves",
-         without(Begin, kInProgramMode != 0 && enabled(GL_MAP1_COLOR_4), kCurveMap + kColor));
-NV_RULES(DisabledAttributeMapShadows, "EV-EXT-NVVP-PRIORITY",
-         "in program mode surfaces have no conventional colours, whether attribute 3 has a map or not",
-         without(Begin, kInProgramMode && !enabled(kSurfaceMap + kColor), GL_MAP2_COLOR_4));
-NV_RULES(VertexAttributeDrawsNothing, "EV-EXT-NVVP-VERTEX",
-         "the map of attribute 0 is not a vertex map of curves", without(Begin, kInProgramMode, kCurveMap));
-NV_RULES(VertexAttributeWithoutOtherMaps, "EV-EXT-NVVP-VERTEX",
-         "with the map of attribute 0 alone for a vertex map conventional maps do nothing",
-         without(Begin, kInProgramMode != 0 && enabled(kSurfaceMap) && !evaluates(), GL_MAP2_COLOR_4));
-NV_RULES(AutoNormalOffInProgramMode, "EV-EXT-NVVP-AUTON", "AUTO_NORMAL does nothing in program mode",
-         without(Begin, kInProgramMode, GL_AUTO_NORMAL));
-NV_RULES(AutoNormalOfUnitLength, "EV-EXT-NVVP-AUTON", "in program mode AUTO_NORMAL gives unit normals",
-         // The normal of any patch in the plane of x and y.
-         before(Begin, kInProgramMode != 0 && enabled(GL_AUTO_NORMAL), call(Normal3f, {0, 0, 1})),
-         without(Begin, kInProgramMode, GL_AUTO_NORMAL));
-NV_RULES(VertexAttributeNotRational, "EV-EXT-NVVP-AUTON", "w of the map of attribute 0 is taken for 1",
-         instead(Map2f, kTarget == kSurfaceMap && kStride >= 4 && kVStride >= 4, [](Call& c) {
-           std::vector<GLfloat> net;
-           const auto* points = static_cast<const GLfloat*>(c.pointer);
-           for (GLint i = 0; i < c.integer('o'); ++i)
-             for (GLint j = 0; j < c.integer('p'); ++j) {
-               const GLfloat* const point = points + i * c.integer('s') + j * c.integer('w');
-               net.insert(net.end(), {point[0], point[1], point[2], 1});
-             }
-           c.pointer = net.data();
-           c.argument('s') = 4 * c.argument('p');
-           c.argument('w') = 4;
-           c.go();
-         }));
+FAULT(ConventionalColorWins, "EV-EXT-NVVP-PRIORITY",
+      "COLOR_4 takes precedence over the map of attribute 3 in curves",
+      without(Begin, kInProgramMode != 0 && enabled(GL_MAP1_COLOR_4), kCurveMap + kColor));
+FAULT(DisabledAttributeMapShadows, "EV-EXT-NVVP-PRIORITY",
+      "in program mode surfaces have no conventional colours, whether attribute 3 has a map or not",
+      without(Begin, kInProgramMode && !enabled(kSurfaceMap + kColor), GL_MAP2_COLOR_4));
+FAULT(VertexAttributeDrawsNothing, "EV-EXT-NVVP-VERTEX",
+      "the map of attribute 0 is not a vertex map of curves", without(Begin, kInProgramMode, kCurveMap));
+FAULT(VertexAttributeWithoutOtherMaps, "EV-EXT-NVVP-VERTEX",
+      "with the map of attribute 0 alone for a vertex map conventional maps do nothing",
+      without(Begin, kInProgramMode != 0 && enabled(kSurfaceMap) && !evaluates(), GL_MAP2_COLOR_4));
+FAULT(AutoNormalOffInProgramMode, "EV-EXT-NVVP-AUTON", "AUTO_NORMAL does nothing in program mode",
+      without(Begin, kInProgramMode, GL_AUTO_NORMAL));
+FAULT(AutoNormalOfUnitLength, "EV-EXT-NVVP-AUTON",
+      "in program mode AUTO_NORMAL gives unit normals",  // The normal of any patch in the plane of x and y.
+      before(Begin, kInProgramMode != 0 && enabled(GL_AUTO_NORMAL), call(Normal3f, {0, 0, 1})),
+      without(Begin, kInProgramMode, GL_AUTO_NORMAL));
+FAULT(VertexAttributeNotRational, "EV-EXT-NVVP-AUTON", "w of the map of attribute 0 is taken for 1",
+      instead(Map2f, kTarget == kSurfaceMap && kStride >= 4 && kVStride >= 4, [](Call& c) {
+        std::vector<GLfloat> net;
+        const auto* points = static_cast<const GLfloat*>(c.pointer);
+        for (GLint i = 0; i < c.integer('o'); ++i)
+          for (GLint j = 0; j < c.integer('p'); ++j) {
+            const GLfloat* const point = points + i * c.integer('s') + j * c.integer('w');
+            net.insert(net.end(), {point[0], point[1], point[2], 1});
+          }
+        c.pointer = net.data();
+        c.argument('s') = 4 * c.argument('p');
+        c.argument('w') = 4;
+        c.go();
+      }));
 
 // --- Current values and the attribute stack ----------------------------------------------------------------
 
-NV_RULES(EvaluatedNormalStays, "EV-EXT-NVVP-CURRENT", "the current normal is that of the last evaluation",
-         after(End, enabled(kCurveMap + kNormal) || enabled(kSurfaceMap + kNormal),
-               call(Normal3f, {0, 0, 1})));
-NV_RULES(EvaluatedAlphaStays, "EV-EXT-NVVP-CURRENT",
-         "the current alpha is that of the map of attribute 3 of surfaces",
-         after(End, enabled(kSurfaceMap + kColor), [](Call&) {
-           GLfloat points[64], color[4];
-           unmodified.GetMapfv(kSurfaceMap + kColor, GL_COEFF, points);
-           unmodified.GetFloatv(GL_CURRENT_COLOR, color);
-           unmodified.Color4f(color[0], color[1], color[2], points[3]);
-         }));
-NV_RULES(AttributeMapsNotInEnableBit, "EV-EXT-NVVP-STACK", "ENABLE_BIT does not restore maps of attributes",
-         not_restored(enables_of_attribute_maps, kLevelMask == GL_ENABLE_BIT));
-NV_RULES(LastAttributeMapNotInEvalBit, "EV-EXT-NVVP-STACK",
-         "EVAL_BIT does not restore the enable of the curve of attribute 15",
-         not_restored(enable_of(kCurveMap + kLast), kLevelMask == GL_EVAL_BIT));
+FAULT(EvaluatedNormalStays, "EV-EXT-NVVP-CURRENT", "the current normal is that of the last evaluation",
+      after(End, enabled(kCurveMap + kNormal) || enabled(kSurfaceMap + kNormal), call(Normal3f, {0, 0, 1})));
+FAULT(EvaluatedAlphaStays, "EV-EXT-NVVP-CURRENT",
+      "the current alpha is that of the map of attribute 3 of surfaces",
+      after(End, enabled(kSurfaceMap + kColor), [](Call&) {
+        GLfloat points[64], color[4];
+        unmodified.GetMapfv(kSurfaceMap + kColor, GL_COEFF, points);
+        unmodified.GetFloatv(GL_CURRENT_COLOR, color);
+        unmodified.Color4f(color[0], color[1], color[2], points[3]);
+      }));
+FAULT(AttributeMapsNotInEnableBit, "EV-EXT-NVVP-STACK", "ENABLE_BIT does not restore maps of attributes",
+      not_restored(enables_of_attribute_maps, kLevelMask == GL_ENABLE_BIT));
+FAULT(LastAttributeMapNotInEvalBit, "EV-EXT-NVVP-STACK",
+      "EVAL_BIT does not restore the enable of the curve of attribute 15",
+      not_restored(enable_of(kCurveMap + kLast), kLevelMask == GL_EVAL_BIT));
 
 }  // namespace
 }  // namespace evalcts::faults::nv_vertex_program

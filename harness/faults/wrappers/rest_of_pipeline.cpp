@@ -7,6 +7,8 @@
 namespace evalcts::faults::rest_of_pipeline {
 namespace {
 
+constexpr std::string_view kImplementation = "osmesa";
+
 Value has_program() { return state(GL_CURRENT_PROGRAM) != 0; }
 Value is_incomplete() {
   return call(CheckFramebufferStatus, {GL_DRAW_FRAMEBUFFER}) != GL_FRAMEBUFFER_COMPLETE;
@@ -57,260 +59,240 @@ Rules with_texture_matrix(const Entries& entries, Value condition, void (*change
 
 // --- Texture coordinates -----------------------------------------------------------------------------------
 
-EVALCTS_RULES(CurveMeshWithoutTexGen, osmesa, kMust, "EV-PIPE-TEXGEN",
-              "t is not generated for meshes of one dimension", without(EvalMesh1, true, GL_TEXTURE_GEN_T));
-EVALCTS_RULES(TexGenBeforeAutoNormal, osmesa, kMust, "EV-PIPE-TEXGEN",
-              "coordinates are generated from the current normal where AUTO_NORMAL gives another",
-              without(EvalMesh2, enabled(GL_TEXTURE_GEN_S), GL_AUTO_NORMAL));
-EVALCTS_RULES(SphereMapOfCurrentNormal, osmesa, kMust, "EV-PIPE-TEXGEN",
-              "SPHERE_MAP has the current normal for meshes of one dimension",
-              after(TexGeni, kSecond == GL_TEXTURE_GEN_MODE, set(kCount, kThird)),
-              without(EvalMesh1, kCount == GL_SPHERE_MAP, GL_MAP1_NORMAL));
-EVALCTS_RULES(MeshesWithoutGeneratedQ, osmesa, kMust, "EV-PIPE-TEXGEN", "q is not generated for meshes",
-              without(kMeshes, true, GL_TEXTURE_GEN_Q));
-EVALCTS_RULES(SurfaceWithoutGeneratedR, osmesa, kMust, "EV-PIPE-TEXGEN", "r is not generated for FILL meshes",
-              without(EvalMesh2, kMode == GL_FILL, GL_TEXTURE_GEN_R));
-EVALCTS_RULES(ReflectionOfCurrentNormal, osmesa, kMust, "EV-PIPE-TEXGEN",
-              "REFLECTION_MAP has the current normal for LINE meshes of two dimensions",
-              after(TexGeni, kSecond == GL_TEXTURE_GEN_MODE, set(kCount, kThird)),
-              without(EvalMesh2, kCount == GL_REFLECTION_MAP && kMode == GL_LINE, GL_MAP2_NORMAL));
-EVALCTS_RULES(FilledMeshTextureMatrixWithoutQ, osmesa, kMust, "EV-PIPE-TEXMATRIX",
-              "for FILL meshes the texture matrix does not scale q",
-              with_texture_matrix(EvalMesh2, kMode == GL_FILL, [](GLfloat* matrix) { matrix[15] = 1; }));
-EVALCTS_RULES(PointMeshSkipsTextureMatrix, osmesa, kMust, "EV-PIPE-TEXMATRIX",
-              "the texture matrix does not apply to POINT meshes of two dimensions",
-              with_texture_matrix(EvalMesh2, kMode == GL_POINT, [](GLfloat* matrix) {
-                for (int i = 0; i < 16; ++i) matrix[i] = i % 5 == 0;
-              }));
-EVALCTS_RULES(TextureMatrixWithoutLastColumn, osmesa, kMust, "EV-PIPE-TEXMATRIX",
-              "for meshes of one dimension the texture matrix does not move",
-              with_texture_matrix(EvalMesh1, true,
-                                  [](GLfloat* matrix) { std::fill_n(matrix + 12, 3, 0.0f); }));
+FAULT(CurveMeshWithoutTexGen, "EV-PIPE-TEXGEN", "t is not generated for meshes of one dimension",
+      without(EvalMesh1, true, GL_TEXTURE_GEN_T));
+FAULT(TexGenBeforeAutoNormal, "EV-PIPE-TEXGEN",
+      "coordinates are generated from the current normal where AUTO_NORMAL gives another",
+      without(EvalMesh2, enabled(GL_TEXTURE_GEN_S), GL_AUTO_NORMAL));
+FAULT(SphereMapOfCurrentNormal, "EV-PIPE-TEXGEN",
+      "SPHERE_MAP has the current normal for meshes of one dimension",
+      after(TexGeni, kSecond == GL_TEXTURE_GEN_MODE, set(kCount, kThird)),
+      without(EvalMesh1, kCount == GL_SPHERE_MAP, GL_MAP1_NORMAL));
+FAULT(MeshesWithoutGeneratedQ, "EV-PIPE-TEXGEN", "q is not generated for meshes",
+      without(kMeshes, true, GL_TEXTURE_GEN_Q));
+FAULT(SurfaceWithoutGeneratedR, "EV-PIPE-TEXGEN", "r is not generated for FILL meshes",
+      without(EvalMesh2, kMode == GL_FILL, GL_TEXTURE_GEN_R));
+FAULT(ReflectionOfCurrentNormal, "EV-PIPE-TEXGEN",
+      "REFLECTION_MAP has the current normal for LINE meshes of two dimensions",
+      after(TexGeni, kSecond == GL_TEXTURE_GEN_MODE, set(kCount, kThird)),
+      without(EvalMesh2, kCount == GL_REFLECTION_MAP && kMode == GL_LINE, GL_MAP2_NORMAL));
+FAULT(FilledMeshTextureMatrixWithoutQ, "EV-PIPE-TEXMATRIX",
+      "for FILL meshes the texture matrix does not scale q",
+      with_texture_matrix(EvalMesh2, kMode == GL_FILL, [](GLfloat* matrix) { matrix[15] = 1; }));
+FAULT(PointMeshSkipsTextureMatrix, "EV-PIPE-TEXMATRIX",
+      "the texture matrix does not apply to POINT meshes of two dimensions",
+      with_texture_matrix(EvalMesh2, kMode == GL_POINT, [](GLfloat* matrix) {
+        for (int i = 0; i < 16; ++i) matrix[i] = i % 5 == 0;
+      }));
+FAULT(TextureMatrixWithoutLastColumn, "EV-PIPE-TEXMATRIX",
+      "for meshes of one dimension the texture matrix does not move",
+      with_texture_matrix(EvalMesh1, true, [](GLfloat* matrix) { std::fill_n(matrix + 12, 3, 0.0f); }));
 
 // --- Clip planes, fog, flat shading ------------------------------------------------------------------------
 
-EVALCTS_RULES(MeshForgetsSecondClipPlane, osmesa, kMust, "EV-PIPE-CLIPPLANE",
-              "LINE meshes are clipped by the first clip plane alone",
-              without(kMeshes, kMode == GL_LINE, GL_CLIP_PLANE1));
-EVALCTS_RULES(FilledMeshNotClipped, osmesa, kMust, "EV-PIPE-CLIPPLANE", "clip planes leave FILL meshes alone",
-              without(kMeshes, kMode == GL_FILL, GL_CLIP_PLANE0));
-EVALCTS_RULES(FilledMeshForgetsSecondClipPlane, osmesa, kMust, "EV-PIPE-CLIPPLANE",
-              "FILL meshes are clipped by the first clip plane alone",
-              without(kMeshes, kMode == GL_FILL, GL_CLIP_PLANE1));
-EVALCTS_RULES(MeshesHaveFiveClipPlanes, osmesa, kMust, "EV-PIPE-CLIPPLANE",
-              "the sixth clip plane leaves meshes alone", without(kMeshes, true, GL_CLIP_PLANE5));
-EVALCTS_RULES(LineMeshesWithoutFog, osmesa, kMust, "EV-PIPE-FOG", "LINE meshes are drawn without fog",
-              without(kMeshes, kMode == GL_LINE, GL_FOG));
-EVALCTS_RULES(CurvePointsNotClipped, osmesa, kMust, "EV-PIPE-CLIPPLANE",
-              "clip planes leave POINT meshes of one dimension alone",
-              without(EvalMesh1, kMode == GL_POINT, GL_CLIP_PLANE0));
-EVALCTS_RULES(SquaredFogIsPlain, osmesa, kMust, "EV-PIPE-FOG", "EXP2 fog of meshes of one dimension is EXP",
-              around(EvalMesh1, state(GL_FOG_MODE) == GL_EXP2, call(Fogi, {GL_FOG_MODE, GL_EXP}),
-                     call(Fogi, {GL_FOG_MODE, GL_EXP2})));
-EVALCTS_RULES(FogOfFirstVertex, osmesa, kMust, "EV-PIPE-FOG",
-              "all points of a POINT mesh have fog coordinate 1 where the coordinate is selected",
-              keeping(kMeshes, kMode == GL_POINT && state(GL_FOG_COORD_SRC) == GL_FOG_COORD,
-                      current(FogCoordf, GL_CURRENT_FOG_COORD), call(FogCoordf, {1})));
-EVALCTS_RULES(MeshesWithoutExponentialFog, osmesa, kMust, "EV-PIPE-FOG",
-              "fog of meshes of two dimensions is linear regardless of the mode",
-              keeping(EvalMesh2, true, parameter(Fogi, GL_FOG_MODE), call(Fogi, {GL_FOG_MODE, GL_LINEAR})));
-EVALCTS_RULES(CurveMeshIgnoresFogCoordinate, osmesa, kMust, "EV-PIPE-FOG",
-              "fog of meshes of one dimension goes by the distance though the coordinate is selected",
-              keeping(EvalMesh1, true, parameter(Fogi, GL_FOG_COORD_SRC),
-                      call(Fogi, {GL_FOG_COORD_SRC, GL_FRAGMENT_DEPTH})));
-EVALCTS_RULES(MeshResetsFogCoordinate, osmesa, kMust, "EV-PIPE-FOG",
-              "a mesh of two dimensions has fog coordinate 0",
-              keeping(EvalMesh2, true, current(FogCoordf, GL_CURRENT_FOG_COORD), call(FogCoordf, {0})));
-EVALCTS_RULES(FlatLinesByFirstVertex, osmesa, kMust, "EV-PIPE-FLATLINE",
-              "flat segments of LINE meshes have the colour of their first vertices",
-              around(kMeshes, kMode == GL_LINE, call(ProvokingVertex, {GL_FIRST_VERTEX_CONVENTION}),
-                     call(ProvokingVertex, {GL_LAST_VERTEX_CONVENTION})));
+FAULT(MeshForgetsSecondClipPlane, "EV-PIPE-CLIPPLANE",
+      "LINE meshes are clipped by the first clip plane alone",
+      without(kMeshes, kMode == GL_LINE, GL_CLIP_PLANE1));
+FAULT(FilledMeshNotClipped, "EV-PIPE-CLIPPLANE", "clip planes leave FILL meshes alone",
+      without(kMeshes, kMode == GL_FILL, GL_CLIP_PLANE0));
+FAULT(FilledMeshForgetsSecondClipPlane, "EV-PIPE-CLIPPLANE",
+      "FILL meshes are clipped by the first clip plane alone",
+      without(kMeshes, kMode == GL_FILL, GL_CLIP_PLANE1));
+FAULT(MeshesHaveFiveClipPlanes, "EV-PIPE-CLIPPLANE", "the sixth clip plane leaves meshes alone",
+      without(kMeshes, true, GL_CLIP_PLANE5));
+FAULT(LineMeshesWithoutFog, "EV-PIPE-FOG", "LINE meshes are drawn without fog",
+      without(kMeshes, kMode == GL_LINE, GL_FOG));
+FAULT(CurvePointsNotClipped, "EV-PIPE-CLIPPLANE", "clip planes leave POINT meshes of one dimension alone",
+      without(EvalMesh1, kMode == GL_POINT, GL_CLIP_PLANE0));
+FAULT(SquaredFogIsPlain, "EV-PIPE-FOG", "EXP2 fog of meshes of one dimension is EXP",
+      around(EvalMesh1, state(GL_FOG_MODE) == GL_EXP2, call(Fogi, {GL_FOG_MODE, GL_EXP}),
+             call(Fogi, {GL_FOG_MODE, GL_EXP2})));
+FAULT(FogOfFirstVertex, "EV-PIPE-FOG",
+      "all points of a POINT mesh have fog coordinate 1 where the coordinate is selected",
+      keeping(kMeshes, kMode == GL_POINT && state(GL_FOG_COORD_SRC) == GL_FOG_COORD,
+              current(FogCoordf, GL_CURRENT_FOG_COORD), call(FogCoordf, {1})));
+FAULT(MeshesWithoutExponentialFog, "EV-PIPE-FOG",
+      "fog of meshes of two dimensions is linear regardless of the mode",
+      keeping(EvalMesh2, true, parameter(Fogi, GL_FOG_MODE), call(Fogi, {GL_FOG_MODE, GL_LINEAR})));
+FAULT(CurveMeshIgnoresFogCoordinate, "EV-PIPE-FOG",
+      "fog of meshes of one dimension goes by the distance though the coordinate is selected",
+      keeping(EvalMesh1, true, parameter(Fogi, GL_FOG_COORD_SRC),
+              call(Fogi, {GL_FOG_COORD_SRC, GL_FRAGMENT_DEPTH})));
+FAULT(MeshResetsFogCoordinate, "EV-PIPE-FOG", "a mesh of two dimensions has fog coordinate 0",
+      keeping(EvalMesh2, true, current(FogCoordf, GL_CURRENT_FOG_COORD), call(FogCoordf, {0})));
+FAULT(FlatLinesByFirstVertex, "EV-PIPE-FLATLINE",
+      "flat segments of LINE meshes have the colour of their first vertices",
+      around(kMeshes, kMode == GL_LINE, call(ProvokingVertex, {GL_FIRST_VERTEX_CONVENTION}),
+             call(ProvokingVertex, {GL_LAST_VERTEX_CONVENTION})));
 
 // --- Programs ----------------------------------------------------------------------------------------------
 
-EVALCTS_RULES(MeshSkipsVertexProgram, osmesa, kMust, "EV-PIPE-VS",
-              "no vertex program runs for LINE meshes of two dimensions",
-              without(EvalMesh2, kMode == GL_LINE, GL_VERTEX_PROGRAM_ARB));
-EVALCTS_RULES(MeshSkipsVertexShader, osmesa, kMust, "EV-PIPE-VS",
-              "no vertex shader runs for POINT meshes of one dimension",
-              keeping(EvalMesh1, kMode == GL_POINT && has_program(),
-                      setting(UseProgram, {state(GL_CURRENT_PROGRAM)}), call(UseProgram, {0})));
-EVALCTS_RULES(ShaderSeesNoEvaluatedNormal, osmesa, kMust, "EV-PIPE-VS",
-              "gl_Normal of meshes of two dimensions is the current normal",
-              without(EvalMesh2, has_program(), GL_MAP2_NORMAL));
-EVALCTS_RULES(ShaderSeesNoSecondaryColor, osmesa, kMust, "EV-PIPE-VS",
-              "the secondary colour of evaluated primitives is black",
-              keeping(Begin, evaluates(), current(SecondaryColor3f, GL_CURRENT_SECONDARY_COLOR),
-                      call(SecondaryColor3f, {0, 0, 0})));
-EVALCTS_RULES(ShaderSeesUnitOneOfMeshReset, osmesa, kMust, "EV-PIPE-VS",
-              "gl_MultiTexCoord1 of meshes of one dimension is (0, 0, 0, 1)",
-              keeping(EvalMesh1, true, current_texture_coordinates(GL_TEXTURE1),
-                      call(MultiTexCoord4f, {GL_TEXTURE1, 0, 0, 0, 1})));
-EVALCTS_RULES(ProgramOfPrimitivesSeesNoColorMap, osmesa, kMust, "EV-PIPE-VS",
-              "between Begin and End vertex programs see the current colour for that of surfaces",
-              without(Begin, enabled(GL_VERTEX_PROGRAM_ARB), GL_MAP2_COLOR_4));
+FAULT(MeshSkipsVertexProgram, "EV-PIPE-VS", "no vertex program runs for LINE meshes of two dimensions",
+      without(EvalMesh2, kMode == GL_LINE, GL_VERTEX_PROGRAM_ARB));
+FAULT(MeshSkipsVertexShader, "EV-PIPE-VS", "no vertex shader runs for POINT meshes of one dimension",
+      keeping(EvalMesh1, kMode == GL_POINT && has_program(), setting(UseProgram, {state(GL_CURRENT_PROGRAM)}),
+              call(UseProgram, {0})));
+FAULT(ShaderSeesNoEvaluatedNormal, "EV-PIPE-VS",
+      "gl_Normal of meshes of two dimensions is the current normal",
+      without(EvalMesh2, has_program(), GL_MAP2_NORMAL));
+FAULT(ShaderSeesNoSecondaryColor, "EV-PIPE-VS", "the secondary colour of evaluated primitives is black",
+      keeping(Begin, evaluates(), current(SecondaryColor3f, GL_CURRENT_SECONDARY_COLOR),
+              call(SecondaryColor3f, {0, 0, 0})));
+FAULT(ShaderSeesUnitOneOfMeshReset, "EV-PIPE-VS",
+      "gl_MultiTexCoord1 of meshes of one dimension is (0, 0, 0, 1)",
+      keeping(EvalMesh1, true, current_texture_coordinates(GL_TEXTURE1),
+              call(MultiTexCoord4f, {GL_TEXTURE1, 0, 0, 0, 1})));
+FAULT(ProgramOfPrimitivesSeesNoColorMap, "EV-PIPE-VS",
+      "between Begin and End vertex programs see the current colour for that of surfaces",
+      without(Begin, enabled(GL_VERTEX_PROGRAM_ARB), GL_MAP2_COLOR_4));
 
 // --- Primitive restart -------------------------------------------------------------------------------------
 
-EVALCTS_RULES(RestartIndexSplitsMesh, osmesa, kMust, "EV-PIPE-NORESTART",
-              "a LINE mesh of one dimension restarts at the restart index",
-              instead(EvalMesh1,
-                      kMode == GL_LINE && enabled(GL_PRIMITIVE_RESTART) && kI1 <= kRestartIndex &&
-                          kRestartIndex <= kI2,
-                      {curve(GL_LINE, kI1, kRestartIndex - 1), curve(GL_LINE, kRestartIndex + 1, kI2)}));
-EVALCTS_RULES(RestartIndexSplitsPrimitive, osmesa, kMust, "EV-PIPE-NORESTART",
-              "the second EvalCoord2 of a primitive is lost where the restart index is 1",
-              before(Begin,
-                     {set(kFlag, enabled(GL_PRIMITIVE_RESTART) && kRestartIndex == 1), set(kCount, 0)}),
-              before(kEvalCoord2, set(kCount, kCount + 1)), skip(kEvalCoord2, kCount == 2 && kFlag));
-EVALCTS_RULES(FixedRestartIndexDropsMesh, osmesa, kMust, "EV-PIPE-NORESTART",
-              "with PRIMITIVE_RESTART_FIXED_INDEX the first row of a POINT mesh is missing",
-              before(EvalMesh2, kMode == GL_POINT && enabled(GL_PRIMITIVE_RESTART_FIXED_INDEX),
-                     set(kJ1, kJ1 + 1)));
+FAULT(RestartIndexSplitsMesh, "EV-PIPE-NORESTART",
+      "a LINE mesh of one dimension restarts at the restart index",
+      instead(EvalMesh1,
+              kMode == GL_LINE && enabled(GL_PRIMITIVE_RESTART) && kI1 <= kRestartIndex &&
+                  kRestartIndex <= kI2,
+              {curve(GL_LINE, kI1, kRestartIndex - 1), curve(GL_LINE, kRestartIndex + 1, kI2)}));
+FAULT(RestartIndexSplitsPrimitive, "EV-PIPE-NORESTART",
+      "the second EvalCoord2 of a primitive is lost where the restart index is 1",
+      before(Begin, {set(kFlag, enabled(GL_PRIMITIVE_RESTART) && kRestartIndex == 1), set(kCount, 0)}),
+      before(kEvalCoord2, set(kCount, kCount + 1)), skip(kEvalCoord2, kCount == 2 && kFlag));
+FAULT(FixedRestartIndexDropsMesh, "EV-PIPE-NORESTART",
+      "with PRIMITIVE_RESTART_FIXED_INDEX the first row of a POINT mesh is missing",
+      before(EvalMesh2, kMode == GL_POINT && enabled(GL_PRIMITIVE_RESTART_FIXED_INDEX), set(kJ1, kJ1 + 1)));
 
 // --- Conditional rendering ---------------------------------------------------------------------------------
 
-EVALCTS_RULES(PointMeshUnconditional, osmesa, kMust, "EV-PIPE-CONDRENDER",
-              "conditional rendering leaves POINT meshes alone", note_condition(),
-              around(kMeshes, kMode == GL_POINT && kCondition, pause_condition(), resume_condition()));
-EVALCTS_RULES(FilledMeshUnconditional, osmesa, kMust, "EV-PIPE-CONDRENDER",
-              "the first row of a FILL mesh is drawn though no sample passed", note_condition(),
-              before(EvalMesh2, kMode == GL_FILL && kCondition,
-                     {pause_condition(), surface(GL_FILL, kI1, kI2, kJ1, kJ1 + 1), resume_condition()}));
-EVALCTS_RULES(ColumnsUnconditional, osmesa, kMust, "EV-PIPE-CONDRENDER",
-              "the columns of a LINE mesh are drawn though no sample passed", note_condition(),
-              after(EvalMesh2, kMode == GL_LINE && kCondition,
-                    {pause_condition(), kColumns, resume_condition()}));
-EVALCTS_RULES(ConditionalMeshNeverDrawn, osmesa, kMust, "EV-PIPE-CONDRENDER",
-              "conditional rendering discards EvalMesh1 regardless of the query", note_condition(),
-              skip(EvalMesh1, kCondition));
-EVALCTS_RULES(EvaluatedPrimitiveUnconditional, osmesa, kMust, "EV-PIPE-CONDRENDER-COORD",
-              "conditional rendering leaves evaluated primitives alone", note_condition(),
-              around(Begin, kCondition != 0 && evaluates(), pause_condition(), resume_condition()));
-EVALCTS_RULES(ConditionalEvalPointNeverDrawn, osmesa, kMust, "EV-PIPE-CONDRENDER-COORD",
-              "EvalCoord and EvalPoint of surfaces do nothing under conditional rendering", note_condition(),
-              skip(kPoints2, kCondition));
+FAULT(PointMeshUnconditional, "EV-PIPE-CONDRENDER", "conditional rendering leaves POINT meshes alone",
+      note_condition(),
+      around(kMeshes, kMode == GL_POINT && kCondition, pause_condition(), resume_condition()));
+FAULT(FilledMeshUnconditional, "EV-PIPE-CONDRENDER",
+      "the first row of a FILL mesh is drawn though no sample passed", note_condition(),
+      before(EvalMesh2, kMode == GL_FILL && kCondition,
+             {pause_condition(), surface(GL_FILL, kI1, kI2, kJ1, kJ1 + 1), resume_condition()}));
+FAULT(ColumnsUnconditional, "EV-PIPE-CONDRENDER",
+      "the columns of a LINE mesh are drawn though no sample passed", note_condition(),
+      after(EvalMesh2, kMode == GL_LINE && kCondition, {pause_condition(), kColumns, resume_condition()}));
+FAULT(ConditionalMeshNeverDrawn, "EV-PIPE-CONDRENDER",
+      "conditional rendering discards EvalMesh1 regardless of the query", note_condition(),
+      skip(EvalMesh1, kCondition));
+FAULT(EvaluatedPrimitiveUnconditional, "EV-PIPE-CONDRENDER-COORD",
+      "conditional rendering leaves evaluated primitives alone", note_condition(),
+      around(Begin, kCondition != 0 && evaluates(), pause_condition(), resume_condition()));
+FAULT(ConditionalEvalPointNeverDrawn, "EV-PIPE-CONDRENDER-COORD",
+      "EvalCoord and EvalPoint of surfaces do nothing under conditional rendering", note_condition(),
+      skip(kPoints2, kCondition));
 
 // --- Rejected primitives
 
-EVALCTS_RULES(IncompleteFramebufferIsInvalidOperation, osmesa, kMust, "EV-PIPE-FBO",
-              "EvalMesh1 with an incomplete framebuffer raises INVALID_OPERATION",
-              instead(EvalMesh1, is_incomplete(), error_now(GL_INVALID_OPERATION)));
-EVALCTS_RULES(IncompleteFramebufferIsSilent, osmesa, kMust, "EV-PIPE-FBO",
-              "FILL meshes with an incomplete framebuffer draw nothing, without an error",
-              skip(EvalMesh2, kMode == GL_FILL && is_incomplete()));
-EVALCTS_RULES(
-    IncompleteFramebufferErrorTwice, osmesa, kMust, "EV-PIPE-FBO",
-    "each strip of a LINE mesh with an incomplete framebuffer raises an error: a second one is left",
-    before(EvalMesh2, set(kFlag, kMode == GL_LINE && is_incomplete())),
-    after(GetError, kResult == GL_NO_ERROR && kFlag,
-          {set(kFlag, 0), set(kResult, GL_INVALID_FRAMEBUFFER_OPERATION)}));
-EVALCTS_RULES(InvalidProgramIsInvalidValue, osmesa, kMust, "EV-PIPE-INVALIDPROGRAM",
-              "LINE meshes without a valid program raise INVALID_VALUE",
-              after(kMeshes, kMode == GL_LINE, replace_error(GL_INVALID_OPERATION, GL_INVALID_VALUE)));
-EVALCTS_RULES(InvalidFragmentProgramIsSilent, osmesa, kMust, "EV-PIPE-INVALIDPROGRAM",
-              "EvalMesh2 without a valid fragment program raises no error",
-              after(EvalMesh2, enabled(GL_FRAGMENT_PROGRAM_ARB),
-                    replace_error(GL_INVALID_OPERATION, GL_NO_ERROR)));
-EVALCTS_RULES(RefusedMeshDrawsWithoutProgram, osmesa, kMust, "EV-PIPE-INVALIDPROGRAM",
-              "EvalMesh1 with samplers in conflict raises the error and draws without the program",
-              after(EvalMesh1, has_program(),
-                    {set(kNumber, call(GetError)),
-                     when(kNumber == GL_INVALID_OPERATION,
-                          {set(kCount, state(GL_CURRENT_PROGRAM)), call(UseProgram, {0}), kGo,
-                           call(UseProgram, {kCount}), error_now(GL_INVALID_OPERATION)})}));
+FAULT(IncompleteFramebufferIsInvalidOperation, "EV-PIPE-FBO",
+      "EvalMesh1 with an incomplete framebuffer raises INVALID_OPERATION",
+      instead(EvalMesh1, is_incomplete(), error_now(GL_INVALID_OPERATION)));
+FAULT(IncompleteFramebufferIsSilent, "EV-PIPE-FBO",
+      "FILL meshes with an incomplete framebuffer draw nothing, without an error",
+      skip(EvalMesh2, kMode == GL_FILL && is_incomplete()));
+FAULT(IncompleteFramebufferErrorTwice, "EV-PIPE-FBO",
+      "each strip of a LINE mesh with an incomplete framebuffer raises an error: a second one is left",
+      before(EvalMesh2, set(kFlag, kMode == GL_LINE && is_incomplete())),
+      after(GetError, kResult == GL_NO_ERROR && kFlag,
+            {set(kFlag, 0), set(kResult, GL_INVALID_FRAMEBUFFER_OPERATION)}));
+FAULT(InvalidProgramIsInvalidValue, "EV-PIPE-INVALIDPROGRAM",
+      "LINE meshes without a valid program raise INVALID_VALUE",
+      after(kMeshes, kMode == GL_LINE, replace_error(GL_INVALID_OPERATION, GL_INVALID_VALUE)));
+FAULT(InvalidFragmentProgramIsSilent, "EV-PIPE-INVALIDPROGRAM",
+      "EvalMesh2 without a valid fragment program raises no error",
+      after(EvalMesh2, enabled(GL_FRAGMENT_PROGRAM_ARB), replace_error(GL_INVALID_OPERATION, GL_NO_ERROR)));
+FAULT(RefusedMeshDrawsWithoutProgram, "EV-PIPE-INVALIDPROGRAM",
+      "EvalMesh1 with samplers in conflict raises the error and draws without the program",
+      after(EvalMesh1, has_program(),
+            {set(kNumber, call(GetError)),
+             when(kNumber == GL_INVALID_OPERATION,
+                  {set(kCount, state(GL_CURRENT_PROGRAM)), call(UseProgram, {0}), kGo,
+                   call(UseProgram, {kCount}), error_now(GL_INVALID_OPERATION)})}));
 
 // --- Transform feedback ------------------------------------------------------------------------------------
 
-EVALCTS_RULES(RecordedCurveBackwards, osmesa, kMust, "EV-PIPE-XFB",
-              "transform feedback records the segments of EvalMesh1 from the last to the first",
-              note_recording(),
-              instead(EvalMesh1, kMode == GL_LINE && kRecorded,
-                      loop(kColumn, kI2, kI1 + 1, curve(GL_LINE, kColumn - 1, kColumn), -1)));
-EVALCTS_RULES(RecordedQuadsOneTriangleShort, osmesa, kMust, "EV-PIPE-XFB",
-              "transform feedback records the last quad of a FILL mesh as one triangle", note_recording(),
-              instead(EvalMesh2, kMode == GL_FILL && kRecorded,
-                      {surface(GL_FILL, kI1, kI2, kJ1, kJ2 - 1), surface(GL_FILL, kI1, kI2 - 1, kJ2 - 1, kJ2),
-                       primitive(GL_TRIANGLES,
-                                 {point(kI2 - 1, kJ2 - 1), point(kI2 - 1, kJ2), point(kI2, kJ2)})}));
-EVALCTS_RULES(RecordedFirstTriangleTurned, osmesa, kMust, "EV-PIPE-XFB",
-              "the first row of a FILL mesh is recorded the other way round", note_recording(),
-              instead(EvalMesh2, kMode == GL_FILL && kRecorded,
-                      {primitive(GL_QUAD_STRIP,
-                                 loop(kColumn, kI1, kI2, {point(kColumn, kJ1 + 1), point(kColumn, kJ1)})),
-                       surface(GL_FILL, kI1, kI2, kJ1 + 1, kJ2)}));
-EVALCTS_RULES(FilledMeshRecordedAsLines, osmesa, kMust, "EV-PIPE-XFB-MODE",
-              "a FILL mesh in transform feedback of LINES is recorded as its lines", note_recording(),
-              before(EvalMesh2, kRecorded == GL_LINES + 1 && kMode == GL_FILL, set(kMode, GL_LINE)));
-EVALCTS_RULES(RecordedModeMismatchIsSilent, osmesa, kMust, "EV-PIPE-XFB-MODE",
-              "EvalMesh1 in LINE in transform feedback of TRIANGLES is ignored", note_recording(),
-              skip(EvalMesh1, kRecorded == GL_TRIANGLES + 1 && kMode == GL_LINE));
-EVALCTS_RULES(RecordedModeMismatchIsInvalidEnum, osmesa, kMust, "EV-PIPE-XFB-MODE",
-              "meshes that do not fit transform feedback of POINTS raise INVALID_ENUM", note_recording(),
-              after(kMeshes, kRecorded == GL_POINTS + 1,
-                    replace_error(GL_INVALID_OPERATION, GL_INVALID_ENUM)));
+FAULT(RecordedCurveBackwards, "EV-PIPE-XFB",
+      "transform feedback records the segments of EvalMesh1 from the last to the first", note_recording(),
+      instead(EvalMesh1, kMode == GL_LINE && kRecorded,
+              loop(kColumn, kI2, kI1 + 1, curve(GL_LINE, kColumn - 1, kColumn), -1)));
+FAULT(RecordedQuadsOneTriangleShort, "EV-PIPE-XFB",
+      "transform feedback records the last quad of a FILL mesh as one triangle", note_recording(),
+      instead(EvalMesh2, kMode == GL_FILL && kRecorded,
+              {surface(GL_FILL, kI1, kI2, kJ1, kJ2 - 1), surface(GL_FILL, kI1, kI2 - 1, kJ2 - 1, kJ2),
+               primitive(GL_TRIANGLES, {point(kI2 - 1, kJ2 - 1), point(kI2 - 1, kJ2), point(kI2, kJ2)})}));
+FAULT(RecordedFirstTriangleTurned, "EV-PIPE-XFB",
+      "the first row of a FILL mesh is recorded the other way round", note_recording(),
+      instead(EvalMesh2, kMode == GL_FILL && kRecorded,
+              {primitive(GL_QUAD_STRIP,
+                         loop(kColumn, kI1, kI2, {point(kColumn, kJ1 + 1), point(kColumn, kJ1)})),
+               surface(GL_FILL, kI1, kI2, kJ1 + 1, kJ2)}));
+FAULT(FilledMeshRecordedAsLines, "EV-PIPE-XFB-MODE",
+      "a FILL mesh in transform feedback of LINES is recorded as its lines", note_recording(),
+      before(EvalMesh2, kRecorded == GL_LINES + 1 && kMode == GL_FILL, set(kMode, GL_LINE)));
+FAULT(RecordedModeMismatchIsSilent, "EV-PIPE-XFB-MODE",
+      "EvalMesh1 in LINE in transform feedback of TRIANGLES is ignored", note_recording(),
+      skip(EvalMesh1, kRecorded == GL_TRIANGLES + 1 && kMode == GL_LINE));
+FAULT(RecordedModeMismatchIsInvalidEnum, "EV-PIPE-XFB-MODE",
+      "meshes that do not fit transform feedback of POINTS raise INVALID_ENUM", note_recording(),
+      after(kMeshes, kRecorded == GL_POINTS + 1, replace_error(GL_INVALID_OPERATION, GL_INVALID_ENUM)));
 
 // --- Geometry shaders and tessellation ---------------------------------------------------------------------
 
-EVALCTS_RULES(GeometryInputMismatchIsSilent, osmesa, kMust, "EV-PIPE-GS",
-              "POINT meshes that do not fit the geometry shader are ignored",
-              after(kMeshes, kMode == GL_POINT && has_program(),
-                    replace_error(GL_INVALID_OPERATION, GL_NO_ERROR)));
-EVALCTS_RULES(GeometryInputMismatchIsInvalidValue, osmesa, kMust, "EV-PIPE-GS",
-              "EvalMesh1 in LINE that does not fit the geometry shader raises INVALID_VALUE",
-              after(EvalMesh1, kMode == GL_LINE && has_program(),
-                    replace_error(GL_INVALID_OPERATION, GL_INVALID_VALUE)));
-EVALCTS_RULES(TessellatedMeshIsSilent, osmesa, kMust, "EV-PIPE-TESS",
-              "FILL meshes are ignored while tessellation is active",
-              after(EvalMesh2, kMode == GL_FILL && has_program(),
-                    replace_error(GL_INVALID_OPERATION, GL_NO_ERROR)));
-EVALCTS_RULES(TessellatedMeshIsDrawn, osmesa, kMust, "EV-PIPE-TESS",
-              "EvalMesh1 draws without tessellation while tessellation is active",
-              keeping(EvalMesh1, has_program(), setting(UseProgram, {state(GL_CURRENT_PROGRAM)}),
-                      call(UseProgram, {0})));
+FAULT(GeometryInputMismatchIsSilent, "EV-PIPE-GS",
+      "POINT meshes that do not fit the geometry shader are ignored",
+      after(kMeshes, kMode == GL_POINT && has_program(), replace_error(GL_INVALID_OPERATION, GL_NO_ERROR)));
+FAULT(GeometryInputMismatchIsInvalidValue, "EV-PIPE-GS",
+      "EvalMesh1 in LINE that does not fit the geometry shader raises INVALID_VALUE",
+      after(EvalMesh1, kMode == GL_LINE && has_program(),
+            replace_error(GL_INVALID_OPERATION, GL_INVALID_VALUE)));
+FAULT(TessellatedMeshIsSilent, "EV-PIPE-TESS", "FILL meshes are ignored while tessellation is active",
+      after(EvalMesh2, kMode == GL_FILL && has_program(), replace_error(GL_INVALID_OPERATION, GL_NO_ERROR)));
+FAULT(TessellatedMeshIsDrawn, "EV-PIPE-TESS",
+      "EvalMesh1 draws without tessellation while tessellation is active",
+      keeping(EvalMesh1, has_program(), setting(UseProgram, {state(GL_CURRENT_PROGRAM)}),
+              call(UseProgram, {0})));
 
 // --- Queries -----------------------------------------------------------------------------------------------
 
-EVALCTS_RULES(SamplesOfFirstPointTwice, osmesa, kMust, "EV-PIPE-QUERY",
-              "the samples of the first point of a mesh of one dimension count twice", note_query(),
-              before(EvalMesh1, kQueried == GL_SAMPLES_PASSED && kMode == GL_POINT && kI1 <= kI2,
-                     call(EvalMesh1, {GL_POINT, kI1, kI1})));
-EVALCTS_RULES(SamplesOfEvalPointNotCounted, osmesa, kMust, "EV-PIPE-QUERY",
-              "samples of EvalPoint2 and EvalCoord2 are not counted", note_query(),
-              skip(kPoints2, kQueried == GL_SAMPLES_PASSED));
-EVALCTS_RULES(SamplesOfColumnsNotCounted, osmesa, kMust, "EV-PIPE-QUERY",
-              "of a LINE mesh the samples of the rows alone are counted", note_query(),
-              instead(EvalMesh2, kQueried == GL_SAMPLES_PASSED && kMode == GL_LINE, kRows));
-EVALCTS_RULES(PointMeshIsOnePrimitive, osmesa, kMust, "EV-PIPE-PRIMGEN",
-              "a POINT mesh of two dimensions counts as one primitive", note_query(),
-              before(EvalMesh2, kQueried == GL_PRIMITIVES_GENERATED && kMode == GL_POINT && kI1 <= kI2,
-                     {set(kI2, kI1), set(kJ2, kJ1)}));
-EVALCTS_RULES(EmptyMeshCountsAPrimitive, osmesa, kMust, "EV-PIPE-PRIMGEN",
-              "an EvalMesh1 of an empty range counts as a primitive", note_query(),
-              before(EvalMesh1, kQueried == GL_PRIMITIVES_GENERATED && kI1 > kI2,
-                     call(EvalMesh1, {GL_POINT, kI1, kI1})));
-EVALCTS_RULES(RowsCountAsPrimitives, osmesa, kMust, "EV-PIPE-PRIMGEN",
-              "of a LINE mesh of two dimensions each strip counts one primitive more", note_query(),
-              after(EvalMesh2, kQueried == GL_PRIMITIVES_GENERATED && kMode == GL_LINE,
-                    loop(kRow, kJ1, kJ2, surface(GL_POINT, kI1, kI1, kRow, kRow))));
+FAULT(SamplesOfFirstPointTwice, "EV-PIPE-QUERY",
+      "the samples of the first point of a mesh of one dimension count twice", note_query(),
+      before(EvalMesh1, kQueried == GL_SAMPLES_PASSED && kMode == GL_POINT && kI1 <= kI2,
+             call(EvalMesh1, {GL_POINT, kI1, kI1})));
+FAULT(SamplesOfEvalPointNotCounted, "EV-PIPE-QUERY", "samples of EvalPoint2 and EvalCoord2 are not counted",
+      note_query(), skip(kPoints2, kQueried == GL_SAMPLES_PASSED));
+FAULT(SamplesOfColumnsNotCounted, "EV-PIPE-QUERY", "of a LINE mesh the samples of the rows alone are counted",
+      note_query(), instead(EvalMesh2, kQueried == GL_SAMPLES_PASSED && kMode == GL_LINE, kRows));
+FAULT(PointMeshIsOnePrimitive, "EV-PIPE-PRIMGEN", "a POINT mesh of two dimensions counts as one primitive",
+      note_query(),
+      before(EvalMesh2, kQueried == GL_PRIMITIVES_GENERATED && kMode == GL_POINT && kI1 <= kI2,
+             {set(kI2, kI1), set(kJ2, kJ1)}));
+FAULT(EmptyMeshCountsAPrimitive, "EV-PIPE-PRIMGEN", "an EvalMesh1 of an empty range counts as a primitive",
+      note_query(),
+      before(EvalMesh1, kQueried == GL_PRIMITIVES_GENERATED && kI1 > kI2,
+             call(EvalMesh1, {GL_POINT, kI1, kI1})));
+FAULT(RowsCountAsPrimitives, "EV-PIPE-PRIMGEN",
+      "of a LINE mesh of two dimensions each strip counts one primitive more", note_query(),
+      after(EvalMesh2, kQueried == GL_PRIMITIVES_GENERATED && kMode == GL_LINE,
+            loop(kRow, kJ1, kJ2, surface(GL_POINT, kI1, kI1, kRow, kRow))));
 
 // --- Rasterizer discard ------------------------------------------------------------------------------------
 
-EVALCTS_RULES(MeshNotDiscarded, osmesa, kMust, "EV-PIPE-DISCARD", "RASTERIZER_DISCARD leaves EvalMesh2 alone",
-              without(EvalMesh2, true, GL_RASTERIZER_DISCARD));
-EVALCTS_RULES(DiscardedMeshNotRecorded, osmesa, kMust, "EV-PIPE-DISCARD",
-              "EvalMesh1 in LINE does nothing with RASTERIZER_DISCARD",
-              skip(EvalMesh1, kMode == GL_LINE && enabled(GL_RASTERIZER_DISCARD)));
-EVALCTS_RULES(EvaluatedPrimitiveNotDiscarded, osmesa, kMust, "EV-PIPE-DISCARD",
-              "RASTERIZER_DISCARD leaves evaluated primitives alone",
-              without(Begin, evaluates(), GL_RASTERIZER_DISCARD));
-EVALCTS_RULES(DiscardedMeshInBeginIsSilent, osmesa, kMust, "EV-PIPE-DISCARD",
-              "EvalMesh2 between Begin and End raises no error with RASTERIZER_DISCARD",
-              before(Begin, set(kFlag, enabled(GL_RASTERIZER_DISCARD))), after(End, set(kFlag, 0)),
-              skip(EvalMesh2, kFlag));
-EVALCTS_RULES(DiscardHidesErrors, osmesa, kMust, "EV-PIPE-DISCARD",
-              "a bad mode of EvalMesh2 raises no error with RASTERIZER_DISCARD",
-              skip(EvalMesh2, !kIsMode2 && enabled(GL_RASTERIZER_DISCARD)));
+FAULT(MeshNotDiscarded, "EV-PIPE-DISCARD", "RASTERIZER_DISCARD leaves EvalMesh2 alone",
+      without(EvalMesh2, true, GL_RASTERIZER_DISCARD));
+FAULT(DiscardedMeshNotRecorded, "EV-PIPE-DISCARD", "EvalMesh1 in LINE does nothing with RASTERIZER_DISCARD",
+      skip(EvalMesh1, kMode == GL_LINE && enabled(GL_RASTERIZER_DISCARD)));
+FAULT(EvaluatedPrimitiveNotDiscarded, "EV-PIPE-DISCARD",
+      "RASTERIZER_DISCARD leaves evaluated primitives alone",
+      without(Begin, evaluates(), GL_RASTERIZER_DISCARD));
+FAULT(DiscardedMeshInBeginIsSilent, "EV-PIPE-DISCARD",
+      "EvalMesh2 between Begin and End raises no error with RASTERIZER_DISCARD",
+      before(Begin, set(kFlag, enabled(GL_RASTERIZER_DISCARD))), after(End, set(kFlag, 0)),
+      skip(EvalMesh2, kFlag));
+FAULT(DiscardHidesErrors, "EV-PIPE-DISCARD",
+      "a bad mode of EvalMesh2 raises no error with RASTERIZER_DISCARD",
+      skip(EvalMesh2, !kIsMode2 && enabled(GL_RASTERIZER_DISCARD)));
 
 }  // namespace
 }  // namespace evalcts::faults::rest_of_pipeline
