@@ -10,6 +10,7 @@ namespace evalcts::faults {
 
 inline const Value kIsMode1 = kMode == GL_POINT || kMode == GL_LINE;
 inline const Value kIsMode2 = kIsMode1 || kMode == GL_FILL;
+inline const Value kMeshDimension{[](Call& c) { return c.entry == EvalMesh1 ? 1 : 2; }};
 
 inline Value curve(GLenum mode, Value i1, Value i2) { return call(EvalMesh1, {mode, i1, i2}); }
 inline Value surface(GLenum mode, Value i1, Value i2, Value j1, Value j2) {

@@ -15,17 +15,6 @@ Place fresh_place() {
   return {[=](Call&) { return *number; }, [=](Call&, double x) { *number = x; }};
 }
 
-template <class F>
-Value unary(Value a, F f) {
-  return [=](Call& c) { return f(a(c)); };
-}
-template <class F>
-Value binary(Value a, Value b, F f) {
-  return [=](Call& c) {
-    const double first = a(c);
-    return f(first, b(c));
-  };
-}
 std::size_t index(double value) { return static_cast<std::size_t>(value); }
 
 // Returns the answers to GetMap, or Get of a grid, in double precision.
@@ -60,9 +49,7 @@ Place remembered(Value key) {
   return {unary(key, [](double k) { return running_layer().numbers[k]; }),
           [=](Call& c, double x) { running_layer().numbers[key(c)] = x; }};
 }
-std::vector<double>& remembered_list() { return running_layer().list; }
 // Uses negative keys, which differ from all tokens.
-Place kept(int i) { return remembered(-100 - i); }
 Value keep(std::initializer_list<Value> values) {
   Value all = 0;
   int i = 0;
@@ -116,13 +103,9 @@ Value evaluates() {
 Value has_buffer(Value target) {
   return unary(target, [](double t) { return tracked().buffers[token(t)]; });
 }
-Value grid1(int i) { return i == 0 ? state(GL_MAP1_GRID_SEGMENTS) : real_state(GL_MAP1_GRID_DOMAIN, i - 1); }
 Value grid2(int i) {
   return i % 3 == 0 ? state(GL_MAP2_GRID_SEGMENTS, i / 3) : real_state(GL_MAP2_GRID_DOMAIN, i - 1 - i / 3);
 }
-Value is_map1(Value name) { return name >= GL_MAP1_COLOR_4 && name <= GL_MAP1_VERTEX_4; }
-Value is_map2(Value name) { return name >= GL_MAP2_COLOR_4 && name <= GL_MAP2_VERTEX_4; }
-Value is_map(Value name) { return is_map1(name) || is_map2(name); }
 Value is_texture_map(Value name) {
   return (name >= GL_MAP1_TEXTURE_COORD_1 && name <= GL_MAP1_TEXTURE_COORD_4) ||
          (name >= GL_MAP2_TEXTURE_COORD_1 && name <= GL_MAP2_TEXTURE_COORD_4);
@@ -130,11 +113,6 @@ Value is_texture_map(Value name) {
 
 // --- Operations --------------------------------------------------------------------------------------------
 
-Value operator+(Value a, Value b) { return binary(a, b, std::plus()); }
-Value operator-(Value a, Value b) { return binary(a, b, std::minus()); }
-Value operator-(Value a) { return unary(a, std::negate()); }
-Value operator*(Value a, Value b) { return binary(a, b, std::multiplies()); }
-Value operator/(Value a, Value b) { return binary(a, b, std::divides()); }
 Value operator%(Value a, Value b) {
   return binary(a, b,
                 [](double x, double y) { return static_cast<long long>(x) % static_cast<long long>(y); });
@@ -143,12 +121,6 @@ Value operator&(Value a, Value b) {
   return binary(a, b,
                 [](double x, double y) { return static_cast<long long>(x) & static_cast<long long>(y); });
 }
-Value operator==(Value a, Value b) { return binary(a, b, std::equal_to()); }
-Value operator!=(Value a, Value b) { return binary(a, b, std::not_equal_to()); }
-Value operator<(Value a, Value b) { return binary(a, b, std::less()); }
-Value operator>(Value a, Value b) { return binary(a, b, std::greater()); }
-Value operator<=(Value a, Value b) { return binary(a, b, std::less_equal()); }
-Value operator>=(Value a, Value b) { return binary(a, b, std::greater_equal()); }
 Value operator&&(Value a, Value b) {
   return [=](Call& c) { return a.holds(c) && b.holds(c); };
 }
@@ -164,7 +136,6 @@ Value min(Value a, Value b) {
 Value max(Value a, Value b) {
   return binary(a, b, [](double x, double y) { return std::max(x, y); });
 }
-Value clamp(Value a, Value low, Value high) { return min(max(a, low), high); }
 Value abs(Value a) {
   return unary(a, [](double x) { return std::abs(x); });
 }
@@ -216,7 +187,6 @@ Steps::Steps(std::initializer_list<Value> steps)
         for (const Value& step : list) step(c);
       }) {}
 
-Value when(Value condition, Steps steps) { return choose(condition, steps, 0); }
 Value set(Place place, Value value) {
   return [=](Call& c) { place.assign(c, value(c)); };
 }
@@ -277,9 +247,6 @@ Value call(gl::EntryPoint entry, std::vector<Value> arguments) {
     return other.result;
   };
 }
-Value enable(Value cap) { return call(Enable, {cap}); }
-Value disable(Value cap) { return call(Disable, {cap}); }
-Value switch_to(Value cap, Value on) { return choose(on, enable(cap), disable(cap)); }
 Value loop(Place counter, Value first, Value last, Steps steps, int step) {
   return [=](Call& c) {
     const double end = last(c);
@@ -397,17 +364,12 @@ State setting(gl::EntryPoint command, std::initializer_list<Value> arguments, in
     };
   };
 }
-State grid1_state(int part) { return setting(MapGrid1d, {grid1(0), grid1(1), grid1(2)}, part); }
 State grid2_state(int part) {
   return setting(MapGrid2d, {grid2(0), grid2(1), grid2(2), grid2(3), grid2(4), grid2(5)}, part);
 }
-State parameter(gl::EntryPoint command, GLenum pname) { return setting(command, {pname, state(pname)}); }
 State current(gl::EntryPoint command, GLenum pname) {
   return setting(command,
                  {real_state(pname), real_state(pname, 1), real_state(pname, 2), real_state(pname, 3)});
-}
-Value send(const State& state) {
-  return [=](Call&) { state()(); };
 }
 
 // --- Rules -------------------------------------------------------------------------------------------------
@@ -419,18 +381,9 @@ Rules::Rules(std::initializer_list<Rules> several) {
 Rule before(const Entries& entries, Value condition, Steps steps) {
   return {entries, condition, sequence({steps, kGo})};
 }
-Rule before(const Entries& entries, Steps steps) { return before(entries, true, steps); }
 Rule after(const Entries& entries, Value condition, Steps steps) {
   return {entries, condition, steps, Rule::Kind::kLate};
 }
-Rule after(const Entries& entries, Steps steps) { return after(entries, true, steps); }
-Rule instead(const Entries& entries, Value condition, Steps steps) { return {entries, condition, steps}; }
-Rule instead(const Entries& entries, Steps steps) { return instead(entries, true, steps); }
-Rule provide(const Entries& entries, Steps steps) { return {entries, true, steps, Rule::Kind::kProvided}; }
-Rule skip(const Entries& entries, Value condition) { return {entries, condition, 0}; }
-Rule missing(const Entries& entries) { return {entries, true, 0, Rule::Kind::kMissing}; }
-Rule one_state() { return {{}, true, 0, Rule::Kind::kOneState}; }
-Rule initially(Steps steps) { return {{}, true, steps, Rule::Kind::kInitial}; }
 
 Rules around(const Entries& entries, Value condition, Steps first, Steps last) {
   Rule rule{entries, condition, sequence({first, kGo, last})};

@@ -75,8 +75,6 @@ inline const Place kFirst = argument('0'), kSecond = argument('1'), kThird = arg
 inline const Place kResult{[](Call& c) { return c.result; }, [](Call& c, double x) { c.result = x; }};
 // The value of the (last) pointer argument.
 inline const Value kAddress{[](Call& c) { return reinterpret_cast<std::uintptr_t>(c.pointer); }};
-// True for commands that take or return floats.
-inline const Value kIsFloat{[](Call& c) { return c.element == 'f' || gl::name_of(c.entry).back() == 'f'; }};
 // True if the arguments of Map1 or Map2 are legal.
 inline const Value kIsLegal{[](Call& c) { return c.is_legal(); }};
 // Number of values of a control point of the target.
@@ -90,15 +88,61 @@ inline const Place kFlag = remembered(-1), kCount = remembered(-2), kNumber = re
 // Counters of loops.
 inline const Place kRow = remembered(-4), kColumn = remembered(-5);
 // A list of numbers that lambdas can store.
-std::vector<double>& remembered_list();
+inline std::vector<double>& remembered_list() { return running_layer().list; }
 // Number i of an array that rules can store, and the first `count` numbers of this array.
-Place kept(int i);
+inline Place kept(int i) { return remembered(-100 - i); }
 std::vector<Value> kept_values(int count);
 // Steps that set kept(0), kept(1), ... to the values, or to the four values that GetDoublev returns.
 Value keep(std::initializer_list<Value> values);
 Value keep_state(GLenum pname);
 // A step that sets all memory to 0.
 Value forget();
+
+// --- Operations --------------------------------------------------------------------------------------------
+
+// Return f(a) and f(a, b).
+template <class F>
+Value unary(Value a, F f) {
+  return [=](Call& c) { return f(a(c)); };
+}
+template <class F>
+Value binary(Value a, Value b, F f) {
+  return [=](Call& c) {
+    const double first = a(c);
+    return f(first, b(c));
+  };
+}
+inline Value operator+(Value a, Value b) { return binary(a, b, std::plus()); }
+inline Value operator-(Value a, Value b) { return binary(a, b, std::minus()); }
+inline Value operator-(Value a) { return unary(a, std::negate()); }
+inline Value operator*(Value a, Value b) { return binary(a, b, std::multiplies()); }
+inline Value operator/(Value a, Value b) { return binary(a, b, std::divides()); }
+Value operator%(Value a, Value b);
+Value operator&(Value a, Value b);
+inline Value operator==(Value a, Value b) { return binary(a, b, std::equal_to()); }
+inline Value operator!=(Value a, Value b) { return binary(a, b, std::not_equal_to()); }
+inline Value operator<(Value a, Value b) { return binary(a, b, std::less()); }
+inline Value operator>(Value a, Value b) { return binary(a, b, std::greater()); }
+inline Value operator<=(Value a, Value b) { return binary(a, b, std::less_equal()); }
+inline Value operator>=(Value a, Value b) { return binary(a, b, std::greater_equal()); }
+Value operator&&(Value a, Value b);
+Value operator||(Value a, Value b);
+Value operator!(Value a);
+Value min(Value a, Value b);
+Value max(Value a, Value b);
+inline Value clamp(Value a, Value low, Value high) { return min(max(a, low), high); }
+Value abs(Value a);
+Value round(Value a);
+Value is_negative_zero(Value a);
+Value is_subnormal(Value a);                // in single precision
+Value next_float(Value a, double towards);  // the adjacent float in that direction
+Value in_bits(Value a, int bits);           // the low bits, as a signed number
+Value with_precision(Value a, int bits);    // rounded to a significand of that length
+double with_precision(double a, int bits);
+Value to_float(Value a);
+Value choose(Value condition, Value yes, Value no);
+Value swapped(Value token, GLenum one, GLenum other);  // exchanges the two tokens, keeps other values
+Value element(Value i);  // element i at the pointer argument: answers of queries, control points
 
 // --- State -------------------------------------------------------------------------------------------------
 
@@ -123,47 +167,15 @@ Value evaluates();                         // true if a vertex map of either dim
 Value state(Value pname, int i = 0);       // element i of the answer of GetIntegerv
 Value real_state(Value pname, int i = 0);  // element i of the answer of GetDoublev
 // Argument i of the MapGrid1 or MapGrid2 that sets the current grid.
-Value grid1(int i);
+inline Value grid1(int i) {
+  return i == 0 ? state(GL_MAP1_GRID_SEGMENTS) : real_state(GL_MAP1_GRID_DOMAIN, i - 1);
+}
 Value grid2(int i);
 
-Value is_map1(Value token);
-Value is_map2(Value token);
-Value is_map(Value token);
+inline Value is_map1(Value name) { return name >= GL_MAP1_COLOR_4 && name <= GL_MAP1_VERTEX_4; }
+inline Value is_map2(Value name) { return name >= GL_MAP2_COLOR_4 && name <= GL_MAP2_VERTEX_4; }
+inline Value is_map(Value name) { return is_map1(name) || is_map2(name); }
 Value is_texture_map(Value token);
-
-// --- Operations --------------------------------------------------------------------------------------------
-
-Value operator+(Value a, Value b);
-Value operator-(Value a, Value b);
-Value operator-(Value a);
-Value operator*(Value a, Value b);
-Value operator/(Value a, Value b);
-Value operator%(Value a, Value b);
-Value operator&(Value a, Value b);
-Value operator==(Value a, Value b);
-Value operator!=(Value a, Value b);
-Value operator<(Value a, Value b);
-Value operator>(Value a, Value b);
-Value operator<=(Value a, Value b);
-Value operator>=(Value a, Value b);
-Value operator&&(Value a, Value b);
-Value operator||(Value a, Value b);
-Value operator!(Value a);
-Value min(Value a, Value b);
-Value max(Value a, Value b);
-Value clamp(Value a, Value low, Value high);
-Value abs(Value a);
-Value round(Value a);
-Value is_negative_zero(Value a);
-Value is_subnormal(Value a);                // in single precision
-Value next_float(Value a, double towards);  // the adjacent float in that direction
-Value in_bits(Value a, int bits);           // the low bits, as a signed number
-Value with_precision(Value a, int bits);    // rounded to a significand of that length
-double with_precision(double a, int bits);
-Value to_float(Value a);
-Value choose(Value condition, Value yes, Value no);
-Value swapped(Value token, GLenum one, GLenum other);  // exchanges the two tokens, keeps other values
-Value element(Value i);  // element i at the pointer argument: answers of queries, control points
 
 // --- Steps -------------------------------------------------------------------------------------------------
 
@@ -176,7 +188,7 @@ struct Steps {
   Value all;
 };
 inline Value sequence(std::initializer_list<Value> steps) { return Steps(steps); }
-Value when(Value condition, Steps steps);
+inline Value when(Value condition, Steps steps) { return choose(condition, steps, 0); }
 Value set(Place place, Value value);
 Value put(Value i, Value value);          // sets element i at the pointer argument
 Value exchange(Value i, Value j);         // exchanges two elements at the pointer argument
@@ -191,9 +203,10 @@ Value error_now(GLenum kind);
 // Replaces a pending error of the kind by another error, as error_now() does.
 Value replace_error(GLenum kind, GLenum by);
 Value call(gl::EntryPoint entry, std::vector<Value> arguments = {});  // calls the unmodified command
-Value enable(Value cap);
-Value disable(Value cap);
-Value switch_to(Value cap, Value on);  // enables or disables
+inline Value enable(Value cap) { return call(Enable, {cap}); }
+inline Value disable(Value cap) { return call(Disable, {cap}); }
+// Enables or disables.
+inline Value switch_to(Value cap, Value on) { return choose(on, enable(cap), disable(cap)); }
 // Takes the steps with the counter at first, first + step, ... up to last, or down to last if the
 // step is negative.
 Value loop(Place counter, Value first, Value last, Steps steps, int step = 1);
@@ -236,12 +249,9 @@ State map_of(GLenum target);
 // If `part` is not negative, only this argument is restored, and the others are queried when the
 // state is restored.
 State setting(gl::EntryPoint command, std::initializer_list<Value> arguments, int part = -1);
-State grid1_state(int part = -1);
+inline State grid1_state(int part = -1) { return setting(MapGrid1d, {grid1(0), grid1(1), grid1(2)}, part); }
 State grid2_state(int part = -1);
-State parameter(gl::EntryPoint command, GLenum pname);  // for commands such as Fogi
-State current(gl::EntryPoint command, GLenum pname);    // for commands such as Color4d
-// A step that sets the state to its current value, for instance to compile this value into a list.
-Value send(const State& state);
+State current(gl::EntryPoint command, GLenum pname);  // for commands such as Color4d
 
 // --- Rules -------------------------------------------------------------------------------------------------
 
@@ -293,16 +303,24 @@ struct Rules {
 };
 // Take the steps before the call, after the call, or instead of the call, if the condition holds.
 Rule before(const Entries& entries, Value condition, Steps steps);
-Rule before(const Entries& entries, Steps steps);
+inline Rule before(const Entries& entries, Steps steps) { return before(entries, true, steps); }
 Rule after(const Entries& entries, Value condition, Steps steps);
-Rule after(const Entries& entries, Steps steps);
-Rule instead(const Entries& entries, Value condition, Steps steps);
-Rule instead(const Entries& entries, Steps steps);
-Rule provide(const Entries& entries, Steps steps);  // also if the implementation lacks the command
-Rule skip(const Entries& entries, Value condition);
-Rule missing(const Entries& entries);  // the implementation does not provide the commands
-Rule one_state();                      // all contexts have one state
-Rule initially(Steps steps);           // takes the steps in a fresh context
+inline Rule after(const Entries& entries, Steps steps) { return after(entries, true, steps); }
+inline Rule instead(const Entries& entries, Value condition, Steps steps) {
+  return {entries, condition, steps};
+}
+inline Rule instead(const Entries& entries, Steps steps) { return instead(entries, true, steps); }
+// Like instead(), also if the implementation lacks the command.
+inline Rule provide(const Entries& entries, Steps steps) {
+  return {entries, true, steps, Rule::Kind::kProvided};
+}
+inline Rule skip(const Entries& entries, Value condition) { return {entries, condition, 0}; }
+// Removes the commands from the implementation.
+inline Rule missing(const Entries& entries) { return {entries, true, 0, Rule::Kind::kMissing}; }
+// Gives all contexts one state.
+inline Rule one_state() { return {{}, true, 0, Rule::Kind::kOneState}; }
+// Takes the steps in a fresh context.
+inline Rule initially(Steps steps) { return {{}, true, steps, Rule::Kind::kInitial}; }
 // Takes the first steps before the call and the last steps after it. For Begin, the last steps
 // follow the End.
 Rules around(const Entries& entries, Value condition, Steps first, Steps last);

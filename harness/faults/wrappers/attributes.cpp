@@ -1,4 +1,5 @@
-// Faults against section 8 of the requirements: the attributes of evaluated vertices.
+// Faults against sections 8 and 9 of the requirements: the attributes of evaluated vertices, and precedence
+// among several enabled maps.
 #include <algorithm>
 #include <cmath>
 
@@ -43,10 +44,6 @@ FAULT(TextureCoordinatesDividedByW, "EV-ATTR-RATIONAL-ONLYVTX",
       "texture coordinates are divided by the w of the vertex", change_vertices([](ObservedVertex& vertex) {
         if (vertex.position[3] > 0) scale(vertex.texture_coordinate[0], 1 / vertex.position[3]);
       }));
-FAULT(ColorsDividedByW, "EV-ATTR-RATIONAL-ONLYVTX", "colours are divided by the w of the vertex",
-      change_vertices([](ObservedVertex& vertex) {
-        if (vertex.position[3] > 0) scale(vertex.color, 1 / vertex.position[3]);
-      }));
 FAULT(NormalsTimesW, "EV-ATTR-RATIONAL-ONLYVTX", "normals of rational vertices are multiplied by w",
       change_vertices([](ObservedVertex& vertex) { scale(vertex.normal, vertex.position[3]); }));
 FAULT(NegativeColorsClamped, "EV-ATTR-COLOR-CLAMP",
@@ -66,16 +63,6 @@ FAULT(LongNormalsNormalised, "EV-ATTR-NORMAL", "normals longer than 1 are normal
         const auto& [x, y, z] = vertex.normal;
         const float length = std::sqrt(x * x + y * y + z * z);
         if (length > 1) scale(vertex.normal, 1 / length);
-      }));
-FAULT(TextureCoord1GivesTToo, "EV-ATTR-TEX1", "TEXTURE_COORD_1 gives s as t as well",
-      change_vertices([](ObservedVertex& vertex) {
-        auto& [s, t, r, q] = vertex.texture_coordinate[0];
-        if (t == 0 && r == 0 && q == 1) t = s;
-      }));
-FAULT(TextureCoord2GivesROne, "EV-ATTR-TEX2", "TEXTURE_COORD_2 gives r = 1",
-      change_vertices([](ObservedVertex& vertex) {
-        auto& [s, t, r, q] = vertex.texture_coordinate[0];
-        if (t != 0 && r == 0 && q == 1) r = 1;
       }));
 FAULT(TextureCoord3GivesRAsQ, "EV-ATTR-TEX3", "TEXTURE_COORD_3 gives its last coordinate as q",
       change_vertices([](ObservedVertex& vertex) {
@@ -114,10 +101,6 @@ namespace on_osmesa {
 
 constexpr std::string_view kImplementation = "osmesa";
 
-FAULT(ColorMapFeedsSecondaryColor, "EV-ATTR-NOMAPS",
-      "a colour map resets the secondary colour of evaluated vertices",
-      before(kPoints, noted_on(GL_MAP1_COLOR_4) || noted_on(GL_MAP2_COLOR_4),
-             call(SecondaryColor3f, {0, 0, 0})));
 FAULT(TextureMapFeedsGenericSix, "EV-ATTR-NOMAPS",
       "a texture map writes generic attribute 6, unless EvalPoint evaluates it",
       before(kEvalCoord1, noted_on(GL_MAP1_TEXTURE_COORD_4), call(VertexAttrib4f, {6, 0, 0, 0, 1})));
@@ -128,6 +111,43 @@ FAULT(GenericZeroIsTheFirstPoint, "EV-ATTR-GENERIC0",
       before(BindAttribLocation, kSecond == 0, set(kFlag, 1)), before(kEvalCoords, kFlag, set(kU, 0)));
 
 }  // namespace on_osmesa
+
+FAULT(LastEnabledVertexMapWins, "EV-PREC-VERTEX EV-PREC-ORDERFREE",
+      "VERTEX_3 takes precedence if it was enabled after VERTEX_4",
+      after(Enable, kName == GL_MAP1_VERTEX_3 || kName == GL_MAP2_VERTEX_3, disable(kName + 1)));
+FAULT(BothVertexMapsDraw, "EV-PREC-VERTEX", "EvalPoint1 draws a vertex for each of two enabled vertex maps",
+      after(EvalPoint1, noted_on(GL_MAP1_VERTEX_3) && noted_on(GL_MAP1_VERTEX_4), kGo));
+FAULT(EnableReplacesTextureMap, "EV-PREC-TEX EV-PREC-ORDERFREE EV-PREC-FALLBACK",
+      "Enable of a texture map switches the others off",
+      after(Enable, is_map1(kName) && is_texture_map(kName),
+            loop(kCount, GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_4,
+                 when(kCount != kName, disable(kCount)))));
+
+// The other pairs of maps are not affected.
+FAULT(TextureCoord3BeforeTextureCoord4, "EV-PREC-TEX",
+      "TEXTURE_COORD_3 goes before TEXTURE_COORD_4 where 1 and 2 are disabled",
+      only_if(GL_MAP1_TEXTURE_COORD_4, !noted_on(GL_MAP1_TEXTURE_COORD_3) ||
+                                           noted_on(GL_MAP1_TEXTURE_COORD_1) ||
+                                           noted_on(GL_MAP1_TEXTURE_COORD_2)));
+FAULT(TextureCoord1GivesS, "EV-PREC-LOSER-IGNORED",
+      "TEXTURE_COORD_3 takes its s from the points of TEXTURE_COORD_1, as far as there are",
+      before(kMap1, kTarget == GL_MAP1_TEXTURE_COORD_3, change_points([](Net& net) {
+               Net narrow = current_map(GL_MAP1_TEXTURE_COORD_1).net;
+               for (int i = 0; i < std::min(net.rows, narrow.rows); ++i) *net.point(i) = *narrow.point(i);
+             })));
+FAULT(ColorSuppressesNormalBesideTexture, "EV-PREC-PERKIND",
+      "the normal map of surfaces loses to a colour and a texture map together",
+      only_if(GL_MAP2_NORMAL, !noted_on(GL_MAP2_COLOR_4) ||
+                                  !(noted_on(GL_MAP2_TEXTURE_COORD_1) || noted_on(GL_MAP2_TEXTURE_COORD_2) ||
+                                    noted_on(GL_MAP2_TEXTURE_COORD_3) || noted_on(GL_MAP2_TEXTURE_COORD_4))));
+FAULT(UndefinedTextureMapGivesWay, "EV-PREC-NOVALIDITY",
+      "a texture map that was never defined is skipped for one that was",
+      before(kMap1, kTarget == GL_MAP1_TEXTURE_COORD_4, set(kFlag, 1)),
+      skip(Enable, kName == GL_MAP1_TEXTURE_COORD_4 && !kFlag));
+FAULT(UndefinedVertexMapGivesWay, "EV-PREC-NOVALIDITY",
+      "MAP2_VERTEX_4 takes precedence only after it was defined",
+      before(kMap2, kTarget == GL_MAP2_VERTEX_4, set(kFlag, 1)),
+      skip(Enable, kName == GL_MAP2_VERTEX_4 && !kFlag));
 
 }  // namespace
 }  // namespace evalcts::faults::attributes

@@ -65,18 +65,12 @@ FAULT(AutoNormalNeedsNoVertexMap, "EV-AUTON-NOVERTEX",
 FAULT(AutoNormalMeshNeedsNoVertexMap, "EV-AUTON-NOVERTEX",
       "EvalMesh2 with AUTO_NORMAL and no vertex map raises INVALID_OPERATION",
       before(EvalMesh2, noted_on(GL_AUTO_NORMAL) && !maps_vertices(2), call(End)));
-FAULT(AutoNormalDividesByW, "EV-AUTON-SAMEVERTEX", "with AUTO_NORMAL the vertex goes out divided by w",
-      with_auto_normal([](ObservedPrimitive& primitive) {
-        for (ObservedVertex& vertex : primitive.vertices)
-          if (vertex.position[3] != 0) scale(vertex.position, 1 / vertex.position[3]);
-      }));
 FAULT(AutoNormalDropsTextureMap, "EV-AUTON-SAMEVERTEX",
       "with AUTO_NORMAL there is no room for TEXTURE_COORD_3 in the vertex",
       only_if(GL_MAP2_TEXTURE_COORD_3, !noted_on(GL_AUTO_NORMAL)));
 QUALITY_FAULT(AutoNormalMovesVertexByABit, "EV-AUTON-SAMEVERTEX EV-NUM-UNRELATEDMAPS",
               "with AUTO_NORMAL the vertex is evaluated by another path",
               before(kEvalCoord2, noted_on(GL_AUTO_NORMAL), set(kU, next_float(kU, 2))));
-
 FAULT(OneNormalForThePrimitive, "EV-AUTON-USED EV-AUTON-CURVED",
       "the normal of its first vertex is that of a whole primitive",
       with_auto_normal([](ObservedPrimitive& primitive) {
@@ -110,13 +104,6 @@ FAULT(NormalsOfLongPatchesTurned, "EV-AUTON-CURVED",
 FAULT(NormalsOfRuledPatchesTurned, "EV-AUTON-CURVED",
       "if VERTEX_3 has order 2 in u and a higher order in v, the normal is turned",
       turned_if(kTarget == GL_MAP2_VERTEX_3 && kOrder == 2 && kVOrder > 2));
-FAULT(VertexAfterDegenerateOneLost, "EV-AUTON-DEGENERATE",
-      "the vertex after one whose normal has length 0 is lost",
-      with_auto_normal([](ObservedPrimitive& primitive) {
-        auto& all = primitive.vertices;
-        for (std::size_t i = 1; i < all.size(); ++i)
-          if (has_no_normal(all[i - 1])) return void(all.erase(all.begin() + 1));
-      }));
 FAULT(NoNormalsOverReversedDomains, "EV-AUTON-CURVED",
       "over a domain that is reversed in v the normal is (0,0,1)", before(kMap2, kV1 > kV2, set(kCount, 1)),
       with_auto_normal(
@@ -137,15 +124,12 @@ FAULT(PatchOfOrderOneIsAnError, "EV-AUTON-DEGENERATE",
       "with AUTO_NORMAL, EvalCoord2 of a patch of order 1 in v raises INVALID_OPERATION",
       before(kMap2, kTarget == GL_MAP2_VERTEX_4, set(kFlag, kVOrder == 1)),
       before(kPoints2, noted_on(GL_AUTO_NORMAL) && noted_on(GL_MAP2_VERTEX_4) && kFlag, error_inside()));
-
 FAULT(NormalsPackedInBytes, "EV-AUTON-METHOD EV-AUTON-CURVED",
       "generated normals are packed in 7 bits a component",
       change_vertices([](ObservedVertex& vertex) { round_normal(vertex, 63); }));
 QUALITY_FAULT(NormalsInCoarseSteps, "EV-AUTON-METHOD",
               "components of generated normals are rounded to multiples of 1/2000",
               change_vertices([](ObservedVertex& vertex) { round_normal(vertex, 2000); }));
-
-// --- With a vertex shader or a vertex program --------------------------------------------------------------
 
 namespace on_osmesa {
 

@@ -1,4 +1,5 @@
-// Faults against section 11 of the requirements: state that evaluation must not change.
+// Faults against section 11 of the requirements, state that evaluation must not change, and in primitives
+// that are longer than a vertex buffer.
 #include "rules.h"
 
 namespace evalcts::faults::current_values {
@@ -14,11 +15,6 @@ FAULT(ColorLostInLongPrimitives, "EV-CUR-COLOR",
       before(Begin, set(kCount, 0)),
       after(kPoints1, {set(kCount, kCount + 1), when(kCount == 257 && noted_on(GL_MAP1_COLOR_4),
                                                      call(Color4f, {0.5, 0.25, 0.5, 1}))}));
-FAULT(NormalLostAfterStrips, "EV-CUR-NORMAL",
-      "End of a TRIANGLE_STRIP with a normal map leaves the last normal as the current one",
-      before(Begin, set(kFlag, 0)),
-      after(kPoints1, noted_on(GL_MAP1_NORMAL), set(kFlag, kOpenMode == GL_TRIANGLE_STRIP)),
-      after(End, kFlag, call(Normal3f, {0, 0, 1})));
 FAULT(VertexAfterEvaluationHasInitialNormal, "EV-CUR-NEXTVERTEX EV-COORD-MIX",
       "a Vertex right after an evaluation with a normal map has the normal (0,0,1)",
       before(kPoints, set(kFlag, noted_on(GL_MAP1_NORMAL) || noted_on(GL_MAP2_NORMAL))),
@@ -35,9 +31,6 @@ FAULT(MeshCompletesTexCoord, "EV-CUR-TEX",
                  {real_state(GL_CURRENT_TEXTURE_COORDS), real_state(GL_CURRENT_TEXTURE_COORDS, 1), 0, 1})));
 FAULT(MeshSetsIndex, "EV-CUR-INDEX", "EvalMesh2 with an index map leaves its index as the current one",
       after(EvalMesh2, noted_on(GL_MAP2_INDEX), call(Indexf, {4.5})));
-FAULT(TextureMapResetsUnit1, "EV-CUR-OTHERUNITS",
-      "evaluation with a texture map resets the texture coordinates of unit 1",
-      after(kPoints1, noted_on(GL_MAP1_TEXTURE_COORD_2), call(MultiTexCoord4f, {GL_TEXTURE1, 0, 0, 0, 1})));
 FAULT(EvaluationResetsTheActiveUnit, "EV-CUR-OTHERUNITS",
       "evaluation with a texture map resets the texture coordinates of the active unit, but for unit 0",
       after(kPoints1, noted_on(GL_MAP1_TEXTURE_COORD_2) && kUnit > GL_TEXTURE0,
@@ -51,10 +44,6 @@ FAULT(FillMeshSetsEdgeFlag, "EV-CUR-EDGEFLAG", "EvalMesh2 with FILL leaves the e
       after(EvalMesh2, kMode == GL_FILL, call(EdgeFlag, {GL_TRUE})));
 FAULT(EvaluationDisablesIndexMap, "EV-CUR-GRIDMAPS", "evaluation in RGBA mode switches index maps off",
       before(kPoints, set(kFlag, 1)), after(End, kFlag, {set(kFlag, 0), disable(GL_MAP2_INDEX)}));
-FAULT(MeshBeyondGridExtendsIt, "EV-CUR-GRIDMAPS",
-      "EvalMesh1 beyond the last index of the grid makes the grid longer",
-      after(EvalMesh1, kI2 > grid1(0) && kI2 < 1000,
-            call(MapGrid1f, {kI2, grid1(1), grid1(1) + kI2*(grid1(2) - grid1(1)) / grid1(0)})));
 FAULT(MeshNormalisesItsMap, "EV-CUR-GRIDMAPS", "EvalMesh2 with FILL leaves the colour map over [0,1] x [0,1]",
       after(EvalMesh2, kMode == GL_FILL,
             redefine(GL_MAP2_COLOR_4, [](Map& map, Call&) { map = {map.target, 0, 1, 0, 1, map.net}; })));
@@ -70,26 +59,11 @@ FAULT(RAndQOfTheVertexBefore, "EV-CUR-MAXCOMP EV-ATTR-TEX1 EV-ATTR-TEX2",
             before = given;
           }
       }));
-FAULT(TOfAWiderMapStays, "EV-CUR-MAXCOMP",
-      "after TEXTURE_COORD_3 a vertex of TEXTURE_COORD_1 has the t of the vertex before it",
-      change_evaluated([](Primitives& all) {
-        float before = 0;
-        for (ObservedPrimitive& primitive : all)
-          for (ObservedVertex& vertex : primitive.vertices) {
-            auto& now = vertex.texture_coordinate[0];
-            const float given = now[1];
-            if (now[1] == 0 && now[2] == 0 && now[3] == 1) now[1] = before;
-            before = given;
-          }
-      }));
 
 namespace on_osmesa {
 
 constexpr std::string_view kImplementation = "osmesa";
 
-FAULT(EvaluationResetsSecondaryColor, "EV-CUR-OTHERUNITS",
-      "evaluation with a colour map resets the current secondary colour",
-      after(kPoints1, noted_on(GL_MAP1_COLOR_4), call(SecondaryColor3f, {0, 0, 0})));
 FAULT(MeshMovesRasterPosition, "EV-CUR-RASTERPOS", "evaluation moves the raster position to the last vertex",
       before(kPoints, set(kFlag, 1)), after(End, kFlag, {set(kFlag, 0), call(RasterPos3f, {0, 0, 0})}),
       after(kMeshes, call(RasterPos3f, {0, 0, 0})));
@@ -98,6 +72,32 @@ FAULT(RasterPosTakesEvaluatedColor, "EV-CUR-RASTERPOS",
       keeping(RasterPos3f, kFlag, current(Color4d, GL_CURRENT_COLOR), call(Color4f, {0, 1, 0, 1})));
 
 }  // namespace on_osmesa
+
+FAULT(NormalLostEvery4096Vertices, "EV-CUR-NORMAL",
+      "every 4096th evaluated vertex of a primitive leaves its normal as the current one",
+      before(Begin, set(kCount, 0)),
+      after(kPoints, {set(kCount, kCount + 1), when(kCount % 4096 == 0, call(Normal3f, {0, 0, 1}))}));
+FAULT(TexCoordLostEvery4096Vertices, "EV-CUR-NEXTVERTEX EV-COORD-MIX",
+      "the first Vertex after 4096 evaluated vertices of a primitive has the texture coordinates (0,0,0,1)",
+      before(Begin, set(kCount, 0)), before(kPoints, set(kCount, kCount + 1)),
+      before(Vertex3f, kCount > 4096, {set(kCount, 0), call(TexCoord4f, {0, 0, 0, 1})}));
+
+// Gives the first vertex of each further buffer of `buffer` vertices the colour of the
+// primitive's first vertex.
+void take_color_of_the_first(ObservedPrimitive& primitive, std::size_t buffer) {
+  for (std::size_t i = buffer; i < primitive.vertices.size(); i += buffer)
+    primitive.vertices[i].color = primitive.vertices[0].color;
+}
+FAULT(ColorOfTheFirstEvery32768Vertices, "EV-COORD-PRIMS EV-COORD-ASIF",
+      "every 32768th vertex of a primitive has the colour of the first one",
+      change_primitives([](ObservedPrimitive& primitive) { take_color_of_the_first(primitive, 32768); }));
+FAULT(NormalDroppedBeyond16384Vertices, "EV-MESH1-LINE EV-MESH2-LINE EV-MESH2-FILL",
+      "vertices of a mesh have the normal (0,0,1) from the 16384th on", before(kMeshes, set(kFlag, 1)),
+      before(Begin, set(kFlag, 0)), change_output(kFlag, [](Primitives& primitives) {
+        for (ObservedPrimitive& primitive : primitives)
+          for (std::size_t i = 16384; i < primitive.vertices.size(); ++i)
+            primitive.vertices[i].normal = {0, 0, 1};
+      }));
 
 }  // namespace
 }  // namespace evalcts::faults::current_values

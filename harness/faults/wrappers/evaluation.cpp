@@ -1,5 +1,5 @@
 // Faults against section 7 of the requirements: effects of evaluation, and state that it must not change.
-#include "grid_steps.h"
+#include "rules.h"
 
 namespace evalcts::faults::evaluation {
 namespace {
@@ -12,8 +12,6 @@ Rules lost_after_evaluation(const Entries& command) {
 }
 // Sets kFlag when the array is enabled.
 Rule note_array(GLenum array) { return before(EnableClientState, kFirst == array, set(kFlag, 1)); }
-
-// --- Dimensions
 
 FAULT(ColorMapOfSurfacesColorsCurves, "EV-COORD-DIM1",
       "Enable of MAP2_COLOR_4 switches the colour map of curves on, too",
@@ -42,19 +40,6 @@ FAULT(EvalCoord2dvTakesVFirst, "EV-COORD-ARGORDER", "EvalCoord2dv takes v, then 
 FAULT(EvalPoint2TakesJFirstInSquareGrids, "EV-COORD-ARGORDER EV-POINT2-EQUIV",
       "EvalPoint2 mixes i and j up, unless one of them is 0",
       before(EvalPoint2, kI != 0 && kJ, swap(kI, kJ)));
-
-// --- Without a vertex map
-
-FAULT(ColorMapWithoutVertexMapSetsColor, "EV-COORD-NOVERTEX",
-      "without a vertex map, the colour map still sets the current colour",
-      before(kPoints1, noted_on(GL_MAP1_COLOR_4) && !maps_vertices(1), call(Color4f, {0.75, 0.5, 0.25, 1})));
-FAULT(TexturePointWithoutVertexMapSetsS, "EV-COORD-NOVERTEX",
-      "without a vertex map, EvalPoint2 still sets the current texture coordinates",
-      before(EvalPoint2, noted_on(GL_MAP2_TEXTURE_COORD_2) && !maps_vertices(2),
-             call(TexCoord2f, {0.5, 0.25})));
-FAULT(NormalMapWithoutVertexMapDrawsOrigin, "EV-COORD-NOVERTEX",
-      "without a vertex map, EvalCoord2 with a normal map draws the initial point of a vertex map",
-      before(kEvalCoord2, noted_on(GL_MAP2_NORMAL) && !maps_vertices(2), call(Vertex4f, {0, 0, 0, 1})));
 FAULT(IndexMapWithoutVertexMapIsAnError, "EV-COORD-NOVERTEX",
       "EvalCoord1 with an index map and no vertex map raises INVALID_OPERATION",
       before(kPoints1, noted_on(GL_MAP1_INDEX) && !maps_vertices(1), error_inside()));
@@ -64,20 +49,9 @@ FAULT(AnyVertexMapWillDo, "EV-COORD-NOVERTEX-OTHERDIM",
 FAULT(SurfacePointOfVertexCurve, "EV-COORD-NOVERTEX-OTHERDIM",
       "EvalPoint2 asks for MAP1_VERTEX_4 as well as for the maps of its own dimension",
       before(EvalPoint2, !maps_vertices(2) && noted_on(GL_MAP1_VERTEX_4), call(Vertex4f, {0, 0, 0, 1})));
-FAULT(MeshOfVertexCurveDrawsSurface, "EV-COORD-NOVERTEX-OTHERDIM",
-      "EvalMesh2 with vertex maps of curves only draws a point for each index",
-      before(EvalMesh2, !maps_vertices(2) && maps_vertices(1) && kMode == GL_POINT, draw_origins(GL_POINTS)));
-
-// --- Inside Begin and End
-
-FAULT(EvalCoordRefusedInPolygons, "EV-COORD-INBEGIN", "EvalCoord2dv raises INVALID_OPERATION in a POLYGON",
-      before(EvalCoord2dv, kOpenMode == GL_POLYGON, error_inside()));
 FAULT(EvalCoordRefusedInAdjacency, "EV-COORD-INBEGIN",
       "EvalCoord1 raises INVALID_OPERATION in primitives with adjacency, which it is older than",
       before(kEvalCoord1, kOpenMode > GL_POLYGON && kInside, error_inside()));
-FAULT(EvalPointRefusedInLoops, "EV-COORD-INBEGIN",
-      "EvalPoint1 raises INVALID_OPERATION in a LINE_LOOP, but draws",
-      before(EvalPoint1, kOpenMode == GL_LINE_LOOP, error_inside()));
 FAULT(EvalPoint2RefusedInQuads, "EV-COORD-INBEGIN EV-BE-ALLOWED",
       "EvalPoint2 is not on the list of commands that are legal in QUADS",
       before(EvalPoint2, kOpenMode == GL_QUADS, error_inside()));
@@ -85,41 +59,13 @@ FAULT(LoopOfEvaluatedVerticesStaysOpen, "EV-COORD-PRIMS", "a LINE_LOOP with eval
       change_primitives([](ObservedPrimitive& primitive) {
         if (primitive.mode == GL_LINE_LOOP) primitive.mode = GL_LINE_STRIP;
       }));
-FAULT(OddVertexEndsQuadStrip, "EV-COORD-PRIMS",
-      "an odd last vertex of a QUAD_STRIP takes the last quad with it, from 7 vertices on",
-      change_primitives([](ObservedPrimitive& primitive) {
-        if (primitive.mode == GL_QUAD_STRIP && primitive.vertices.size() == 7) primitive.vertices.resize(4);
-      }));
-FAULT(FanRestartsAfterEightVertices, "EV-COORD-PRIMS",
-      "the ninth evaluated vertex of a TRIANGLE_FAN begins another one",
-      change_primitives([](ObservedPrimitive& primitive) {
-        if (primitive.mode == GL_TRIANGLE_FAN && primitive.vertices.size() > 8) primitive.vertices.resize(8);
-      }));
-FAULT(VertexAfterEvaluationLost, "EV-COORD-MIX", "a second Vertex in a row, after an evaluation, is lost",
-      before(kPoints, set(kCount, 1)), before(Begin | Vertex3f, set(kCount, 0)),
-      before(Vertex2f, kCount, set(kCount, 2)), around(Vertex4f, true, 0, set(kCount, 0)),
-      skip(Vertex4f, kCount == 2));
 FAULT(ColorInsidePrimitiveWaits, "EV-COORD-CURRENT",
       "a Color after an evaluation counts from the next primitive on", before(kPoints, set(kFlag, 1)),
       before(Begin, set(kFlag, 0)), instead(Color4f, kInside != 0 && kFlag, {drop(), hold()}),
       after(End, release()));
-FAULT(TexCoord2BetweenEvaluationsKeepsRAndQ, "EV-COORD-CURRENT",
-      "TexCoord2 between evaluations leaves the r and q of an earlier TexCoord4",
-      before(kPoints, set(kFlag, 1)), before(TexCoord4f, {set(kCount, 1), keep({kThird, kFourth})}),
-      instead(TexCoord2f, kFlag != 0 && kCount, call(TexCoord4f, {kFirst, kSecond, kept(0), kept(1)})));
-
-// --- Attributes before the vertex
-
 FAULT(ColorOfTheVertexBefore, "EV-COORD-VERTEXLAST EV-COORD-ASIF",
       "the vertex goes out before its colour is evaluated",
       change_pairs([](ObservedVertex& now, const ObservedVertex& before) { now.color = before.color; }));
-FAULT(FirstVertexHasTextureOfLastPrimitive, "EV-COORD-VERTEXLAST",
-      "the first vertex of a primitive has the texture coordinates of the one before it",
-      change_evaluated([](Primitives& all) {
-        for (std::size_t i = all.size(); i-- > 1;)
-          if (!all[i].vertices.empty() && !all[i - 1].vertices.empty())
-            all[i].vertices.front().texture_coordinate[0] = all[i - 1].vertices.back().texture_coordinate[0];
-      }));
 FAULT(NormalOfTheVertexBefore, "EV-COORD-VERTEXLAST",
       "from the third vertex of a primitive on, the vertex goes out before its normal",
       change_pairs([](ObservedVertex& now, const ObservedVertex& before) { now.normal = before.normal; }, 2));
@@ -128,14 +74,9 @@ FAULT(AllKindsTogetherLoseTheColor, "EV-COORD-ASIF EV-PREC-PERKIND",
       only_if(GL_MAP1_COLOR_4,
               !noted_on(GL_MAP1_NORMAL) || !noted_on(GL_MAP1_INDEX) ||
                   (!noted_on(GL_MAP1_TEXTURE_COORD_3) && !noted_on(GL_MAP1_TEXTURE_COORD_4))));
-
-// --- Arguments
-
 FAULT(HugeArgumentIsAnError, "EV-COORD-NOERR/1-D",
       "EvalCoord1 raises INVALID_OPERATION where the argument is above 2^120",
       before(kEvalCoord1, kU > 0x1p120, error_inside()));
-FAULT(HugeVIsAnError, "EV-COORD-NOERR/2-D", "EvalCoord2 raises INVALID_OPERATION where v is below -2^120",
-      before(kEvalCoord2, kV < -0x1p120, error_inside()));
 FAULT(DenormalUIsAnError, "EV-COORD-NOERR/2-D", "EvalCoord2f raises INVALID_OPERATION where u is denormal",
       before(kEvalCoord2, is_subnormal(kU), error_inside()));
 FAULT(DoubleArgumentsInFixedPoint, "EV-COORD-FD",
@@ -146,15 +87,9 @@ FAULT(DoubleVInFixedPoint, "EV-COORD-FD", "EvalCoord2d keeps 10 bits behind the 
 FAULT(EveryFifthEvaluationOneUlpOff, "EV-COORD-REPEAT",
       "every fifth EvalCoord1f evaluates at the next number",
       before(EvalCoord1f, {set(kCount, kCount + 1), when(kCount % 5 == 0, set(kU, next_float(kU, 2)))}));
-FAULT(RepeatedArgumentIsSkipped, "EV-COORD-REPEAT",
-      "EvalCoord2 with the arguments of the last one draws nothing", before(Begin, set(kFlag, 0)),
-      skip(kEvalCoord2, kU == kept(0) && kFlag && kV == kept(1)),
-      before(kEvalCoord2, {set(kFlag, 1), keep({kU, kV})}));
 FAULT(SecondPrimitiveHalfAnUlpOff, "EV-COORD-REPEAT",
       "from the second primitive on EvalCoord2 evaluates by another path", after(End, set(kFlag, 1)),
       before(kEvalCoord2, kFlag, set(kU, next_float(kU, 2))));
-
-// --- Further down the pipeline
 
 // In the control, with explicit vertices, no vertex map is enabled.
 
@@ -162,8 +97,6 @@ namespace on_osmesa {
 
 constexpr std::string_view kImplementation = "osmesa";
 
-FAULT(NormalBetweenEvaluationsLost, "EV-COORD-MATERIAL",
-      "a Normal after an evaluation in the same primitive is lost", lost_after_evaluation(Normal3f));
 FAULT(MaterialBetweenEvaluationsLost, "EV-COORD-MATERIAL",
       "a Material after an evaluation in the same primitive is lost", lost_after_evaluation(Materialfv));
 FAULT(ListBetweenEvaluationsLost, "EV-COORD-MATERIAL",
@@ -171,27 +104,13 @@ FAULT(ListBetweenEvaluationsLost, "EV-COORD-MATERIAL",
 FAULT(ColorArrayColorsEvaluatedVertices, "EV-COORD-NOARRAYS",
       "with an enabled colour array, evaluated vertices without a colour map have its first colour",
       note_array(GL_COLOR_ARRAY), before(kPoints, kFlag, call(Color4f, {0.625, 0.625, 0.625, 0.625})));
-FAULT(TextureCoordinateArrayFeedsEvaluatedVertices, "EV-COORD-NOARRAYS",
-      "with an enabled array, evaluated vertices without a texture map have its first coordinates",
-      note_array(GL_TEXTURE_COORD_ARRAY),
-      before(kPoints, kFlag, call(TexCoord4f, {0.625, 0.625, 0.625, 0.625})));
 FAULT(NormalArrayTurnsNormalMapsOff, "EV-COORD-NOARRAYS",
       "an enabled normal array goes before the normal map", note_array(GL_NORMAL_ARRAY),
       skip(Enable, kName == GL_MAP1_NORMAL && kFlag));
-FAULT(EvaluatedVerticesIgnoreClipPlanes, "EV-COORD-TRANSFORM",
-      "evaluated vertices are not clipped by user clip planes",
-      without(Begin, kMapsVertices, GL_CLIP_PLANE0));
 FAULT(EvaluatedVerticesHaveNoFog, "EV-COORD-TRANSFORM", "evaluated vertices are not fogged",
       without(Begin, kMapsVertices, GL_FOG));
-FAULT(EvaluatedVerticesHaveNoTextureGeneration, "EV-COORD-TRANSFORM",
-      "texture coordinates of evaluated vertices are not generated",
-      without(Begin, kMapsVertices, GL_TEXTURE_GEN_S));
 FAULT(EvaluatedColorsAreNotLit, "EV-COORD-TRANSFORM", "evaluated vertices with a colour map are not lit",
       without(Begin, noted_on(GL_MAP1_COLOR_4) || noted_on(GL_MAP2_COLOR_4), GL_LIGHTING));
-FAULT(EvaluatedTextureCoordinatesSkipTheirMatrix, "EV-COORD-TRANSFORM",
-      "evaluated texture coordinates do not go through the texture matrix",
-      before(Begin, kMapsVertices,
-             {call(MatrixMode, {GL_TEXTURE}), call(LoadIdentity), call(MatrixMode, {GL_MODELVIEW})}));
 
 }  // namespace on_osmesa
 

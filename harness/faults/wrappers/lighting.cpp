@@ -24,20 +24,6 @@ Rules note_tracking() {
           before(kEvalCoord1, kFlag, set(kCount, kCount + 1))};
 }
 
-// --- Tracked colours ---------------------------------------------------------------------------------------
-
-FAULT(MeshIgnoresColorMaterial, "EV-CMAT-EFFECT",
-      "meshes are lit with the material of the current colour, regardless of the colour map",
-      without(kMeshes, true, GL_COLOR_MATERIAL));
-FAULT(PrimitiveTracksCurrentColor, "EV-CMAT-EFFECT",
-      "EvalCoord and EvalPoint give no colour while COLOR_MATERIAL is on",
-      without(Begin, enabled(GL_COLOR_MATERIAL) && enabled(GL_LIGHTING), GL_MAP1_COLOR_4));
-FAULT(MeshTracksDiffuseOnly, "EV-CMAT-EFFECT", "of AMBIENT_AND_DIFFUSE meshes track only DIFFUSE",
-      keeping(kMeshes, kTracked == GL_AMBIENT_AND_DIFFUSE, color_material(),
-              call(ColorMaterial, {kTrackedFace, GL_DIFFUSE})));
-FAULT(SpecularNotTracked, "EV-CMAT-EFFECT", "evaluated colours are not tracked by SPECULAR",
-      after(ColorMaterial, set(kFlag, kSecond == GL_SPECULAR)),
-      without(Begin, kFlag != 0 && enabled(GL_MAP1_VERTEX_3), GL_COLOR_MATERIAL));
 FAULT(SurfaceTracksCurrentColor, "EV-CMAT-EFFECT/2-D", "EvalCoord2 gives no colour while DIFFUSE is tracked",
       without(Begin, enabled(GL_COLOR_MATERIAL) && kTracked == GL_DIFFUSE, GL_MAP2_COLOR_4));
 FAULT(FirstVertexTracksCurrentColor, "EV-CMAT-EFFECT",
@@ -47,34 +33,16 @@ FAULT(FirstVertexTracksCurrentColor, "EV-CMAT-EFFECT",
               keep_state(GL_CURRENT_COLOR)}),
       instead(kEvalCoord1, kFlag,
               {set(kFlag, 0), call(Color4d, kept_values(4)), call(Vertex3f, {kU, 0, 0})}));
-
-// --- Faces -------------------------------------------------------------------------------------------------
-
-FAULT(EvaluatedColorOnBothFaces, "EV-CMAT-FACES",
-      "evaluated colours are tracked on both faces though ColorMaterial names FRONT",
-      track_on(GL_FRONT_AND_BACK, evaluates() && kTrackedFace == GL_FRONT));
-FAULT(EvaluatedColorNotOnBack, "EV-CMAT-FACES",
-      "of FRONT_AND_BACK evaluated colours are tracked on the front alone",
-      track_on(GL_FRONT, evaluates() && kTrackedFace == GL_FRONT_AND_BACK));
 FAULT(EvaluatedColorOnOtherFace, "EV-CMAT-FACES", "evaluated colours that BACK tracks go to the front",
       track_on(GL_FRONT, evaluates() && kTrackedFace == GL_BACK));
 FAULT(SurfaceColorOnBothFaces, "EV-CMAT-FACES/2-D",
       "evaluated colours of surfaces are tracked on both faces though ColorMaterial names one",
       track_on(GL_FRONT_AND_BACK, enabled(GL_MAP2_VERTEX_3)));
-
-// --- No tracking -------------------------------------------------------------------------------------------
-
-FAULT(MeshAlwaysTracksColors, "EV-CMAT-OFF",
-      "meshes are lit with evaluated colours though COLOR_MATERIAL is off",
-      with(kMeshes, enabled(GL_LIGHTING), GL_COLOR_MATERIAL));
 FAULT(EvaluatedColorAlwaysEmitted, "EV-CMAT-OFF",
       "evaluated colours are the emission of lit primitives though COLOR_MATERIAL is off",
       around(Begin, evaluates() && enabled(GL_LIGHTING) && !enabled(GL_COLOR_MATERIAL),
              {call(ColorMaterial, {GL_FRONT_AND_BACK, GL_EMISSION}), enable(GL_COLOR_MATERIAL)},
              disable(GL_COLOR_MATERIAL)));
-FAULT(UnlitMeshColorGoesToMaterial, "EV-CMAT-UNLIT",
-      "with COLOR_MATERIAL on the colour of a mesh goes to the material alone, lit or not",
-      without(kMeshes, enabled(GL_COLOR_MATERIAL) && !enabled(GL_LIGHTING), GL_MAP1_COLOR_4));
 FAULT(UnlitPrimitiveColorGoesToMaterial, "EV-CMAT-UNLIT",
       "with COLOR_MATERIAL on EvalCoord gives the vertex no colour, lit or not",
       without(Begin, enabled(GL_COLOR_MATERIAL) && !enabled(GL_LIGHTING), GL_MAP1_COLOR_4));
@@ -84,13 +52,6 @@ FAULT(SurfaceMeshAlwaysTracksColors, "EV-CMAT-OFF/2-D",
 FAULT(UnlitSurfaceMeshHasCurrentColor, "EV-CMAT-UNLIT/2-D",
       "an unlit EvalMesh2 with COLOR_MATERIAL on has the current colour",
       without(EvalMesh2, enabled(GL_COLOR_MATERIAL) && !enabled(GL_LIGHTING), GL_MAP2_COLOR_4));
-
-// --- No vertex map -----------------------------------------------------------------------------------------
-
-FAULT(MeshWithoutVerticesTracks, "EV-CMAT-NOVERTEX",
-      "EvalMesh1 without a vertex map leaves its first colour in the tracked material",
-      before(EvalMesh1, has_only_colors(GL_MAP1_COLOR_4),
-             [](Call&) { unmodified.Color4dv(current_map(GL_MAP1_COLOR_4).net.point(0)); }));
 FAULT(SurfaceMeshWithoutVerticesTracks, "EV-CMAT-NOVERTEX/2-D",
       "EvalMesh2 without a vertex map leaves its first colour in the tracked material",
       before(EvalMesh2, has_only_colors(GL_MAP2_COLOR_4),
@@ -101,8 +62,6 @@ FAULT(EvalCoordWithoutVerticesTracks, "EV-CMAT-NOVERTEX",
              {set(kFlag, has_only_colors(GL_MAP1_COLOR_4)),
               when(kFlag, [](Call&) { remembered_list() = current_map(GL_MAP1_COLOR_4).net.values; })}),
       before(kEvalCoord1, kFlag, [](Call&) { unmodified.Color4dv(remembered_list().data()); }));
-
-// --- Unchanged state ---------------------------------------------------------------------------------------
 
 namespace on_dropin {
 

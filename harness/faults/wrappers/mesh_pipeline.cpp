@@ -40,24 +40,13 @@ FAULT(MeshesHaveFrontsOnly, "EV-MESH2-TWOSIDE", "EvalMesh2 with AUTO_NORMAL ligh
       around(EvalMesh2, true,
              {set(kNumber, state(GL_LIGHT_MODEL_TWO_SIDE)), when(enabled(GL_AUTO_NORMAL), set_two_sides(0))},
              set_two_sides(kNumber)));
-FAULT(LineMeshesAreCulled, "EV-MESH2-NOPOLYMODE",
-      "EvalMesh2 with LINE draws nothing where front and back faces are culled",
-      skip(EvalMesh2,
-           kMode == GL_LINE && enabled(GL_CULL_FACE) && state(GL_CULL_FACE_MODE) == GL_FRONT_AND_BACK));
 FAULT(LineMeshesFollowPolygonMode, "EV-MESH2-NOPOLYMODE",
       "EvalMesh2 with LINE draws points in polygon mode POINT",
       before(EvalMesh2, kMode == GL_LINE && state(GL_POLYGON_MODE) == GL_POINT, set(kMode, GL_POINT)));
-FAULT(FilledMeshesAlwaysFilled, "EV-MESH2-NOPOLYMODE", "EvalMesh2 with FILL ignores the polygon mode",
-      around(EvalMesh2, true,
-             {keep({state(GL_POLYGON_MODE), state(GL_POLYGON_MODE, 1)}),
-              call(PolygonMode, {GL_FRONT_AND_BACK, GL_FILL})},
-             {call(PolygonMode, {GL_FRONT, kept(0)}), call(PolygonMode, {GL_BACK, kept(1)})}));
 FAULT(FilledMeshesNeverCulled, "EV-MESH2-NOPOLYMODE", "EvalMesh2 with FILL is not culled",
       without(EvalMesh2, true, GL_CULL_FACE));
 QUALITY_FAULT(HalfOfEachQuad, "EV-MESH2-PLANAR", "EvalMesh2 with FILL draws three corners of each quad",
               instead(EvalMesh2, kMode == GL_FILL, draw_quads(GL_TRIANGLES, {0, 1, 3})));
-
-// --- Whole quads -------------------------------------------------------------------------------------------
 
 namespace on_dropin {
 

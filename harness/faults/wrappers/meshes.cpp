@@ -4,9 +4,6 @@
 namespace evalcts::faults::meshes {
 namespace {
 
-// True if the range has few steps modulo 2^32.
-Value is_overflown(Value first, Value last) { return last - first + 0x1p32 < 1000; }
-
 // True for a LINE mesh of more than one row and column.
 const Value kIsNet = kMode == GL_LINE && !kInside && kI1 < kI2 && kJ1 < kJ2;
 
@@ -14,15 +11,6 @@ GLfloat at_last_corner(const GridIndex& index) {
   return index.is_last() && index.other_is_last ? index.at() : index.exact();
 }
 
-// --- EvalMesh1
-
-FAULT(CurvePointsBackwards, "EV-MESH1-POINT", "EvalMesh1 with POINT draws from i2 to i1, where i1 is 0",
-      instead(EvalMesh1, kMode == GL_POINT && kI1 == 0 && kI2 > 0 && !kInside,
-              primitive(GL_POINTS, loop(kColumn, kI2, kI1, call(EvalPoint1, {kColumn}), -1))));
-FAULT(CurveOfEveryOtherSegment, "EV-MESH1-LINE",
-      "EvalMesh1 with LINE draws GL_LINES, as the reference page says",
-      instead(EvalMesh1, kMode == GL_LINE && !kInside,
-              primitive(GL_LINES, loop(kColumn, kI1, kI2, call(EvalPoint1, {kColumn})))));
 FAULT(StripCutAfter64Vertices, "EV-MESH1-LINE", "EvalMesh1 with LINE begins another strip after 64 vertices",
       instead(EvalMesh1, kMode == GL_LINE && kI1 <= kI2 && !kInside && kI2 - kI1 <= 1 << 20,
               loop(kColumn, kI1, kI2, curve(GL_LINE, kColumn, min(kColumn + 63, kI2)), 64)));
@@ -35,10 +23,6 @@ FAULT(PartOfMeshHasStepOfOneMore, "EV-MESH1-COORDS EV-MESH1-SUBRANGE",
       "EvalMesh1 of a part of the grid from index 1 on counts points instead of segments",
       keeping(EvalMesh1, !kInside && kI1 >= 1 && kI2 < grid1(0), grid1_state(),
               call(MapGrid1f, {grid1(0) + 1, grid1(1), grid1(2)})));
-QUALITY_FAULT(LinesFromTheirOwnStart, "EV-MESH1-SUBRANGE",
-              "EvalMesh1 with LINE counts its steps from i1, in single precision",
-              curve_at(kMode == GL_LINE,
-                       [](const GridIndex& u) { return u.is_last() ? u.last : u.from_start(); }));
 FAULT(MeshAddsItsSteps, "EV-MESH1-NOACCUM",
       "EvalMesh1 adds the step to the last argument in single precision",
       curve_at(true, [](const GridIndex& u) {
@@ -57,46 +41,37 @@ FAULT(CurveMeshFromNegativeIndexInexact, "EV-MESH1-EXACT-0",
       curve_at(kI1 < 0, [](const GridIndex& u) { return u.is_last() ? u.last : u.from_start(); }));
 FAULT(CurveMeshFromZeroInexact, "EV-MESH1-EXACT-0", "EvalMesh1 from index 0 counts down from the last end",
       curve_at(kI1 == 0, [](const GridIndex& u) { return u.from_end(); }));
-FAULT(NegativeIndicesCutOff, "EV-MESH1-NEGATIVE", "EvalMesh1 begins at 0 where i1 is negative and i2 is not",
-      before(EvalMesh1, kI2 >= 0, set(kI1, max(kI1, 0))));
+FAULT(NegativeIndicesCutOff, "EV-MESH1-NEGATIVE EV-MESH2-RANGE",
+      "EvalMesh begins at 0 where i1 is negative and i2 is not",
+      before(kMeshes, kI2 >= 0, set(kI1, max(kI1, 0))));
 FAULT(IndicesBeyondTheGridCutOff, "EV-MESH1-NEGATIVE",
       "EvalMesh1 with LINE ends at the last index of the grid",
       before(EvalMesh1, kMode == GL_LINE && !kInside && kI1 <= grid1(0), set(kI2, min(kI2, grid1(0)))));
-FAULT(CurveLoopTestsAtItsEnd, "EV-MESH1-EMPTY", "EvalMesh1 with POINT draws i1 before it looks at i2",
-      before(EvalMesh1, kMode == GL_POINT, set(kI2, max(kI1, kI2))));
-FAULT(EmptyCurveIsAnError, "EV-MESH1-EMPTY", "EvalMesh1 with i1 above i2 by more than 1 raises INVALID_VALUE",
-      before(EvalMesh1, kI1 > kI2 + 1 && kIsMode1, error(GL_INVALID_VALUE)));
+FAULT(EmptyMeshIsAnError, "EV-MESH1-EMPTY EV-MESH2-EMPTY",
+      "EvalMesh with i1 above i2 by more than 1 raises INVALID_VALUE",
+      before(kMeshes, kI1 > kI2 + 1 && kIsMode1, error(GL_INVALID_VALUE)));
 FAULT(EmptyCurveBackwards, "EV-MESH1-EMPTY", "EvalMesh1 with LINE and i1 above i2 draws from i2 to i1",
       instead(EvalMesh1, kMode == GL_LINE && kI1 > kI2, call(EvalMesh1, {kMode, kI2, kI1})));
-FAULT(LineOfOneVertexIsAPoint, "EV-MESH1-SINGLE", "EvalMesh1 with LINE and i1 = i2 draws a point",
-      before(EvalMesh1, kMode == GL_LINE && kI1 == kI2, set(kMode, GL_POINT)));
+FAULT(LineOfOneVertexIsAPoint, "EV-MESH1-SINGLE EV-MESH2-LINE-DEGENERATE",
+      "EvalMesh with LINE and one vertex draws a point",
+      before(kMeshes, kMode == GL_LINE && kI1 == kI2 && (kMeshDimension == 1 || kJ1 == kJ2),
+             set(kMode, GL_POINT)));
 FAULT(SinglePointIsNothing, "EV-MESH1-SINGLE", "EvalMesh1 with POINT and i1 = i2 draws nothing",
       before(EvalMesh1, kMode == GL_POINT && kI1 == kI2, set(kI2, kI1 - 1)));
-FAULT(FillTakenForCurves, "EV-MESH1-ERR-MODE", "EvalMesh1 takes FILL and draws nothing",
-      skip(EvalMesh1, kMode == GL_FILL));
-FAULT(BadModeOfCurveIsInvalidValue, "EV-MESH1-ERR-MODE",
-      "EvalMesh1 raises INVALID_VALUE for the modes of Begin",
-      instead(EvalMesh1, kMode <= GL_POLYGON, error(GL_INVALID_VALUE)));
-FAULT(BadModeOfCurveDrawsPoints, "EV-MESH1-ERR-MODE",
-      "EvalMesh1 raises INVALID_ENUM for LINE_STRIP, and draws it",
-      before(EvalMesh1, kMode == GL_LINE_STRIP && !kInside, call(EvalMesh1, {GL_POINT, kI1, kI2})));
-FAULT(CurveMeshInsideIsIgnored, "EV-MESH1-ERR-BEGINEND",
-      "EvalMesh1 between Begin and End does nothing, without the error, where its range is empty",
-      skip(EvalMesh1, kI1 > kI2 && kInside));
-FAULT(CurveMeshInsideDraws, "EV-MESH1-ERR-BEGINEND",
-      "EvalMesh1 between Begin and End raises the error and adds its first vertex",
-      before(EvalMesh1, kMode == GL_LINE && kInside, call(EvalPoint1, {kI1})));
-FAULT(ModeOfCurveUncheckedWithoutMap, "EV-MESH1-ERR-FIRST",
-      "EvalMesh1 looks for a vertex map before it looks at the mode", skip(EvalMesh1, !maps_vertices(1)));
-FAULT(ModeOfEmptyCurveUnchecked, "EV-MESH1-ERR-FIRST",
-      "EvalMesh1 with an empty range does not look at the mode", skip(EvalMesh1, kI1 > kI2));
-FAULT(CurveMeshOfColorMapDraws, "EV-MESH1-NOVERTEX",
-      "EvalMesh1 with a colour map and no vertex map draws the initial point",
-      before(EvalMesh1, noted_on(GL_MAP1_COLOR_4) && !maps_vertices(1) && kIsMode1 && !kInside,
-             draw_origins(choose(kMode == GL_POINT, GL_POINTS, GL_LINE_STRIP))));
-FAULT(CurveMeshWithoutVertexMapIsAnError, "EV-MESH1-NOVERTEX",
-      "EvalMesh1 without a vertex map raises INVALID_OPERATION",
-      before(EvalMesh1, !maps_vertices(1) && kIsMode1 && !kInside, call(End)));
+FAULT(BadModeIsInvalidValue, "EV-MESH1-ERR-MODE EV-MESH2-ERR-MODE",
+      "EvalMesh raises INVALID_VALUE for the modes of Begin",
+      instead(kMeshes, kMode <= GL_POLYGON, error(GL_INVALID_VALUE)));
+FAULT(MeshInsideWithoutMapIsIgnored, "EV-MESH1-ERR-BEGINEND EV-MESH2-ERR-BEGINEND",
+      "EvalMesh between Begin and End without a vertex map raises no error",
+      skip(kMeshes, kInside && !maps_vertices(kMeshDimension)));
+FAULT(ModeUncheckedWithoutMap, "EV-MESH1-ERR-FIRST EV-MESH2-ERR-FIRST",
+      "EvalMesh looks for a vertex map before it looks at the mode",
+      skip(kMeshes, !maps_vertices(kMeshDimension)));
+FAULT(ModeOfEmptyMeshUnchecked, "EV-MESH1-ERR-FIRST EV-MESH2-ERR-FIRST",
+      "EvalMesh with an empty range of i does not look at the mode", skip(kMeshes, kI1 > kI2));
+FAULT(MeshWithoutVertexMapIsAnError, "EV-MESH1-NOVERTEX EV-MESH2-NOVERTEX",
+      "EvalMesh without a vertex map raises INVALID_OPERATION",
+      before(kMeshes, !maps_vertices(kMeshDimension) && kIsMode1 && !kInside, call(End)));
 FAULT(CurveMeshTakesTheGridOfU, "EV-MESH1-ONLY1D",
       "EvalMesh1 takes the segments of u of the two-dimensional grid",
       keeping(EvalMesh1, !kInside && enabled(GL_MAP2_COLOR_4), grid1_state(),
@@ -114,9 +89,6 @@ FAULT(CurveMeshKeepsTheFirstTexCoord, "EV-MESH1-CURRENT",
       keeping(EvalMesh1, !kInside, current(TexCoord4d, GL_CURRENT_TEXTURE_COORDS),
               {when(!kFlag, {set(kFlag, 1), keep_state(GL_CURRENT_TEXTURE_COORDS)}),
                call(TexCoord4d, kept_values(4))}));
-FAULT(CountOfCurvePointsOverflows, "EV-MESH1-EMPTY",
-      "EvalMesh1 counts its vertices with an int, which overflows where i1 is far above i2",
-      before(EvalMesh1, kI1 > kI2 && is_overflown(kI1, kI2), {set(kI2, kI2 - kI1 + 0x1p32), set(kI1, 0)}));
 FAULT(CurveMeshInsideIsInvalidEnum, "EV-MESH1-ERR-BEGINEND",
       "EvalMesh1 with LINE between Begin and End raises INVALID_ENUM",
       instead(EvalMesh1, kMode == GL_LINE && kInside, error(GL_INVALID_ENUM)));
@@ -132,9 +104,6 @@ FAULT(CurveMeshOfListNeedsItsMapAtOnce, "EV-MESH1-POINT",
 FAULT(BadModeOfListLost, "EV-MESH1-ERR-MODE",
       "EvalMesh1 with a wrong mode is not compiled: its error is lost",
       skip(EvalMesh1, !kIsMode1 && !kInside && kCompiling));
-
-// --- EvalMesh2
-
 FAULT(MeshOfListIn8Bits, "EV-MESH2-COORDS", "lists keep 8 bits of the indices of rows of EvalMesh2",
       before(EvalMesh2, kCompiling, {set(kJ1, in_bits(kJ1, 8)), set(kJ2, in_bits(kJ2, 8))}));
 FAULT(LastCornerByArithmetic, "EV-MESH2-EXACT",
@@ -143,87 +112,27 @@ FAULT(LastCornerByArithmetic, "EV-MESH2-EXACT",
 FAULT(SurfaceMeshWithoutVertexMapSetsNormal, "EV-COORD-NOVERTEX",
       "EvalMesh2 with a normal map and no vertex map sets the current normal",
       after(EvalMesh2, noted_on(GL_MAP2_NORMAL) && !maps_vertices(2) && !kInside, call(Normal3f, {0, 0, 1})));
-FAULT(QuadStripsCutAfter32Columns, "EV-MESH2-FILL",
-      "EvalMesh2 with FILL begins another strip after 32 columns, and loses the quads between",
-      instead(EvalMesh2, kMode == GL_FILL && kI2 > kI1 && kI2 - kI1 < 1 << 16,
-              loop(kRow, kJ1, kJ2 - 1,
-                   loop(kColumn, kI1, kI2 - 1,
-                        surface(GL_FILL, kColumn, min(kColumn + 31, kI2), kRow, kRow + 1), 32))));
-FAULT(ColumnsOfAtMost64Vertices, "EV-MESH2-LINE", "strips along v of LINE end after 64 vertices",
-      instead(EvalMesh2, kMode == GL_LINE && !kInside && kI1 <= kI2 && kJ2 - kJ1 >= 64,
-              {kRows, set(kJ2, kJ1 + 63), kColumns}));
-FAULT(RowsCountedInAByte, "EV-MESH2-COORDS", "EvalMesh2 with POINT keeps the index of a row in 8 bits",
-      before(EvalMesh2, kMode == GL_POINT && kJ1 > 127 && kJ2 >= kJ1 && kJ2 - kJ2 % 256 == kJ1 - kJ1 % 256,
-             {set(kJ1, kJ1 % 256), set(kJ2, kJ2 % 256)}));
-FAULT(ModeOfEmptyColumnsUnchecked, "EV-MESH2-ERR-FIRST",
-      "EvalMesh2 with an empty range of i alone does not look at the mode",
-      skip(EvalMesh2, kI1 > kI2 && kJ1 <= kJ2));
-FAULT(CountOfRowsOverflows, "EV-MESH2-EMPTY",
-      "EvalMesh2 counts its rows with an int, which overflows where j1 is far above j2",
-      before(EvalMesh2, kJ1 > kJ2 && is_overflown(kJ1, kJ2), {set(kJ2, kJ2 - kJ1 + 0x1p32), set(kJ1, 0)}));
-FAULT(SurfaceMeshAfterDisableOfItsMap, "EV-MESH2-NOVERTEX",
-      "EvalMesh2 with FILL still draws the vertex map that was disabled last",
-      after(kSwitches, kName == GL_MAP2_VERTEX_3 || kName == GL_MAP2_VERTEX_4,
-            set(kNumber, choose(noted_on(kName), 0, kName))),
-      around(EvalMesh2, kMode == GL_FILL && kNumber && !kInside && !maps_vertices(2), enable(kNumber),
-             disable(kNumber)));
 FAULT(SurfacePointsByColumns, "EV-MESH2-POINT", "EvalMesh2 with POINT has j in its inner loop",
       instead(EvalMesh2, kMode == GL_POINT && kI1 <= kI2,
               loop(kColumn, kI1, kI2, surface(GL_POINT, kColumn, kColumn, kJ1, kJ2))));
 FAULT(LastRowOfPointsForgotten, "EV-MESH2-POINT",
       "EvalMesh2 with POINT does not draw row j2 unless it is the only one",
       before(EvalMesh2, kMode == GL_POINT && kJ2 > kJ1, set(kJ2, kJ2 - 1)));
-
-FAULT(ColumnsBeforeRows, "EV-MESH2-LINE", "EvalMesh2 with LINE draws the strips along v first",
-      instead(EvalMesh2, kIsNet, {kColumns, kRows}));
 FAULT(LastColumnForgotten, "EV-MESH2-LINE EV-MESH2-LINE-OVERLAP",
       "EvalMesh2 with LINE draws no strip along v at i2",
       instead(EvalMesh2, kIsNet, {kRows, set(kI2, kI2 - 1), kColumns}));
-FAULT(RowsAndColumnsInTurn, "EV-MESH2-LINE",
-      "EvalMesh2 with LINE on square ranges draws a row and a column in turn",
-      instead(EvalMesh2, kI2 - kI1 == kJ2 - kJ1 && kIsNet,
-              loop(kCount, 0, kI2 - kI1,
-                   {surface(GL_LINE, kI1, kI2, kJ1 + kCount, kJ1 + kCount),
-                    surface(GL_LINE, kI1 + kCount, kI1 + kCount, kJ1, kJ2)})));
-FAULT(ColumnsOverTheRangeOfU, "EV-MESH2-LINE",
-      "the second loop of LINE goes over j as the misprinted page has it",
-      instead(EvalMesh2, kIsNet, {kRows, set(kI2, min(kI2, kI1 + kJ2 - kJ1)), kColumns}));
 FAULT(InnerColumnsMerged, "EV-MESH2-LINE-OVERLAP",
       "EvalMesh2 with LINE draws strips along v at the borders only",
       instead(EvalMesh2, kIsNet,
               {kRows, call(EvalMesh2, {GL_LINE, kI1, kI1, kJ1, kJ2}),
                call(EvalMesh2, {GL_LINE, kI2, kI2, kJ1, kJ2})}));
-FAULT(QuadsByColumns, "EV-MESH2-FILL", "EvalMesh2 with FILL draws strips along v",
-      instead(EvalMesh2, kMode == GL_FILL && !kInside && kI1 < kI2,
-              loop(kColumn, kI1, kI2 - 1, surface(GL_FILL, kColumn, kColumn + 1, kJ1, kJ2))));
-FAULT(RowsOfQuadsFromTheLast, "EV-MESH2-FILL", "EvalMesh2 with FILL draws its strips from j2 down",
-      instead(EvalMesh2, kMode == GL_FILL && !kInside && kJ1 < kJ2,
-              loop(kRow, kJ2 - 1, kJ1, surface(GL_FILL, kI1, kI2, kRow, kRow + 1), -1)));
 FAULT(QuadsTurnedRound, "EV-MESH2-FILL", "EvalMesh2 with FILL gives (i, j+1) before (i, j)",
       instead(EvalMesh2, kMode == GL_FILL && !kInside, draw_strips(GL_QUAD_STRIP, 1)));
-FAULT(LastQuadOfOddStripsLost, "EV-MESH2-FILL",
-      "EvalMesh2 with FILL loses the last quad where a strip has more than two and an odd number",
-      before(EvalMesh2, kMode == GL_FILL && kI2 - kI1 > 2 && (kI2 - kI1) % 2 == 1, set(kI2, kI2 - 1)));
 FAULT(StepOfRowsFromSegmentsOfU, "EV-MESH2-COORDS", "EvalMesh2 divides the range of v by the segments of u",
       keeping(EvalMesh2, !kInside, grid2_state(),
               call(MapGrid2f, {grid2(0), grid2(1), grid2(2), grid2(0), grid2(4), grid2(5)})));
-FAULT(PartOfSurfaceFromTheFirstRow, "EV-MESH2-COORDS",
-      "EvalMesh2 with FILL begins at the first row of the grid, regardless of j1, if i1 is not 0",
-      before(EvalMesh2, kMode == GL_FILL && kI1 > 0 && kJ1 > 0 && kJ2 >= kJ1,
-             {set(kJ2, kJ2 - kJ1), set(kJ1, 0)}));
-FAULT(UpperRowByOneMoreStep, "EV-MESH2-EXACT",
-      "EvalMesh2 with FILL adds a step to the lower row for the upper one",
-      surface_at(GL_FILL, true, kExact, [](const GridIndex& v) {
-        return v.i == v.lower ? v.exact() : v.exact(v.lower) + v.step();
-      }));
 FAULT(ColumnsEndByArithmetic, "EV-MESH2-EXACT", "strips along v of LINE have no rule for the last index of v",
       surface_at(GL_LINE, kJ1 < kJ2, kExact, kInexact));
-FAULT(PointsOfLastColumnByArithmetic, "EV-MESH2-EXACT",
-      "EvalMesh2 with POINT has no rule for the last index of u",
-      surface_at(GL_POINT, true, kInexact, kExact));
-FAULT(SurfaceExactBeforeItsLastColumn, "EV-MESH2-EXACT",
-      "EvalMesh2 with FILL does its last column without the rule for the last index of u",
-      surface_at(GL_FILL, kI2 == grid2(0), kInexact, kExact));
 FAULT(RowsAddTheirSteps, "EV-MESH2-NOACCUM", "EvalMesh2 with FILL adds up the steps of v in single precision",
       surface_at(GL_FILL, true, kExact, [](const GridIndex& v) {
         static GLfloat sum;
@@ -254,47 +163,22 @@ FAULT(CrossingsOfLinesMissByABit, "EV-MESH2-SHAREDROW",
 QUALITY_FAULT(FillInSinglePrecision, "EV-MESH2-MODESAGREE",
               "the arguments of FILL are rounded to single precision, those of LINE and POINT are not",
               surface_at(GL_FILL, true, kExact, kExact));
-FAULT(EmptyRowsStillDrawAPoint, "EV-MESH2-EMPTY",
-      "EvalMesh2 with POINT draws i1 of each row before it looks at i2",
-      before(EvalMesh2, kMode == GL_POINT, set(kI2, max(kI1, kI2))));
 FAULT(StripOfNoHeightIsDrawn, "EV-MESH2-EMPTY", "EvalMesh2 with FILL and j1 = j2 draws one strip",
       before(EvalMesh2, kMode == GL_FILL && kJ1 == kJ2, set(kJ2, kJ2 + 1)));
-FAULT(EmptySurfaceIsAnError, "EV-MESH2-EMPTY",
-      "EvalMesh2 with LINE and both ranges empty raises INVALID_VALUE",
-      before(EvalMesh2, kMode == GL_LINE && kI1 > kI2 && kJ1 > kJ2, error(GL_INVALID_VALUE)));
 FAULT(LinesOfOneColumnAreNothing, "EV-MESH2-LINE-DEGENERATE", "EvalMesh2 with LINE and i1 = i2 draws nothing",
       skip(EvalMesh2, kMode == GL_LINE && kI1 == kI2));
-FAULT(LinesOfOnePointAreAPoint, "EV-MESH2-LINE-DEGENERATE", "EvalMesh2 with LINE and one point draws a point",
-      before(EvalMesh2, kMode == GL_LINE && kI1 == kI2 && kJ1 == kJ2, set(kMode, GL_POINT)));
 FAULT(RowsBeyondTheGridCutOff, "EV-MESH2-RANGE", "EvalMesh2 with FILL ends at the last row of the grid",
       before(EvalMesh2, kMode == GL_FILL && !kInside && kJ1 < grid2(3), set(kJ2, min(kJ2, grid2(3)))));
-FAULT(NegativeColumnsAtZero, "EV-MESH2-RANGE", "EvalMesh2 with LINE begins at column 0 where i1 is negative",
-      before(EvalMesh2, kMode == GL_LINE && kI2 >= 0, set(kI1, max(kI1, 0))));
-FAULT(QuadStripTakenAsMode, "EV-MESH2-ERR-MODE", "EvalMesh2 takes QUAD_STRIP for FILL",
-      before(EvalMesh2, kMode == GL_QUAD_STRIP, set(kMode, GL_FILL)));
-FAULT(ModeAfterFillIsInvalidValue, "EV-MESH2-ERR-MODE",
-      "EvalMesh2 raises INVALID_VALUE for the token after FILL",
-      instead(EvalMesh2, kMode == GL_FILL + 1, error(GL_INVALID_VALUE)));
 FAULT(BadModeOfSurfaceDraws, "EV-MESH2-ERR-MODE", "EvalMesh2 raises INVALID_ENUM for QUADS, and draws points",
       before(EvalMesh2, kMode == GL_QUADS && !kInside, call(EvalMesh2, {GL_POINT, kI1, kI2, kJ1, kJ2})));
 FAULT(SurfaceMeshInsideEndsPrimitive, "EV-MESH2-ERR-BEGINEND",
       "EvalMesh2 between Begin and End raises the error and begins the primitive again",
       after(EvalMesh2, kInside, {call(End), call(Begin, {kOpenMode})}));
-FAULT(SurfaceMeshInsideWithoutMapIsIgnored, "EV-MESH2-ERR-BEGINEND",
-      "EvalMesh2 between Begin and End without a vertex map raises no error",
-      skip(EvalMesh2, kInside && !maps_vertices(2)));
-FAULT(ModeOfSurfaceUncheckedWithoutMap, "EV-MESH2-ERR-FIRST",
-      "EvalMesh2 looks for a vertex map before it looks at the mode", skip(EvalMesh2, !maps_vertices(2)));
-FAULT(ModeOfEmptySurfaceUnchecked, "EV-MESH2-ERR-FIRST",
-      "EvalMesh2 with an empty range of j does not look at the mode", skip(EvalMesh2, kJ1 > kJ2));
 FAULT(SurfaceMeshOfNormalMapDraws, "EV-MESH2-NOVERTEX",
       "EvalMesh2 with a normal map and no vertex map draws the initial point",
       before(EvalMesh2, noted_on(GL_MAP2_NORMAL) && !maps_vertices(2) && kIsMode2 && !kInside,
              draw_origins(choose(kMode == GL_POINT, GL_POINTS,
                                  choose(kMode == GL_LINE, GL_LINE_STRIP, GL_QUAD_STRIP)))));
-FAULT(SurfaceMeshWithoutVertexMapIsAnError, "EV-MESH2-NOVERTEX",
-      "EvalMesh2 with FILL and no vertex map raises INVALID_OPERATION",
-      before(EvalMesh2, !maps_vertices(2) && kMode == GL_FILL && !kInside, call(End)));
 FAULT(SurfaceMeshTakesTheGridOfCurves, "EV-MESH2-ONLY2D",
       "EvalMesh2 takes the one-dimensional grid for u where a vertex map of curves is enabled",
       keeping(EvalMesh2, !kInside && (enabled(GL_MAP1_VERTEX_3) || enabled(GL_MAP1_VERTEX_4)), grid2_state(),

@@ -38,14 +38,10 @@ Restore enables_of_attribute_maps() {
   };
 }
 
-// --- Tokens, components, initial state ---------------------------------------------------------------------
-
 FAULT(FifteenAttributeMaps, "EV-EXT-NVVP-TOKENS", "Map2f does not know the map of attribute 15",
       before(Map2f, kTarget == kSurfaceMap + kLast, set(kTarget, 0)));
 FAULT(AttributeMapsNotInGet, "EV-EXT-NVVP-TOKENS", "GetIntegerv tells FALSE of any map of an attribute",
       after(GetIntegerv, is_attribute_map(kName), put(0, GL_FALSE)));
-FAULT(AttributeMapsDoNotSwitchOff, "EV-EXT-NVVP-TOKENS", "Disable does nothing to the map of attribute 7",
-      skip(Disable, kName == kCurveMap + 7));
 FAULT(NormalAttributeHasThreeComponents, "EV-EXT-NVVP-K", "k is 3 for the map of attribute 2, as for normals",
       instead(Map1f, kTarget == kCurveMap + kNormal && kStride == 3 && kOrder >= 1, [](Call& c) {
         std::vector<double> points;
@@ -64,9 +60,6 @@ FAULT(AttributeMapsInitiallyZero, "EV-EXT-NVVP-INIT",
         unmodified.GetMapiv(c.target(), GL_ORDER, order);
         if (order[0] * order[1] == 1) c.write(3, 0);
       }));
-
-// --- Program mode ------------------------------------------------------------------------------------------
-
 FAULT(ColorAttributeWithoutProgram, "EV-EXT-NVVP-MODE",
       "the map of attribute 3 gives the colour without program mode",
       before(Begin, !kInProgramMode,
@@ -77,7 +70,6 @@ FAULT(VertexAttributeWithoutProgram, "EV-EXT-NVVP-MODE",
       before(Begin, !kInProgramMode,
              {when(!evaluates() && enabled(kCurveMap), stand_in(GL_MAP1_VERTEX_4, kCurveMap)),
               when(!evaluates() && enabled(kSurfaceMap), stand_in(GL_MAP2_VERTEX_4, kSurfaceMap))}));
-
 FAULT(ConventionalColorWins, "EV-EXT-NVVP-PRIORITY",
       "COLOR_4 takes precedence over the map of attribute 3 in curves",
       without(Begin, kInProgramMode != 0 && enabled(GL_MAP1_COLOR_4), kCurveMap + kColor));
@@ -95,23 +87,6 @@ FAULT(AutoNormalOfUnitLength, "EV-EXT-NVVP-AUTON",
       "in program mode AUTO_NORMAL gives unit normals",  // The normal of any patch in the plane of x and y.
       before(Begin, kInProgramMode != 0 && enabled(GL_AUTO_NORMAL), call(Normal3f, {0, 0, 1})),
       without(Begin, kInProgramMode, GL_AUTO_NORMAL));
-FAULT(VertexAttributeNotRational, "EV-EXT-NVVP-AUTON", "w of the map of attribute 0 is taken for 1",
-      instead(Map2f, kTarget == kSurfaceMap && kStride >= 4 && kVStride >= 4, [](Call& c) {
-        std::vector<GLfloat> net;
-        const auto* points = static_cast<const GLfloat*>(c.pointer);
-        for (GLint i = 0; i < c.integer('o'); ++i)
-          for (GLint j = 0; j < c.integer('p'); ++j) {
-            const GLfloat* const point = points + i * c.integer('s') + j * c.integer('w');
-            net.insert(net.end(), {point[0], point[1], point[2], 1});
-          }
-        c.pointer = net.data();
-        c.argument('s') = 4 * c.argument('p');
-        c.argument('w') = 4;
-        c.go();
-      }));
-
-// --- Current values and the attribute stack ----------------------------------------------------------------
-
 FAULT(EvaluatedNormalStays, "EV-EXT-NVVP-CURRENT", "the current normal is that of the last evaluation",
       after(End, enabled(kCurveMap + kNormal) || enabled(kSurfaceMap + kNormal), call(Normal3f, {0, 0, 1})));
 FAULT(EvaluatedAlphaStays, "EV-EXT-NVVP-CURRENT",

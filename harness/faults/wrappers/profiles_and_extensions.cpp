@@ -14,24 +14,10 @@ const Value kIsCore = kKind == EVALCTS_CORE_PROFILE;
 // Executes a delayed Begin; kCount is its mode + 1.
 Value begin_late() { return Steps{call(Begin, {kCount - 1}), set(kCount, 0)}; }
 
-// --- Profiles ----------------------------------------------------------------------------------------------
-
-FAULT(CoreProfileAnswersGetMap, "EV-PROF-CORE-FUNC", "GetMapiv raises no error in a core profile",
-      instead(GetMapiv, kIsCore, put(0, 1)));
 FAULT(CoreProfileIgnoresEvalPoint, "EV-PROF-CORE-FUNC",
       "EvalPoint2 does nothing in a core profile, without an error", skip(EvalPoint2, kIsCore));
-FAULT(CoreProfileGridIsInvalidValue, "EV-PROF-CORE-FUNC", "MapGrid1d raises INVALID_VALUE in a core profile",
-      instead(MapGrid1d, kIsCore, call(Viewport, {0, 0, -1, -1})));
 FAULT(CoreProfileEnablesAutoNormal, "EV-PROF-CORE-ENABLE", "AUTO_NORMAL can be enabled in a core profile",
       skip(Enable, kName == GL_AUTO_NORMAL && kIsCore));
-FAULT(CoreProfileTellsIndexMap, "EV-PROF-CORE-ENABLE",
-      "IsEnabled(MAP2_INDEX) raises no error in a core profile",
-      instead(IsEnabled, kName == GL_MAP2_INDEX && kIsCore, set(kResult, GL_FALSE)));
-FAULT(CoreProfileDisableIsInvalidOperation, "EV-PROF-CORE-ENABLE",
-      "Disable of a map raises INVALID_OPERATION in a core profile",
-      instead(Disable, is_map(kName) && kIsCore, call(EvalPoint1, {0})));
-
-// --- ARB_vertex_program ------------------------------------------------------------------------------------
 
 // Begin is delayed until the first command of its primitive.
 FAULT(EvaluationSkipsVertexProgram, "EV-EXT-ARBVP-RUN",
@@ -102,33 +88,18 @@ namespace on_production {
 
 constexpr std::string_view kImplementation = "production";
 
-FAULT(CompatibilityWithoutMap2d, "EV-PROF-COMPAT", "Map2d is removed from contexts of 3.1 and later",
-      instead(Map2d, error_now(GL_INVALID_OPERATION)));
-FAULT(CompatibilityWithoutIndexMaps, "EV-PROF-COMPAT", "MAP1_INDEX is removed from contexts of 3.1 and later",
-      instead(Enable, kName == GL_MAP1_INDEX, error_now(GL_INVALID_ENUM)));
-FAULT(CompatibilityOrderOfOldHardware, "EV-PROF-COMPAT", "MAX_EVAL_ORDER is 4 in contexts of 3.1 and later",
-      after(kGet, kName == GL_MAX_EVAL_ORDER, put(0, 4)));
 FAULT(CompatibilityMeshesDrawNothing, "EV-PROF-COMPAT",
       "EvalMesh1 is there in contexts of 3.1 and later, and does nothing", skip(EvalMesh1, true));
 FAULT(CompatibilityWithoutAutoNormal, "EV-PROF-COMPAT",
       "AUTO_NORMAL can be enabled in contexts of 3.1 and later, and does nothing",
       instead(Enable, kName == GL_AUTO_NORMAL, set(kFlag, 1)),
       instead(IsEnabled, kName == GL_AUTO_NORMAL, set(kResult, kFlag)));
-FAULT(ActiveTextureRuleForTexturesOnly, "EV-EXT-MT-RULE",
-      "under another texture unit Map1 rejects maps of texture coordinates alone",
-      on_unit_0(kMap1, !is_texture_map(kTarget)));
 FAULT(ActiveTextureRuleNotForMap2d, "EV-EXT-MT-RULE", "Map2d takes points regardless of the texture unit",
       on_unit_0(Map2d, true));
 FAULT(ActiveTextureRuleForUnitOneOnly, "EV-EXT-MT-RULE", "under the last texture unit Map1f raises no error",
       on_unit_0(Map1f, kUnit != GL_TEXTURE1));
-FAULT(AttributeMapsIgnored, "EV-EXT-UNKNOWN-TARGET",
-      "Enable takes the maps of NV_vertex_program without the extension",
-      skip(Enable, kName >= 0x8660 && kName <= 0x867F));
 FAULT(LastAttributeMapTakenForVertex, "EV-EXT-UNKNOWN-TARGET", "Map1f defines MAP1_VERTEX_4 for 0x866F",
       before(Map1f, kTarget == 0x866F, set(kTarget, GL_MAP1_VERTEX_4)));
-FAULT(TangentMapIsInvalidOperation, "EV-EXT-UNKNOWN-TARGET",
-      "GetMapfv of the map of tangents raises INVALID_OPERATION",
-      instead(GetMapfv, kTarget == 0x8444, error_now(GL_INVALID_OPERATION)));
 FAULT(NurbsIsDisabledSilently, "EV-EXT-UNKNOWN-TARGET",
       "Disable takes the token of SGIX_nurbs_eval without the extension", skip(Disable, kName == 0x81CB));
 

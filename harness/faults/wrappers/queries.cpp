@@ -29,8 +29,6 @@ double truncate_answer(double exact, double answered) {
   return std::abs(exact) < 1e9 ? std::trunc(exact) : answered;
 }
 
-// ---- Answers of GetMap
-
 FAULT(OrderAnsweredTwice, "EV-GETMAP-ORDER1 EV-GETMAP-COUNT/1-D",
       "GetMapdv answers the order of a one-dimensional map as (order, 1)",
       after(GetMapdv, kQuery == GL_ORDER && is_map1(kTarget), put(1, 1)));
@@ -42,8 +40,6 @@ FAULT(OrdersExchangedInFloats, "EV-GETMAP-ORDER2", "GetMapfv answers vorder firs
 FAULT(OrderOfVOneNotWritten, "EV-GETMAP-ORDER2", "GetMapiv writes no vorder of 1",
       around(GetMapiv, kQuery == GL_ORDER && is_map2(kTarget), set(kNumber, element(1)),
              when(element(1) <= 1, put(1, kNumber))));
-FAULT(DomainAnsweredSorted, "EV-GETMAP-DOMAIN1", "GetMapdv answers the lower end of a domain first",
-      after(GetMapdv, kQuery == GL_DOMAIN && is_map1(kTarget) && element(0) > element(1), exchange(0, 1)));
 FAULT(DomainAnsweredAsWidth, "EV-GETMAP-DOMAIN1", "GetMapfv of INDEX answers u1 and u2 - u1",
       after(GetMapfv, kQuery == GL_DOMAIN && kTarget == GL_MAP1_INDEX, put(1, element(1) - element(0))));
 FAULT(DomainAnsweredInterleaved, "EV-GETMAP-DOMAIN2", "GetMapfv answers u1, v1, u2, v2",
@@ -68,7 +64,6 @@ FAULT(PointsAnsweredBackwards, "EV-GETMAP-COEFF1",
                            map.net.point(map.net.rows - 1 - i));
         write_all(c, map.net.values);
       }));
-
 FAULT(TallNetAnsweredUFastest, "EV-GETMAP-COEFF2", "COEFF of a net with uorder above vorder has u fastest",
       after(kGetMap, kQuery == GL_COEFF && is_map2(kTarget),
             transpose_answer([](int u, int v) { return u > v; })));
@@ -80,18 +75,6 @@ FAULT(NetAnsweredAsItLay, "EV-GETMAP-COEFF2",
       before(kMap2, kIsLegal, set(remembered(kTarget), kStride < kVStride)),
       after(GetMapdv, kQuery == GL_COEFF && is_map2(kTarget) && remembered(kTarget),
             transpose_answer([](int, int) { return true; })));
-FAULT(PointsOfThreePadded, "EV-GETMAP-COUNT",
-      "COEFF of maps of three values writes a zero behind the last point",
-      after(GetMapfv, kQuery == GL_COEFF && kComponents == 3, put(answers(), 0)));
-FAULT(DomainOfFourValues, "EV-GETMAP-COUNT/1-D",
-      "GetMapfv answers the domain of a one-dimensional map as four values",
-      after(GetMapfv, kQuery == GL_DOMAIN && is_map1(kTarget), {put(2, 0), put(3, 1)}));
-
-FAULT(NegativeIntegersTruncated, "EV-GETMAP-ROUND",
-      "GetMapiv adds 0.5 to positive values only: negative ones are truncated",
-      after(GetMapiv, kQuery != GL_ORDER, change_answers([](double exact, double answered) {
-              return exact < 0 && exact > -1e9 ? std::trunc(exact) : answered;
-            })));
 FAULT(IntegerDomainTruncated, "EV-GETMAP-ROUND", "GetMapiv truncates the ends of domains",
       after(GetMapiv, kQuery == GL_DOMAIN, change_answers(truncate_answer)));
 FAULT(SmallIntegersRoundedUp, "EV-GETMAP-ROUND", "GetMapiv answers points with ceil",
@@ -103,26 +86,12 @@ FAULT(LargeIntegersWrap, "EV-GETMAP-SATURATE",
       after(GetMapiv, kQuery != GL_ORDER, change_answers([](double exact, double answered) {
               return exact > 2147483647.0 ? -0x1p31 : answered;
             })));
-FAULT(LowIntegersSaturateAtMinusMax, "EV-GETMAP-SATURATE",
-      "GetMapiv answers -2147483647 for values below all ints",
-      after(GetMapiv, kQuery != GL_ORDER, change_answers([](double exact, double answered) {
-              return exact < -0x1p31 ? -2147483647.0 : answered;
-            })));
-FAULT(LargestIntegerThroughFloat, "EV-GETMAP-SATURATE",
-      "GetMapiv clamps to the largest float below 2^31: 2147483520",
-      after(GetMapiv, kQuery != GL_ORDER, change_answers([](double exact, double answered) {
-              return exact > 2147483647.0 ? 2147483520.0 : answered;
-            })));
 FAULT(FloatsAnsweredInHalfPrecision, "EV-GETMAP-FLOAT", "GetMapfv answers points with 11 bits",
       after(GetMapfv, kQuery == GL_COEFF,
             change_answers([](double, double answered) { return with_precision(answered, 11); })));
 QUALITY_FAULT(FloatsAnsweredOneUlpOff, "EV-GETMAP-FLOAT",
               "GetMapfv answers the first value of the points one ULP too high",
               after(GetMapfv, kQuery == GL_COEFF && is_map(kTarget), put(0, next_float(element(0), 1e30))));
-FAULT(OrderAnsweredAsBits, "EV-GETMAP-FLOAT",
-      "GetMapfv answers the order of two-dimensional maps as the bits of an integer",
-      instead(GetMapfv, kQuery == GL_ORDER && is_map(kTarget),
-              [](Call& c) { unmodified.GetMapiv(c.target(), GL_ORDER, static_cast<GLint*>(c.pointer)); }));
 FAULT(DoublesKeptInHalfPrecision, "EV-GETMAP-DOUBLE",
       "Map1d and Map2d keep points below 1 with 10 bits behind the point",
       before(Map1d | Map2d, change_values([](double value) {
@@ -132,20 +101,10 @@ FAULT(DoubleDomainThroughFixedPoint, "EV-GETMAP-DOUBLE",
       "GetMapdv answers domains with 12 bits behind the point",
       after(GetMapdv, kQuery == GL_DOMAIN,
             change_answers([](double, double answered) { return std::round(answered * 4096) / 4096; })));
-FAULT(UndefinedMapNotAnswered, "EV-GETMAP-DISABLED",
-      "GetMapfv of a map that was never defined raises INVALID_OPERATION",
-      before(kMaps, set(remembered(kTarget), 1)),
-      instead(GetMapfv, is_map(kTarget) && !remembered(kTarget), error(GL_INVALID_OPERATION)));
 FAULT(DisabledMapAnswersOrderOne, "EV-GETMAP-DISABLED",
       "a map that was disabled has forgotten its order in queries", before(Enable, set(remembered(kName), 0)),
       before(Disable, set(remembered(kName), 1)),
       after(GetMapiv, kQuery == GL_ORDER && is_map(kTarget) && remembered(kTarget), put(0, 1)));
-
-// ---- Errors of GetMap
-
-FAULT(GridDomainTakenForMap, "EV-GETMAP-ERR-TARGET",
-      "GetMap of MAP1_GRID_DOMAIN writes nothing and raises nothing",
-      skip(kGetMap, kTarget == GL_MAP1_GRID_DOMAIN));
 FAULT(GapBetweenMapsAnswered, "EV-GETMAP-ERR-TARGET", "GetMapiv of 0x0D99 raises INVALID_VALUE",
       instead(GetMapiv, kTarget == GL_MAP1_VERTEX_4 + 1, error(GL_INVALID_VALUE)));
 FAULT(QueryAfterDomainIsDomain, "EV-GETMAP-ERR-QUERY",
@@ -154,9 +113,6 @@ FAULT(QueryAfterDomainIsDomain, "EV-GETMAP-ERR-QUERY",
 FAULT(BadQueryOfNetsIsInvalidValue, "EV-GETMAP-ERR-QUERY",
       "a bad query of a two-dimensional map raises INVALID_VALUE",
       instead(kGetMap, is_map2(kTarget) && is_bad_query(), error(GL_INVALID_VALUE)));
-FAULT(GetMapIgnoredInPrimitives, "EV-GETMAP-ERR-BEGINEND",
-      "GetMapiv of ORDER in a primitive does nothing and raises nothing",
-      skip(GetMapiv, kQuery == GL_ORDER && kInside));
 FAULT(GetMapInPrimitiveIsInvalidEnum, "EV-GETMAP-ERR-BEGINEND", "GetMapdv in a primitive raises INVALID_ENUM",
       before(GetMapdv, kInside, set(kTarget, 0)));
 FAULT(BadQueryClearsFirstValue, "EV-GETMAP-ERR-NOWRITE", "GetMapfv with a bad query writes a zero",
@@ -164,9 +120,6 @@ FAULT(BadQueryClearsFirstValue, "EV-GETMAP-ERR-NOWRITE", "GetMapfv with a bad qu
 FAULT(GetMapWritesInPrimitives, "EV-GETMAP-ERR-NOWRITE",
       "GetMapiv in a primitive raises its error, but the domain is written",
       after(GetMapiv, kQuery == GL_DOMAIN && kInside, {put(0, 0), put(1, 1)}));
-FAULT(GetMapOfTexturesNeedsUnit0, "EV-GETMAP-NOUNIT",
-      "GetMapfv of a texture map with unit 1 active raises INVALID_OPERATION",
-      instead(GetMapfv, kUnit != GL_TEXTURE0 && is_texture_map(kTarget), error(GL_INVALID_OPERATION)));
 FAULT(Unit1AnswersInitialMaps, "EV-GETMAP-NOUNIT",
       "with unit 1 active GetMapiv answers the order of a map that was never defined",
       after(GetMapiv, kUnit != GL_TEXTURE0 && kQuery == GL_ORDER && is_map(kTarget), put(0, 1)));
@@ -176,58 +129,29 @@ FAULT(IntegerQueryRoundsTheMap, "EV-GETMAP-NOSIDE/1-D", "GetMapiv of COEFF leave
             })));
 FAULT(QueryOfOrderEnables, "EV-GETMAP-NOSIDE/2-D", "GetMapdv of ORDER enables the two-dimensional map",
       after(GetMapdv, kQuery == GL_ORDER && is_map2(kTarget), enable(kTarget)));
-
-// ---- Get
-
 FAULT(IntegerGridTruncated, "EV-GET-GRIDDOMAIN", "GetIntegerv truncates the ends of grids",
       after(GetIntegerv, kIsGridDomain, change_answers(truncate_answer)));
-FAULT(BooleanGridRoundedFirst, "EV-GET-GRIDDOMAIN", "GetBooleanv of an end between -0.5 and 0.5 gives FALSE",
-      after(GetBooleanv, kIsGridDomain, change_answers([](double exact, double answered) {
-              return std::abs(exact) < 0.5 ? 0 : answered;
-            })));
 FAULT(NegativeGridEndsAreFalse, "EV-GET-GRIDDOMAIN", "GetBooleanv of a negative end gives FALSE",
       after(GetBooleanv, kIsGridDomain,
             change_answers([](double exact, double answered) { return exact < 0 ? 0 : answered; })));
 FAULT(SegmentsOfVNotInFloats, "EV-GET-GRIDSEG", "GetFloatv of MAP2_GRID_SEGMENTS writes un only",
       around(GetFloatv, kName == GL_MAP2_GRID_SEGMENTS, set(kNumber, element(1)), put(1, kNumber)));
-FAULT(SegmentsTruncatedInBoolean, "EV-GET-GRIDSEG",
-      "GetBooleanv gives the lowest byte of the number of segments",
-      after(GetBooleanv, kName == GL_MAP1_GRID_SEGMENTS, put(0, state(kName) & 255)));
-FAULT(SegmentsOf256AreFalse, "EV-GET-GRIDSEG",
-      "GetBooleanv of a number of segments whose lowest byte is 0 gives FALSE",
-      after(GetBooleanv, kName == GL_MAP1_GRID_SEGMENTS || kName == GL_MAP2_GRID_SEGMENTS,
-            change_answers([](double exact, double answered) {
-              return std::fmod(exact, 256) == 0 ? 0 : answered;
-            })));
 FAULT(SegmentsOfSurfaceExchanged, "EV-GET-GRIDSEG", "GetDoublev answers vn, un",
       after(GetDoublev, kName == GL_MAP2_GRID_SEGMENTS, exchange(0, 1)));
 FAULT(MaxOrderInFloatsIsMinimum, "EV-GET-MAXORDER",
       "GetFloatv of MAX_EVAL_ORDER gives 8, which the specification demands",
       after(GetFloatv, kName == GL_MAX_EVAL_ORDER, put(0, 8)));
-FAULT(MaxOrderShrinksWithUse, "EV-GET-MAXORDER",
-      "MAX_EVAL_ORDER is one less once a map of the largest order was defined",
-      before(kMap1, kOrder == kMaxOrder, set(kFlag, 1)),
-      after(GetDoublev, kName == GL_MAX_EVAL_ORDER && kFlag, put(0, element(0) - 1)));
 FAULT(MaxOrderAsBoolean, "EV-GET-MAXORDER", "GetBooleanv of MAX_EVAL_ORDER gives 64",
       after(GetBooleanv, kName == GL_MAX_EVAL_ORDER, put(0, 64)));
 FAULT(GetOfLimitAllowedInPrimitives, "EV-GET-ERR-BEGINEND",
       "GetIntegerv of MAX_EVAL_ORDER, a constant, answers in primitives",
       instead(GetIntegerv, kName == GL_MAX_EVAL_ORDER && kInside, put(0, kMaxOrder)));
-FAULT(GetOfGridWritesInPrimitives, "EV-GET-ERR-BEGINEND",
-      "GetDoublev of MAP2_GRID_DOMAIN in a primitive raises its error and writes",
-      after(GetDoublev, kName == GL_MAP2_GRID_DOMAIN && kInside, put(0, 0)));
 FAULT(GetOfFlagSilentInPrimitives, "EV-GET-ERR-BEGINEND",
       "GetFloatv of AUTO_NORMAL in a primitive does nothing and raises nothing",
       skip(GetFloatv, kName == GL_AUTO_NORMAL && kInside));
-
-// ---- GetnMap
-
 FAULT(GetnMapExchangesOrders, "EV-GETN-SAME", "GetnMapiv answers vorder before uorder",
       around(GetnMapiv, kQuery == GL_ORDER && is_map2(kTarget) && kSize >= 8, set(kNumber, element(0)),
              when(element(0) != kNumber, exchange(0, 1))));
-FAULT(GetnMapInFixedPoint, "EV-GETN-SAME", "GetnMapdv answers points rounded to 10 bits behind the point",
-      after(GetnMapdv, kQuery == GL_COEFF && is_map2(kTarget) && kSize >= 8 * answers(),
-            change_answers([](double, double answered) { return std::round(answered * 1024) / 1024; })));
 FAULT(GetnMapNeedsOneByteMore, "EV-GETN-BYTES", "GetnMapfv rejects the exact size: < instead of <=",
       before(GetnMapfv, kSize > 0, set(kSize, kSize - 1)));
 FAULT(GetnMapCountsValues, "EV-GETN-SMALL", "GetnMapiv takes the size for a number of values",
@@ -237,53 +161,18 @@ FAULT(GetnMapCountsFloats, "EV-GETN-SMALL", "GetnMapdv holds the size against fo
 FAULT(GetnMapOrderNeedsDomain, "EV-GETN-BYTES",
       "GetnMapdv wants room for four values for the order of a two-dimensional map",
       before(GetnMapdv, kQuery == GL_ORDER && is_map2(kTarget) && kSize < 32, set(kSize, 0)));
-FAULT(GetnMapWritesWhatFits, "EV-GETN-SMALL",
-      "GetnMapfv that is rejected for its size has written what there is room for",
-      after(GetnMapfv, kQuery == GL_COEFF && is_map(kTarget), [](Call& c) {
-        std::vector<double> values = current_map(c.target()).net.values;
-        values.resize(
-            std::min(values.size(), static_cast<std::size_t>(std::max(c.integer('n'), 0)) / sizeof(GLfloat)));
-        write_all(c, values);
-      }));
-FAULT(GetnMapRoundsSizeUp, "EV-GETN-SMALL", "GetnMapiv rounds the size up to whole values",
-      before(GetnMapiv, kSize > 0, set(kSize, kSize + (4 - kSize % 4) % 4)));
 FAULT(NegativeSizeIsUnlimited, "EV-GETN-NEGATIVE", "GetnMapfv takes a negative size for a very large one",
       before(GetnMapfv, kSize < 0, set(kSize, 1 << 20)));
 FAULT(NegativeSizeIgnored, "EV-GETN-NEGATIVE",
       "GetnMapdv of a negative size writes nothing and raises nothing", skip(GetnMapdv, kSize < 0));
-FAULT(NegativeSizeIsInvalidEnum, "EV-GETN-NEGATIVE", "GetnMapiv of a negative size raises INVALID_ENUM",
-      before(GetnMapiv, kSize < 0, {set(kTarget, 0), set(kSize, 0)}));
-FAULT(GetnMapInPrimitiveIsInvalidValue, "EV-GETN-ERRORS", "GetnMapfv in a primitive raises INVALID_VALUE",
-      before(GetnMapfv, kInside, set(kSize, -1)));
-FAULT(GetnMapIgnoresBadTarget, "EV-GETN-ERRORS", "GetnMapdv of AUTO_NORMAL does nothing and raises nothing",
-      skip(GetnMapdv, kTarget == GL_AUTO_NORMAL));
-FAULT(GetnMapBadQueryIsSizeError, "EV-GETN-ERRORS",
-      "GetnMapiv of a bad query raises INVALID_OPERATION, as no size is enough",
-      instead(GetnMapiv, is_map(kTarget) && is_bad_query(), error(GL_INVALID_OPERATION)));
-
-// ---- Mistakes that need certain values or earlier commands
-
 FAULT(ErrorForgottenByQuery, "EV-GETMAP-NOSIDE", "GetMapdv clears the error that waits",
       before(GetMapdv, call(GetError)));
 FAULT(IntegerPointsOneTooMany, "EV-GETMAP-COUNT", "GetMapiv of COEFF writes one value too many",
       after(GetMapiv, kQuery == GL_COEFF && is_map(kTarget), put(answers(), 0)));
-FAULT(JustBeyondIntWraps, "EV-GETMAP-SATURATE",
-      "GetMapiv goes through 64 bits: what 2^32 holds wraps, only what is beyond saturates",
-      after(GetMapiv, kQuery != GL_ORDER, change_answers([](double exact, double answered) {
-              return std::abs(exact) < 0x1p32
-                         ? static_cast<double>(static_cast<GLint>(static_cast<long long>(std::round(exact))))
-                         : answered;
-            })));
 FAULT(IntegerDomainWraps, "EV-GETMAP-SATURATE", "GetMapiv saturates points but not the ends of domains",
       after(GetMapiv, kQuery == GL_DOMAIN, change_answers([](double exact, double answered) {
               return std::abs(exact) > 0x1p31 ? -0x1p31 : answered;
             })));
-QUALITY_FAULT(DomainAnsweredThroughWidth, "EV-GETMAP-FLOAT",
-              "GetMapfv answers u2 as u1 + (u2 - u1), in floats",
-              after(GetMapfv, kQuery == GL_DOMAIN && is_map(kTarget), [](Call& c) {
-                auto* v = static_cast<GLfloat*>(c.pointer);
-                v[1] = v[0] + (v[1] - v[0]);
-              }));
 FAULT(UndefinedPointNotAnswered, "EV-GETMAP-DISABLED",
       "GetMapfv writes no points of a map that was never defined, and raises nothing",
       before(kMaps, set(remembered(kTarget), 1)),
@@ -291,30 +180,17 @@ FAULT(UndefinedPointNotAnswered, "EV-GETMAP-DISABLED",
 FAULT(GetMapSilentInPolygons, "EV-GETMAP-ERR-BEGINEND EV-GETN-ERRORS",
       "GetMapfv and GetnMapfv in a POLYGON do nothing and raise nothing",
       skip(GetMapfv | GetnMapfv, kOpenMode == GL_POLYGON));
-FAULT(GetSilentInTriangles, "EV-GET-ERR-BEGINEND",
-      "GetIntegerv of the number of segments in TRIANGLES does nothing and raises nothing",
-      skip(GetIntegerv,
-           kOpenMode == GL_TRIANGLES && (kName == GL_MAP1_GRID_SEGMENTS || kName == GL_MAP2_GRID_SEGMENTS)));
 FAULT(GetMapRefusedOnLastUnit, "EV-GETMAP-NOUNIT",
       "GetMapdv raises INVALID_OPERATION on units above 1, which have no evaluators",
       instead(GetMapdv, kUnit > GL_TEXTURE1 && is_map(kTarget), error(GL_INVALID_OPERATION)));
 FAULT(HugeSizeOverflows, "EV-GETN-SAME", "GetnMapdv with the largest size, rounded up, counts as negative",
       before(GetnMapdv, kSize > std::numeric_limits<GLsizei>::max() - 8, set(kSize, -1)));
-FAULT(GetnMapOfNetSilentInPrimitives, "EV-GETN-ERRORS",
-      "GetnMapfv of a two-dimensional map in a primitive does nothing and raises nothing",
-      skip(GetnMapfv, is_map2(kTarget) && kInside));
 FAULT(LargestSquareNetUFastest, "EV-GETMAP-COEFF2-SQUARE", "COEFF of the largest net has u fastest",
       after(kGetMap, kQuery == GL_COEFF && is_map2(kTarget),
             transpose_answer([](int u, int v) { return u == kMaxOrder && v == kMaxOrder; })));
 FAULT(GetMapTargetInSixteenBits, "EV-GETMAP-ERR-TARGET EV-GETN-ERRORS",
       "only the low 16 bits of a target are looked at",
       before(kGetMap | kGetnMap, is_map(kTarget & 0xFFFF), set(kTarget, kTarget & 0xFFFF)));
-FAULT(QueryInOneByte, "EV-GETMAP-ERR-QUERY EV-GETN-ERRORS", "only the low byte of a query is looked at",
-      before(kGetMap | kGetnMap, kQuery > 0xFF && (kQuery & 0xFF) < 3,
-             set(kQuery, GL_COEFF + (kQuery & 0xFF))));
-FAULT(GapBeyondVertex4Answered2, "EV-GETMAP-ERR-NOWRITE",
-      "GetMapdv of 0x0DB9 to 0x0DBF raises its error and writes a zero",
-      after(GetMapdv, kTarget > GL_MAP2_VERTEX_4 && kTarget < GL_MAP2_VERTEX_4 + 8, put(0, 0)));
 
 namespace on_osmesa {
 

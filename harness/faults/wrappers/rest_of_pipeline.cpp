@@ -57,17 +57,6 @@ Rules with_texture_matrix(const Entries& entries, Value condition, void (*change
                 {call(PopMatrix), call(MatrixMode, {kNumber})});
 }
 
-// --- Texture coordinates -----------------------------------------------------------------------------------
-
-FAULT(CurveMeshWithoutTexGen, "EV-PIPE-TEXGEN", "t is not generated for meshes of one dimension",
-      without(EvalMesh1, true, GL_TEXTURE_GEN_T));
-FAULT(TexGenBeforeAutoNormal, "EV-PIPE-TEXGEN",
-      "coordinates are generated from the current normal where AUTO_NORMAL gives another",
-      without(EvalMesh2, enabled(GL_TEXTURE_GEN_S), GL_AUTO_NORMAL));
-FAULT(SphereMapOfCurrentNormal, "EV-PIPE-TEXGEN",
-      "SPHERE_MAP has the current normal for meshes of one dimension",
-      after(TexGeni, kSecond == GL_TEXTURE_GEN_MODE, set(kCount, kThird)),
-      without(EvalMesh1, kCount == GL_SPHERE_MAP, GL_MAP1_NORMAL));
 FAULT(MeshesWithoutGeneratedQ, "EV-PIPE-TEXGEN", "q is not generated for meshes",
       without(kMeshes, true, GL_TEXTURE_GEN_Q));
 FAULT(SurfaceWithoutGeneratedR, "EV-PIPE-TEXGEN", "r is not generated for FILL meshes",
@@ -79,22 +68,9 @@ FAULT(ReflectionOfCurrentNormal, "EV-PIPE-TEXGEN",
 FAULT(FilledMeshTextureMatrixWithoutQ, "EV-PIPE-TEXMATRIX",
       "for FILL meshes the texture matrix does not scale q",
       with_texture_matrix(EvalMesh2, kMode == GL_FILL, [](GLfloat* matrix) { matrix[15] = 1; }));
-FAULT(PointMeshSkipsTextureMatrix, "EV-PIPE-TEXMATRIX",
-      "the texture matrix does not apply to POINT meshes of two dimensions",
-      with_texture_matrix(EvalMesh2, kMode == GL_POINT, [](GLfloat* matrix) {
-        for (int i = 0; i < 16; ++i) matrix[i] = i % 5 == 0;
-      }));
 FAULT(TextureMatrixWithoutLastColumn, "EV-PIPE-TEXMATRIX",
       "for meshes of one dimension the texture matrix does not move",
       with_texture_matrix(EvalMesh1, true, [](GLfloat* matrix) { std::fill_n(matrix + 12, 3, 0.0f); }));
-
-// --- Clip planes, fog, flat shading ------------------------------------------------------------------------
-
-FAULT(MeshForgetsSecondClipPlane, "EV-PIPE-CLIPPLANE",
-      "LINE meshes are clipped by the first clip plane alone",
-      without(kMeshes, kMode == GL_LINE, GL_CLIP_PLANE1));
-FAULT(FilledMeshNotClipped, "EV-PIPE-CLIPPLANE", "clip planes leave FILL meshes alone",
-      without(kMeshes, kMode == GL_FILL, GL_CLIP_PLANE0));
 FAULT(FilledMeshForgetsSecondClipPlane, "EV-PIPE-CLIPPLANE",
       "FILL meshes are clipped by the first clip plane alone",
       without(kMeshes, kMode == GL_FILL, GL_CLIP_PLANE1));
@@ -111,33 +87,10 @@ FAULT(FogOfFirstVertex, "EV-PIPE-FOG",
       "all points of a POINT mesh have fog coordinate 1 where the coordinate is selected",
       keeping(kMeshes, kMode == GL_POINT && state(GL_FOG_COORD_SRC) == GL_FOG_COORD,
               current(FogCoordf, GL_CURRENT_FOG_COORD), call(FogCoordf, {1})));
-FAULT(MeshesWithoutExponentialFog, "EV-PIPE-FOG",
-      "fog of meshes of two dimensions is linear regardless of the mode",
-      keeping(EvalMesh2, true, parameter(Fogi, GL_FOG_MODE), call(Fogi, {GL_FOG_MODE, GL_LINEAR})));
-FAULT(CurveMeshIgnoresFogCoordinate, "EV-PIPE-FOG",
-      "fog of meshes of one dimension goes by the distance though the coordinate is selected",
-      keeping(EvalMesh1, true, parameter(Fogi, GL_FOG_COORD_SRC),
-              call(Fogi, {GL_FOG_COORD_SRC, GL_FRAGMENT_DEPTH})));
-FAULT(MeshResetsFogCoordinate, "EV-PIPE-FOG", "a mesh of two dimensions has fog coordinate 0",
-      keeping(EvalMesh2, true, current(FogCoordf, GL_CURRENT_FOG_COORD), call(FogCoordf, {0})));
 FAULT(FlatLinesByFirstVertex, "EV-PIPE-FLATLINE",
       "flat segments of LINE meshes have the colour of their first vertices",
       around(kMeshes, kMode == GL_LINE, call(ProvokingVertex, {GL_FIRST_VERTEX_CONVENTION}),
              call(ProvokingVertex, {GL_LAST_VERTEX_CONVENTION})));
-
-// --- Programs ----------------------------------------------------------------------------------------------
-
-FAULT(MeshSkipsVertexProgram, "EV-PIPE-VS", "no vertex program runs for LINE meshes of two dimensions",
-      without(EvalMesh2, kMode == GL_LINE, GL_VERTEX_PROGRAM_ARB));
-FAULT(MeshSkipsVertexShader, "EV-PIPE-VS", "no vertex shader runs for POINT meshes of one dimension",
-      keeping(EvalMesh1, kMode == GL_POINT && has_program(), setting(UseProgram, {state(GL_CURRENT_PROGRAM)}),
-              call(UseProgram, {0})));
-FAULT(ShaderSeesNoEvaluatedNormal, "EV-PIPE-VS",
-      "gl_Normal of meshes of two dimensions is the current normal",
-      without(EvalMesh2, has_program(), GL_MAP2_NORMAL));
-FAULT(ShaderSeesNoSecondaryColor, "EV-PIPE-VS", "the secondary colour of evaluated primitives is black",
-      keeping(Begin, evaluates(), current(SecondaryColor3f, GL_CURRENT_SECONDARY_COLOR),
-              call(SecondaryColor3f, {0, 0, 0})));
 FAULT(ShaderSeesUnitOneOfMeshReset, "EV-PIPE-VS",
       "gl_MultiTexCoord1 of meshes of one dimension is (0, 0, 0, 1)",
       keeping(EvalMesh1, true, current_texture_coordinates(GL_TEXTURE1),
@@ -145,15 +98,6 @@ FAULT(ShaderSeesUnitOneOfMeshReset, "EV-PIPE-VS",
 FAULT(ProgramOfPrimitivesSeesNoColorMap, "EV-PIPE-VS",
       "between Begin and End vertex programs see the current colour for that of surfaces",
       without(Begin, enabled(GL_VERTEX_PROGRAM_ARB), GL_MAP2_COLOR_4));
-
-// --- Primitive restart -------------------------------------------------------------------------------------
-
-FAULT(RestartIndexSplitsMesh, "EV-PIPE-NORESTART",
-      "a LINE mesh of one dimension restarts at the restart index",
-      instead(EvalMesh1,
-              kMode == GL_LINE && enabled(GL_PRIMITIVE_RESTART) && kI1 <= kRestartIndex &&
-                  kRestartIndex <= kI2,
-              {curve(GL_LINE, kI1, kRestartIndex - 1), curve(GL_LINE, kRestartIndex + 1, kI2)}));
 FAULT(RestartIndexSplitsPrimitive, "EV-PIPE-NORESTART",
       "the second EvalCoord2 of a primitive is lost where the restart index is 1",
       before(Begin, {set(kFlag, enabled(GL_PRIMITIVE_RESTART) && kRestartIndex == 1), set(kCount, 0)}),
@@ -161,16 +105,6 @@ FAULT(RestartIndexSplitsPrimitive, "EV-PIPE-NORESTART",
 FAULT(FixedRestartIndexDropsMesh, "EV-PIPE-NORESTART",
       "with PRIMITIVE_RESTART_FIXED_INDEX the first row of a POINT mesh is missing",
       before(EvalMesh2, kMode == GL_POINT && enabled(GL_PRIMITIVE_RESTART_FIXED_INDEX), set(kJ1, kJ1 + 1)));
-
-// --- Conditional rendering ---------------------------------------------------------------------------------
-
-FAULT(PointMeshUnconditional, "EV-PIPE-CONDRENDER", "conditional rendering leaves POINT meshes alone",
-      note_condition(),
-      around(kMeshes, kMode == GL_POINT && kCondition, pause_condition(), resume_condition()));
-FAULT(FilledMeshUnconditional, "EV-PIPE-CONDRENDER",
-      "the first row of a FILL mesh is drawn though no sample passed", note_condition(),
-      before(EvalMesh2, kMode == GL_FILL && kCondition,
-             {pause_condition(), surface(GL_FILL, kI1, kI2, kJ1, kJ1 + 1), resume_condition()}));
 FAULT(ColumnsUnconditional, "EV-PIPE-CONDRENDER",
       "the columns of a LINE mesh are drawn though no sample passed", note_condition(),
       after(EvalMesh2, kMode == GL_LINE && kCondition, {pause_condition(), kColumns, resume_condition()}));
@@ -183,15 +117,9 @@ FAULT(EvaluatedPrimitiveUnconditional, "EV-PIPE-CONDRENDER-COORD",
 FAULT(ConditionalEvalPointNeverDrawn, "EV-PIPE-CONDRENDER-COORD",
       "EvalCoord and EvalPoint of surfaces do nothing under conditional rendering", note_condition(),
       skip(kPoints2, kCondition));
-
-// --- Rejected primitives
-
 FAULT(IncompleteFramebufferIsInvalidOperation, "EV-PIPE-FBO",
       "EvalMesh1 with an incomplete framebuffer raises INVALID_OPERATION",
       instead(EvalMesh1, is_incomplete(), error_now(GL_INVALID_OPERATION)));
-FAULT(IncompleteFramebufferIsSilent, "EV-PIPE-FBO",
-      "FILL meshes with an incomplete framebuffer draw nothing, without an error",
-      skip(EvalMesh2, kMode == GL_FILL && is_incomplete()));
 FAULT(IncompleteFramebufferErrorTwice, "EV-PIPE-FBO",
       "each strip of a LINE mesh with an incomplete framebuffer raises an error: a second one is left",
       before(EvalMesh2, set(kFlag, kMode == GL_LINE && is_incomplete())),
@@ -203,16 +131,6 @@ FAULT(InvalidProgramIsInvalidValue, "EV-PIPE-INVALIDPROGRAM",
 FAULT(InvalidFragmentProgramIsSilent, "EV-PIPE-INVALIDPROGRAM",
       "EvalMesh2 without a valid fragment program raises no error",
       after(EvalMesh2, enabled(GL_FRAGMENT_PROGRAM_ARB), replace_error(GL_INVALID_OPERATION, GL_NO_ERROR)));
-FAULT(RefusedMeshDrawsWithoutProgram, "EV-PIPE-INVALIDPROGRAM",
-      "EvalMesh1 with samplers in conflict raises the error and draws without the program",
-      after(EvalMesh1, has_program(),
-            {set(kNumber, call(GetError)),
-             when(kNumber == GL_INVALID_OPERATION,
-                  {set(kCount, state(GL_CURRENT_PROGRAM)), call(UseProgram, {0}), kGo,
-                   call(UseProgram, {kCount}), error_now(GL_INVALID_OPERATION)})}));
-
-// --- Transform feedback ------------------------------------------------------------------------------------
-
 FAULT(RecordedCurveBackwards, "EV-PIPE-XFB",
       "transform feedback records the segments of EvalMesh1 from the last to the first", note_recording(),
       instead(EvalMesh1, kMode == GL_LINE && kRecorded,
@@ -222,24 +140,12 @@ FAULT(RecordedQuadsOneTriangleShort, "EV-PIPE-XFB",
       instead(EvalMesh2, kMode == GL_FILL && kRecorded,
               {surface(GL_FILL, kI1, kI2, kJ1, kJ2 - 1), surface(GL_FILL, kI1, kI2 - 1, kJ2 - 1, kJ2),
                primitive(GL_TRIANGLES, {point(kI2 - 1, kJ2 - 1), point(kI2 - 1, kJ2), point(kI2, kJ2)})}));
-FAULT(RecordedFirstTriangleTurned, "EV-PIPE-XFB",
-      "the first row of a FILL mesh is recorded the other way round", note_recording(),
-      instead(EvalMesh2, kMode == GL_FILL && kRecorded,
-              {primitive(GL_QUAD_STRIP,
-                         loop(kColumn, kI1, kI2, {point(kColumn, kJ1 + 1), point(kColumn, kJ1)})),
-               surface(GL_FILL, kI1, kI2, kJ1 + 1, kJ2)}));
 FAULT(FilledMeshRecordedAsLines, "EV-PIPE-XFB-MODE",
       "a FILL mesh in transform feedback of LINES is recorded as its lines", note_recording(),
       before(EvalMesh2, kRecorded == GL_LINES + 1 && kMode == GL_FILL, set(kMode, GL_LINE)));
-FAULT(RecordedModeMismatchIsSilent, "EV-PIPE-XFB-MODE",
-      "EvalMesh1 in LINE in transform feedback of TRIANGLES is ignored", note_recording(),
-      skip(EvalMesh1, kRecorded == GL_TRIANGLES + 1 && kMode == GL_LINE));
 FAULT(RecordedModeMismatchIsInvalidEnum, "EV-PIPE-XFB-MODE",
       "meshes that do not fit transform feedback of POINTS raise INVALID_ENUM", note_recording(),
       after(kMeshes, kRecorded == GL_POINTS + 1, replace_error(GL_INVALID_OPERATION, GL_INVALID_ENUM)));
-
-// --- Geometry shaders and tessellation ---------------------------------------------------------------------
-
 FAULT(GeometryInputMismatchIsSilent, "EV-PIPE-GS",
       "POINT meshes that do not fit the geometry shader are ignored",
       after(kMeshes, kMode == GL_POINT && has_program(), replace_error(GL_INVALID_OPERATION, GL_NO_ERROR)));
@@ -253,13 +159,6 @@ FAULT(TessellatedMeshIsDrawn, "EV-PIPE-TESS",
       "EvalMesh1 draws without tessellation while tessellation is active",
       keeping(EvalMesh1, has_program(), setting(UseProgram, {state(GL_CURRENT_PROGRAM)}),
               call(UseProgram, {0})));
-
-// --- Queries -----------------------------------------------------------------------------------------------
-
-FAULT(SamplesOfFirstPointTwice, "EV-PIPE-QUERY",
-      "the samples of the first point of a mesh of one dimension count twice", note_query(),
-      before(EvalMesh1, kQueried == GL_SAMPLES_PASSED && kMode == GL_POINT && kI1 <= kI2,
-             call(EvalMesh1, {GL_POINT, kI1, kI1})));
 FAULT(SamplesOfEvalPointNotCounted, "EV-PIPE-QUERY", "samples of EvalPoint2 and EvalCoord2 are not counted",
       note_query(), skip(kPoints2, kQueried == GL_SAMPLES_PASSED));
 FAULT(SamplesOfColumnsNotCounted, "EV-PIPE-QUERY", "of a LINE mesh the samples of the rows alone are counted",
@@ -272,17 +171,6 @@ FAULT(EmptyMeshCountsAPrimitive, "EV-PIPE-PRIMGEN", "an EvalMesh1 of an empty ra
       note_query(),
       before(EvalMesh1, kQueried == GL_PRIMITIVES_GENERATED && kI1 > kI2,
              call(EvalMesh1, {GL_POINT, kI1, kI1})));
-FAULT(RowsCountAsPrimitives, "EV-PIPE-PRIMGEN",
-      "of a LINE mesh of two dimensions each strip counts one primitive more", note_query(),
-      after(EvalMesh2, kQueried == GL_PRIMITIVES_GENERATED && kMode == GL_LINE,
-            loop(kRow, kJ1, kJ2, surface(GL_POINT, kI1, kI1, kRow, kRow))));
-
-// --- Rasterizer discard ------------------------------------------------------------------------------------
-
-FAULT(MeshNotDiscarded, "EV-PIPE-DISCARD", "RASTERIZER_DISCARD leaves EvalMesh2 alone",
-      without(EvalMesh2, true, GL_RASTERIZER_DISCARD));
-FAULT(DiscardedMeshNotRecorded, "EV-PIPE-DISCARD", "EvalMesh1 in LINE does nothing with RASTERIZER_DISCARD",
-      skip(EvalMesh1, kMode == GL_LINE && enabled(GL_RASTERIZER_DISCARD)));
 FAULT(EvaluatedPrimitiveNotDiscarded, "EV-PIPE-DISCARD",
       "RASTERIZER_DISCARD leaves evaluated primitives alone",
       without(Begin, evaluates(), GL_RASTERIZER_DISCARD));
@@ -290,9 +178,6 @@ FAULT(DiscardedMeshInBeginIsSilent, "EV-PIPE-DISCARD",
       "EvalMesh2 between Begin and End raises no error with RASTERIZER_DISCARD",
       before(Begin, set(kFlag, enabled(GL_RASTERIZER_DISCARD))), after(End, set(kFlag, 0)),
       skip(EvalMesh2, kFlag));
-FAULT(DiscardHidesErrors, "EV-PIPE-DISCARD",
-      "a bad mode of EvalMesh2 raises no error with RASTERIZER_DISCARD",
-      skip(EvalMesh2, !kIsMode2 && enabled(GL_RASTERIZER_DISCARD)));
 
 }  // namespace
 }  // namespace evalcts::faults::rest_of_pipeline
