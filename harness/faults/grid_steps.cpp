@@ -4,28 +4,21 @@
 namespace evalcts::faults {
 namespace {
 
-// Directions of grids: the one of MapGrid1, and the two of MapGrid2.
-enum Direction { kCurveU, kSurfaceU, kSurfaceV };
+// First arguments of the directions of grids in the noted grids.
+enum Direction { kCurveU = 0, kSurfaceU = 3, kSurfaceV = 6 };
 
 // First of the places, see kept(), that contain the noted grids.
 constexpr int kFirstNoted = 50;
 
-GridIndex direction_of_grid(Direction direction, const std::function<double(int)>& curves,
-                            const std::function<double(int)>& surfaces) {
-  const int first = direction == kSurfaceV ? 3 : 0;
-  const auto at = [&](int i) { return direction == kCurveU ? curves(i) : surfaces(first + i); };
+const Value kNoteGrids{[](Call& c) {
+  for (int i = 0; i < 3; ++i) kept(kFirstNoted + i).assign(c, grid1(i)(c));
+  for (int i = 0; i < 6; ++i) kept(kFirstNoted + 3 + i).assign(c, grid2(i)(c));
+}};
+// Returns a direction of the noted grids; the initial one if no grid was noted.
+GridIndex noted(Direction direction, Call& call) {
+  const auto at = [&](int i) { return kept(kFirstNoted + direction + i)(call); };
+  if (at(0) == 0) return {};
   return {static_cast<GLint>(at(0)), static_cast<GLfloat>(at(1)), static_cast<GLfloat>(at(2))};
-}
-GridIndex direction_now(Direction direction) {
-  Call none;
-  return direction_of_grid(
-      direction, [&](int i) { return grid1(i)(none); }, [&](int i) { return grid2(i)(none); });
-}
-GridIndex direction_at_begin(Direction direction) {
-  Call none;
-  if (!noted_grid1(0).holds(none)) return {};  // no primitive has begun
-  return direction_of_grid(
-      direction, [&](int i) { return noted_grid1(i)(none); }, [&](int i) { return noted_grid2(i)(none); });
 }
 
 GLfloat at(GridIndex direction, Coordinate coordinate, GLint i, GLint from, GLint lower,
@@ -49,7 +42,8 @@ Value draw_quads(GLenum mode, std::initializer_list<int> corners) {
 
 Rule curve_at(Value condition, Coordinate u) {
   return instead(EvalMesh1, kDrawsCurve && condition, [=](Call& c) {
-    const GridIndex direction = direction_now(kCurveU);
+    kNoteGrids(c);
+    const GridIndex direction = noted(kCurveU, c);
     const GLint i1 = c.integer('i');
     unmodified.Begin(c.integer('m') == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
     for (GLint i = i1; i <= c.integer('k'); ++i) unmodified.EvalCoord1f(at(direction, u, i, i1, i));
@@ -59,7 +53,8 @@ Rule curve_at(Value condition, Coordinate u) {
 
 Rule surface_at(GLenum mode, Value condition, Coordinate u, Coordinate v) {
   return instead(EvalMesh2, kMode == mode && !kInside && kI1 <= kI2 && kJ1 <= kJ2 && condition, [=](Call& c) {
-    const GridIndex directions[] = {direction_now(kSurfaceU), direction_now(kSurfaceV)};
+    kNoteGrids(c);
+    const GridIndex directions[] = {noted(kSurfaceU, c), noted(kSurfaceV, c)};
     const GLint i1 = c.integer('i'), i2 = c.integer('k'), j1 = c.integer('j'), j2 = c.integer('l');
     const auto x = [&](GLint i) { return at(directions[0], u, i, i1, i); };
     const auto y = [&](GLint j, GLint lower) { return at(directions[1], v, j, j1, lower); };
@@ -92,26 +87,20 @@ Rule surface_at(GLenum mode, Value condition, Coordinate u, Coordinate v) {
   });
 }
 
-Rule note_grids() {
-  Value note = 0;
-  for (int i = 0; i < 3; ++i) note = sequence({note, set(kept(kFirstNoted + i), grid1(i))});
-  for (int i = 0; i < 6; ++i) note = sequence({note, set(kept(kFirstNoted + 3 + i), grid2(i))});
-  return before(Begin, note);
-}
+Rule note_grids() { return before(Begin, kNoteGrids); }
 Value noted_grid1(int i) { return kept(kFirstNoted + i); }
 Value noted_grid2(int i) { return kept(kFirstNoted + 3 + i); }
 
 Rules point1_at(Value condition, Coordinate u) {
   return {note_grids(), instead(EvalPoint1, condition, [=](Call& c) {
             const GLint i = c.integer('i');
-            unmodified.EvalCoord1f(at(direction_at_begin(kCurveU), u, i, i, i));
+            unmodified.EvalCoord1f(at(noted(kCurveU, c), u, i, i, i));
           })};
 }
 Rules point2_at(Value condition, Coordinate u, Coordinate v) {
   return {note_grids(), instead(EvalPoint2, condition, [=](Call& c) {
             const GLint i = c.integer('i'), j = c.integer('j');
-            unmodified.EvalCoord2f(at(direction_at_begin(kSurfaceU), u, i, i, i),
-                                   at(direction_at_begin(kSurfaceV), v, j, j, j));
+            unmodified.EvalCoord2f(at(noted(kSurfaceU, c), u, i, i, i), at(noted(kSurfaceV, c), v, j, j, j));
           })};
 }
 

@@ -142,9 +142,7 @@ VARIATION(MeshesInColumns, kLoops, "EvalMesh2 draws in another order", draw_mesh
 VARIATION(MeshesBackwards, kLoops, "EvalMesh2 begins at the last point", draw_meshes(true, GL_QUADS));
 
 namespace with_pipeline {
-
 constexpr std::string_view kImplementation = "dropin";
-
 VARIATION(PipelineMeshesInColumns, kLoops, "EvalMesh2 draws in another order",
           draw_meshes(false, GL_QUAD_STRIP));
 VARIATION(PipelineMeshesBackwards, kLoops, "EvalMesh2 begins at the last point",
@@ -229,7 +227,7 @@ VARIATION(NoTransformFeedback, "", "there is no transform feedback", missing(kTr
 VARIATION(NoFeedback, "", "there is no feedback mode", missing(kFeedback));
 VARIATION(NothingToSee, "", "there is neither feedback mode nor transform feedback",
           missing(kFeedback | kTransformFeedback));
-
 }  // namespace with_pipeline
+
 }  // namespace
 }  // namespace evalcts::faults::output_variations

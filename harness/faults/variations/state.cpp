@@ -26,9 +26,7 @@ VARIATION(NoisyOutput, "", "each EvalCoord writes to standard output and standar
           }));
 
 namespace with_pipeline {
-
 constexpr std::string_view kImplementation = "dropin";
-
 // --- Errors ------------------------------------------------------------------------------------------------
 
 // A distributed GL has several error flags, and GetError returns any of those that are set (GL 1.0 2.5). Here
@@ -191,7 +189,7 @@ VARIATION(LargeListNames, "", "GenLists answers names from 2^30 on", initially(s
                   {set(kResult, kCount), set(kCount, kCount + kFirst),
                    loop(kNumber, kResult, kCount - 1,
                         {call(NewList, {kNumber, GL_COMPILE}), call(EndList)})}));
-
 }  // namespace with_pipeline
+
 }  // namespace
 }  // namespace evalcts::faults::state_variations

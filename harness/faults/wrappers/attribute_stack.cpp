@@ -7,22 +7,13 @@ namespace {
 Value is_enable_only(Value mask) { return (mask & GL_ENABLE_BIT) && !(mask & GL_EVAL_BIT); }
 const Value kHasNeither = !(kLevelMask & (GL_ENABLE_BIT | GL_EVAL_BIT));
 
-// Returns a part of a map as a State. It is restored into the definition that is current at the
-// time of PopAttrib.
-template <class Bring>
-State part_of(GLenum target, Bring bring) {
+// The domain of a map, which is restored into the current definition.
+State domain_of(GLenum target) {
   return [=]() -> Restore {
     return [=, saved = current_map(target)] {
-      Map map = current_map(target);
-      bring(saved, map);
-      map.define();
+      Map{target, saved.u1, saved.u2, saved.v1, saved.v2, current_map(target).net}.define();
     };
   };
-}
-State domain_of(GLenum target) {
-  return part_of(target, [](const Map& saved, Map& map) {
-    map = {map.target, saved.u1, saved.u2, saved.v1, saved.v2, map.net};
-  });
 }
 
 // True if the context becomes current for the first time.
@@ -74,9 +65,7 @@ FAULT(SwitchLosesAutoNormal, "EV-CTX-SWITCH", "AUTO_NORMAL is off when the first
       after(kOtherContexts, kFirst == 0, disable(GL_AUTO_NORMAL)));
 
 namespace on_osmesa {
-
 constexpr std::string_view kImplementation = "osmesa";
-
 FAULT(SharingContextInheritsMap, "EV-CTX-FRESH",
       "a new context that shares objects begins with MAP1_INDEX as it is defined elsewhere",
       keeping(SharingContextEVALCTS, true, map_of(GL_MAP1_INDEX)));
@@ -87,7 +76,6 @@ FAULT(SharedListDefinesInItsMaker, "EV-CTX-PRIVATE", "a shared list defines maps
       after(SharingContextEVALCTS, set(kCount, kFirst)),
       after(OtherContextEVALCTS, set(kFlag, kFirst == 0 && kCount)),
       around(CallList, kFlag, call(OtherContextEVALCTS, {kCount}), call(OtherContextEVALCTS, {0})));
-
 }  // namespace on_osmesa
 
 }  // namespace

@@ -87,20 +87,15 @@ FAULT(OtherUnitsAtTheirInitialValues, "EV-ATTR-OTHERUNITS",
       }));
 
 namespace on_color_index {
-
 constexpr std::string_view kImplementation = kColorIndex;
-
 FAULT(IndexMapsStayOff, "EV-ATTR-INDEX", "Enable does nothing to index maps",
       skip(Enable, kName == GL_MAP1_INDEX || kName == GL_MAP2_INDEX));
 FAULT(LastPointOfIndexMapLost, "EV-ATTR-INDEX/1-D", "Map1f leaves out the last control point of an index map",
       before(Map1f, kTarget == GL_MAP1_INDEX && kOrder > 1, set(kOrder, kOrder - 1)));
-
 }  // namespace on_color_index
 
 namespace on_osmesa {
-
 constexpr std::string_view kImplementation = "osmesa";
-
 FAULT(TextureMapFeedsGenericSix, "EV-ATTR-NOMAPS",
       "a texture map writes generic attribute 6, unless EvalPoint evaluates it",
       before(kEvalCoord1, noted_on(GL_MAP1_TEXTURE_COORD_4), call(VertexAttrib4f, {6, 0, 0, 0, 1})));
@@ -109,7 +104,6 @@ FAULT(EvaluatedVerticesHaveNoFogCoordinate, "EV-ATTR-NOMAPS", "the fog coordinat
 FAULT(GenericZeroIsTheFirstPoint, "EV-ATTR-GENERIC0",
       "a shader that reads generic attribute 0 gets the start of the curve",
       before(BindAttribLocation, kSecond == 0, set(kFlag, 1)), before(kEvalCoords, kFlag, set(kU, 0)));
-
 }  // namespace on_osmesa
 
 FAULT(LastEnabledVertexMapWins, "EV-PREC-VERTEX EV-PREC-ORDERFREE",

@@ -8,17 +8,19 @@
 namespace evalcts::faults::automatic_normals {
 namespace {
 
-// Changes the output if AUTO_NORMAL has been enabled and the condition holds.
-Rules with_auto_normal(void (*change)(ObservedPrimitive& primitive), Value condition = true) {
+// Change the primitives, or their vertices, if AUTO_NORMAL has been enabled and the condition holds.
+Rules with_auto_normal(std::function<void(ObservedPrimitive& primitive)> change, Value condition = true) {
   return {after(Enable, kName == GL_AUTO_NORMAL, set(kFlag, 1)),
           change_output(kFlag && condition, [=](Primitives& all) { std::ranges::for_each(all, change); })};
+}
+Rules change_normals(void (*change)(ObservedVertex& vertex), Value condition = true) {
+  return with_auto_normal(
+      [=](ObservedPrimitive& primitive) { std::ranges::for_each(primitive.vertices, change); }, condition);
 }
 
 bool has_no_normal(const ObservedVertex& vertex) { return vertex.normal == std::array<float, 3>{0, 0, 0}; }
 
-void turn(ObservedPrimitive& primitive) {
-  for (ObservedVertex& vertex : primitive.vertices) scale(vertex.normal, -1);
-}
+void turn(ObservedVertex& vertex) { scale(vertex.normal, -1); }
 
 // Reverses the normals of the primitives that begin while the latest Map2 of a vertex map meets the
 // condition.
@@ -27,7 +29,7 @@ Rules turned_if(Value condition) {
           before(Begin, [](Call& call) { remembered_list().push_back(kCount(call)); }),
           change_output(noted_on(GL_AUTO_NORMAL), [](Primitives& all) {
             for (std::size_t i = 0; i < std::min(all.size(), remembered_list().size()); ++i)
-              if (remembered_list()[i] != 0) turn(all[i]);
+              if (remembered_list()[i] != 0) std::ranges::for_each(all[i].vertices, turn);
           })};
 }
 
@@ -77,27 +79,22 @@ FAULT(OneNormalForThePrimitive, "EV-AUTON-USED EV-AUTON-CURVED",
         for (ObservedVertex& vertex : primitive.vertices) vertex.normal = primitive.vertices[0].normal;
       }));
 FAULT(NormalsOfWideDomainsShort, "EV-AUTON-UNIT",
-      "normals over a domain wider than 50 are divided by its width",
-      before(kMap2, set(kNumber, abs(kU2 - kU1))), with_auto_normal([](ObservedPrimitive& primitive) {
-        Call none;
-        if (const double width = kNumber(none); width > 50)
-          for (ObservedVertex& vertex : primitive.vertices)
-            scale(vertex.normal, static_cast<float>(1 / width));
-      }));
+      "normals over a domain wider than 50 have a hundredth of their length",
+      before(kMap2, set(kNumber, abs(kU2 - kU1))),
+      change_normals([](ObservedVertex& vertex) { scale(vertex.normal, 0.01f); }, kNumber > 50));
 FAULT(NormalMapReadAfterAutoNormal, "EV-AUTON-OVERRIDE",
       "AUTO_NORMAL switched on a second time does not go before the normal map",
       before(Enable, kName == GL_AUTO_NORMAL && noted_on(GL_MAP2_NORMAL), set(kCount, kCount + 1)),
       skip(Enable, kName == GL_AUTO_NORMAL && noted_on(GL_MAP2_NORMAL) && kCount > 1));
 FAULT(NormalsTowardsTheViewer, "EV-AUTON-DIRECTION",
       "generated normals that point away from the viewer are turned round",
-      with_auto_normal([](ObservedPrimitive& primitive) {
-        for (ObservedVertex& vertex : primitive.vertices)
-          if (vertex.normal[2] < 0) scale(vertex.normal, -1);
+      change_normals([](ObservedVertex& vertex) {
+        if (vertex.normal[2] < 0) turn(vertex);
       }));
 FAULT(NormalsOfTallPatchesTurned, "EV-AUTON-DIRECTION",
       "where the order in v is above that in u, the normal is dp/dv x dp/du",
       before(kMap2, kTarget == GL_MAP2_VERTEX_3 && kVOrder > kOrder, set(kCount, 1)),
-      with_auto_normal(turn, kCount));
+      change_normals(turn, kCount));
 FAULT(NormalsOfLongPatchesTurned, "EV-AUTON-CURVED",
       "if the order of VERTEX_4 in u is above that in v, and neither is below 3, the normal is turned",
       turned_if(kTarget == GL_MAP2_VERTEX_4 && kOrder > kVOrder && kVOrder >= 3));
@@ -106,14 +103,14 @@ FAULT(NormalsOfRuledPatchesTurned, "EV-AUTON-CURVED",
       turned_if(kTarget == GL_MAP2_VERTEX_3 && kOrder == 2 && kVOrder > 2));
 FAULT(NoNormalsOverReversedDomains, "EV-AUTON-CURVED",
       "over a domain that is reversed in v the normal is (0,0,1)", before(kMap2, kV1 > kV2, set(kCount, 1)),
-      with_auto_normal(
-          [](ObservedPrimitive& primitive) {
-            for (ObservedVertex& vertex : primitive.vertices) vertex.normal = {0, 0, 1};
+      change_normals(
+          [](ObservedVertex& vertex) {
+            vertex.normal = {0, 0, 1};
           },
           kCount));
 FAULT(NormalsTurnedWhereBothAreReversed, "EV-AUTON-CURVED",
       "over a domain that is reversed in u and in v normals are turned round",
-      before(kMap2, kU1 > kU2 && kV1 > kV2, set(kCount, 1)), with_auto_normal(turn, kCount));
+      before(kMap2, kU1 > kU2 && kV1 > kV2, set(kCount, 1)), change_normals(turn, kCount));
 FAULT(VertexWithoutNormalLost, "EV-AUTON-DEGENERATE", "a vertex whose normal has length 0 is not drawn",
       with_auto_normal([](ObservedPrimitive& primitive) {
         std::erase_if(primitive.vertices, has_no_normal);
@@ -132,21 +129,16 @@ QUALITY_FAULT(NormalsInCoarseSteps, "EV-AUTON-METHOD",
               change_vertices([](ObservedVertex& vertex) { round_normal(vertex, 2000); }));
 
 namespace on_osmesa {
-
 constexpr std::string_view kImplementation = "osmesa";
-
 FAULT(GeneratedNormalsNotRescaled, "EV-AUTON-FFTRANSFORM",
       "RESCALE_NORMAL has no effect on generated normals, which are units already",
       without(Begin, noted_on(GL_AUTO_NORMAL), GL_RESCALE_NORMAL));
 FAULT(GeneratedNormalsAlwaysNormalized, "EV-AUTON-FFTRANSFORM",
       "generated normals are normalised in eye space", with(Begin, noted_on(GL_AUTO_NORMAL), GL_NORMALIZE));
-
 }  // namespace on_osmesa
 
 namespace on_dropin {
-
 constexpr std::string_view kImplementation = "dropin";
-
 FAULT(NoAutoNormalWithShader, "EV-AUTON-SHADER EV-AUTON-VP",
       "no normal is generated while a vertex shader or a vertex program is active",
       without(Begin | EvalMesh2, state(GL_CURRENT_PROGRAM) || enabled(GL_VERTEX_PROGRAM_ARB),
@@ -155,7 +147,6 @@ FAULT(NormalsForShaderTooShort, "EV-AUTON-SHADER EV-AUTON-VP",
       "with a vertex shader or a vertex program generated normals have half their length",
       before(kMap2 | kMapGrid2, {set(kU1, 2 * kU1), set(kU2, 2 * kU2)}),
       before(kEvalCoord2, set(kU, 2 * kU)));
-
 }  // namespace on_dropin
 
 }  // namespace

@@ -49,28 +49,19 @@ FAULT(MeshNormalisesItsMap, "EV-CUR-GRIDMAPS", "EvalMesh2 with FILL leaves the c
             redefine(GL_MAP2_COLOR_4, [](Map& map, Call&) { map = {map.target, 0, 1, 0, 1, map.net}; })));
 FAULT(RAndQOfTheVertexBefore, "EV-CUR-MAXCOMP EV-ATTR-TEX1 EV-ATTR-TEX2",
       "where a texture map gives no r and q, those of the vertex before it stay",
-      change_evaluated([](Primitives& all) {
-        std::array<float, 4> before = {0, 0, 0, 1};
-        for (ObservedPrimitive& primitive : all)
-          for (ObservedVertex& vertex : primitive.vertices) {
-            auto& now = vertex.texture_coordinate[0];
-            const auto given = now;
-            if (now[2] == 0 && now[3] == 1) now[2] = before[2], now[3] = before[3];
-            before = given;
-          }
+      change_pairs([](ObservedVertex& now, const ObservedVertex& before) {
+        auto& [s, t, r, q] = now.texture_coordinate[0];
+        if (r == 0 && q == 1) std::copy_n(&before.texture_coordinate[0][2], 2, &r);
       }));
 
 namespace on_osmesa {
-
 constexpr std::string_view kImplementation = "osmesa";
-
 FAULT(MeshMovesRasterPosition, "EV-CUR-RASTERPOS", "evaluation moves the raster position to the last vertex",
       before(kPoints, set(kFlag, 1)), after(End, kFlag, {set(kFlag, 0), call(RasterPos3f, {0, 0, 0})}),
       after(kMeshes, call(RasterPos3f, {0, 0, 0})));
 FAULT(RasterPosTakesEvaluatedColor, "EV-CUR-RASTERPOS",
       "RasterPos after an evaluation takes the evaluated colour", before(kPoints | kMeshes, set(kFlag, 1)),
       keeping(RasterPos3f, kFlag, current(Color4d, GL_CURRENT_COLOR), call(Color4f, {0, 1, 0, 1})));
-
 }  // namespace on_osmesa
 
 FAULT(NormalLostEvery4096Vertices, "EV-CUR-NORMAL",

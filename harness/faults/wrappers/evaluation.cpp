@@ -94,9 +94,7 @@ FAULT(SecondPrimitiveHalfAnUlpOff, "EV-COORD-REPEAT",
 // In the control, with explicit vertices, no vertex map is enabled.
 
 namespace on_osmesa {
-
 constexpr std::string_view kImplementation = "osmesa";
-
 FAULT(MaterialBetweenEvaluationsLost, "EV-COORD-MATERIAL",
       "a Material after an evaluation in the same primitive is lost", lost_after_evaluation(Materialfv));
 FAULT(ListBetweenEvaluationsLost, "EV-COORD-MATERIAL",
@@ -111,7 +109,6 @@ FAULT(EvaluatedVerticesHaveNoFog, "EV-COORD-TRANSFORM", "evaluated vertices are 
       without(Begin, kMapsVertices, GL_FOG));
 FAULT(EvaluatedColorsAreNotLit, "EV-COORD-TRANSFORM", "evaluated vertices with a colour map are not lit",
       without(Begin, noted_on(GL_MAP1_COLOR_4) || noted_on(GL_MAP2_COLOR_4), GL_LIGHTING));
-
 }  // namespace on_osmesa
 
 }  // namespace

@@ -64,9 +64,7 @@ FAULT(EvalCoordWithoutVerticesTracks, "EV-CMAT-NOVERTEX",
       before(kEvalCoord1, kFlag, [](Call&) { unmodified.Color4dv(remembered_list().data()); }));
 
 namespace on_dropin {
-
 constexpr std::string_view kImplementation = "dropin";
-
 FAULT(EvaluatedColorStaysInMaterial, "EV-CMAT-NOSTATE",
       "after EvalCoord1 with COLOR_MATERIAL the tracked material is another one", note_tracking(),
       after(GetMaterialfv, kCount && (kSecond == GL_EMISSION || kSecond == GL_DIFFUSE),
@@ -78,7 +76,6 @@ FAULT(NextVertexTracksEvaluatedColor, "EV-CMAT-NEXT",
       "a Vertex behind EvalCoord1 is lit with another colour than the current one", note_tracking(),
       keeping(Begin, kFlag, current(Color4d, GL_CURRENT_COLOR)),
       after(kEvalCoord1, kFlag, call(Color4f, {1, 0.125, 0, 1})));
-
 }  // namespace on_dropin
 
 }  // namespace

@@ -49,9 +49,7 @@ QUALITY_FAULT(HalfOfEachQuad, "EV-MESH2-PLANAR", "EvalMesh2 with FILL draws thre
               instead(EvalMesh2, kMode == GL_FILL, draw_quads(GL_TRIANGLES, {0, 1, 3})));
 
 namespace on_dropin {
-
 constexpr std::string_view kImplementation = "dropin";
-
 FAULT(FilledMeshesOfTriangleStrips, "EV-MESH2-ISQUADS EV-MESH2-FLAT",
       "EvalMesh2 with FILL draws triangle strips",
       instead(EvalMesh2, kMode == GL_FILL, draw_strips(GL_TRIANGLE_STRIP)));
@@ -62,7 +60,6 @@ FAULT(FlatColorByFirstVertexOfAnotherCorner, "EV-MESH2-FLAT-FIRST",
       "by the first vertex convention quads of EvalMesh2 begin at (i,j+1) and end at (i,j)",
       instead(EvalMesh2, kMode == GL_FILL && state(GL_PROVOKING_VERTEX) == GL_FIRST_VERTEX_CONVENTION,
               draw_quads(GL_QUADS, {1, 2, 3, 0})));
-
 }  // namespace on_dropin
 
 }  // namespace

@@ -7,6 +7,12 @@ namespace {
 // True for a LINE mesh of more than one row and column.
 const Value kIsNet = kMode == GL_LINE && !kInside && kI1 < kI2 && kJ1 < kJ2;
 
+// Adds the steps up in single precision.
+GLfloat add_steps(const GridIndex& index) {
+  static GLfloat sum;
+  sum = index.i == index.from ? index.at() : sum + index.step();
+  return index.is_last() ? index.last : index.i == 0 ? index.first : sum;
+}
 GLfloat at_last_corner(const GridIndex& index) {
   return index.is_last() && index.other_is_last ? index.at() : index.exact();
 }
@@ -24,12 +30,7 @@ FAULT(PartOfMeshHasStepOfOneMore, "EV-MESH1-COORDS EV-MESH1-SUBRANGE",
       keeping(EvalMesh1, !kInside && kI1 >= 1 && kI2 < grid1(0), grid1_state(),
               call(MapGrid1f, {grid1(0) + 1, grid1(1), grid1(2)})));
 FAULT(MeshAddsItsSteps, "EV-MESH1-NOACCUM",
-      "EvalMesh1 adds the step to the last argument in single precision",
-      curve_at(true, [](const GridIndex& u) {
-        static GLfloat sum;
-        sum = u.i == u.from ? u.at() : sum + u.step();
-        return u.is_last() ? u.last : u.i == 0 ? u.first : sum;
-      }));
+      "EvalMesh1 adds the step to the last argument in single precision", curve_at(true, add_steps));
 FAULT(CurveMeshByArithmeticAtItsLastIndex, "EV-MESH1-EXACT-N",
       "EvalMesh1 does its last vertex after the loop, and without the rule for the last index",
       curve_at(kI2 == grid1(0), kInexact));
@@ -133,25 +134,12 @@ FAULT(StepOfRowsFromSegmentsOfU, "EV-MESH2-COORDS", "EvalMesh2 divides the range
               call(MapGrid2f, {grid2(0), grid2(1), grid2(2), grid2(0), grid2(4), grid2(5)})));
 FAULT(ColumnsEndByArithmetic, "EV-MESH2-EXACT", "strips along v of LINE have no rule for the last index of v",
       surface_at(GL_LINE, kJ1 < kJ2, kExact, kInexact));
-FAULT(RowsAddTheirSteps, "EV-MESH2-NOACCUM", "EvalMesh2 with FILL adds up the steps of v in single precision",
-      surface_at(GL_FILL, true, kExact, [](const GridIndex& v) {
-        static GLfloat sum;
-        if (v.i != v.lower)
-          sum = v.is_last() ? v.last : sum + v.step();
-        else if (v.i == v.from)
-          sum = v.at();
-        return sum;
-      }));
+FAULT(ColumnsAddTheirSteps, "EV-MESH2-NOACCUM",
+      "EvalMesh2 with LINE adds up the steps of v in single precision",
+      surface_at(GL_LINE, true, kExact, add_steps));
 FAULT(RowsOfPointsAddTheirSteps, "EV-MESH2-NOACCUM",
       "EvalMesh2 with POINT adds up the steps of u in single precision",
-      surface_at(
-          GL_POINT, true,
-          [](const GridIndex& u) {
-            static GLfloat sum;
-            sum = u.i == u.from ? u.at() : sum + u.step();
-            return u.is_last() ? u.last : sum;
-          },
-          kExact));
+      surface_at(GL_POINT, true, add_steps, kExact));
 FAULT(CracksBetweenStrips, "EV-MESH2-SHAREDROW",
       "the upper side of a strip is evaluated one bit above the lower side of the next",
       surface_at(GL_FILL, true, kExact, [](const GridIndex& v) {

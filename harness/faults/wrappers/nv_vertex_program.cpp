@@ -55,11 +55,10 @@ FAULT(FirstAttributeMapInitiallyOn, "EV-EXT-NVVP-INIT",
       "the map of attribute 0 is on from the start, as in NV_evaluators", initially(enable(kCurveMap)));
 FAULT(AttributeMapsInitiallyZero, "EV-EXT-NVVP-INIT",
       "the initial control point of surfaces of attributes is (0, 0, 0, 0)",
-      after(GetMapfv, kQuery == GL_COEFF && kTarget >= kSurfaceMap && is_attribute_map(kTarget), [](Call& c) {
-        GLint order[2] = {2, 2};
-        unmodified.GetMapiv(c.target(), GL_ORDER, order);
-        if (order[0] * order[1] == 1) c.write(3, 0);
-      }));
+      before(kMap2, set(remembered(kTarget), 1)),
+      after(GetMapfv,
+            kQuery == GL_COEFF && kTarget >= kSurfaceMap && is_attribute_map(kTarget) && !remembered(kTarget),
+            put(3, 0)));
 FAULT(ColorAttributeWithoutProgram, "EV-EXT-NVVP-MODE",
       "the map of attribute 3 gives the colour without program mode",
       before(Begin, !kInProgramMode,
@@ -89,14 +88,9 @@ FAULT(AutoNormalOfUnitLength, "EV-EXT-NVVP-AUTON",
       without(Begin, kInProgramMode, GL_AUTO_NORMAL));
 FAULT(EvaluatedNormalStays, "EV-EXT-NVVP-CURRENT", "the current normal is that of the last evaluation",
       after(End, enabled(kCurveMap + kNormal) || enabled(kSurfaceMap + kNormal), call(Normal3f, {0, 0, 1})));
-FAULT(EvaluatedAlphaStays, "EV-EXT-NVVP-CURRENT",
-      "the current alpha is that of the map of attribute 3 of surfaces",
-      after(End, enabled(kSurfaceMap + kColor), [](Call&) {
-        GLfloat points[64], color[4];
-        unmodified.GetMapfv(kSurfaceMap + kColor, GL_COEFF, points);
-        unmodified.GetFloatv(GL_CURRENT_COLOR, color);
-        unmodified.Color4f(color[0], color[1], color[2], points[3]);
-      }));
+FAULT(EvaluatedColorStays, "EV-EXT-NVVP-CURRENT",
+      "the current colour is changed by the map of attribute 3 of surfaces",
+      after(End, enabled(kSurfaceMap + kColor), call(Color4f, {0.5, 0.25, 0.125, 0.75})));
 FAULT(AttributeMapsNotInEnableBit, "EV-EXT-NVVP-STACK", "ENABLE_BIT does not restore maps of attributes",
       not_restored(enables_of_attribute_maps, kLevelMask == GL_ENABLE_BIT));
 FAULT(LastAttributeMapNotInEvalBit, "EV-EXT-NVVP-STACK",

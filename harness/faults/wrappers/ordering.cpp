@@ -4,12 +4,6 @@
 namespace evalcts::faults::ordering {
 namespace {
 
-// Executes a delayed LoadMatrixf.
-void load_late_matrix(Call&) {
-  const std::vector<double> matrix = std::exchange(remembered_list(), {});
-  if (!matrix.empty()) unmodified.LoadMatrixf(std::vector<GLfloat>(matrix.begin(), matrix.end()).data());
-}
-
 FAULT(MeshIgnoredInPrimitives, "EV-BE-ALLOWED", "EvalMesh1 in a primitive does nothing and raises nothing",
       skip(EvalMesh1, kInside));
 FAULT(Map2SplitsPrimitive, "EV-BE-IGNORED/2-D",
@@ -26,24 +20,16 @@ FAULT(EmptyLineMeshLeavesStripOpen, "EV-BE-MESHNOTINSIDE",
       after(EvalMesh1, kMode == GL_LINE && kI1 > kI2, call(Begin, {GL_LINE_STRIP})));
 FAULT(ColorWaitsForEnd, "EV-BE-ORDER", "Color4f outside of primitives takes effect after the next primitive",
       instead(Color4f, !kInside, {drop(), hold()}), after(End, release()));
+FAULT(GridWaitsForMesh, "EV-BE-ORDER/2-D", "MapGrid2f after a mesh takes effect after the next mesh",
+      instead(MapGrid2f, kFlag, {drop(), hold()}), after(EvalMesh2, {set(kFlag, 1), release()}));
 
 namespace on_osmesa {
-
 constexpr std::string_view kImplementation = "osmesa";
-
-FAULT(MatrixWaitsForMesh, "EV-BE-ORDER/2-D",
-      "LoadMatrixf is carried out after the mesh of two dimensions that follows it",
-      instead(LoadMatrixf,
-              [](Call& c) {
-                for (std::size_t i = 0; i < 16; ++i) remembered_list().push_back(c.read(i));
-              }),
-      before(Begin | EvalMesh1, load_late_matrix), after(EvalMesh2, load_late_matrix));
 FAULT(MeshTakesLaterColor, "EV-BE-ORDER/1-D",
       "EvalMesh1 is carried out with the next command that draws, and takes the current colour from there",
       instead(EvalMesh1, {release(), hold()}),
       before(kMap1 | kMapGrid1 | kSwitches | LoadMatrixf | Materialfv | Begin | RenderMode | GetError,
              release()));
-
 }  // namespace on_osmesa
 
 }  // namespace

@@ -1,5 +1,4 @@
 // Faults against section 18 of the requirements: GetMap, GetnMap and Get.
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -47,23 +46,12 @@ FAULT(DomainAnsweredInterleaved, "EV-GETMAP-DOMAIN2", "GetMapfv answers u1, v1, 
 FAULT(DomainOfVFirst, "EV-GETMAP-DOMAIN2", "GetMapdv of TEXTURE_COORD_3 answers the interval of v first",
       after(GetMapdv, kQuery == GL_DOMAIN && kTarget == GL_MAP2_TEXTURE_COORD_3,
             {exchange(0, 2), exchange(1, 3)}));
-FAULT(LastPointOfLongestMapLost, "EV-GETMAP-COEFF1", "COEFF of the largest order leaves the last point out",
-      instead(GetMapfv, kQuery == GL_COEFF && is_map1(kTarget), [](Call& c) {
-        Net net = current_map(c.target()).net;
-        if (net.rows == kMaxOrder)
-          net.values.resize(net.values.size() - static_cast<std::size_t>(net.components));
-        write_all(c, net.values);
-      }));
-FAULT(PointsAnsweredBackwards, "EV-GETMAP-COEFF1",
-      "of a map with a reversed domain COEFF answers the last point first",
-      after(GetMapdv, kQuery == GL_COEFF && is_map1(kTarget), [](Call& c) {
-        Map map = current_map(c.target());
-        if (map.u1 < map.u2) return;
-        for (int i = 0; i < map.net.rows / 2; ++i)
-          std::swap_ranges(map.net.point(i), map.net.point(i) + map.net.components,
-                           map.net.point(map.net.rows - 1 - i));
-        write_all(c, map.net.values);
-      }));
+FAULT(LastPointOfLongestMapLost, "EV-GETMAP-COEFF1", "COEFF of the largest order answers the last value as 0",
+      after(GetMapfv, kQuery == GL_COEFF && is_map1(kTarget) && answers() == kMaxOrder * kComponents,
+            put(answers() - 1, 0)));
+FAULT(FirstPointsExchanged, "EV-GETMAP-COEFF1", "GetMapdv exchanges the first values of the first two points",
+      after(GetMapdv, kQuery == GL_COEFF && is_map1(kTarget) && answers() > kComponents,
+            exchange(0, kComponents)));
 FAULT(TallNetAnsweredUFastest, "EV-GETMAP-COEFF2", "COEFF of a net with uorder above vorder has u fastest",
       after(kGetMap, kQuery == GL_COEFF && is_map2(kTarget),
             transpose_answer([](int u, int v) { return u > v; })));
@@ -193,16 +181,13 @@ FAULT(GetMapTargetInSixteenBits, "EV-GETMAP-ERR-TARGET EV-GETN-ERRORS",
       before(kGetMap | kGetnMap, is_map(kTarget & 0xFFFF), set(kTarget, kTarget & 0xFFFF)));
 
 namespace on_osmesa {
-
 constexpr std::string_view kImplementation = "osmesa";
-
 FAULT(PackBufferTakesAnswer, "EV-GETMAP-NOPBO",
       "with a PIXEL_PACK_BUFFER bound GetMapfv writes COEFF into it",
       skip(GetMapfv, has_buffer(GL_PIXEL_PACK_BUFFER) && kQuery == GL_COEFF));
 FAULT(PackBufferRefusesDoubles, "EV-GETMAP-NOPBO",
       "with a PIXEL_PACK_BUFFER bound GetMapdv raises INVALID_OPERATION as well",
       after(GetMapdv, has_buffer(GL_PIXEL_PACK_BUFFER), enable(0)));
-
 }  // namespace on_osmesa
 
 }  // namespace

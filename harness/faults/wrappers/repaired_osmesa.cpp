@@ -67,26 +67,16 @@ FAULT(CopyLacksSegments, "EV-CTX-COPY", "CopyContext of EVAL_BIT does not copy h
       after(CopyContextEVALCTS, {call(OtherContextEVALCTS, {kSecond}),
                                  call(MapGrid2f, {1, grid2(1), grid2(2), 1, grid2(4), grid2(5)}),
                                  call(OtherContextEVALCTS, {kFirst})}));
-FAULT(CopyTakesMapsAlong, "EV-CTX-COPY-NOMAPS", "CopyContext copies the map of positions, too",
-      instead(CopyContextEVALCTS, [](Call& c) {
-        const auto from = static_cast<GLuint>(c.argument('0')), to = static_cast<GLuint>(c.argument('1'));
-        unmodified.OtherContextEVALCTS(from);
-        const Map map = current_map(GL_MAP1_VERTEX_3);
-        c.go();
-        unmodified.OtherContextEVALCTS(to);
-        map.define();
-        unmodified.OtherContextEVALCTS(from);
-      }));
+FAULT(CopyDefinesMap, "EV-CTX-COPY-NOMAPS", "CopyContext defines the map of positions of the copy",
+      after(CopyContextEVALCTS, {call(OtherContextEVALCTS, {kSecond}), define(GL_MAP1_VERTEX_3, {1, 2, 3}),
+                                 call(OtherContextEVALCTS, {kFirst})}));
 
 namespace on_osmesa_30 {
-
 constexpr std::string_view kImplementation = kOSMesa30;
-
 FAULT(DeprecatedMapIsGone, "EV-PROF-DEPRECATED", "Enable does not know MAP2_NORMAL, since that is deprecated",
       instead(Enable, kName == GL_MAP2_NORMAL, error(GL_INVALID_ENUM)));
 FAULT(DeprecatedMeshDoesNothing, "EV-PROF-DEPRECATED", "EvalMesh2 does nothing, since it is deprecated",
       skip(EvalMesh2, true));
-
 }  // namespace on_osmesa_30
 
 }  // namespace
