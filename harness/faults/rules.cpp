@@ -64,12 +64,6 @@ std::vector<Value> kept_values(int count) {
   for (int i = 0; i < count; ++i) values.push_back(kept(i));
   return values;
 }
-Value forget() {
-  return [](Call&) {
-    running_layer().numbers.clear();
-    running_layer().list.clear();
-  };
-}
 
 // --- State -------------------------------------------------------------------------------------------------
 
@@ -345,27 +339,17 @@ State enable_of(GLenum cap) {
 State map_of(GLenum target) {
   return [target]() -> Restore { return [map = current_map(target)] { map.define(); }; };
 }
-State setting(gl::EntryPoint command, std::initializer_list<Value> arguments, int part) {
-  const auto query = [command, list = std::vector<Value>(arguments)] {
+State setting(gl::EntryPoint command, std::initializer_list<Value> arguments) {
+  return [command, list = std::vector<Value>(arguments)]() -> Restore {
     Call setter;
     setter.entry = command;
     Call none;
     for (std::size_t i = 0; i < list.size(); ++i) setter.numbers[i] = list[i](none);
-    return setter;
-  };
-  return [=]() -> Restore {
-    return [=, saved = query()] {
-      Call setter = saved;
-      if (part >= 0) {
-        setter = query();
-        setter.numbers[static_cast<std::size_t>(part)] = saved.numbers[static_cast<std::size_t>(part)];
-      }
-      setter.go_original();
-    };
+    return [=] { Call(setter).go_original(); };
   };
 }
-State grid2_state(int part) {
-  return setting(MapGrid2d, {grid2(0), grid2(1), grid2(2), grid2(3), grid2(4), grid2(5)}, part);
+State grid2_state() {
+  return setting(MapGrid2d, {grid2(0), grid2(1), grid2(2), grid2(3), grid2(4), grid2(5)});
 }
 State current(gl::EntryPoint command, GLenum pname) {
   return setting(command,
@@ -436,12 +420,10 @@ Rules change_all_vertices(std::function<void(ObservedVertex&)> change) {
     for (ObservedPrimitive& primitive : all) std::ranges::for_each(primitive.vertices, change);
   });
 }
-Rules change_evaluated(std::function<void(Primitives&)> change) {
-  const Place evaluated = fresh_place();
-  return {before(kPoints | kMeshes, set(evaluated, 1)), change_output(evaluated, std::move(change))};
-}
 Rules change_primitives(std::function<void(ObservedPrimitive&)> change) {
-  return change_evaluated([=](Primitives& all) { std::ranges::for_each(all, change); });
+  const Place evaluated = fresh_place();
+  return {before(kPoints | kMeshes, set(evaluated, 1)),
+          change_output(evaluated, [=](Primitives& all) { std::ranges::for_each(all, change); })};
 }
 Rules change_vertices(void (*change)(ObservedVertex& vertex)) {
   return change_primitives(

@@ -95,8 +95,6 @@ std::vector<Value> kept_values(int count);
 // Steps that set kept(0), kept(1), ... to the values, or to the four values that GetDoublev returns.
 Value keep(std::initializer_list<Value> values);
 Value keep_state(GLenum pname);
-// A step that sets all memory to 0.
-Value forget();
 
 // --- Operations --------------------------------------------------------------------------------------------
 
@@ -246,11 +244,9 @@ using State = std::function<Restore()>;
 State enable_of(GLenum cap);
 State map_of(GLenum target);
 // The state that a command sets. `arguments` are expressions that query the arguments of the command.
-// If `part` is not negative, only this argument is restored, and the others are queried when the
-// state is restored.
-State setting(gl::EntryPoint command, std::initializer_list<Value> arguments, int part = -1);
-inline State grid1_state(int part = -1) { return setting(MapGrid1d, {grid1(0), grid1(1), grid1(2)}, part); }
-State grid2_state(int part = -1);
+State setting(gl::EntryPoint command, std::initializer_list<Value> arguments);
+inline State grid1_state() { return setting(MapGrid1d, {grid1(0), grid1(1), grid1(2)}); }
+State grid2_state();
 State current(gl::EntryPoint command, GLenum pname);  // for commands such as Color4d
 
 // --- Rules -------------------------------------------------------------------------------------------------
@@ -342,9 +338,8 @@ Rules restored(const State& state, Value condition);
 // Changes the output if the condition holds.
 Rules change_output(Value condition, std::function<void(Primitives&)> change);
 Rules change_all_vertices(std::function<void(ObservedVertex&)> change);
-// Change the output of a context that has evaluated: the whole output, each primitive, each vertex, or each
-// vertex together with the previous vertex of its primitive, from the last vertex down to index `from`.
-Rules change_evaluated(std::function<void(Primitives&)> change);
+// Change the output of a context that has evaluated: each primitive, each vertex, or each vertex together
+// with the previous vertex of its primitive, from the last vertex down to index `from`.
 Rules change_primitives(std::function<void(ObservedPrimitive&)> change);
 Rules change_vertices(void (*change)(ObservedVertex& vertex));
 Rules change_pairs(void (*change)(ObservedVertex& now, const ObservedVertex& before), std::size_t from = 1);

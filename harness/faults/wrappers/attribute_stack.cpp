@@ -29,9 +29,8 @@ FAULT(PushTurnsAutoNormalOff, "EV-ATTRIB-ENABLEBIT",
 FAULT(EnableBitHidesEvalBit, "EV-ATTRIB-EVALBIT",
       "of EVAL_BIT and ENABLE_BIT together the latter counts: the grid of two dimensions stays",
       not_restored(grid2_state(), kLevelMask == (GL_EVAL_BIT | GL_ENABLE_BIT)));
-FAULT(EnableBitRestoresSegments, "EV-ATTRIB-ENABLEBIT-NOGRID",
-      "ENABLE_BIT restores the number of segments of the grid of one dimension",
-      restored(grid1_state(0), is_enable_only(kLevelMask)));
+FAULT(EnableBitRestoresGrid, "EV-ATTRIB-ENABLEBIT-NOGRID", "ENABLE_BIT restores the grid of one dimension",
+      restored(grid1_state(), is_enable_only(kLevelMask)));
 FAULT(EvalBitRestoresDomain, "EV-ATTRIB-NOMAPS", "EVAL_BIT restores the domain of MAP1_VERTEX_3",
       restored(domain_of(GL_MAP1_VERTEX_3), kLevelMask& GL_EVAL_BIT));
 FAULT(PushTakesIndexMapAway, "EV-ATTRIB-NOMAPS", "PushAttrib(EVAL_BIT) leaves MAP1_INDEX as it is initially",
@@ -52,8 +51,7 @@ FAULT(ChangesBehindInnerLevelStay, "EV-ATTRIB-NEST",
       "a grid that is set behind a nested level of another group stays when the outer level is popped",
       after(MapGrid1f, kListMode == 0 && kLevel > 1 && kHasNeither, set(kFlag, 1)),
       not_restored(grid1_state(), kFlag && (kLevelMask & GL_EVAL_BIT) != 0));
-FAULT(NewContextInheritsGrid, "EV-CTX-FRESH",
-      "a new context begins with the grid of the one that was current",
+FAULT(NewContextInheritsGrid, "EV-CTX-FRESH", "a new context has the grid of the one that was current",
       keeping(kOtherContexts, kIsNewContext, grid2_state()), note_contexts());
 FAULT(ContextsShareDomain, "EV-CTX-PRIVATE", "a second context has the domain of MAP2_COLOR_4 of the first",
       keeping(kOtherContexts, true, domain_of(GL_MAP2_COLOR_4)));

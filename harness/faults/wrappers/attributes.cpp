@@ -16,8 +16,7 @@ FAULT(WOfVertex3IsQ, "EV-ATTR-VERTEX3", "VERTEX_3 takes its w from where the q o
       change_vertices([](ObservedVertex& vertex) {
         if (vertex.position[3] == 1) vertex.position[3] = vertex.texture_coordinate[0][3];
       }));
-FAULT(ColorsOfSurfacesInTheOrderBgra, "EV-ATTR-COLOR",
-      "points of colour maps of surfaces are taken as B, G, R, A",
+FAULT(ColorsOfSurfacesInTheOrderBgra, "EV-ATTR-COLOR", "colours of surfaces are taken as B, G, R, A",
       before(kMap2, kTarget == GL_MAP2_COLOR_4, swap_components(0, 2)));
 FAULT(NormalsFaceForward, "EV-ATTR-NORMAL", "normals with negative z are turned round",
       change_vertices([](ObservedVertex& vertex) {
@@ -138,8 +137,7 @@ FAULT(UndefinedTextureMapGivesWay, "EV-PREC-NOVALIDITY",
       "a texture map that was never defined is skipped for one that was",
       before(kMap1, kTarget == GL_MAP1_TEXTURE_COORD_4, set(kFlag, 1)),
       skip(Enable, kName == GL_MAP1_TEXTURE_COORD_4 && !kFlag));
-FAULT(UndefinedVertexMapGivesWay, "EV-PREC-NOVALIDITY",
-      "MAP2_VERTEX_4 takes precedence only after it was defined",
+FAULT(UndefinedVertexMapGivesWay, "EV-PREC-NOVALIDITY", "MAP2_VERTEX_4 counts only after it was defined",
       before(kMap2, kTarget == GL_MAP2_VERTEX_4, set(kFlag, 1)),
       skip(Enable, kName == GL_MAP2_VERTEX_4 && !kFlag));
 

@@ -52,14 +52,12 @@ FAULT(NoAutoNormalOfTwoVertexMaps, "EV-AUTON-VERTEX4WINS",
       only_if(GL_AUTO_NORMAL, !noted_on(GL_MAP2_VERTEX_3) || !noted_on(GL_MAP2_VERTEX_4)));
 FAULT(NormalMapLostAfterAutoNormal, "EV-AUTON-OFF-MAP", "Disable of AUTO_NORMAL disables the normal map",
       after(Disable, kName == GL_AUTO_NORMAL, disable(GL_MAP2_NORMAL)));
-FAULT(DisableOfAutoNormalResetsNormal, "EV-AUTON-OFF-NONE",
-      "Disable of AUTO_NORMAL resets the current normal",
+FAULT(DisableOfAutoNormalResetsNormal, "EV-AUTON-OFF-NONE", "Disable of AUTO_NORMAL resets the normal",
       after(Disable, kName == GL_AUTO_NORMAL, call(Normal3f, {0, 0, 1})));
 FAULT(GeneratedNormalStaysCurrent, "EV-AUTON-CURRENT",
       "EvalPoint2 with AUTO_NORMAL leaves a normal of its own as the current one",
       after(EvalPoint2, noted_on(GL_AUTO_NORMAL) && maps_vertices(2), call(Normal3f, {0, 0.6, 0.8})));
-FAULT(MeshWithAutoNormalSetsNormal, "EV-AUTON-CURRENT",
-      "EvalMesh2 with AUTO_NORMAL resets the current normal",
+FAULT(MeshWithAutoNormalSetsNormal, "EV-AUTON-CURRENT", "EvalMesh2 with AUTO_NORMAL resets the normal",
       after(EvalMesh2, noted_on(GL_AUTO_NORMAL) && maps_vertices(2), call(Normal3f, {0, 0, 1})));
 FAULT(AutoNormalNeedsNoVertexMap, "EV-AUTON-NOVERTEX",
       "AUTO_NORMAL counts as a map: EvalCoord2 draws the initial point without a vertex map",
@@ -121,8 +119,7 @@ FAULT(PatchOfOrderOneIsAnError, "EV-AUTON-DEGENERATE",
       "with AUTO_NORMAL, EvalCoord2 of a patch of order 1 in v raises INVALID_OPERATION",
       before(kMap2, kTarget == GL_MAP2_VERTEX_4, set(kFlag, kVOrder == 1)),
       before(kPoints2, noted_on(GL_AUTO_NORMAL) && noted_on(GL_MAP2_VERTEX_4) && kFlag, error_inside()));
-FAULT(NormalsPackedInBytes, "EV-AUTON-METHOD EV-AUTON-CURVED",
-      "generated normals are packed in 7 bits a component",
+FAULT(NormalsPackedInBytes, "EV-AUTON-METHOD EV-AUTON-CURVED", "generated normals have 7 bits a component",
       change_vertices([](ObservedVertex& vertex) { round_normal(vertex, 63); }));
 QUALITY_FAULT(NormalsInCoarseSteps, "EV-AUTON-METHOD",
               "components of generated normals are rounded to multiples of 1/2000",

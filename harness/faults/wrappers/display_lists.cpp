@@ -13,8 +13,7 @@ FAULT(CompiledNegativeIndexIsZero, "EV-DL-EXECUTE", "a compiled EvalMesh1 begins
 FAULT(CompiledMesh2RangeIsShort, "EV-DL-EXECUTE",
       "the range of j of a compiled EvalMesh2 is kept in sixteen bits without a sign",
       before(EvalMesh2, kListMode, {set(kJ1, kJ1 & 0xFFFF), set(kJ2, kJ2 & 0xFFFF)}));
-FAULT(CompiledSegmentsAreShorts, "EV-DL-EXECUTE",
-      "the segments of a compiled MapGrid1f are kept in sixteen bits",
+FAULT(CompiledSegmentsAreShorts, "EV-DL-EXECUTE", "a compiled MapGrid1f keeps 16 bits of the segments",
       before(MapGrid1f, kListMode != 0 && kSegments > 0, set(kSegments, kSegments & 0xFFFF)));
 FAULT(CompiledOrderInFourBits, "EV-DL-EXECUTE EV-DL-STRIDE-KEPT", "orders from 16 on are compiled as 15",
       before(kMap1, kListMode != 0 && kOrder > 15 && kOrder <= state(GL_MAX_EVAL_ORDER), set(kOrder, 15)));
@@ -45,11 +44,9 @@ FAULT(CompiledErrorAtEndList, "EV-DL-ERR-LATE", "EndList raises the error of a c
       after(EndList, kFlag, {set(kFlag, 0), error_now(GL_INVALID_VALUE)}));
 FAULT(CompiledStrideZeroMeansPacked, "EV-DL-ERR-ALL", "stride 0 of a compiled Map1f means packed points",
       before(Map1f, kListMode != 0 && kStride == 0, set(kStride, kComponents)));
-FAULT(CompiledHighOrderClamped, "EV-DL-ERR-ALL",
-      "an order of a compiled Map1d above MAX_EVAL_ORDER is clamped",
+FAULT(CompiledHighOrderClamped, "EV-DL-ERR-ALL", "a compiled Map1d clamps orders above MAX_EVAL_ORDER",
       before(Map1d, kListMode, set(kOrder, min(kOrder, state(GL_MAX_EVAL_ORDER)))));
-FAULT(CompiledHighUOrderDropped, "EV-DL-ERR-ALL",
-      "a Map2f of a uorder above MAX_EVAL_ORDER is left out of lists",
+FAULT(CompiledHighUOrderDropped, "EV-DL-ERR-ALL", "a Map2f of too high a uorder is left out of lists",
       skip(Map2f, kListMode == GL_COMPILE && kOrder > state(GL_MAX_EVAL_ORDER)));
 FAULT(CompiledEmptyGridDropped, "EV-DL-ERR-ALL", "a MapGrid1d of no segments is left out of lists",
       skip(MapGrid1d, kListMode == GL_COMPILE && kSegments == 0));
@@ -57,8 +54,7 @@ FAULT(CompiledMesh2ModeIsInvalidValue, "EV-DL-ERR-ALL",
       "EvalMesh2 with a mode of Begin in a list raises INVALID_VALUE",
       instead(EvalMesh2, kListMode && (kMode == GL_TRIANGLES || kMode == GL_QUAD_STRIP),
               error(GL_INVALID_VALUE)));
-FAULT(CompiledHighVOrderDropped, "EV-DL-ERR-ALL",
-      "a Map2d of a vorder above MAX_EVAL_ORDER is left out of lists",
+FAULT(CompiledHighVOrderDropped, "EV-DL-ERR-ALL", "a Map2d of too high a vorder is left out of lists",
       skip(Map2d, kListMode == GL_COMPILE && kVOrder > state(GL_MAX_EVAL_ORDER)));
 FAULT(CompiledNegativeUOrderDropped, "EV-DL-ERR-ALL", "a Map2f of a negative uorder is left out of lists",
       skip(Map2f, kListMode == GL_COMPILE && kOrder < 0));
@@ -92,18 +88,16 @@ FAULT(GetBooleanvIgnoredInLists, "EV-DL-GETMAP", "GetBooleanv of a map does noth
       skip(GetBooleanv, kListMode != 0 && is_map(kName)));
 FAULT(GetnMapdvIgnoredInLists, "EV-DL-GETMAP", "GetnMapdv does nothing while a list is open",
       skip(GetnMapdv, kListMode));
-FAULT(GetMapIgnoredWhileExecuted, "EV-DL-GETMAP",
-      "GetMapfv does nothing while a list is compiled and executed",
+FAULT(GetMapIgnoredWhileExecuted, "EV-DL-GETMAP", "GetMapfv does nothing in COMPILE_AND_EXECUTE mode",
       skip(GetMapfv, kListMode == GL_COMPILE_AND_EXECUTE));
 FAULT(GetMapOfCompiledDomain, "EV-DL-GETMAP", "GetMapdv tells the domain of the Map2 that the open list has",
-      before(kMap2, kCompiling, {set(kFlag, 1), keep({kU1, kU2, kV1, kV2})}), after(EndList, forget()),
+      before(kMap2, kCompiling, {set(kFlag, 1), keep({kU1, kU2, kV1, kV2})}), after(EndList, set(kFlag, 0)),
       after(GetMapdv, kQuery == GL_DOMAIN && kTarget >= GL_MAP2_COLOR_4 && kFlag, answer(kept_values(4))));
 FAULT(MaxOrderUnknownInLists, "EV-DL-GETMAP", "MAX_EVAL_ORDER is 0 while a list is open",
       after(GetIntegerv, kListMode != 0 && kName == GL_MAX_EVAL_ORDER, put(0, 0)));
 FAULT(ImmediatePointsNeedImmediateBegin, "EV-DL-SPLIT",
-      "EvalCoord1f does nothing in a primitive that a list has begun",
-      before(Begin, !kCompiling, set(kFlag, 1)), before(End, !kCompiling, set(kFlag, 0)),
-      skip(EvalCoord1f, !kCompiling && !kFlag));
+      "EvalCoord1f does nothing in primitives that lists begin", before(Begin, !kCompiling, set(kFlag, 1)),
+      before(End, !kCompiling, set(kFlag, 0)), skip(EvalCoord1f, !kCompiling && !kFlag));
 FAULT(SecondCallForgetsErrors, "EV-DL-REPEAT", "a list raises its errors at its first call only",
       after(NewList, set(remembered(kFirst), 0)),
       after(CallList, {when(remembered(kFirst), call(GetError)), set(remembered(kFirst), 1)}));

@@ -4,8 +4,7 @@
 namespace evalcts::faults::enables {
 namespace {
 
-FAULT(EnablingTwiceIsAnError, "EV-EN-CAPS",
-      "Enable of a texture map that is enabled raises INVALID_OPERATION",
+FAULT(EnablingTwiceIsAnError, "EV-EN-CAPS", "Enable of an enabled texture map raises INVALID_OPERATION",
       around(Enable, is_texture_map(kName) && enabled(kName), 0, error(GL_INVALID_OPERATION)));
 FAULT(AutoNormalNotAskedFor, "EV-EN-CAPS", "IsEnabled of AUTO_NORMAL raises INVALID_ENUM",
       instead(IsEnabled, kName == GL_AUTO_NORMAL, error(GL_INVALID_ENUM)));

@@ -10,8 +10,7 @@ FAULT(EvalCoord2dvIsAStub, "EV-API-ENTRY/2-D", "EvalCoord2dv is a stub that rais
 FAULT(Texture3AndVertex3TokensSwapped, "EV-API-ENUM-MAP1",
       "MAP1_TEXTURE_COORD_3 and MAP1_VERTEX_3, alike but for their effect, have each other's number",
       swap_targets(GL_MAP1_TEXTURE_COORD_3, GL_MAP1_VERTEX_3));
-FAULT(NormalAndVertex3TokensSwapped2, "EV-API-ENUM-MAP2",
-      "MAP2_NORMAL and MAP2_VERTEX_3 have each other's number",
+FAULT(NormalAndVertex3TokensSwapped2, "EV-API-ENUM-MAP2", "MAP2_NORMAL and MAP2_VERTEX_3 are exchanged",
       swap_targets(GL_MAP2_NORMAL, GL_MAP2_VERTEX_3));
 FAULT(Texture4AndVertex4TokensSwapped2, "EV-API-ENUM-MAP2",
       "MAP2_TEXTURE_COORD_4 and MAP2_VERTEX_4, alike but for their effect, have each other's number",

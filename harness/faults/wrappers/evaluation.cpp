@@ -30,16 +30,14 @@ FAULT(DimensionFixedByFirstVertex, "EV-COORD-MIXDIM",
       before(Begin | End, set(kCount, 0)), before(kEvalCoord1, !kCount, set(kCount, 1)),
       before(kEvalCoord2, !kCount, set(kCount, 2)), skip(EvalPoint1, kCount == 2),
       skip(EvalPoint2, kCount == 1));
-FAULT(SurfaceAfterCurveUsesItsArgument, "EV-COORD-MIXDIM",
-      "EvalCoord2 right after EvalCoord1 takes u from there",
+FAULT(SurfaceAfterCurveUsesItsArgument, "EV-COORD-MIXDIM", "EvalCoord2 after EvalCoord1 takes u from there",
       before(kEvalCoord1, {set(kNumber, kU), set(kFlag, 1)}),
       before(EvalPoint1, {set(kNumber, 0.75), set(kFlag, 1)}),
       before(kEvalCoord2, {when(kFlag && abs(kNumber - kU) > 0.1, set(kU, kNumber)), set(kFlag, 0)}));
 FAULT(EvalCoord2dvTakesVFirst, "EV-COORD-ARGORDER", "EvalCoord2dv takes v, then u",
       before(EvalCoord2dv, swap(kU, kV)));
 FAULT(EvalPoint2TakesJFirstInSquareGrids, "EV-COORD-ARGORDER EV-POINT2-EQUIV",
-      "EvalPoint2 mixes i and j up, unless one of them is 0",
-      before(EvalPoint2, kI != 0 && kJ, swap(kI, kJ)));
+      "EvalPoint2 mixes i and j up, unless one is 0", before(EvalPoint2, kI != 0 && kJ, swap(kI, kJ)));
 FAULT(IndexMapWithoutVertexMapIsAnError, "EV-COORD-NOVERTEX",
       "EvalCoord1 with an index map and no vertex map raises INVALID_OPERATION",
       before(kPoints1, noted_on(GL_MAP1_INDEX) && !maps_vertices(1), error_inside()));
@@ -79,13 +77,11 @@ FAULT(HugeArgumentIsAnError, "EV-COORD-NOERR/1-D",
       before(kEvalCoord1, kU > 0x1p120, error_inside()));
 FAULT(DenormalUIsAnError, "EV-COORD-NOERR/2-D", "EvalCoord2f raises INVALID_OPERATION where u is denormal",
       before(kEvalCoord2, is_subnormal(kU), error_inside()));
-FAULT(DoubleArgumentsInFixedPoint, "EV-COORD-FD",
-      "EvalCoord1d keeps 10 bits behind the point of its argument",
+FAULT(DoubleArgumentsInFixedPoint, "EV-COORD-FD", "EvalCoord1d keeps 10 bits behind the point of u",
       before(EvalCoord1d | EvalCoord1dv, set(kU, round(kU * 1024) / 1024)));
 FAULT(DoubleVInFixedPoint, "EV-COORD-FD", "EvalCoord2d keeps 10 bits behind the point of v",
       before(EvalCoord2d | EvalCoord2dv, set(kV, round(kV * 1024) / 1024)));
-FAULT(EveryFifthEvaluationOneUlpOff, "EV-COORD-REPEAT",
-      "every fifth EvalCoord1f evaluates at the next number",
+FAULT(EveryFifthEvaluationOneUlpOff, "EV-COORD-REPEAT", "every fifth EvalCoord1f takes the next number",
       before(EvalCoord1f, {set(kCount, kCount + 1), when(kCount % 5 == 0, set(kU, next_float(kU, 2)))}));
 FAULT(SecondPrimitiveHalfAnUlpOff, "EV-COORD-REPEAT",
       "from the second primitive on EvalCoord2 evaluates by another path", after(End, set(kFlag, 1)),
@@ -102,9 +98,8 @@ FAULT(ListBetweenEvaluationsLost, "EV-COORD-MATERIAL",
 FAULT(ColorArrayColorsEvaluatedVertices, "EV-COORD-NOARRAYS",
       "with an enabled colour array, evaluated vertices without a colour map have its first colour",
       note_array(GL_COLOR_ARRAY), before(kPoints, kFlag, call(Color4f, {0.625, 0.625, 0.625, 0.625})));
-FAULT(NormalArrayTurnsNormalMapsOff, "EV-COORD-NOARRAYS",
-      "an enabled normal array goes before the normal map", note_array(GL_NORMAL_ARRAY),
-      skip(Enable, kName == GL_MAP1_NORMAL && kFlag));
+FAULT(NormalArrayTurnsNormalMapsOff, "EV-COORD-NOARRAYS", "an enabled normal array replaces normal maps",
+      note_array(GL_NORMAL_ARRAY), skip(Enable, kName == GL_MAP1_NORMAL && kFlag));
 FAULT(EvaluatedVerticesHaveNoFog, "EV-COORD-TRANSFORM", "evaluated vertices are not fogged",
       without(Begin, kMapsVertices, GL_FOG));
 FAULT(EvaluatedColorsAreNotLit, "EV-COORD-TRANSFORM", "evaluated vertices with a colour map are not lit",

@@ -29,11 +29,9 @@ FAULT(FeedbackOutlinesQuads, "EV-FB-FILL", "in feedback mode a FILL mesh gives t
 FAULT(FeedbackOfQuadsHasCurrentTexture, "EV-FB-TEX",
       "in feedback mode FILL meshes have the current texture coordinates",
       without(EvalMesh2, kMode == GL_FILL && in_feedback(), GL_MAP2_TEXTURE_COORD_4));
-FAULT(FeedbackOfEvalCoordHasCurrentTexture, "EV-FB-TEX",
-      "in feedback mode EvalCoord1 gives no texture coordinates",
+FAULT(FeedbackOfEvalCoordHasCurrentTexture, "EV-FB-TEX", "EvalCoord1 feeds no texture coordinates back",
       without(Begin, in_feedback(), GL_MAP1_TEXTURE_COORD_4));
-FAULT(FilledMeshUnlitInFeedback, "EV-FB-COLOR",
-      "in feedback mode FILL meshes have the colours of before lighting",
+FAULT(FilledMeshUnlitInFeedback, "EV-FB-COLOR", "in feedback mode FILL meshes are not lit",
       without(EvalMesh2, kMode == GL_FILL && in_feedback(), GL_LIGHTING));
 FAULT(FeedbackLightsWithCurrentNormal, "EV-FB-COLOR",
       "in feedback mode LINE meshes are lit with the current normal",
@@ -49,8 +47,7 @@ FAULT(MeshWithoutVerticesHits, "EV-SEL-EMPTY",
             draw_point(0)));
 FAULT(SelectionOmitsEvalCoord2, "EV-SEL-HIT", "in selection mode EvalCoord2 does nothing",
       before(Begin, set(kFlag, in_selection())), after(End, set(kFlag, 0)), skip(kEvalCoord2, kFlag));
-FAULT(SelectionMeshDepthFromOrigin, "EV-SEL-HIT",
-      "the depths of a hit by EvalMesh1 include that of the origin",
+FAULT(SelectionMeshDepthFromOrigin, "EV-SEL-HIT", "depths of hits by EvalMesh1 include that of the origin",
       after(EvalMesh1, in_selection() && enabled(GL_MAP1_VERTEX_3), draw_point(-1)));
 FAULT(EmptyRangeOfJHits, "EV-SEL-EMPTY",
       "in selection mode a FILL mesh of an empty range of j hits with its first row",

@@ -51,8 +51,7 @@ FAULT(GridTakesDomainOfMap, "EV-GRID-NOTMAP/1-D",
       before(kMapGrid1, set(kCount, kSegments)),
       instead(EvalPoint1, kCount >= 1 && kFlag,
               call(EvalCoord1d, {kept(0) + kI * (kept(1) - kept(0)) / kCount})));
-FAULT(LargeCountsRefused, "EV-GRID-LARGE",
-      "more than 2^24 segments, which no float counts, raise INVALID_VALUE",
+FAULT(LargeCountsRefused, "EV-GRID-LARGE", "more than 2^24 segments raise INVALID_VALUE",
       before(kMapGrid1, kSegments > 1 << 24, set(kSegments, 0)));
 FAULT(LastOfLargestGridIsFirst2, "EV-GRID-LARGE", "in two dimensions the last j of 2^31-1 is taken for 0",
       before(EvalPoint2, kJ == std::numeric_limits<GLint>::max(), set(kJ, 0)));

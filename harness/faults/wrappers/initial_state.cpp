@@ -5,14 +5,12 @@ namespace evalcts::faults::initial_state {
 namespace {
 
 const Entries kGetNumbers = GetIntegerv | GetFloatv | Entries(GetDoublev);
-FAULT(IndexMapInitiallyOn, "EV-INIT-MAPS-OFF", "MAP1_INDEX is enabled at first",
-      initially(enable(GL_MAP1_INDEX)));
+FAULT(IndexMapInitiallyOn, "EV-INIT-MAPS-OFF", "MAP1_INDEX is on at first", initially(enable(GL_MAP1_INDEX)));
 FAULT(LastMap2FlagUninitialized, "EV-INIT-MAPS-OFF",
       "MAP2_VERTEX_4, the last of the flags, is enabled at first", initially(enable(GL_MAP2_VERTEX_4)));
 FAULT(AutoNormalInitiallyOn, "EV-INIT-AUTON-OFF",
       "AUTO_NORMAL is enabled at first, as the glMap2 page has it", initially(enable(GL_AUTO_NORMAL)));
-FAULT(InitialTextureMapIsLinear, "EV-INIT-ORDER1",
-      "MAP1_TEXTURE_COORD_2 begins with order 2, both points (0, 0)",
+FAULT(InitialTextureMapIsLinear, "EV-INIT-ORDER1", "MAP1_TEXTURE_COORD_2 has order 2 at first",
       initially(define(GL_MAP1_TEXTURE_COORD_2, {0, 0, 0, 0})));
 FAULT(InitialOrderIsDegree, "EV-INIT-ORDER1",
       "GetMapdv answers order 0 of a one-dimensional map that was never defined",
@@ -56,8 +54,7 @@ FAULT(UntouchedAutoNormalIsTrueInGet, "EV-INIT-AUTON-OFF",
       "GetBooleanv of AUTO_NORMAL gives TRUE until Enable or Disable names it",
       before(kSwitches, kName == GL_AUTO_NORMAL, set(kFlag, 1)),
       after(GetBooleanv, kName == GL_AUTO_NORMAL && !kFlag, put(0, 1)));
-FAULT(InitialIndexZeroInIntegers, "EV-INIT-COEFF-INDEX",
-      "GetMapiv answers 0 for the initial point of MAP1_INDEX",
+FAULT(InitialIndexZeroInIntegers, "EV-INIT-COEFF-INDEX", "GetMapiv answers 0 for the initial MAP1_INDEX",
       before(kMap1, kTarget == GL_MAP1_INDEX, set(kFlag, 1)),
       after(GetMapiv, kTarget == GL_MAP1_INDEX && kQuery == GL_COEFF && !kFlag, put(0, 0)));
 FAULT(InitialGridsZeroInDoubles, "EV-INIT-GRID1 EV-INIT-GRID2",

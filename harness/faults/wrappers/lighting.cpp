@@ -69,9 +69,8 @@ FAULT(EvaluatedColorStaysInMaterial, "EV-CMAT-NOSTATE",
       "after EvalCoord1 with COLOR_MATERIAL the tracked material is another one", note_tracking(),
       after(GetMaterialfv, kCount && (kSecond == GL_EMISSION || kSecond == GL_DIFFUSE),
             put(0, element(0) + 0.0625)));
-FAULT(EvaluatedColorStaysCurrent, "EV-CMAT-NOCURRENT",
-      "EvalCoord1 with COLOR_MATERIAL changes the current colour", note_tracking(),
-      after(End, kCount, call(Color4f, {0.125, 0.25, 0.375, 1})));
+FAULT(EvaluatedColorStaysCurrent, "EV-CMAT-NOCURRENT", "EvalCoord1 with COLOR_MATERIAL changes the colour",
+      note_tracking(), after(End, kCount, call(Color4f, {0.125, 0.25, 0.375, 1})));
 FAULT(NextVertexTracksEvaluatedColor, "EV-CMAT-NEXT",
       "a Vertex behind EvalCoord1 is lit with another colour than the current one", note_tracking(),
       keeping(Begin, kFlag, current(Color4d, GL_CURRENT_COLOR)),

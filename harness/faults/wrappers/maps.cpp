@@ -86,8 +86,7 @@ FAULT(TextureMapsShareDomain, "EV-MAP1-INDEP",
 FAULT(VertexMapsShareStorage, "EV-MAP1-INDEP", "Map1 of VERTEX_4 overwrites the first value of VERTEX_3",
       after(kMap1, kTarget == GL_MAP1_VERTEX_4 && kIsLegal,
             redefine(GL_MAP1_VERTEX_3, [](Map& map, Call& c) { map.net.values[0] = c.read(0); })));
-FAULT(FlatMap2IsMap1, "EV-MAP1-VS-MAP2/2-D",
-      "a Map2 of vorder 1 defines the one-dimensional namesake as well",
+FAULT(FlatMap2IsMap1, "EV-MAP1-VS-MAP2/2-D", "a Map2 of vorder 1 defines the map of curves as well",
       after(kMap2, kVOrder == 1 && kIsLegal, [](Call& c) {
         Map{c.target() - kFrom1To2, c.argument('a'), c.argument('b'), 0, 1, c.net()}.define();
       }));
@@ -119,8 +118,7 @@ FAULT(UStrideOfDoublesInFloats, "EV-MAP2-STRIDE-UNITS", "Map2d counts an even us
       before(Map2d, kStride % 2 == 0 && kIsLegal && kStride / 2 >= kComponents, set(kStride, kStride / 2)));
 FAULT(ReversedVSorted, "EV-MAP2-REVERSED", "Map2f sorts the ends of v",
       before(Map2f, kV1 > kV2, swap(kV1, kV2)));
-FAULT(VClampedBeyondCorners, "EV-MAP2-EXTRAPOLATE",
-      "where u and v are both outside, v is clamped to its interval",
+FAULT(VClampedBeyondCorners, "EV-MAP2-EXTRAPOLATE", "where u is outside, v is clamped to its interval",
       before(kMap2, kTarget >= GL_MAP2_VERTEX_3,
              {set(kFlag, 1), keep({min(kU1, kU2), max(kU1, kU2), min(kV1, kV2), max(kV1, kV2)})}),
       before(kEvalCoord2, kFlag && (kU < kept(0) || kU > kept(1)), set(kV, clamp(kV, kept(2), kept(3)))));
@@ -135,8 +133,7 @@ FAULT(ColorsOfOrderOneInUDrift, "EV-MAP2-ORDER-ONE",
              })));
 FAULT(LargestNetRefused, "EV-MAP2-ORDER-ALL", "a net of 4096 points raises INVALID_VALUE",
       before(kMap2, kOrder* kVOrder > 4095 && kIsLegal, set(kOrder, 0)));
-FAULT(LongRowsOfNormalsRefused, "EV-MAP2-ORDER-ALL",
-      "Map2d takes no NORMAL net of one row and the largest vorder",
+FAULT(LongRowsOfNormalsRefused, "EV-MAP2-ORDER-ALL", "Map2d takes no NORMAL net of one longest row",
       before(Map2d, kTarget == GL_MAP2_NORMAL && kOrder == 1 && kVOrder == kMaxOrder, set(kOrder, 0)));
 FAULT(Color2TakesThreeInU, "EV-MAP2-K EV-MAP2-ERR-USTRIDE", "Map2 of COLOR_4 is content with a ustride of 3",
       before(kMap2, kTarget == GL_MAP2_COLOR_4 && kStride == 3, set(kStride, 4)));

@@ -40,8 +40,7 @@ FAULT(MeshesHaveFrontsOnly, "EV-MESH2-TWOSIDE", "EvalMesh2 with AUTO_NORMAL ligh
       around(EvalMesh2, true,
              {set(kNumber, state(GL_LIGHT_MODEL_TWO_SIDE)), when(enabled(GL_AUTO_NORMAL), set_two_sides(0))},
              set_two_sides(kNumber)));
-FAULT(LineMeshesFollowPolygonMode, "EV-MESH2-NOPOLYMODE",
-      "EvalMesh2 with LINE draws points in polygon mode POINT",
+FAULT(LineMeshesFollowPolygonMode, "EV-MESH2-NOPOLYMODE", "LINE meshes are points in polygon mode POINT",
       before(EvalMesh2, kMode == GL_LINE && state(GL_POLYGON_MODE) == GL_POINT, set(kMode, GL_POINT)));
 FAULT(FilledMeshesNeverCulled, "EV-MESH2-NOPOLYMODE", "EvalMesh2 with FILL is not culled",
       without(EvalMesh2, true, GL_CULL_FACE));
@@ -50,11 +49,9 @@ QUALITY_FAULT(HalfOfEachQuad, "EV-MESH2-PLANAR", "EvalMesh2 with FILL draws thre
 
 namespace on_dropin {
 constexpr std::string_view kImplementation = "dropin";
-FAULT(FilledMeshesOfTriangleStrips, "EV-MESH2-ISQUADS EV-MESH2-FLAT",
-      "EvalMesh2 with FILL draws triangle strips",
+FAULT(FilledMeshesOfTriangleStrips, "EV-MESH2-ISQUADS EV-MESH2-FLAT", "FILL draws triangle strips",
       instead(EvalMesh2, kMode == GL_FILL, draw_strips(GL_TRIANGLE_STRIP)));
-FAULT(FlatColorOfAnotherCorner, "EV-MESH2-FLAT",
-      "EvalMesh2 with FILL draws quads whose last vertex is (i,j+1)",
+FAULT(FlatColorOfAnotherCorner, "EV-MESH2-FLAT", "FILL draws quads whose last vertex is (i,j+1)",
       instead(EvalMesh2, kMode == GL_FILL, draw_quads(GL_QUADS, {2, 3, 0, 1})));
 FAULT(FlatColorByFirstVertexOfAnotherCorner, "EV-MESH2-FLAT-FIRST",
       "by the first vertex convention quads of EvalMesh2 begin at (i,j+1) and end at (i,j)",

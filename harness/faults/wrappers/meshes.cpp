@@ -43,10 +43,8 @@ FAULT(CurveMeshFromNegativeIndexInexact, "EV-MESH1-EXACT-0",
 FAULT(CurveMeshFromZeroInexact, "EV-MESH1-EXACT-0", "EvalMesh1 from index 0 counts down from the last end",
       curve_at(kI1 == 0, [](const GridIndex& u) { return u.from_end(); }));
 FAULT(NegativeIndicesCutOff, "EV-MESH1-NEGATIVE EV-MESH2-RANGE",
-      "EvalMesh begins at 0 where i1 is negative and i2 is not",
-      before(kMeshes, kI2 >= 0, set(kI1, max(kI1, 0))));
-FAULT(IndicesBeyondTheGridCutOff, "EV-MESH1-NEGATIVE",
-      "EvalMesh1 with LINE ends at the last index of the grid",
+      "EvalMesh begins at 0 where only i1 is negative", before(kMeshes, kI2 >= 0, set(kI1, max(kI1, 0))));
+FAULT(IndicesBeyondTheGridCutOff, "EV-MESH1-NEGATIVE", "EvalMesh1 with LINE ends at the end of the grid",
       before(EvalMesh1, kMode == GL_LINE && !kInside && kI1 <= grid1(0), set(kI2, min(kI2, grid1(0)))));
 FAULT(EmptyMeshIsAnError, "EV-MESH1-EMPTY EV-MESH2-EMPTY",
       "EvalMesh with i1 above i2 by more than 1 raises INVALID_VALUE",
@@ -66,23 +64,20 @@ FAULT(MeshInsideWithoutMapIsIgnored, "EV-MESH1-ERR-BEGINEND EV-MESH2-ERR-BEGINEN
       "EvalMesh between Begin and End without a vertex map raises no error",
       skip(kMeshes, kInside && !maps_vertices(kMeshDimension)));
 FAULT(ModeUncheckedWithoutMap, "EV-MESH1-ERR-FIRST EV-MESH2-ERR-FIRST",
-      "EvalMesh looks for a vertex map before it looks at the mode",
-      skip(kMeshes, !maps_vertices(kMeshDimension)));
+      "EvalMesh without a vertex map ignores its mode", skip(kMeshes, !maps_vertices(kMeshDimension)));
 FAULT(ModeOfEmptyMeshUnchecked, "EV-MESH1-ERR-FIRST EV-MESH2-ERR-FIRST",
       "EvalMesh with an empty range of i does not look at the mode", skip(kMeshes, kI1 > kI2));
 FAULT(MeshWithoutVertexMapIsAnError, "EV-MESH1-NOVERTEX EV-MESH2-NOVERTEX",
       "EvalMesh without a vertex map raises INVALID_OPERATION",
       before(kMeshes, !maps_vertices(kMeshDimension) && kIsMode1 && !kInside, call(End)));
-FAULT(CurveMeshTakesTheGridOfU, "EV-MESH1-ONLY1D",
-      "EvalMesh1 takes the segments of u of the two-dimensional grid",
+FAULT(CurveMeshTakesTheGridOfU, "EV-MESH1-ONLY1D", "EvalMesh1 takes the segments of u of MapGrid2",
       keeping(EvalMesh1, !kInside && enabled(GL_MAP2_COLOR_4), grid1_state(),
               call(MapGrid1f, {grid2(0), grid1(1), grid1(2)})));
 FAULT(CurveMeshTakesTheColorMapOfSurfaces, "EV-MESH1-ONLY1D",
       "EvalMesh1 with a colour map of surfaces enabled colours by that of curves",
       around(EvalMesh1, !kInside && enabled(GL_MAP2_COLOR_4) && !enabled(GL_MAP1_COLOR_4),
              enable(GL_MAP1_COLOR_4), disable(GL_MAP1_COLOR_4)));
-FAULT(CurveMeshWhiteWithoutColorMap, "EV-MESH1-CURRENT",
-      "vertices of EvalMesh1 without a colour map are opaque",
+FAULT(CurveMeshWhiteWithoutColorMap, "EV-MESH1-CURRENT", "EvalMesh1 without a colour map is opaque",
       keeping(EvalMesh1, !kInside, current(Color4d, GL_CURRENT_COLOR),
               {keep_state(GL_CURRENT_COLOR), set(kept(3), 1), call(Color4d, kept_values(4))}));
 FAULT(CurveMeshKeepsTheFirstTexCoord, "EV-MESH1-CURRENT",
@@ -102,8 +97,7 @@ FAULT(CurveMeshOfListNeedsItsMapAtOnce, "EV-MESH1-POINT",
       "EvalMesh1 goes into a list only where a vertex map is enabled while it is compiled",
       skip(EvalMesh1,
            kIsMode1 && !kInside && kCompiling && !enabled(GL_MAP1_VERTEX_3) && !enabled(GL_MAP1_VERTEX_4)));
-FAULT(BadModeOfListLost, "EV-MESH1-ERR-MODE",
-      "EvalMesh1 with a wrong mode is not compiled: its error is lost",
+FAULT(BadModeOfListLost, "EV-MESH1-ERR-MODE", "EvalMesh1 with a wrong mode is left out of lists",
       skip(EvalMesh1, !kIsMode1 && !kInside && kCompiling));
 FAULT(MeshOfListIn8Bits, "EV-MESH2-COORDS", "lists keep 8 bits of the indices of rows of EvalMesh2",
       before(EvalMesh2, kCompiling, {set(kJ1, in_bits(kJ1, 8)), set(kJ2, in_bits(kJ2, 8))}));
@@ -122,8 +116,7 @@ FAULT(LastRowOfPointsForgotten, "EV-MESH2-POINT",
 FAULT(LastColumnForgotten, "EV-MESH2-LINE EV-MESH2-LINE-OVERLAP",
       "EvalMesh2 with LINE draws no strip along v at i2",
       instead(EvalMesh2, kIsNet, {kRows, set(kI2, kI2 - 1), kColumns}));
-FAULT(InnerColumnsMerged, "EV-MESH2-LINE-OVERLAP",
-      "EvalMesh2 with LINE draws strips along v at the borders only",
+FAULT(InnerColumnsMerged, "EV-MESH2-LINE-OVERLAP", "LINE draws strips along v at the borders only",
       instead(EvalMesh2, kIsNet,
               {kRows, call(EvalMesh2, {GL_LINE, kI1, kI1, kJ1, kJ2}),
                call(EvalMesh2, {GL_LINE, kI2, kI2, kJ1, kJ2})}));
@@ -134,8 +127,7 @@ FAULT(StepOfRowsFromSegmentsOfU, "EV-MESH2-COORDS", "EvalMesh2 divides the range
               call(MapGrid2f, {grid2(0), grid2(1), grid2(2), grid2(0), grid2(4), grid2(5)})));
 FAULT(ColumnsEndByArithmetic, "EV-MESH2-EXACT", "strips along v of LINE have no rule for the last index of v",
       surface_at(GL_LINE, kJ1 < kJ2, kExact, kInexact));
-FAULT(ColumnsAddTheirSteps, "EV-MESH2-NOACCUM",
-      "EvalMesh2 with LINE adds up the steps of v in single precision",
+FAULT(ColumnsAddTheirSteps, "EV-MESH2-NOACCUM", "EvalMesh2 with LINE adds up the steps of v in floats",
       surface_at(GL_LINE, true, kExact, add_steps));
 FAULT(RowsOfPointsAddTheirSteps, "EV-MESH2-NOACCUM",
       "EvalMesh2 with POINT adds up the steps of u in single precision",

@@ -28,14 +28,12 @@ FAULT(EndOfHighOrdersMissed, "EV-NUM-END",
       before(kMap1, {set(kFlag, kOrder >= 17), keep({kU1, kU2})}),
       before(kEvalCoord1, kU == kept(1) && kFlag, set(kU, kU + (kept(0) - kept(1)) / 1000)));
 FAULT(EndOfReversedSurfaceMissed, "EV-NUM-END EV-NUM-CORNERS",
-      "v2 of a map of surfaces is moved inside by a hundredth where v1 is not 0",
-      before(kMap2, keep({kV1, kV2})),
+      "v2 of a surface is moved inside by a hundredth where v1 is not 0", before(kMap2, keep({kV1, kV2})),
       before(kEvalCoord2, kept(0) && kV == kept(1), set(kV, kV + (kept(0) - kept(1)) / 100)));
 FAULT(ReversedDomainsOnACoarseLattice, "EV-NUM-SYMMETRY",
       "arguments of a map over a reversed domain are rounded to quarters",
       before(kMaps, set(kFlag, kU1 > kU2)), before(kEvalCoords, kFlag, set(kU, round(kU * 4) / 4)));
-FAULT(FarDomainsLoseBits, "EV-NUM-DOMAINSHIFT",
-      "arguments of EvalCoord2 above 2000 are kept in steps of 1/16",
+FAULT(FarDomainsLoseBits, "EV-NUM-DOMAINSHIFT", "EvalCoord2 rounds u above 2000 to steps of 1/16",
       before(kEvalCoord2, abs(kU) > 2000 && abs(kU) < 1e6, set(kU, round(kU * 16) / 16)));
 FAULT(CornersMixedUp, "EV-NUM-CORNERS", "at (u2, v1) the surface is evaluated at (u2, v2)",
       before(kMap2, {set(kFlag, 1), keep({kU2, kV1, kV2})}),
@@ -54,20 +52,17 @@ FAULT(SmallPointsFlushedInBigMaps, "EV-NUM-AFFINE",
       "control points are kept in fixed point, with 12 bits behind it",
       before(kMap1,
              change_values([](double x) { return std::abs(x) < 1 ? std::round(x * 4096) / 4096 : x; })));
-FAULT(InfiniteGridStays, "EV-NUM-SPECIAL-SAFE/2-D",
-      "after a grid with an infinite end, MapGrid2 changes nothing", skip(kMapGrid2, kFlag),
-      after(kMapGrid2, abs(kU1) == HUGE_VAL || abs(kV2) == HUGE_VAL, set(kFlag, 1)));
+FAULT(InfiniteGridStays, "EV-NUM-SPECIAL-SAFE/2-D", "after a grid with an infinite end, MapGrid2 is lost",
+      skip(kMapGrid2, kFlag), after(kMapGrid2, abs(kU1) == HUGE_VAL || abs(kV2) == HUGE_VAL, set(kFlag, 1)));
 FAULT(NaNPointDisablesMap, "EV-NUM-SPECIAL-SAFE", "a map with a NaN point is disabled",
       after(kMaps, kOrder > 0 && kComponents && is_nan(element(0)), disable(kTarget)));
 FAULT(MapAfterNaNIsLost, "EV-NUM-SPECIAL-SAFE/1-D", "the first Map1 after a NaN argument does nothing",
       before(kEvalCoord1, is_nan(kU), set(kFlag, 1)), instead(kMap1, kFlag, set(kFlag, 0)));
 FAULT(NegativeZeroIsOutside, "EV-NUM-DENORMAL", "EvalCoord1 at -0 evaluates a little below 0",
       before(kEvalCoord1, is_negative_zero(kU), set(kU, -1.0 / 512)));
-FAULT(DenormalArgumentLosesVertex, "EV-NUM-DENORMAL",
-      "EvalCoord1 at a negative denormal number draws nothing",
+FAULT(DenormalArgumentLosesVertex, "EV-NUM-DENORMAL", "EvalCoord1 at a negative subnormal draws nothing",
       skip(kEvalCoord1, kU <= 0 && is_subnormal(kU)));
-FAULT(OtherPathOnUnit1, "EV-NUM-INVARIANT-STATE",
-      "with TEXTURE1 active, evaluation takes another path, a bit off",
+FAULT(OtherPathOnUnit1, "EV-NUM-INVARIANT-STATE", "with TEXTURE1 active, evaluation is a bit off",
       evaluate_otherwise(kUnit != GL_TEXTURE0));
 FAULT(OtherPathAfterRefusedMap, "EV-NUM-INVARIANT-STATE/1-D",
       "after a Map1 that was rejected, evaluation takes another path, a bit off",

@@ -43,8 +43,7 @@ FAULT(GenericAttributeOfTheFirstVertex, "EV-EXT-ARBVP-NOGENERIC",
 
 namespace on_dropin {
 constexpr std::string_view kImplementation = "dropin";
-FAULT(CoreProfileTellsMaxEvalOrder, "EV-PROF-CORE-GET",
-      "GetIntegerv(MAX_EVAL_ORDER) answers in a core profile",
+FAULT(CoreProfileTellsMaxEvalOrder, "EV-PROF-CORE-GET", "a core profile answers MAX_EVAL_ORDER",
       instead(GetIntegerv, kName == GL_MAX_EVAL_ORDER && kIsCore, put(0, 30)));
 FAULT(CoreProfileTellsGrid, "EV-PROF-CORE-GET", "GetFloatv(MAP1_GRID_DOMAIN) answers in a core profile",
       instead(GetFloatv, kName == GL_MAP1_GRID_DOMAIN && kIsCore, answer({0, 1})));

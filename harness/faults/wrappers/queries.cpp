@@ -85,8 +85,7 @@ FAULT(DoublesKeptInHalfPrecision, "EV-GETMAP-DOUBLE",
       before(Map1d | Map2d, change_values([](double value) {
                return std::abs(value) < 1 ? std::round(value * 1024) / 1024 : value;
              })));
-FAULT(DoubleDomainThroughFixedPoint, "EV-GETMAP-DOUBLE",
-      "GetMapdv answers domains with 12 bits behind the point",
+FAULT(DoubleDomainThroughFixedPoint, "EV-GETMAP-DOUBLE", "GetMapdv rounds domains to multiples of 1/4096",
       after(GetMapdv, kQuery == GL_DOMAIN,
             change_answers([](double, double answered) { return std::round(answered * 4096) / 4096; })));
 FAULT(DisabledMapAnswersOrderOne, "EV-GETMAP-DISABLED",
@@ -182,8 +181,7 @@ FAULT(GetMapTargetInSixteenBits, "EV-GETMAP-ERR-TARGET EV-GETN-ERRORS",
 
 namespace on_osmesa {
 constexpr std::string_view kImplementation = "osmesa";
-FAULT(PackBufferTakesAnswer, "EV-GETMAP-NOPBO",
-      "with a PIXEL_PACK_BUFFER bound GetMapfv writes COEFF into it",
+FAULT(PackBufferTakesAnswer, "EV-GETMAP-NOPBO", "a bound PIXEL_PACK_BUFFER takes the COEFF of GetMapfv",
       skip(GetMapfv, has_buffer(GL_PIXEL_PACK_BUFFER) && kQuery == GL_COEFF));
 FAULT(PackBufferRefusesDoubles, "EV-GETMAP-NOPBO",
       "with a PIXEL_PACK_BUFFER bound GetMapdv raises INVALID_OPERATION as well",

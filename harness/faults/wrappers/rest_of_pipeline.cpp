@@ -65,14 +65,12 @@ FAULT(ReflectionOfCurrentNormal, "EV-PIPE-TEXGEN",
       "REFLECTION_MAP has the current normal for LINE meshes of two dimensions",
       after(TexGeni, kSecond == GL_TEXTURE_GEN_MODE, set(kCount, kThird)),
       without(EvalMesh2, kCount == GL_REFLECTION_MAP && kMode == GL_LINE, GL_MAP2_NORMAL));
-FAULT(FilledMeshTextureMatrixWithoutQ, "EV-PIPE-TEXMATRIX",
-      "for FILL meshes the texture matrix does not scale q",
+FAULT(FilledMeshTextureMatrixWithoutQ, "EV-PIPE-TEXMATRIX", "with FILL the texture matrix does not scale q",
       with_texture_matrix(EvalMesh2, kMode == GL_FILL, [](GLfloat* matrix) { matrix[15] = 1; }));
 FAULT(TextureMatrixWithoutLastColumn, "EV-PIPE-TEXMATRIX",
       "for meshes of one dimension the texture matrix does not move",
       with_texture_matrix(EvalMesh1, true, [](GLfloat* matrix) { std::fill_n(matrix + 12, 3, 0.0f); }));
-FAULT(FilledMeshForgetsSecondClipPlane, "EV-PIPE-CLIPPLANE",
-      "FILL meshes are clipped by the first clip plane alone",
+FAULT(FilledMeshForgetsSecondClipPlane, "EV-PIPE-CLIPPLANE", "FILL meshes have one clip plane",
       without(kMeshes, kMode == GL_FILL, GL_CLIP_PLANE1));
 FAULT(MeshesHaveFiveClipPlanes, "EV-PIPE-CLIPPLANE", "the sixth clip plane leaves meshes alone",
       without(kMeshes, true, GL_CLIP_PLANE5));
@@ -91,8 +89,7 @@ FAULT(FlatLinesByFirstVertex, "EV-PIPE-FLATLINE",
       "flat segments of LINE meshes have the colour of their first vertices",
       around(kMeshes, kMode == GL_LINE, call(ProvokingVertex, {GL_FIRST_VERTEX_CONVENTION}),
              call(ProvokingVertex, {GL_LAST_VERTEX_CONVENTION})));
-FAULT(ShaderSeesUnitOneOfMeshReset, "EV-PIPE-VS",
-      "gl_MultiTexCoord1 of meshes of one dimension is (0, 0, 0, 1)",
+FAULT(ShaderSeesUnitOneOfMeshReset, "EV-PIPE-VS", "gl_MultiTexCoord1 of EvalMesh1 is (0, 0, 0, 1)",
       keeping(EvalMesh1, true, current_texture_coordinates(GL_TEXTURE1),
               call(MultiTexCoord4f, {GL_TEXTURE1, 0, 0, 0, 1})));
 FAULT(ProgramOfPrimitivesSeesNoColorMap, "EV-PIPE-VS",
@@ -146,8 +143,7 @@ FAULT(FilledMeshRecordedAsLines, "EV-PIPE-XFB-MODE",
 FAULT(RecordedModeMismatchIsInvalidEnum, "EV-PIPE-XFB-MODE",
       "meshes that do not fit transform feedback of POINTS raise INVALID_ENUM", note_recording(),
       after(kMeshes, kRecorded == GL_POINTS + 1, replace_error(GL_INVALID_OPERATION, GL_INVALID_ENUM)));
-FAULT(GeometryInputMismatchIsSilent, "EV-PIPE-GS",
-      "POINT meshes that do not fit the geometry shader are ignored",
+FAULT(GeometryInputMismatchIsSilent, "EV-PIPE-GS", "POINT meshes that do not fit the shader are ignored",
       after(kMeshes, kMode == GL_POINT && has_program(), replace_error(GL_INVALID_OPERATION, GL_NO_ERROR)));
 FAULT(GeometryInputMismatchIsInvalidValue, "EV-PIPE-GS",
       "EvalMesh1 in LINE that does not fit the geometry shader raises INVALID_VALUE",
@@ -155,8 +151,7 @@ FAULT(GeometryInputMismatchIsInvalidValue, "EV-PIPE-GS",
             replace_error(GL_INVALID_OPERATION, GL_INVALID_VALUE)));
 FAULT(TessellatedMeshIsSilent, "EV-PIPE-TESS", "FILL meshes are ignored while tessellation is active",
       after(EvalMesh2, kMode == GL_FILL && has_program(), replace_error(GL_INVALID_OPERATION, GL_NO_ERROR)));
-FAULT(TessellatedMeshIsDrawn, "EV-PIPE-TESS",
-      "EvalMesh1 draws without tessellation while tessellation is active",
+FAULT(TessellatedMeshIsDrawn, "EV-PIPE-TESS", "EvalMesh1 draws without the active tessellation",
       keeping(EvalMesh1, has_program(), setting(UseProgram, {state(GL_CURRENT_PROGRAM)}),
               call(UseProgram, {0})));
 FAULT(SamplesOfEvalPointNotCounted, "EV-PIPE-QUERY", "samples of EvalPoint2 and EvalCoord2 are not counted",
@@ -171,8 +166,7 @@ FAULT(EmptyMeshCountsAPrimitive, "EV-PIPE-PRIMGEN", "an EvalMesh1 of an empty ra
       note_query(),
       before(EvalMesh1, kQueried == GL_PRIMITIVES_GENERATED && kI1 > kI2,
              call(EvalMesh1, {GL_POINT, kI1, kI1})));
-FAULT(EvaluatedPrimitiveNotDiscarded, "EV-PIPE-DISCARD",
-      "RASTERIZER_DISCARD leaves evaluated primitives alone",
+FAULT(EvaluatedPrimitiveNotDiscarded, "EV-PIPE-DISCARD", "RASTERIZER_DISCARD spares evaluated primitives",
       without(Begin, evaluates(), GL_RASTERIZER_DISCARD));
 FAULT(DiscardedMeshInBeginIsSilent, "EV-PIPE-DISCARD",
       "EvalMesh2 between Begin and End raises no error with RASTERIZER_DISCARD",
