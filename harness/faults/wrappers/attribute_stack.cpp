@@ -23,8 +23,7 @@ Rule note_contexts() { return before(kOtherContexts, set(remembered(kFirst), 1))
 FAULT(PushResetsGrid, "EV-ATTRIB-EVALBIT",
       "after PushAttrib(EVAL_BIT) the grid of one dimension is the initial one until PopAttrib",
       after(PushAttrib, kFirst& GL_EVAL_BIT, call(MapGrid1d, {1, 0, 1})));
-FAULT(PushTurnsAutoNormalOff, "EV-ATTRIB-ENABLEBIT",
-      "after PushAttrib(ENABLE_BIT) AUTO_NORMAL is off until PopAttrib",
+FAULT(PushTurnsAutoNormalOff, "EV-ATTRIB-ENABLEBIT", "PushAttrib(ENABLE_BIT) switches AUTO_NORMAL off",
       after(PushAttrib, is_enable_only(kFirst), disable(GL_AUTO_NORMAL)));
 FAULT(EnableBitHidesEvalBit, "EV-ATTRIB-EVALBIT",
       "of EVAL_BIT and ENABLE_BIT together the latter counts: the grid of two dimensions stays",
@@ -55,8 +54,7 @@ FAULT(NewContextInheritsGrid, "EV-CTX-FRESH", "a new context has the grid of the
       keeping(kOtherContexts, kIsNewContext, grid2_state()), note_contexts());
 FAULT(ContextsShareDomain, "EV-CTX-PRIVATE", "a second context has the domain of MAP2_COLOR_4 of the first",
       keeping(kOtherContexts, true, domain_of(GL_MAP2_COLOR_4)));
-FAULT(ThirdSwitchLosesEnable, "EV-CTX-SWITCH",
-      "MAP2_TEXTURE_COORD_1 is off when a context is current for the fourth time",
+FAULT(ThirdSwitchLosesEnable, "EV-CTX-SWITCH", "MAP2_TEXTURE_COORD_1 is off after three switches of contexts",
       after(kOtherContexts, kFirst == 0,
             {set(kCount, kCount + 1), when(kCount == 3, disable(GL_MAP2_TEXTURE_COORD_1))}));
 FAULT(SwitchLosesAutoNormal, "EV-CTX-SWITCH", "AUTO_NORMAL is off when the first context is current again",

@@ -100,8 +100,7 @@ FAULT(TextureMapFeedsGenericSix, "EV-ATTR-NOMAPS",
       before(kEvalCoord1, noted_on(GL_MAP1_TEXTURE_COORD_4), call(VertexAttrib4f, {6, 0, 0, 0, 1})));
 FAULT(EvaluatedVerticesHaveNoFogCoordinate, "EV-ATTR-NOMAPS", "the fog coordinate of evaluated vertices is 0",
       before(kPoints, call(FogCoordf, {0})));
-FAULT(GenericZeroIsTheFirstPoint, "EV-ATTR-GENERIC0",
-      "a shader that reads generic attribute 0 gets the start of the curve",
+FAULT(GenericZeroIsTheFirstPoint, "EV-ATTR-GENERIC0", "generic attribute 0 is the start of the curve",
       before(BindAttribLocation, kSecond == 0, set(kFlag, 1)), before(kEvalCoords, kFlag, set(kU, 0)));
 }  // namespace on_osmesa
 
@@ -133,8 +132,7 @@ FAULT(ColorSuppressesNormalBesideTexture, "EV-PREC-PERKIND",
       only_if(GL_MAP2_NORMAL, !noted_on(GL_MAP2_COLOR_4) ||
                                   !(noted_on(GL_MAP2_TEXTURE_COORD_1) || noted_on(GL_MAP2_TEXTURE_COORD_2) ||
                                     noted_on(GL_MAP2_TEXTURE_COORD_3) || noted_on(GL_MAP2_TEXTURE_COORD_4))));
-FAULT(UndefinedTextureMapGivesWay, "EV-PREC-NOVALIDITY",
-      "a texture map that was never defined is skipped for one that was",
+FAULT(UndefinedTextureMapGivesWay, "EV-PREC-NOVALIDITY", "a texture map that was never defined is skipped",
       before(kMap1, kTarget == GL_MAP1_TEXTURE_COORD_4, set(kFlag, 1)),
       skip(Enable, kName == GL_MAP1_TEXTURE_COORD_4 && !kFlag));
 FAULT(UndefinedVertexMapGivesWay, "EV-PREC-NOVALIDITY", "MAP2_VERTEX_4 counts only after it was defined",

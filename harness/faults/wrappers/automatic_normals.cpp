@@ -39,16 +39,14 @@ void round_normal(ObservedVertex& vertex, float steps) {
     if (std::abs(x) <= 1) x = std::round(x * steps) / steps;
 }
 
-FAULT(NormalMapEnabledLastWins, "EV-AUTON-OVERRIDE",
-      "a normal map that was enabled after AUTO_NORMAL takes precedence",
+FAULT(NormalMapEnabledLastWins, "EV-AUTON-OVERRIDE", "a normal map that is enabled later takes precedence",
       after(Enable, kName == GL_MAP2_NORMAL && noted_on(GL_AUTO_NORMAL), disable(GL_AUTO_NORMAL)));
 FAULT(AutoNormalBeforeVertexMapLost, "EV-AUTON-USED",
       "Enable of AUTO_NORMAL before that of a vertex map of surfaces has no effect",
       skip(Enable, kName == GL_AUTO_NORMAL && !maps_vertices(2)));
 FAULT(AutoNormalSuppressesNormalMapOfCurves, "EV-AUTON-1D", "AUTO_NORMAL suppresses the normal map of curves",
       only_if(GL_MAP1_NORMAL, !noted_on(GL_AUTO_NORMAL)));
-FAULT(NoAutoNormalOfTwoVertexMaps, "EV-AUTON-VERTEX4WINS",
-      "where both vertex maps are enabled no normal is generated",
+FAULT(NoAutoNormalOfTwoVertexMaps, "EV-AUTON-VERTEX4WINS", "two vertex maps generate no normal",
       only_if(GL_AUTO_NORMAL, !noted_on(GL_MAP2_VERTEX_3) || !noted_on(GL_MAP2_VERTEX_4)));
 FAULT(NormalMapLostAfterAutoNormal, "EV-AUTON-OFF-MAP", "Disable of AUTO_NORMAL disables the normal map",
       after(Disable, kName == GL_AUTO_NORMAL, disable(GL_MAP2_NORMAL)));
@@ -72,20 +70,18 @@ QUALITY_FAULT(AutoNormalMovesVertexByABit, "EV-AUTON-SAMEVERTEX EV-NUM-UNRELATED
               "with AUTO_NORMAL the vertex is evaluated by another path",
               before(kEvalCoord2, noted_on(GL_AUTO_NORMAL), set(kU, next_float(kU, 2))));
 FAULT(OneNormalForThePrimitive, "EV-AUTON-USED EV-AUTON-CURVED",
-      "the normal of its first vertex is that of a whole primitive",
-      with_auto_normal([](ObservedPrimitive& primitive) {
+      "a primitive has the normal of its first vertex", with_auto_normal([](ObservedPrimitive& primitive) {
         for (ObservedVertex& vertex : primitive.vertices) vertex.normal = primitive.vertices[0].normal;
       }));
 FAULT(NormalsOfWideDomainsShort, "EV-AUTON-UNIT",
-      "normals over a domain wider than 50 have a hundredth of their length",
+      "normals over a wide domain have a hundredth of their length",
       before(kMap2, set(kNumber, abs(kU2 - kU1))),
       change_normals([](ObservedVertex& vertex) { scale(vertex.normal, 0.01f); }, kNumber > 50));
 FAULT(NormalMapReadAfterAutoNormal, "EV-AUTON-OVERRIDE",
       "AUTO_NORMAL switched on a second time does not go before the normal map",
       before(Enable, kName == GL_AUTO_NORMAL && noted_on(GL_MAP2_NORMAL), set(kCount, kCount + 1)),
       skip(Enable, kName == GL_AUTO_NORMAL && noted_on(GL_MAP2_NORMAL) && kCount > 1));
-FAULT(NormalsTowardsTheViewer, "EV-AUTON-DIRECTION",
-      "generated normals that point away from the viewer are turned round",
+FAULT(NormalsTowardsTheViewer, "EV-AUTON-DIRECTION", "generated normals always point towards the viewer",
       change_normals([](ObservedVertex& vertex) {
         if (vertex.normal[2] < 0) turn(vertex);
       }));
@@ -121,8 +117,7 @@ FAULT(PatchOfOrderOneIsAnError, "EV-AUTON-DEGENERATE",
       before(kPoints2, noted_on(GL_AUTO_NORMAL) && noted_on(GL_MAP2_VERTEX_4) && kFlag, error_inside()));
 FAULT(NormalsPackedInBytes, "EV-AUTON-METHOD EV-AUTON-CURVED", "generated normals have 7 bits a component",
       change_vertices([](ObservedVertex& vertex) { round_normal(vertex, 63); }));
-QUALITY_FAULT(NormalsInCoarseSteps, "EV-AUTON-METHOD",
-              "components of generated normals are rounded to multiples of 1/2000",
+QUALITY_FAULT(NormalsInCoarseSteps, "EV-AUTON-METHOD", "generated normals are rounded to multiples of 1/2000",
               change_vertices([](ObservedVertex& vertex) { round_normal(vertex, 2000); }));
 
 namespace on_osmesa {

@@ -11,16 +11,14 @@ FAULT(MeshLeavesWhite, "EV-CUR-COLOR", "EvalMesh1 with a colour map resets the c
 // Imitates an implementation that flushes in the middle of a primitive, so that only long primitives
 // show the mistake.
 FAULT(ColorLostInLongPrimitives, "EV-CUR-COLOR",
-      "the 257th evaluated vertex of a primitive leaves its colour as the current one",
-      before(Begin, set(kCount, 0)),
+      "the 257th evaluated vertex of a primitive sets the current colour", before(Begin, set(kCount, 0)),
       after(kPoints1, {set(kCount, kCount + 1), when(kCount == 257 && noted_on(GL_MAP1_COLOR_4),
                                                      call(Color4f, {0.5, 0.25, 0.5, 1}))}));
 FAULT(VertexAfterEvaluationHasInitialNormal, "EV-CUR-NEXTVERTEX EV-COORD-MIX",
       "a Vertex right after an evaluation with a normal map has the normal (0,0,1)",
       before(kPoints, set(kFlag, noted_on(GL_MAP1_NORMAL) || noted_on(GL_MAP2_NORMAL))),
       before(Vertex3f, kFlag, {set(kFlag, 0), call(Normal3f, {0, 0, 1})}));
-FAULT(NormalLostAfterMeshes, "EV-CUR-NORMAL",
-      "EvalMesh2 with a normal map leaves the last normal as the current one",
+FAULT(NormalLostAfterMeshes, "EV-CUR-NORMAL", "EvalMesh2 with a normal map sets the current normal",
       after(EvalMesh2, noted_on(GL_MAP2_NORMAL), call(Normal3f, {0.6, 0, 0.8})));
 FAULT(MeshCompletesTexCoord, "EV-CUR-TEX",
       "EvalMesh1 with a texture map leaves r = 0 and q = 1 in the current texture coordinates",
@@ -65,8 +63,7 @@ FAULT(RasterPosTakesEvaluatedColor, "EV-CUR-RASTERPOS",
 }  // namespace on_osmesa
 
 FAULT(NormalLostEvery4096Vertices, "EV-CUR-NORMAL",
-      "every 4096th evaluated vertex of a primitive leaves its normal as the current one",
-      before(Begin, set(kCount, 0)),
+      "every 4096th evaluated vertex of a primitive sets the current normal", before(Begin, set(kCount, 0)),
       after(kPoints, {set(kCount, kCount + 1), when(kCount % 4096 == 0, call(Normal3f, {0, 0, 1}))}));
 FAULT(TexCoordLostEvery4096Vertices, "EV-CUR-NEXTVERTEX EV-COORD-MIX",
       "the first Vertex after 4096 evaluated vertices of a primitive has the texture coordinates (0,0,0,1)",

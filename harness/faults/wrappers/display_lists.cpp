@@ -17,8 +17,7 @@ FAULT(CompiledSegmentsAreShorts, "EV-DL-EXECUTE", "a compiled MapGrid1f keeps 16
       before(MapGrid1f, kListMode != 0 && kSegments > 0, set(kSegments, kSegments & 0xFFFF)));
 FAULT(CompiledOrderInFourBits, "EV-DL-EXECUTE EV-DL-STRIDE-KEPT", "orders from 16 on are compiled as 15",
       before(kMap1, kListMode != 0 && kOrder > 15 && kOrder <= state(GL_MAX_EVAL_ORDER), set(kOrder, 15)));
-FAULT(CompiledLargeNetCut, "EV-DL-EXECUTE",
-      "of a compiled net of more than 256 points the last row repeats the one before",
+FAULT(CompiledLargeNetCut, "EV-DL-EXECUTE", "the last row of a large compiled net repeats the one before",
       before(kMap2, kListMode != 0 && kOrder * kVOrder > 256, change_points([](Net& net) {
                std::copy_n(net.point(net.rows - 2), net.columns * net.components, net.point(net.rows - 1));
              })));
@@ -50,8 +49,7 @@ FAULT(CompiledHighUOrderDropped, "EV-DL-ERR-ALL", "a Map2f of too high a uorder 
       skip(Map2f, kListMode == GL_COMPILE && kOrder > state(GL_MAX_EVAL_ORDER)));
 FAULT(CompiledEmptyGridDropped, "EV-DL-ERR-ALL", "a MapGrid1d of no segments is left out of lists",
       skip(MapGrid1d, kListMode == GL_COMPILE && kSegments == 0));
-FAULT(CompiledMesh2ModeIsInvalidValue, "EV-DL-ERR-ALL",
-      "EvalMesh2 with a mode of Begin in a list raises INVALID_VALUE",
+FAULT(CompiledMesh2ModeIsInvalidValue, "EV-DL-ERR-ALL", "lists raise INVALID_VALUE for modes of Begin",
       instead(EvalMesh2, kListMode && (kMode == GL_TRIANGLES || kMode == GL_QUAD_STRIP),
               error(GL_INVALID_VALUE)));
 FAULT(CompiledHighVOrderDropped, "EV-DL-ERR-ALL", "a Map2d of too high a vorder is left out of lists",
@@ -62,8 +60,7 @@ FAULT(CompiledEmptyGrid2fInVDropped, "EV-DL-ERR-ALL", "a MapGrid2f of no segment
       skip(MapGrid2f, kListMode == GL_COMPILE && kVSegments <= 0));
 FAULT(CompiledEmptyGrid2dInUDropped, "EV-DL-ERR-ALL", "a MapGrid2d of no segments in u is left out of lists",
       skip(MapGrid2d, kListMode == GL_COMPILE && kSegments <= 0));
-FAULT(CompiledStrideOfOnePointNotChecked, "EV-DL-ERR-ALL",
-      "the stride of a compiled Map1 of order 1 is not checked",
+FAULT(CompiledStrideOfOnePointNotChecked, "EV-DL-ERR-ALL", "lists do not check the stride of Map1 of order 1",
       before(kMap1, kListMode != 0 && kOrder == 1, set(kStride, max(kStride, kComponents))));
 FAULT(CompiledMeshCarriesEnable, "EV-DL-EXECSTATE-MAP",
       "a compiled EvalMesh2 has colours if the colour map was on while it was compiled",
@@ -86,8 +83,7 @@ FAULT(ActiveTextureOfTheCompilation, "EV-DL-ACTIVETEX", "ACTIVE_TEXTURE is judge
               call(NewList, {1, GL_COMPILE})));
 FAULT(GetBooleanvIgnoredInLists, "EV-DL-GETMAP", "GetBooleanv of a map does nothing while a list is open",
       skip(GetBooleanv, kListMode != 0 && is_map(kName)));
-FAULT(GetnMapdvIgnoredInLists, "EV-DL-GETMAP", "GetnMapdv does nothing while a list is open",
-      skip(GetnMapdv, kListMode));
+FAULT(GetnMapdvIgnoredInLists, "EV-DL-GETMAP", "lists ignore GetnMapdv", skip(GetnMapdv, kListMode));
 FAULT(GetMapIgnoredWhileExecuted, "EV-DL-GETMAP", "GetMapfv does nothing in COMPILE_AND_EXECUTE mode",
       skip(GetMapfv, kListMode == GL_COMPILE_AND_EXECUTE));
 FAULT(GetMapOfCompiledDomain, "EV-DL-GETMAP", "GetMapdv tells the domain of the Map2 that the open list has",

@@ -16,15 +16,13 @@ FAULT(FlagNormalizedInDoubles, "EV-EN-GETS", "GetDoublev gives flags of MAP1 map
       after(GetDoublev, is_map1(kName), put(0, element(0) / 2147483647.0)));
 FAULT(FlagAnsweredTwice, "EV-EN-GETS", "GetFloatv of a texture map writes two values",
       after(GetFloatv, is_map1(kName) && is_texture_map(kName), put(1, element(0))));
-FAULT(BothVertexMapsRefused, "EV-EN-MULTI",
-      "Enable of MAP2_VERTEX_3 with MAP2_VERTEX_4 enabled raises INVALID_OPERATION",
+FAULT(BothVertexMapsRefused, "EV-EN-MULTI", "Enable of MAP2_VERTEX_3 beside MAP2_VERTEX_4 raises an error",
       instead(Enable, kName == GL_MAP2_VERTEX_3 && enabled(GL_MAP2_VERTEX_4), error(GL_INVALID_OPERATION)));
 FAULT(DisableInPrimitiveIsSilent, "EV-EN-BEGINEND", "Disable of AUTO_NORMAL in a primitive raises no error",
       skip(Disable, kName == GL_AUTO_NORMAL && kInside));
 FAULT(TextureMapsPerUnit, "EV-EN-NOTUNIT", "Enable of a texture map counts for the active unit only",
       skip(Enable, kUnit != GL_TEXTURE0 && is_map2(kName) && is_texture_map(kName)));
-FAULT(DisabledOnUnit1StaysOn, "EV-EN-NOTUNIT",
-      "what was enabled with unit 1 active is not disabled with unit 0 active",
+FAULT(DisabledOnUnit1StaysOn, "EV-EN-NOTUNIT", "maps that are enabled with unit 1 active stay on with unit 0",
       before(Enable, set(remembered(kName), kUnit != GL_TEXTURE0)),
       skip(Disable, kUnit == GL_TEXTURE0 && remembered(kName)));
 FAULT(TexturesOfSurfacesOnCurves, "EV-EN-DIM/1-D",

@@ -31,7 +31,7 @@ FAULT(EvalCoord2fvReadsVFirst, "EV-API-V/2-D", "EvalCoord2fv takes the first val
 FAULT(EvalCoord1dvReadsTwoValues, "EV-API-V/1-D", "EvalCoord1dv loads two values where there is one",
       before(EvalCoord1dv, set(kNumber, element(1))));
 FAULT(Color4AndTexture4TokensSwapped, "EV-API-ENUM-MAP1",
-      "MAP1_COLOR_4 and MAP1_TEXTURE_COORD_4 have each other's number",
+      "MAP1_COLOR_4 and MAP1_TEXTURE_COORD_4 are exchanged",
       swap_targets(GL_MAP1_COLOR_4, GL_MAP1_TEXTURE_COORD_4));
 
 }  // namespace

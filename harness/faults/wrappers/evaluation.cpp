@@ -13,11 +13,9 @@ Rules lost_after_evaluation(const Entries& command) {
 // Sets kFlag when the array is enabled.
 Rule note_array(GLenum array) { return before(EnableClientState, kFirst == array, set(kFlag, 1)); }
 
-FAULT(ColorMapOfSurfacesColorsCurves, "EV-COORD-DIM1",
-      "Enable of MAP2_COLOR_4 switches the colour map of curves on, too",
+FAULT(ColorMapOfSurfacesColorsCurves, "EV-COORD-DIM1", "Enable of MAP2_COLOR_4 enables MAP1_COLOR_4",
       after(kSwitches, kName == GL_MAP2_COLOR_4, switch_to(GL_MAP1_COLOR_4, noted_on(kName))));
-FAULT(NormalMapOfCurvesServesSurfaces, "EV-COORD-DIM2",
-      "Enable of MAP1_NORMAL switches the normal map of surfaces on, too",
+FAULT(NormalMapOfCurvesServesSurfaces, "EV-COORD-DIM2", "Enable of MAP1_NORMAL enables MAP2_NORMAL",
       after(kSwitches, kName == GL_MAP1_NORMAL, switch_to(GL_MAP2_NORMAL, noted_on(kName))));
 FAULT(TextureMapOfSurfacesOutranksThatOfCurves, "EV-COORD-DIM1",
       "TEXTURE_COORD_4 of surfaces suppresses the smaller texture maps of curves",
@@ -57,12 +55,11 @@ FAULT(LoopOfEvaluatedVerticesStaysOpen, "EV-COORD-PRIMS", "a LINE_LOOP with eval
       change_primitives([](ObservedPrimitive& primitive) {
         if (primitive.mode == GL_LINE_LOOP) primitive.mode = GL_LINE_STRIP;
       }));
-FAULT(ColorInsidePrimitiveWaits, "EV-COORD-CURRENT",
-      "a Color after an evaluation counts from the next primitive on", before(kPoints, set(kFlag, 1)),
-      before(Begin, set(kFlag, 0)), instead(Color4f, kInside != 0 && kFlag, {drop(), hold()}),
-      after(End, release()));
+FAULT(ColorInsidePrimitiveWaits, "EV-COORD-CURRENT", "a Color after an evaluation waits for End",
+      before(kPoints, set(kFlag, 1)), before(Begin, set(kFlag, 0)),
+      instead(Color4f, kInside != 0 && kFlag, {drop(), hold()}), after(End, release()));
 FAULT(ColorOfTheVertexBefore, "EV-COORD-VERTEXLAST EV-COORD-ASIF",
-      "the vertex goes out before its colour is evaluated",
+      "a vertex has the colour of the one before it",
       change_pairs([](ObservedVertex& now, const ObservedVertex& before) { now.color = before.color; }));
 FAULT(NormalOfTheVertexBefore, "EV-COORD-VERTEXLAST",
       "from the third vertex of a primitive on, the vertex goes out before its normal",
@@ -72,8 +69,7 @@ FAULT(AllKindsTogetherLoseTheColor, "EV-COORD-ASIF EV-PREC-PERKIND",
       only_if(GL_MAP1_COLOR_4,
               !noted_on(GL_MAP1_NORMAL) || !noted_on(GL_MAP1_INDEX) ||
                   (!noted_on(GL_MAP1_TEXTURE_COORD_3) && !noted_on(GL_MAP1_TEXTURE_COORD_4))));
-FAULT(HugeArgumentIsAnError, "EV-COORD-NOERR/1-D",
-      "EvalCoord1 raises INVALID_OPERATION where the argument is above 2^120",
+FAULT(HugeArgumentIsAnError, "EV-COORD-NOERR/1-D", "EvalCoord1 raises INVALID_OPERATION above 2^120",
       before(kEvalCoord1, kU > 0x1p120, error_inside()));
 FAULT(DenormalUIsAnError, "EV-COORD-NOERR/2-D", "EvalCoord2f raises INVALID_OPERATION where u is denormal",
       before(kEvalCoord2, is_subnormal(kU), error_inside()));
@@ -83,9 +79,8 @@ FAULT(DoubleVInFixedPoint, "EV-COORD-FD", "EvalCoord2d keeps 10 bits behind the 
       before(EvalCoord2d | EvalCoord2dv, set(kV, round(kV * 1024) / 1024)));
 FAULT(EveryFifthEvaluationOneUlpOff, "EV-COORD-REPEAT", "every fifth EvalCoord1f takes the next number",
       before(EvalCoord1f, {set(kCount, kCount + 1), when(kCount % 5 == 0, set(kU, next_float(kU, 2)))}));
-FAULT(SecondPrimitiveHalfAnUlpOff, "EV-COORD-REPEAT",
-      "from the second primitive on EvalCoord2 evaluates by another path", after(End, set(kFlag, 1)),
-      before(kEvalCoord2, kFlag, set(kU, next_float(kU, 2))));
+FAULT(SecondPrimitiveHalfAnUlpOff, "EV-COORD-REPEAT", "from the second primitive on EvalCoord2 is a bit off",
+      after(End, set(kFlag, 1)), before(kEvalCoord2, kFlag, set(kU, next_float(kU, 2))));
 
 // In the control, with explicit vertices, no vertex map is enabled.
 

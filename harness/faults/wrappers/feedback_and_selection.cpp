@@ -26,31 +26,26 @@ FAULT(FeedbackQuadTwice, "EV-FB-FILL", "in feedback mode the first quad of a FIL
 FAULT(FeedbackOutlinesQuads, "EV-FB-FILL", "in feedback mode a FILL mesh gives the outlines of its polygons",
       around(EvalMesh2, kMode == GL_FILL && in_feedback(), call(PolygonMode, {GL_FRONT_AND_BACK, GL_LINE}),
              call(PolygonMode, {GL_FRONT_AND_BACK, GL_FILL})));
-FAULT(FeedbackOfQuadsHasCurrentTexture, "EV-FB-TEX",
-      "in feedback mode FILL meshes have the current texture coordinates",
+FAULT(FeedbackOfQuadsHasCurrentTexture, "EV-FB-TEX", "FILL meshes feed back the current texture coordinates",
       without(EvalMesh2, kMode == GL_FILL && in_feedback(), GL_MAP2_TEXTURE_COORD_4));
 FAULT(FeedbackOfEvalCoordHasCurrentTexture, "EV-FB-TEX", "EvalCoord1 feeds no texture coordinates back",
       without(Begin, in_feedback(), GL_MAP1_TEXTURE_COORD_4));
 FAULT(FilledMeshUnlitInFeedback, "EV-FB-COLOR", "in feedback mode FILL meshes are not lit",
       without(EvalMesh2, kMode == GL_FILL && in_feedback(), GL_LIGHTING));
-FAULT(FeedbackLightsWithCurrentNormal, "EV-FB-COLOR",
-      "in feedback mode LINE meshes are lit with the current normal",
+FAULT(FeedbackLightsWithCurrentNormal, "EV-FB-COLOR", "feedback lights LINE meshes with the current normal",
       without(EvalMesh2, kMode == GL_LINE && in_feedback() && enabled(GL_LIGHTING), GL_MAP2_NORMAL));
 FAULT(SelectionNeverCulls, "EV-SEL-CULLED", "in selection mode FILL meshes are not culled",
       without(EvalMesh2, in_selection(), GL_CULL_FACE));
-FAULT(SelectionHitsThoughBothAreCulled, "EV-SEL-CULLED",
-      "in selection mode CullFace(FRONT_AND_BACK) leaves meshes alone",
+FAULT(SelectionHitsThoughBothAreCulled, "EV-SEL-CULLED", "selection ignores CullFace(FRONT_AND_BACK)",
       without(EvalMesh2, in_selection() && state(GL_CULL_FACE_MODE) == GL_FRONT_AND_BACK, GL_CULL_FACE));
-FAULT(MeshWithoutVerticesHits, "EV-SEL-EMPTY",
-      "in selection mode EvalMesh1 without a vertex map hits at the origin",
+FAULT(MeshWithoutVerticesHits, "EV-SEL-EMPTY", "EvalMesh1 without a vertex map hits at the origin",
       after(EvalMesh1, in_selection() && !enabled(GL_MAP1_VERTEX_3) && !enabled(GL_MAP1_VERTEX_4),
             draw_point(0)));
 FAULT(SelectionOmitsEvalCoord2, "EV-SEL-HIT", "in selection mode EvalCoord2 does nothing",
       before(Begin, set(kFlag, in_selection())), after(End, set(kFlag, 0)), skip(kEvalCoord2, kFlag));
 FAULT(SelectionMeshDepthFromOrigin, "EV-SEL-HIT", "depths of hits by EvalMesh1 include that of the origin",
       after(EvalMesh1, in_selection() && enabled(GL_MAP1_VERTEX_3), draw_point(-1)));
-FAULT(EmptyRangeOfJHits, "EV-SEL-EMPTY",
-      "in selection mode a FILL mesh of an empty range of j hits with its first row",
+FAULT(EmptyRangeOfJHits, "EV-SEL-EMPTY", "a FILL mesh of an empty range of j hits with its first row",
       before(EvalMesh2, in_selection() && kMode == GL_FILL && kJ1 > kJ2,
              call(EvalMesh2, {GL_LINE, kI1, kI2, kJ2, kJ2})));
 

@@ -24,8 +24,7 @@ FAULT(NoSegmentsIsOne, "EV-GRID-ERR-N EV-GRID-ERR-UN", "MapGrid1f and MapGrid2f 
       before(MapGrid1f | MapGrid2f, kSegments == 0, set(kSegments, 1)));
 FAULT(NegativeSegmentsIgnored, "EV-GRID-ERR-N", "MapGrid1 of -100 segments does nothing and raises nothing",
       skip(kMapGrid1, kSegments == -100));
-FAULT(ProductOfCountsChecked, "EV-GRID-ERR-UN EV-GRID-ERR-VN",
-      "two negative counts pass, as their product is positive",
+FAULT(ProductOfCountsChecked, "EV-GRID-ERR-UN EV-GRID-ERR-VN", "two negative counts pass as positive ones",
       before(kMapGrid2, kSegments < 0 && kVSegments < 0,
              {set(kSegments, -kSegments), set(kVSegments, -kVSegments)}));
 FAULT(VnUnchecked, "EV-GRID-ERR-VN", "MapGrid2f checks un twice, and cuts a bad vn to 1",
@@ -45,8 +44,7 @@ FAULT(ReversedGridSorted, "EV-GRID-REVERSED", "MapGrid1f sorts its ends",
       before(MapGrid1f, kU1 > kU2, swap(kU1, kU2)));
 FAULT(ReversedVOfGridSorted, "EV-GRID-REVERSED", "MapGrid2f sorts the ends of v",
       before(MapGrid2f, kV1 > kV2, swap(kV1, kV2)));
-FAULT(GridTakesDomainOfMap, "EV-GRID-NOTMAP/1-D",
-      "Map1 of a vertex map sets the ends of the grid that evaluation uses",
+FAULT(GridTakesDomainOfMap, "EV-GRID-NOTMAP/1-D", "evaluation takes the ends of the grid from Map1",
       before(kMap1, kTarget >= GL_MAP1_VERTEX_3, {set(kFlag, 1), keep({kU1, kU2})}),
       before(kMapGrid1, set(kCount, kSegments)),
       instead(EvalPoint1, kCount >= 1 && kFlag,
@@ -73,15 +71,13 @@ FAULT(GridRefusedOnLastUnit, "EV-GRID-NOUNIT",
 
 constexpr Coordinate kFromEnd = [](const GridIndex& index) { return index.from_end(); };
 
-FAULT(StepInFixedPoint, "EV-POINT1-EQUIV EV-POINT-LIKEMESH",
-      "EvalPoint1 keeps 16 bits behind the point of the step",
+FAULT(StepInFixedPoint, "EV-POINT1-EQUIV EV-POINT-LIKEMESH", "EvalPoint1 keeps the step in fixed point",
       point1_at(kI != noted_grid1(0), [](const GridIndex& u) {
         return static_cast<GLfloat>(u.i) * (std::round(u.step() * 65536) / 65536) + u.first;
       }));
 FAULT(PointsFromTheLastEnd, "EV-POINT-EXACT-0",
       "EvalPoint1 counts from the last end of the grid: the first one is rounded", point1_at(true, kFromEnd));
-FAULT(FirstRowFromTheLastEnd, "EV-POINT-EXACT-0",
-      "EvalPoint2 counts v from the last end of the grid: the first row is rounded",
+FAULT(FirstRowFromTheLastEnd, "EV-POINT-EXACT-0", "EvalPoint2 counts v of the first row from the last end",
       point2_at(kJ == 0, kExact, kFromEnd));
 FAULT(IndicesIn8Bits, "EV-POINT1-EQUIV EV-POINT2-EQUIV", "EvalPoint keeps 8 bits of i",
       before(EvalPoint1 | EvalPoint2, abs(kI) < 1 << 20, set(kI, in_bits(kI, 8))));

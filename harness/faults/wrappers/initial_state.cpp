@@ -12,8 +12,7 @@ FAULT(AutoNormalInitiallyOn, "EV-INIT-AUTON-OFF",
       "AUTO_NORMAL is enabled at first, as the glMap2 page has it", initially(enable(GL_AUTO_NORMAL)));
 FAULT(InitialTextureMapIsLinear, "EV-INIT-ORDER1", "MAP1_TEXTURE_COORD_2 has order 2 at first",
       initially(define(GL_MAP1_TEXTURE_COORD_2, {0, 0, 0, 0})));
-FAULT(InitialOrderIsDegree, "EV-INIT-ORDER1",
-      "GetMapdv answers order 0 of a one-dimensional map that was never defined",
+FAULT(InitialOrderIsDegree, "EV-INIT-ORDER1", "GetMapdv answers order 0 of a map that was never defined",
       before(kMap1, set(remembered(kTarget), 1)),
       after(GetMapdv, kQuery == GL_ORDER && is_map1(kTarget) && !remembered(kTarget), put(0, 0)));
 FAULT(InitialVOrderForgotten, "EV-INIT-ORDER2", "ORDER of MAP2_INDEX is (1, 2) at first",
@@ -63,8 +62,7 @@ FAULT(InitialGridsZeroInDoubles, "EV-INIT-GRID1 EV-INIT-GRID2",
       before(kMapGrid2, set(remembered(GL_MAP2_GRID_DOMAIN), 1)),
       after(GetDoublev, (kName == GL_MAP1_GRID_DOMAIN || kName == GL_MAP2_GRID_DOMAIN) && !remembered(kName),
             change_answers([](double, double) { return 0.0; })));
-FAULT(UndefinedVertexNetDrawsNothing, "EV-INIT-EVALUABLE",
-      "EvalCoord2 before any vertex map was defined draws nothing",
+FAULT(UndefinedVertexNetDrawsNothing, "EV-INIT-EVALUABLE", "EvalCoord2 draws nothing before the first Map2",
       before(kMap2, kTarget >= GL_MAP2_VERTEX_3, set(kFlag, 1)), skip(kEvalCoord2, !kFlag));
 
 }  // namespace

@@ -51,8 +51,7 @@ FAULT(Texture3AnsweredAsFour, "EV-MAP1-K", "COEFF of MAP1_TEXTURE_COORD_3 answer
       after(GetMapfv, kTarget == GL_MAP1_TEXTURE_COORD_3 && kQuery == GL_COEFF, put(answers(), 1)));
 FAULT(StrideInOneByte, "EV-MAP1-STRIDE", "the stride is kept in a byte: 257 becomes 1",
       before(kMap1, kStride % 256 >= kComponents && kIsLegal, set(kStride, kStride % 256)));
-FAULT(DoubleStrideInFloats, "EV-MAP1-STRIDE",
-      "Map1d with an even stride of 2k or more takes it as counted in floats",
+FAULT(DoubleStrideInFloats, "EV-MAP1-STRIDE", "Map1d counts even strides of 2k or more in floats",
       before(Map1d, kStride % 2 == 0 && kStride / 2 >= kComponents, set(kStride, kStride / 2)));
 FAULT(PaddingTimesZero, "EV-MAP1-PADDING EV-MAP2-PADDING",
       "the value behind each point but the last is added to it with weight zero",
@@ -63,8 +62,7 @@ FAULT(PaddingTimesZero, "EV-MAP1-PADDING EV-MAP2-PADDING",
                    if (i + 1 < net.rows || j + 1 < net.columns)
                      *net.point(i, j) += 0 * c.read(c.place(i, j, net.components));
              })));
-FAULT(TightTexture1Refused, "EV-MAP1-STRIDE-MIN",
-      "MAP1_TEXTURE_COORD_1 with stride 1 raises INVALID_VALUE above order 1",
+FAULT(TightTexture1Refused, "EV-MAP1-STRIDE-MIN", "MAP1_TEXTURE_COORD_1 rejects stride 1 above order 1",
       before(kMap1, kTarget == GL_MAP1_TEXTURE_COORD_1 && kStride == 1 && kOrder > 1, set(kStride, 0)));
 FAULT(SinglePointReadLate, "EV-MAP1-COPY",
       "Map1d of order 1 keeps the pointer until the map is queried or a primitive begins",
@@ -79,8 +77,7 @@ FAULT(SamePointerNotReadAgain, "EV-MAP1-REPLACE EV-MAP1-LIVE",
 FAULT(OrderNeverShrinks, "EV-MAP1-REPLACE", "GetMapiv answers the largest order that MAP1_INDEX ever had",
       before(kMap1, kTarget == GL_MAP1_INDEX && kIsLegal, set(kCount, max(kCount, kOrder))),
       after(GetMapiv, kTarget == GL_MAP1_INDEX && kQuery == GL_ORDER && kCount, put(0, kCount)));
-FAULT(TextureMapsShareDomain, "EV-MAP1-INDEP",
-      "MAP1_TEXTURE_COORD_1 takes over the domain of every other texture map",
+FAULT(TextureMapsShareDomain, "EV-MAP1-INDEP", "MAP1_TEXTURE_COORD_1 takes the domain of other texture maps",
       after(kMap1, kTarget > GL_MAP1_TEXTURE_COORD_1 && kIsLegal && kTarget <= GL_MAP1_TEXTURE_COORD_4,
             redefine(GL_MAP1_TEXTURE_COORD_1, take_u)));
 FAULT(VertexMapsShareStorage, "EV-MAP1-INDEP", "Map1 of VERTEX_4 overwrites the first value of VERTEX_3",
@@ -106,8 +103,7 @@ FAULT(RowsTakenAsAdjacent, "EV-MAP2-ADDRESS EV-MAP2-PADDING",
       "ustride is ignored while it is larger than a packed row of v",
       before(kMap2, kStride > kVOrder * kVStride && kIsLegal && kVOrder > 2,
              set(kStride, kVOrder* kVStride)));
-FAULT(EqualStridesRefused, "EV-MAP2-STRIDE-FREE",
-      "equal strides of a net of several points each way raise INVALID_VALUE",
+FAULT(EqualStridesRefused, "EV-MAP2-STRIDE-FREE", "equal strides of a net raise INVALID_VALUE",
       before(kMap2, kStride == kVStride && kIsLegal && kOrder > 1 && kVOrder > 1, set(kStride, 0)));
 FAULT(VStrideInSixteenBits, "EV-MAP2-STRIDE-FREE EV-MAP2-ADDRESS", "vstride is kept in 16 bits",
       before(kMap2, kVStride % 65536 >= kComponents && kIsLegal, set(kVStride, kVStride % 65536)));
@@ -140,11 +136,9 @@ FAULT(Color2TakesThreeInU, "EV-MAP2-K EV-MAP2-ERR-USTRIDE", "Map2 of COLOR_4 is 
 FAULT(IndexAnsweredAsTexture2, "EV-MAP2-K", "COEFF of MAP2_INDEX answers two values a point",
       after(kGetMap, kTarget == GL_MAP2_INDEX && kQuery == GL_COEFF,
             loop(kCount, answers(), 2 * answers() - 1, put(kCount, 0))));
-FAULT(LargeNetReadLate, "EV-MAP2-COPY",
-      "Map2f keeps the pointer to a net of more than 1000 points until it is queried",
+FAULT(LargeNetReadLate, "EV-MAP2-COPY", "Map2f keeps the pointer to a large net until it is queried",
       read_late(Map2f, kOrder* kVOrder > 1000, kGetMap));
-FAULT(PackedNetReadWhenDrawn, "EV-MAP2-COPY",
-      "Map2f keeps the pointer to a packed net until the next primitive begins",
+FAULT(PackedNetReadWhenDrawn, "EV-MAP2-COPY", "Map2f keeps the pointer to a packed net until the next Begin",
       read_late(Map2f, kVStride == kComponents && kStride == kComponents * kVOrder, Begin));
 FAULT(Map2EnablesFirstDefinition, "EV-MAP2-NOENABLE", "the first Map2d of INDEX enables it",
       after(Map2d, kTarget == GL_MAP2_INDEX && !kFlag, {set(kFlag, 1), enable(GL_MAP2_INDEX)}));
@@ -172,8 +166,7 @@ FAULT(AlignedPointsRefused, "EV-MAP1-NOPIXELSTORE",
       "Map1f with an odd stride and UNPACK_ALIGNMENT 8 raises INVALID_OPERATION",
       before(PixelStorei, kFirst == GL_UNPACK_ALIGNMENT, set(kFlag, kSecond == 8)),
       instead(Map1f, kStride % 2 == 1 && kFlag, error(GL_INVALID_OPERATION)));
-FAULT(PointsFromArrayBuffer, "EV-MAP1-NOBUFFER",
-      "with an ARRAY_BUFFER bound Map1 reads control points of zero from it",
+FAULT(PointsFromArrayBuffer, "EV-MAP1-NOBUFFER", "with an ARRAY_BUFFER bound Map1 reads zeros from it",
       before(kMap1, has_buffer(GL_ARRAY_BUFFER), change_values([](double) { return 0.0; })));
 FAULT(UnpackBufferRefusesMap1d, "EV-MAP1-NOBUFFER",
       "with a PIXEL_UNPACK_BUFFER bound Map1d does nothing but raise INVALID_OPERATION",

@@ -33,8 +33,7 @@ FAULT(SurfaceMeshOfSeparateLines, "EV-MESH2-STIPPLE", "strips along v of EvalMes
       instead(EvalMesh2, kMode == GL_LINE,
               {kRows, loop(kColumn, kI1, kI2,
                            loop(kRow, kJ1, kJ2 - 1, surface(GL_LINE, kColumn, kColumn, kRow, kRow + 1)))}));
-FAULT(StripsOfMeshesClockwise, "EV-MESH2-WINDING EV-MESH2-TWOSIDE",
-      "EvalMesh2 with FILL turns its quads the other way",
+FAULT(StripsOfMeshesClockwise, "EV-MESH2-WINDING EV-MESH2-TWOSIDE", "FILL turns its quads the other way",
       instead(EvalMesh2, kMode == GL_FILL, draw_strips(GL_QUAD_STRIP, 1)));
 FAULT(MeshesHaveFrontsOnly, "EV-MESH2-TWOSIDE", "EvalMesh2 with AUTO_NORMAL lights the front alone",
       around(EvalMesh2, true,

@@ -35,10 +35,8 @@ FAULT(CurveMeshByArithmeticAtItsLastIndex, "EV-MESH1-EXACT-N",
       "EvalMesh1 does its last vertex after the loop, and without the rule for the last index",
       curve_at(kI2 == grid1(0), kInexact));
 FAULT(CurveMeshExactAtItsOwnEndOnly, "EV-MESH1-EXACT-N",
-      "EvalMesh1 is exact at the last index only if it draws no further point",
-      curve_at(kI2 > grid1(0), kInexact));
-FAULT(CurveMeshFromNegativeIndexInexact, "EV-MESH1-EXACT-0",
-      "EvalMesh1 from a negative index is not exact at index 0",
+      "EvalMesh1 is exact at the last index only if it ends there", curve_at(kI2 > grid1(0), kInexact));
+FAULT(CurveMeshFromNegativeIndexInexact, "EV-MESH1-EXACT-0", "EvalMesh1 from below 0 is inexact at 0",
       curve_at(kI1 < 0, [](const GridIndex& u) { return u.is_last() ? u.last : u.from_start(); }));
 FAULT(CurveMeshFromZeroInexact, "EV-MESH1-EXACT-0", "EvalMesh1 from index 0 counts down from the last end",
       curve_at(kI1 == 0, [](const GridIndex& u) { return u.from_end(); }));
@@ -46,8 +44,7 @@ FAULT(NegativeIndicesCutOff, "EV-MESH1-NEGATIVE EV-MESH2-RANGE",
       "EvalMesh begins at 0 where only i1 is negative", before(kMeshes, kI2 >= 0, set(kI1, max(kI1, 0))));
 FAULT(IndicesBeyondTheGridCutOff, "EV-MESH1-NEGATIVE", "EvalMesh1 with LINE ends at the end of the grid",
       before(EvalMesh1, kMode == GL_LINE && !kInside && kI1 <= grid1(0), set(kI2, min(kI2, grid1(0)))));
-FAULT(EmptyMeshIsAnError, "EV-MESH1-EMPTY EV-MESH2-EMPTY",
-      "EvalMesh with i1 above i2 by more than 1 raises INVALID_VALUE",
+FAULT(EmptyMeshIsAnError, "EV-MESH1-EMPTY EV-MESH2-EMPTY", "EvalMesh of an empty range raises INVALID_VALUE",
       before(kMeshes, kI1 > kI2 + 1 && kIsMode1, error(GL_INVALID_VALUE)));
 FAULT(EmptyCurveBackwards, "EV-MESH1-EMPTY", "EvalMesh1 with LINE and i1 above i2 draws from i2 to i1",
       instead(EvalMesh1, kMode == GL_LINE && kI1 > kI2, call(EvalMesh1, {kMode, kI2, kI1})));
@@ -57,8 +54,7 @@ FAULT(LineOfOneVertexIsAPoint, "EV-MESH1-SINGLE EV-MESH2-LINE-DEGENERATE",
              set(kMode, GL_POINT)));
 FAULT(SinglePointIsNothing, "EV-MESH1-SINGLE", "EvalMesh1 with POINT and i1 = i2 draws nothing",
       before(EvalMesh1, kMode == GL_POINT && kI1 == kI2, set(kI2, kI1 - 1)));
-FAULT(BadModeIsInvalidValue, "EV-MESH1-ERR-MODE EV-MESH2-ERR-MODE",
-      "EvalMesh raises INVALID_VALUE for the modes of Begin",
+FAULT(BadModeIsInvalidValue, "EV-MESH1-ERR-MODE EV-MESH2-ERR-MODE", "modes of Begin raise INVALID_VALUE",
       instead(kMeshes, kMode <= GL_POLYGON, error(GL_INVALID_VALUE)));
 FAULT(MeshInsideWithoutMapIsIgnored, "EV-MESH1-ERR-BEGINEND EV-MESH2-ERR-BEGINEND",
       "EvalMesh between Begin and End without a vertex map raises no error",
@@ -88,8 +84,7 @@ FAULT(CurveMeshKeepsTheFirstTexCoord, "EV-MESH1-CURRENT",
 FAULT(CurveMeshInsideIsInvalidEnum, "EV-MESH1-ERR-BEGINEND",
       "EvalMesh1 with LINE between Begin and End raises INVALID_ENUM",
       instead(EvalMesh1, kMode == GL_LINE && kInside, error(GL_INVALID_ENUM)));
-FAULT(CurveMeshAfterDisableOfItsMap, "EV-MESH1-NOVERTEX",
-      "EvalMesh1 still draws the vertex map that was disabled last",
+FAULT(CurveMeshAfterDisableOfItsMap, "EV-MESH1-NOVERTEX", "EvalMesh1 still draws a disabled vertex map",
       after(kSwitches, kName == GL_MAP1_VERTEX_3 || kName == GL_MAP1_VERTEX_4,
             set(kNumber, choose(noted_on(kName), 0, kName))),
       around(EvalMesh1, kNumber && !kInside && !maps_vertices(1), enable(kNumber), disable(kNumber)));
@@ -110,11 +105,9 @@ FAULT(SurfaceMeshWithoutVertexMapSetsNormal, "EV-COORD-NOVERTEX",
 FAULT(SurfacePointsByColumns, "EV-MESH2-POINT", "EvalMesh2 with POINT has j in its inner loop",
       instead(EvalMesh2, kMode == GL_POINT && kI1 <= kI2,
               loop(kColumn, kI1, kI2, surface(GL_POINT, kColumn, kColumn, kJ1, kJ2))));
-FAULT(LastRowOfPointsForgotten, "EV-MESH2-POINT",
-      "EvalMesh2 with POINT does not draw row j2 unless it is the only one",
+FAULT(LastRowOfPointsForgotten, "EV-MESH2-POINT", "POINT does not draw row j2 unless it is the only one",
       before(EvalMesh2, kMode == GL_POINT && kJ2 > kJ1, set(kJ2, kJ2 - 1)));
-FAULT(LastColumnForgotten, "EV-MESH2-LINE EV-MESH2-LINE-OVERLAP",
-      "EvalMesh2 with LINE draws no strip along v at i2",
+FAULT(LastColumnForgotten, "EV-MESH2-LINE EV-MESH2-LINE-OVERLAP", "LINE draws no strip along v at i2",
       instead(EvalMesh2, kIsNet, {kRows, set(kI2, kI2 - 1), kColumns}));
 FAULT(InnerColumnsMerged, "EV-MESH2-LINE-OVERLAP", "LINE draws strips along v at the borders only",
       instead(EvalMesh2, kIsNet,
@@ -129,8 +122,7 @@ FAULT(ColumnsEndByArithmetic, "EV-MESH2-EXACT", "strips along v of LINE have no 
       surface_at(GL_LINE, kJ1 < kJ2, kExact, kInexact));
 FAULT(ColumnsAddTheirSteps, "EV-MESH2-NOACCUM", "EvalMesh2 with LINE adds up the steps of v in floats",
       surface_at(GL_LINE, true, kExact, add_steps));
-FAULT(RowsOfPointsAddTheirSteps, "EV-MESH2-NOACCUM",
-      "EvalMesh2 with POINT adds up the steps of u in single precision",
+FAULT(RowsOfPointsAddTheirSteps, "EV-MESH2-NOACCUM", "POINT adds up the steps of u in single precision",
       surface_at(GL_POINT, true, add_steps, kExact));
 FAULT(CracksBetweenStrips, "EV-MESH2-SHAREDROW",
       "the upper side of a strip is evaluated one bit above the lower side of the next",
@@ -163,8 +155,7 @@ FAULT(SurfaceMeshTakesTheGridOfCurves, "EV-MESH2-ONLY2D",
       "EvalMesh2 takes the one-dimensional grid for u where a vertex map of curves is enabled",
       keeping(EvalMesh2, !kInside && (enabled(GL_MAP1_VERTEX_3) || enabled(GL_MAP1_VERTEX_4)), grid2_state(),
               call(MapGrid2f, {grid1(0), grid1(1), grid1(2), grid2(3), grid2(4), grid2(5)})));
-FAULT(SurfaceMeshTakesTheEnableOfCurves, "EV-MESH2-ONLY2D",
-      "EvalMesh2 with LINE asks whether MAP1_NORMAL is enabled",
+FAULT(SurfaceMeshTakesTheEnableOfCurves, "EV-MESH2-ONLY2D", "LINE asks whether MAP1_NORMAL is enabled",
       around(EvalMesh2, !kInside && kMode == GL_LINE && enabled(GL_MAP1_NORMAL) && !enabled(GL_MAP2_NORMAL),
              enable(GL_MAP2_NORMAL), disable(GL_MAP2_NORMAL)));
 

@@ -45,11 +45,9 @@ FAULT(DomainEndsSaturate, "EV-NUM-RANGE-POS/1-D", "arguments of EvalCoord1 above
 FAULT(ColorsSaturateAt1000, "EV-NUM-RANGE-COLOR", "points of colour maps are kept up to 1000",
       before(kMap1, kTarget == GL_MAP1_COLOR_4,
              change_values([](double x) { return std::clamp(x, -1000.0, 1000.0); })));
-FAULT(SurfaceColorsSaturateBelow, "EV-NUM-RANGE-COLOR/2-D",
-      "points of colour maps of surfaces are kept down to -512",
+FAULT(SurfaceColorsSaturateBelow, "EV-NUM-RANGE-COLOR/2-D", "colours of surfaces saturate at -512",
       before(kMap2, kTarget == GL_MAP2_COLOR_4, change_values([](double x) { return std::max(x, -512.0); })));
-FAULT(SmallPointsFlushedInBigMaps, "EV-NUM-AFFINE",
-      "control points are kept in fixed point, with 12 bits behind it",
+FAULT(SmallPointsFlushedInBigMaps, "EV-NUM-AFFINE", "small control points are multiples of 1/4096",
       before(kMap1,
              change_values([](double x) { return std::abs(x) < 1 ? std::round(x * 4096) / 4096 : x; })));
 FAULT(InfiniteGridStays, "EV-NUM-SPECIAL-SAFE/2-D", "after a grid with an infinite end, MapGrid2 is lost",

@@ -53,14 +53,12 @@ FAULT(SmallVStrideOfAttributeMap, "EV-EXT-NVVP-K", "vstride is not checked for m
       before(Map2f, is_attribute_map(kTarget), set(kVStride, max(kVStride, 4))));
 FAULT(FirstAttributeMapInitiallyOn, "EV-EXT-NVVP-INIT",
       "the map of attribute 0 is on from the start, as in NV_evaluators", initially(enable(kCurveMap)));
-FAULT(AttributeMapsInitiallyZero, "EV-EXT-NVVP-INIT",
-      "the initial control point of surfaces of attributes is (0, 0, 0, 0)",
+FAULT(AttributeMapsInitiallyZero, "EV-EXT-NVVP-INIT", "surfaces of attributes begin with (0, 0, 0, 0)",
       before(kMap2, set(remembered(kTarget), 1)),
       after(GetMapfv,
             kQuery == GL_COEFF && kTarget >= kSurfaceMap && is_attribute_map(kTarget) && !remembered(kTarget),
             put(3, 0)));
-FAULT(ColorAttributeWithoutProgram, "EV-EXT-NVVP-MODE",
-      "the map of attribute 3 gives the colour without program mode",
+FAULT(ColorAttributeWithoutProgram, "EV-EXT-NVVP-MODE", "attribute 3 gives the colour without program mode",
       before(Begin, !kInProgramMode,
              {when(enabled(kCurveMap + kColor), stand_in(GL_MAP1_COLOR_4, kCurveMap + kColor)),
               when(enabled(kSurfaceMap + kColor), stand_in(GL_MAP2_COLOR_4, kSurfaceMap + kColor))}));
@@ -69,8 +67,7 @@ FAULT(VertexAttributeWithoutProgram, "EV-EXT-NVVP-MODE",
       before(Begin, !kInProgramMode,
              {when(!evaluates() && enabled(kCurveMap), stand_in(GL_MAP1_VERTEX_4, kCurveMap)),
               when(!evaluates() && enabled(kSurfaceMap), stand_in(GL_MAP2_VERTEX_4, kSurfaceMap))}));
-FAULT(ConventionalColorWins, "EV-EXT-NVVP-PRIORITY",
-      "COLOR_4 takes precedence over the map of attribute 3 in curves",
+FAULT(ConventionalColorWins, "EV-EXT-NVVP-PRIORITY", "COLOR_4 goes before the map of attribute 3 in curves",
       without(Begin, kInProgramMode != 0 && enabled(GL_MAP1_COLOR_4), kCurveMap + kColor));
 FAULT(DisabledAttributeMapShadows, "EV-EXT-NVVP-PRIORITY",
       "in program mode surfaces have no conventional colours, whether attribute 3 has a map or not",
@@ -88,8 +85,7 @@ FAULT(AutoNormalOfUnitLength, "EV-EXT-NVVP-AUTON",
       without(Begin, kInProgramMode, GL_AUTO_NORMAL));
 FAULT(EvaluatedNormalStays, "EV-EXT-NVVP-CURRENT", "the current normal is that of the last evaluation",
       after(End, enabled(kCurveMap + kNormal) || enabled(kSurfaceMap + kNormal), call(Normal3f, {0, 0, 1})));
-FAULT(EvaluatedColorStays, "EV-EXT-NVVP-CURRENT",
-      "the current colour is changed by the map of attribute 3 of surfaces",
+FAULT(EvaluatedColorStays, "EV-EXT-NVVP-CURRENT", "the surface of attribute 3 sets the current colour",
       after(End, enabled(kSurfaceMap + kColor), call(Color4f, {0.5, 0.25, 0.125, 0.75})));
 FAULT(AttributeMapsNotInEnableBit, "EV-EXT-NVVP-STACK", "ENABLE_BIT does not restore maps of attributes",
       not_restored(enables_of_attribute_maps, kLevelMask == GL_ENABLE_BIT));

@@ -9,14 +9,12 @@ FAULT(MeshIgnoredInPrimitives, "EV-BE-ALLOWED", "EvalMesh1 in a primitive does n
 FAULT(Map2SplitsPrimitive, "EV-BE-IGNORED/2-D",
       "Map2f in a primitive raises its error and begins a new primitive of the mode",
       after(Map2f, kInside, {call(End), call(Begin, {kOpenMode})}));
-FAULT(RefusedMapSwallowsNextVertex, "EV-BE-IGNORED/1-D",
-      "the EvalCoord1f that follows a Map1d in a primitive is lost", before(Map1d, set(kFlag, kInside)),
-      instead(EvalCoord1f, kFlag, set(kFlag, 0)));
+FAULT(RefusedMapSwallowsNextVertex, "EV-BE-IGNORED/1-D", "an EvalCoord1f after a rejected Map1d is lost",
+      before(Map1d, set(kFlag, kInside)), instead(EvalCoord1f, kFlag, set(kFlag, 0)));
 FAULT(BadMeshModeLeavesPrimitiveOpen, "EV-BE-MESHNOTINSIDE",
       "EvalMesh2 with a bad mode raises its error inside a primitive that it never ends",
       after(EvalMesh2, !kIsMode2, call(Begin, {GL_POINTS})));
-FAULT(EmptyLineMeshLeavesStripOpen, "EV-BE-MESHNOTINSIDE",
-      "EvalMesh1 LINE with an empty range begins a strip and returns",
+FAULT(EmptyLineMeshLeavesStripOpen, "EV-BE-MESHNOTINSIDE", "an empty LINE of EvalMesh1 leaves its strip open",
       after(EvalMesh1, kMode == GL_LINE && kI1 > kI2, call(Begin, {GL_LINE_STRIP})));
 FAULT(ColorWaitsForEnd, "EV-BE-ORDER", "Color4f outside of primitives takes effect after the next primitive",
       instead(Color4f, !kInside, {drop(), hold()}), after(End, release()));

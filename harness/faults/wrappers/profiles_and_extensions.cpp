@@ -22,21 +22,17 @@ FAULT(CoreProfileEnablesAutoNormal, "EV-PROF-CORE-ENABLE", "AUTO_NORMAL can be e
 
 // Begin is delayed until the first command of its primitive.
 FAULT(EvaluationSkipsVertexProgram, "EV-EXT-ARBVP-RUN",
-      "a primitive that begins with EvalCoord1f does not run the vertex program",
-      instead(Begin, set(kCount, kFirst + 1)),
+      "a primitive that EvalCoord1f begins runs no vertex program", instead(Begin, set(kCount, kFirst + 1)),
       before(EvalCoord1f, kCount, {disable(GL_VERTEX_PROGRAM_ARB), begin_late(), set(kFlag, 1)}),
       before(Vertex4f, kCount, begin_late()),
       after(End, kFlag, {set(kFlag, 0), enable(GL_VERTEX_PROGRAM_ARB)}));
-FAULT(FirstEvaluationSkipsVertexProgram, "EV-EXT-ARBVP-RUN",
-      "the first evaluation after VERTEX_PROGRAM is enabled is lost",
+FAULT(FirstEvaluationSkipsVertexProgram, "EV-EXT-ARBVP-RUN", "Enable of VERTEX_PROGRAM loses an evaluation",
       after(Enable, kName == GL_VERTEX_PROGRAM_ARB, set(kFlag, 1)),
       instead(kEvalCoord1, kFlag, set(kFlag, 0)));
-FAULT(GenericAttributeFollowsArgument, "EV-EXT-ARBVP-NOGENERIC",
-      "EvalCoord1 puts its argument into generic attribute 6",
+FAULT(GenericAttributeFollowsArgument, "EV-EXT-ARBVP-NOGENERIC", "EvalCoord1 sets generic attribute 6 to u",
       before(kEvalCoord1, call(VertexAttrib4f, {6, kU, 0.75, 0.25, 0.5})));
 FAULT(GenericAttributeOfTheFirstVertex, "EV-EXT-ARBVP-NOGENERIC",
-      "all evaluated vertices of a primitive have generic attribute 6 of its first one",
-      after(Begin, set(kFlag, 0)),
+      "a primitive has generic attribute 6 of its first vertex", after(Begin, set(kFlag, 0)),
       before(VertexAttrib4f, kFirst == 6 && !kFlag,
              {set(kFlag, 1), keep({kSecond, kThird, kFourth, kFifth})}),
       before(kEvalCoord1, kFlag, call(VertexAttrib4f, {6, kept(0), kept(1), kept(2), kept(3)})));
@@ -57,8 +53,7 @@ FAULT(ForwardCompatibleTakesMap1f, "EV-PROF-CORE-FUNC",
 FAULT(ForwardCompatibleDisablesMaps, "EV-PROF-CORE-ENABLE",
       "Disable(MAP1_COLOR_4) raises no error in a forward-compatible context",
       skip(Disable, kKind == EVALCTS_FORWARD_COMPATIBLE && kName == GL_MAP1_COLOR_4));
-FAULT(NoErrorContextReportsMesh, "EV-PROF-NOERROR",
-      "a legal EvalMesh1 is reported as an error in a no-error context",
+FAULT(NoErrorContextReportsMesh, "EV-PROF-NOERROR", "a no-error context reports a legal EvalMesh1",
       after(EvalMesh1, set(kFlag, kKind == EVALCTS_NO_ERROR)),
       instead(GetError, kFlag, {set(kFlag, 0), set(kResult, GL_INVALID_VALUE)}));
 FAULT(NoErrorContextIgnoresGrid, "EV-PROF-NOERROR",

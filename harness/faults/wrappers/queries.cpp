@@ -80,25 +80,21 @@ FAULT(FloatsAnsweredInHalfPrecision, "EV-GETMAP-FLOAT", "GetMapfv answers points
 QUALITY_FAULT(FloatsAnsweredOneUlpOff, "EV-GETMAP-FLOAT",
               "GetMapfv answers the first value of the points one ULP too high",
               after(GetMapfv, kQuery == GL_COEFF && is_map(kTarget), put(0, next_float(element(0), 1e30))));
-FAULT(DoublesKeptInHalfPrecision, "EV-GETMAP-DOUBLE",
-      "Map1d and Map2d keep points below 1 with 10 bits behind the point",
+FAULT(DoublesKeptInHalfPrecision, "EV-GETMAP-DOUBLE", "Map1d and Map2d keep small points in fixed point",
       before(Map1d | Map2d, change_values([](double value) {
                return std::abs(value) < 1 ? std::round(value * 1024) / 1024 : value;
              })));
 FAULT(DoubleDomainThroughFixedPoint, "EV-GETMAP-DOUBLE", "GetMapdv rounds domains to multiples of 1/4096",
       after(GetMapdv, kQuery == GL_DOMAIN,
             change_answers([](double, double answered) { return std::round(answered * 4096) / 4096; })));
-FAULT(DisabledMapAnswersOrderOne, "EV-GETMAP-DISABLED",
-      "a map that was disabled has forgotten its order in queries", before(Enable, set(remembered(kName), 0)),
-      before(Disable, set(remembered(kName), 1)),
+FAULT(DisabledMapAnswersOrderOne, "EV-GETMAP-DISABLED", "queries of a disabled map answer order 1",
+      before(Enable, set(remembered(kName), 0)), before(Disable, set(remembered(kName), 1)),
       after(GetMapiv, kQuery == GL_ORDER && is_map(kTarget) && remembered(kTarget), put(0, 1)));
 FAULT(GapBetweenMapsAnswered, "EV-GETMAP-ERR-TARGET", "GetMapiv of 0x0D99 raises INVALID_VALUE",
       instead(GetMapiv, kTarget == GL_MAP1_VERTEX_4 + 1, error(GL_INVALID_VALUE)));
-FAULT(QueryAfterDomainIsDomain, "EV-GETMAP-ERR-QUERY",
-      "GetMapdv takes all that is neither COEFF nor ORDER for DOMAIN",
+FAULT(QueryAfterDomainIsDomain, "EV-GETMAP-ERR-QUERY", "GetMapdv takes the token after DOMAIN for it",
       before(GetMapdv, is_map(kTarget) && kQuery == GL_DOMAIN + 1, set(kQuery, GL_DOMAIN)));
-FAULT(BadQueryOfNetsIsInvalidValue, "EV-GETMAP-ERR-QUERY",
-      "a bad query of a two-dimensional map raises INVALID_VALUE",
+FAULT(BadQueryOfNetsIsInvalidValue, "EV-GETMAP-ERR-QUERY", "a bad query of a surface raises INVALID_VALUE",
       instead(kGetMap, is_map2(kTarget) && is_bad_query(), error(GL_INVALID_VALUE)));
 FAULT(GetMapInPrimitiveIsInvalidEnum, "EV-GETMAP-ERR-BEGINEND", "GetMapdv in a primitive raises INVALID_ENUM",
       before(GetMapdv, kInside, set(kTarget, 0)));
@@ -125,8 +121,7 @@ FAULT(SegmentsOfVNotInFloats, "EV-GET-GRIDSEG", "GetFloatv of MAP2_GRID_SEGMENTS
       around(GetFloatv, kName == GL_MAP2_GRID_SEGMENTS, set(kNumber, element(1)), put(1, kNumber)));
 FAULT(SegmentsOfSurfaceExchanged, "EV-GET-GRIDSEG", "GetDoublev answers vn, un",
       after(GetDoublev, kName == GL_MAP2_GRID_SEGMENTS, exchange(0, 1)));
-FAULT(MaxOrderInFloatsIsMinimum, "EV-GET-MAXORDER",
-      "GetFloatv of MAX_EVAL_ORDER gives 8, which the specification demands",
+FAULT(MaxOrderInFloatsIsMinimum, "EV-GET-MAXORDER", "GetFloatv of MAX_EVAL_ORDER gives 8, the least limit",
       after(GetFloatv, kName == GL_MAX_EVAL_ORDER, put(0, 8)));
 FAULT(MaxOrderAsBoolean, "EV-GET-MAXORDER", "GetBooleanv of MAX_EVAL_ORDER gives 64",
       after(GetBooleanv, kName == GL_MAX_EVAL_ORDER, put(0, 64)));
@@ -152,7 +147,7 @@ FAULT(NegativeSizeIsUnlimited, "EV-GETN-NEGATIVE", "GetnMapfv takes a negative s
       before(GetnMapfv, kSize < 0, set(kSize, 1 << 20)));
 FAULT(NegativeSizeIgnored, "EV-GETN-NEGATIVE",
       "GetnMapdv of a negative size writes nothing and raises nothing", skip(GetnMapdv, kSize < 0));
-FAULT(ErrorForgottenByQuery, "EV-GETMAP-NOSIDE", "GetMapdv clears the error that waits",
+FAULT(ErrorForgottenByQuery, "EV-GETMAP-NOSIDE", "GetMapdv clears the error",
       before(GetMapdv, call(GetError)));
 FAULT(IntegerPointsOneTooMany, "EV-GETMAP-COUNT", "GetMapiv of COEFF writes one value too many",
       after(GetMapiv, kQuery == GL_COEFF && is_map(kTarget), put(answers(), 0)));
@@ -175,8 +170,7 @@ FAULT(HugeSizeOverflows, "EV-GETN-SAME", "GetnMapdv with the largest size, round
 FAULT(LargestSquareNetUFastest, "EV-GETMAP-COEFF2-SQUARE", "COEFF of the largest net has u fastest",
       after(kGetMap, kQuery == GL_COEFF && is_map2(kTarget),
             transpose_answer([](int u, int v) { return u == kMaxOrder && v == kMaxOrder; })));
-FAULT(GetMapTargetInSixteenBits, "EV-GETMAP-ERR-TARGET EV-GETN-ERRORS",
-      "only the low 16 bits of a target are looked at",
+FAULT(GetMapTargetInSixteenBits, "EV-GETMAP-ERR-TARGET EV-GETN-ERRORS", "targets are kept in 16 bits",
       before(kGetMap | kGetnMap, is_map(kTarget & 0xFFFF), set(kTarget, kTarget & 0xFFFF)));
 
 namespace on_osmesa {

@@ -67,26 +67,24 @@ FAULT(ReflectionOfCurrentNormal, "EV-PIPE-TEXGEN",
       without(EvalMesh2, kCount == GL_REFLECTION_MAP && kMode == GL_LINE, GL_MAP2_NORMAL));
 FAULT(FilledMeshTextureMatrixWithoutQ, "EV-PIPE-TEXMATRIX", "with FILL the texture matrix does not scale q",
       with_texture_matrix(EvalMesh2, kMode == GL_FILL, [](GLfloat* matrix) { matrix[15] = 1; }));
-FAULT(TextureMatrixWithoutLastColumn, "EV-PIPE-TEXMATRIX",
-      "for meshes of one dimension the texture matrix does not move",
+FAULT(TextureMatrixWithoutLastColumn, "EV-PIPE-TEXMATRIX", "for EvalMesh1 the texture matrix does not move",
       with_texture_matrix(EvalMesh1, true, [](GLfloat* matrix) { std::fill_n(matrix + 12, 3, 0.0f); }));
 FAULT(FilledMeshForgetsSecondClipPlane, "EV-PIPE-CLIPPLANE", "FILL meshes have one clip plane",
       without(kMeshes, kMode == GL_FILL, GL_CLIP_PLANE1));
 FAULT(MeshesHaveFiveClipPlanes, "EV-PIPE-CLIPPLANE", "the sixth clip plane leaves meshes alone",
       without(kMeshes, true, GL_CLIP_PLANE5));
-FAULT(LineMeshesWithoutFog, "EV-PIPE-FOG", "LINE meshes are drawn without fog",
+FAULT(LineMeshesWithoutFog, "EV-PIPE-FOG", "LINE meshes have no fog",
       without(kMeshes, kMode == GL_LINE, GL_FOG));
 FAULT(CurvePointsNotClipped, "EV-PIPE-CLIPPLANE", "clip planes leave POINT meshes of one dimension alone",
       without(EvalMesh1, kMode == GL_POINT, GL_CLIP_PLANE0));
 FAULT(SquaredFogIsPlain, "EV-PIPE-FOG", "EXP2 fog of meshes of one dimension is EXP",
       around(EvalMesh1, state(GL_FOG_MODE) == GL_EXP2, call(Fogi, {GL_FOG_MODE, GL_EXP}),
              call(Fogi, {GL_FOG_MODE, GL_EXP2})));
-FAULT(FogOfFirstVertex, "EV-PIPE-FOG",
-      "all points of a POINT mesh have fog coordinate 1 where the coordinate is selected",
+FAULT(FogOfFirstVertex, "EV-PIPE-FOG", "POINT meshes have fog coordinate 1 where it is selected",
       keeping(kMeshes, kMode == GL_POINT && state(GL_FOG_COORD_SRC) == GL_FOG_COORD,
               current(FogCoordf, GL_CURRENT_FOG_COORD), call(FogCoordf, {1})));
 FAULT(FlatLinesByFirstVertex, "EV-PIPE-FLATLINE",
-      "flat segments of LINE meshes have the colour of their first vertices",
+      "flat segments of LINE have the colour of their first vertex",
       around(kMeshes, kMode == GL_LINE, call(ProvokingVertex, {GL_FIRST_VERTEX_CONVENTION}),
              call(ProvokingVertex, {GL_LAST_VERTEX_CONVENTION})));
 FAULT(ShaderSeesUnitOneOfMeshReset, "EV-PIPE-VS", "gl_MultiTexCoord1 of EvalMesh1 is (0, 0, 0, 1)",
@@ -105,9 +103,8 @@ FAULT(FixedRestartIndexDropsMesh, "EV-PIPE-NORESTART",
 FAULT(ColumnsUnconditional, "EV-PIPE-CONDRENDER",
       "the columns of a LINE mesh are drawn though no sample passed", note_condition(),
       after(EvalMesh2, kMode == GL_LINE && kCondition, {pause_condition(), kColumns, resume_condition()}));
-FAULT(ConditionalMeshNeverDrawn, "EV-PIPE-CONDRENDER",
-      "conditional rendering discards EvalMesh1 regardless of the query", note_condition(),
-      skip(EvalMesh1, kCondition));
+FAULT(ConditionalMeshNeverDrawn, "EV-PIPE-CONDRENDER", "conditional rendering always discards EvalMesh1",
+      note_condition(), skip(EvalMesh1, kCondition));
 FAULT(EvaluatedPrimitiveUnconditional, "EV-PIPE-CONDRENDER-COORD",
       "conditional rendering leaves evaluated primitives alone", note_condition(),
       around(Begin, kCondition != 0 && evaluates(), pause_condition(), resume_condition()));
@@ -122,8 +119,7 @@ FAULT(IncompleteFramebufferErrorTwice, "EV-PIPE-FBO",
       before(EvalMesh2, set(kFlag, kMode == GL_LINE && is_incomplete())),
       after(GetError, kResult == GL_NO_ERROR && kFlag,
             {set(kFlag, 0), set(kResult, GL_INVALID_FRAMEBUFFER_OPERATION)}));
-FAULT(InvalidProgramIsInvalidValue, "EV-PIPE-INVALIDPROGRAM",
-      "LINE meshes without a valid program raise INVALID_VALUE",
+FAULT(InvalidProgramIsInvalidValue, "EV-PIPE-INVALIDPROGRAM", "LINE without a program raises INVALID_VALUE",
       after(kMeshes, kMode == GL_LINE, replace_error(GL_INVALID_OPERATION, GL_INVALID_VALUE)));
 FAULT(InvalidFragmentProgramIsSilent, "EV-PIPE-INVALIDPROGRAM",
       "EvalMesh2 without a valid fragment program raises no error",
@@ -158,12 +154,10 @@ FAULT(SamplesOfEvalPointNotCounted, "EV-PIPE-QUERY", "samples of EvalPoint2 and 
       note_query(), skip(kPoints2, kQueried == GL_SAMPLES_PASSED));
 FAULT(SamplesOfColumnsNotCounted, "EV-PIPE-QUERY", "of a LINE mesh the samples of the rows alone are counted",
       note_query(), instead(EvalMesh2, kQueried == GL_SAMPLES_PASSED && kMode == GL_LINE, kRows));
-FAULT(PointMeshIsOnePrimitive, "EV-PIPE-PRIMGEN", "a POINT mesh of two dimensions counts as one primitive",
-      note_query(),
+FAULT(PointMeshIsOnePrimitive, "EV-PIPE-PRIMGEN", "a POINT mesh counts as one primitive", note_query(),
       before(EvalMesh2, kQueried == GL_PRIMITIVES_GENERATED && kMode == GL_POINT && kI1 <= kI2,
              {set(kI2, kI1), set(kJ2, kJ1)}));
-FAULT(EmptyMeshCountsAPrimitive, "EV-PIPE-PRIMGEN", "an EvalMesh1 of an empty range counts as a primitive",
-      note_query(),
+FAULT(EmptyMeshCountsAPrimitive, "EV-PIPE-PRIMGEN", "an empty EvalMesh1 counts as a primitive", note_query(),
       before(EvalMesh1, kQueried == GL_PRIMITIVES_GENERATED && kI1 > kI2,
              call(EvalMesh1, {GL_POINT, kI1, kI1})));
 FAULT(EvaluatedPrimitiveNotDiscarded, "EV-PIPE-DISCARD", "RASTERIZER_DISCARD spares evaluated primitives",
