@@ -271,6 +271,9 @@ ImplementationInfo inquire(Implementation& implementation) {
   };
   info.max_eval_order = integer_of(GL_MAX_EVAL_ORDER, info.declaration ? info.declaration->max_order : 0);
   info.texture_units = integer_of(info.at_least(2, 0) ? GL_MAX_TEXTURE_COORDS : GL_MAX_TEXTURE_UNITS, 1);
+  info.active_units = info.texture_units;
+  if (info.at_least(2, 0))
+    info.active_units = std::max(info.active_units, integer_of(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, 1));
 
   info.no_error = (info.at_least(4, 6) || info.extensions.contains("GL_KHR_no_error")) &&
                   (integer_of(GL_CONTEXT_FLAGS, 0) & GL_CONTEXT_FLAG_NO_ERROR_BIT) != 0;

@@ -18,7 +18,7 @@
 #include <evalcts/results/files.h>
 #include <evalcts/runner/child_process.h>
 #include <evalcts/runner/interruption.h>
-#include <evalcts/runner/suite_child.h>
+#include <evalcts/runner/worker.h>
 
 namespace evalcts::faults {
 namespace {
@@ -238,52 +238,52 @@ class Trial {
 
   // Runs the tests in this order, in a new process after each test that kills the process. If `until_bad` is
   // set, ends behind the first test that fails. Throws CannotTry if no test begins.
-  Verdicts run(const Subject& subject, Depth depth, std::vector<std::string> left, bool until_bad) const {
+  Verdicts run(const Subject& subject, Depth depth, const std::vector<std::string>& tests,
+               bool until_bad) const {
     Verdicts verdicts;
-    for (int deaths = 0; !left.empty() && deaths < kMostDeaths; ++deaths) {
-      const ChildRun child = run_in_child(subject, depth, left, until_bad);
-      if (interrupted) throw CannotTry{"interrupted"};  // the interruption has killed the child
-      if (child.records.empty() && child.in_flight.empty()) {
-        if (!verdicts.empty()) break;
-        throw CannotTry{fmt::format("with {} no test begins: {}", fmt::join(subject.arguments(), " "),
-                                    describe(child.ending))};
-      }
-      verdicts.insert(child.records.begin(), child.records.end());
-      if (!child.in_flight.empty())
-        verdicts[child.in_flight] = record_of(
-            child.in_flight, child.hung ? Verdict::kTimeout : Verdict::kCrash, describe(child.ending));
-      if (until_bad) return verdicts;
-      std::erase_if(left, [&](const std::string& name) { return verdicts.contains(name); });
-    }
-    for (const std::string& name : left)
-      verdicts[name] =
-          record_of(name, Verdict::kInternalError, "not run: too many tests before it ended the process");
-    return verdicts;
-  }
-
-  // Runs the tests in one process, which ends early if a test kills it.
-  ChildRun run_in_child(const Subject& subject, Depth depth, const std::vector<std::string>& tests,
-                        bool until_bad) const {
-    constexpr double kInterval = 0.01;  // in seconds, at which the child is checked
-    const std::string label = fmt::format("{}-{}-{}", subject.label(), name_of(depth), until_bad);
-    const fs::path list = request_.scratch / (label + ".txt"), events = request_.scratch / (label + ".jsonl");
-    write_atomically(list, fmt::format("{}\n", fmt::join(tests, "\n")));
-    fs::remove(events);
-    std::vector<std::string> command = {request_.suite_program.string(),
-                                        "--depth",
-                                        name_of(depth),
-                                        "--tests",
-                                        list.string(),
-                                        "--records",
-                                        events.string(),
-                                        "--die-with-parent",
-                                        "--gtest_brief=1"};
+    std::size_t next = 0;
+    int deaths = 0;
+    bool is_bad = false;
+    std::string latest_end;
     const std::vector<std::string> arguments = subject.arguments();
-    command.insert(command.end(), arguments.begin(), arguments.end());
-    if (until_bad) command.emplace_back("--gtest_fail_fast");
-    SuiteChild child(command, events, request_.scratch / (label + ".log"), {request_.seconds_per_test});
-    while (!child.look(kInterval)) continue;
-    return child.run();
+    const Pool pool{.command =
+                        [&] {
+                          std::vector<std::string> command = {request_.suite_program.string(), "--depth",
+                                                              name_of(depth), "--die-with-parent"};
+                          command.insert(command.end(), arguments.begin(), arguments.end());
+                          return command;
+                        },
+                    .log = request_.scratch / fmt::format("{}-{}.log", subject.label(), name_of(depth)),
+                    .limits = {request_.seconds_per_test},
+                    .each =
+                        [&](const Event& event) {
+                          const auto* const finished = std::get_if<TestFinished>(&event);
+                          if (!finished) return;
+                          verdicts[finished->record.name] = finished->record;
+                          is_bad = is_bad || finished->record.is_bad();
+                        },
+                    .ended =
+                        [&](const WorkerRun& run) {
+                          latest_end = run.cannot_start.empty() ? describe(run.ending) : run.cannot_start;
+                          if (run.in_flight.empty()) return;
+                          ++deaths;
+                          is_bad = true;
+                          verdicts[run.in_flight] =
+                              record_of(run.in_flight, run.hung ? Verdict::kTimeout : Verdict::kCrash,
+                                        describe(run.ending));
+                        }};
+    pool.run([&]() -> std::optional<Job> {
+      if (next == tests.size() || deaths == kMostDeaths || (until_bad && is_bad)) return std::nullopt;
+      return Job{.kind = "test", .name = tests[next++]};
+    });
+    if (interrupted) throw CannotTry{"interrupted"};  // the interruption has killed the process
+    if (verdicts.empty())
+      throw CannotTry{fmt::format("with {} no test begins: {}", fmt::join(arguments, " "), latest_end)};
+    for (const std::string& name : tests)
+      if (!until_bad && !verdicts.contains(name))
+        verdicts[name] =
+            record_of(name, Verdict::kInternalError, "not run: too many tests before it ended the process");
+    return verdicts;
   }
 
   struct Kept {

@@ -215,8 +215,10 @@ bool may_raise_an_error(const gl::Case& script, int max_eval_order) {
   return false;
 }
 
-Specified specify(const gl::Case& script, int max_eval_order, int texture_units, OtherState other) {
-  reference::Specification specification({.max_eval_order = max_eval_order, .texture_units = texture_units});
+Specified specify(const gl::Case& script, int max_eval_order, TextureUnits units, OtherState other) {
+  reference::Specification specification({.max_eval_order = max_eval_order,
+                                          .texture_units = units.with_coordinates,
+                                          .active_units = units.active});
   Specified specified;
   specified.known = specified_commands(script, other);
   const auto [known, positions] = chosen(script, specified.known);

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include <evalcts/faults/trial.h>
-#include <evalcts/runner/question.h>
+#include <evalcts/runner/worker.h>
 #include "contains.h"
 
 namespace evalcts::faults {

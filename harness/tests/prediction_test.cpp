@@ -195,7 +195,7 @@ TEST(Specified, PredictsNothingOfOtherCommands) {
   const gl::Ref on = c.IsEnabled(GL_MAP1_INDEX), error = c.GetError();
   c.Map1f(GL_MAP1_VERTEX_ATTRIB0_4_NV, 0, 1, 4, 1, std::vector<float>(4));  // an unknown target
   const gl::Ref asked = c.GetError();
-  const Specified specified = specify(c, 8, reference::kTextureUnits, OtherState::kSkipped);
+  const Specified specified = specify(c, 8, {}, OtherState::kSkipped);
   EXPECT_EQ(specified.known, (std::vector<bool>{false, false, false, false, true, true, true, true, true}));
   EXPECT_EQ(specified.answers.result(on), GL_TRUE);
   EXPECT_EQ(specified.error_answers.at(static_cast<std::size_t>(error.index)),

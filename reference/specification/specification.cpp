@@ -97,7 +97,8 @@ Specification::Specification() : Specification(Options{}) {}
 
 Specification::Specification(const Options& options)
     : max_eval_order_(std::clamp(options.max_eval_order, 8, kMaxOrder)),
-      texture_units_(std::clamp(options.texture_units, 1, kTextureUnits)) {
+      texture_units_(std::clamp(options.texture_units, 1, kTextureUnits)),
+      active_units_(std::clamp(options.active_units, texture_units_, kTextureUnits)) {
   for (GLenum i = 0; i < kMapKinds; ++i) {
     maps_[slot(GL_MAP1_COLOR_4 + i)] = std::make_shared<const Map>(initial_map(GL_MAP1_COLOR_4 + i));
     maps_[slot(GL_MAP2_COLOR_4 + i)] = std::make_shared<const Map>(initial_map(GL_MAP2_COLOR_4 + i));
@@ -258,7 +259,7 @@ void Specification::normal(double x, double y, double z) {
 
 void Specification::texture_coordinate(GLenum texture, double s, double t, double r, double q) {
   if (compiled(&Specification::texture_coordinate, texture, s, t, r, q)) return;
-  if (reject_if({{!is_texture_unit(texture), GL_INVALID_ENUM}})) return;
+  if (reject_if({{!is_unit(texture, texture_units_), GL_INVALID_ENUM}})) return;
   attributes_.current.texture_coordinate[texture - GL_TEXTURE0] = {to_single(s), to_single(t), to_single(r),
                                                                    to_single(q)};
 }
@@ -275,13 +276,13 @@ void Specification::EdgeFlag(GLboolean flag) {
   attributes_.current.edge_flag = flag != GL_FALSE;
 }
 
-bool Specification::is_texture_unit(GLenum texture) const {
-  return texture >= GL_TEXTURE0 && std::cmp_less(texture - GL_TEXTURE0, texture_units_);
+bool Specification::is_unit(GLenum texture, int units) {
+  return texture >= GL_TEXTURE0 && std::cmp_less(texture - GL_TEXTURE0, units);
 }
 
 void Specification::ActiveTexture(GLenum texture) {
   if (compiled(&Specification::ActiveTexture, texture)) return;
-  if (reject_if({{inside(), GL_INVALID_OPERATION}, {!is_texture_unit(texture), GL_INVALID_ENUM}})) return;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}, {!is_unit(texture, active_units_), GL_INVALID_ENUM}})) return;
   attributes_.active_texture = static_cast<int>(texture - GL_TEXTURE0);
 }
 

@@ -293,6 +293,13 @@ TEST(PermittedAnswers, OfLimitsAreLeastValues) {  // EV-GET-MAXORDER
   expect_error(gl, GL_NO_ERROR);
   gl.ActiveTexture(GL_TEXTURE2);
   expect_error(gl, GL_INVALID_ENUM);
+  Specification with_images({.texture_units = 1, .active_units = 4});
+  with_images.ActiveTexture(GL_TEXTURE3);
+  expect_error(with_images, GL_NO_ERROR);
+  with_images.ActiveTexture(GL_TEXTURE4);
+  expect_error(with_images, GL_INVALID_ENUM);
+  with_images.MultiTexCoord1f(GL_TEXTURE1, 0);
+  expect_error(with_images, GL_INVALID_ENUM);
 }
 
 TEST(PermittedAnswers, BelongToTheLastCommand) {

@@ -47,7 +47,10 @@ class Specification {
  public:
   struct Options {
     int max_eval_order = kMaxOrder;     // 8..kMaxOrder (EV-INIT-MAXORDER); other values are clamped
-    int texture_units = kTextureUnits;  // 1..kTextureUnits; other values are clamped
+    int texture_units = kTextureUnits;  // units with coordinates, 1..kTextureUnits; other values are clamped
+    // Units that ActiveTexture accepts. From GL 2.0 on, these may be more, because units for images count as
+    // well (GL 2.1 2.7). At least texture_units, at most kTextureUnits; other values are clamped.
+    int active_units = 0;
   };
 
   // Makes a context in the initial state of the GL (EV-INIT-*).
@@ -323,7 +326,7 @@ class Specification {
   // Writes the first permitted answers, and keeps all of them for permitted_answer().
   template <typename T>
   void write(std::vector<PermittedValue> values, T* params);
-  bool is_texture_unit(GLenum texture) const;
+  static bool is_unit(GLenum texture, int units);
   // Returns the state of an enable, or nothing if `cap` does not name one.
   std::optional<bool> enabled(GLenum cap) const;
   void set_enabled(GLenum cap, bool enabled);
@@ -355,7 +358,7 @@ class Specification {
   Vertex current_vertex() const;
 
   int max_eval_order_;
-  int texture_units_;
+  int texture_units_, active_units_;
   std::array<std::shared_ptr<const Map>, 2 * kMapKinds> maps_;  // MAP1 targets, then MAP2 targets
   Attributes attributes_;
   std::vector<SavedAttributes> attribute_stack_;

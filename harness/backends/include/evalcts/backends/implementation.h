@@ -125,6 +125,7 @@ struct ImplementationInfo {
   int major = 0, minor = 0;
   GLint max_eval_order = 0;  // 0: not answered
   GLint texture_units = 1;
+  GLint active_units = 1;  // that ActiveTexture has to accept
   std::set<std::string> extensions;
   std::set<GLenum> rejected_queries, rejected_grid_queries;  // see rejected_queries.h
   bool shares_state = false;               // state that one context sets is visible in the next one

@@ -61,8 +61,12 @@ struct Specified {
   std::vector<bool> inside;            // true if a primitive is open after the command
 };
 
+// The texture units that a case may use, see reference::Specification::Options.
+struct TextureUnits {
+  int with_coordinates = reference::kTextureUnits, active = reference::kTextureUnits;
+};
 // Runs the specified_commands() of the case on the specification.
-Specified specify(const gl::Case& script, int max_eval_order, int texture_units = reference::kTextureUnits,
+Specified specify(const gl::Case& script, int max_eval_order, TextureUnits units = {},
                   OtherState other = OtherState::kRejected);
 
 // Returns a case that draws the predicted primitives with explicit vertices: all values correctly rounded,

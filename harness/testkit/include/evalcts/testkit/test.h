@@ -121,6 +121,8 @@ class Test : public Conditions {
     Verdict verdict;
     std::string why;
   };
+  // Returns the texture units for predictions.
+  TextureUnits units() const { return {texture_units(), gl().active_units}; }
   Ending end_of(const std::function<void(Test&)>& body);
   std::string mistake() const;
   Difference difference_of(const Mismatch& mismatch) const;
