@@ -282,7 +282,8 @@ bool Specification::is_unit(GLenum texture, int units) {
 
 void Specification::ActiveTexture(GLenum texture) {
   if (compiled(&Specification::ActiveTexture, texture)) return;
-  if (reject_if({{inside(), GL_INVALID_OPERATION}, {!is_unit(texture, active_units_), GL_INVALID_ENUM}})) return;
+  if (reject_if({{inside(), GL_INVALID_OPERATION}, {!is_unit(texture, active_units_), GL_INVALID_ENUM}}))
+    return;
   attributes_.active_texture = static_cast<int>(texture - GL_TEXTURE0);
 }
 
