@@ -236,6 +236,31 @@ void Reducer::name(Finding& finding) {
   known_.push_front({nullptr, finding.program, finding.failure.difference, finding.cause, true, finding});
 }
 
+std::optional<Finding> Reducer::reduce(const gl::Case& program, const Difference& difference) {
+  const bool is_large = vertices_of(program) > kMostVertices;
+  // A part may differ in another way than the whole program, unless the difference is complete.
+  const bool is_complete = !difference.place.empty() || !difference.relation.empty();
+  std::optional<Finding> found;
+  if (!is_large || !is_complete) found = find(program, difference);
+  if (is_large && (found || is_complete)) {
+    // Each run of a program that draws very much takes long. It has the bug of an earlier one if the same
+    // commands alone show it; otherwise a part of it is reduced.
+    const Alikeness alikeness(program);
+    const Difference wanted = found ? difference.completed_by(found->failure.difference) : difference;
+    for (const Known& known : known_)
+      if (known.finding && known.difference.is_like(wanted))
+        if (const auto part = with_words_of(known.program, program); part && alikeness.holds_for(*part))
+          if (difference_of(*part, wanted, fresh())) return known.finding;
+    excerpt_of(program, [&](const gl::Case& part) {
+      std::optional<Finding> of_part = difference_of(part, wanted, fresh());
+      if (of_part) found = of_part;
+      return of_part.has_value();
+    });
+    if (!found) found = find(program, difference);
+  }
+  return found ? std::optional(reduce(*std::move(found))) : std::nullopt;
+}
+
 Finding Reducer::reduce(Finding finding, bool careful) {
   const Alikeness alikeness(finding.program);
   Difference difference = finding.failure.difference;
@@ -268,17 +293,6 @@ Finding Reducer::reduce(Finding finding, bool careful) {
   smaller(finding.program);  // in case the library dies during the reduction
   // A difference that shows without display lists as well is no bug of lists.
   if (gl::uses_lists(finding.program)) still(gl::without_lists(finding.program));
-  // Each run of a program that draws very much takes long. It has the bug of an earlier one if the same
-  // commands alone show it; otherwise it is cut down first.
-  if (vertices_of(finding.program) > kMostVertices) {
-    for (const Known& known : known_)
-      if (known.finding && known.difference.is_like(difference))
-        if (const auto part = with_words_of(known.program, finding.program); part && still(*part)) {
-          finding = *known.finding;
-          return finish();
-        }
-    excerpt_of(gl::Case(finding.program), still);
-  }
   // Most differences have a known cause. The shared context quickly shows which one it may be.
   const bool uses_shared = shared_ && vertices_of(finding.program) <= kMostVertices;
   if (const Finding* const known = explanation(finding.program, difference, uses_shared)) {

@@ -67,6 +67,10 @@ class Reducer {
   // died in an earlier attempt.
   Finding reduce(Finding finding, bool careful = false);
 
+  // Returns the finding that the difference of the program is reduced to; none if the program does not differ
+  // in this way. A large program is not run as a whole if a part of it does.
+  std::optional<Finding> reduce(const gl::Case& program, const Difference& difference);
+
   // Returns the finding of a known program if the shared context shows that it explains the difference,
   // otherwise nothing. Much faster than reduce(), which spends most of its time on fresh contexts.
   std::optional<Finding> recognise(const gl::Case& program, const Difference& difference);

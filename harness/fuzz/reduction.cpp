@@ -61,12 +61,11 @@ class CaseReducer {
     const gl::Case plain = forms_of(program).back();
     const std::string key = failing.difference.text() + ": " + gl::to_text(plain);
     if (const auto same = reduced_.find(key); same != reduced_.end()) return {failing.test, same->second, ""};
-    const std::optional<Finding> found = reducer_.find(program, failing.difference);
-    if (!found) return not_reduced(failing, is_over() ? kOutOfTime : why_it_does_not_show(script, program));
-    const Finding minimal = reducer_.reduce(*found);
+    const std::optional<Finding> minimal = reducer_.reduce(program, failing.difference);
+    if (!minimal) return not_reduced(failing, is_over() ? kOutOfTime : why_it_does_not_show(script, program));
     if (is_over()) return not_reduced(failing, kOutOfTime);
     if (vertices_of(program) <= kMostVertices && reducer_.find(plain, failing.difference))
-      reduced_[key] = minimal;
+      reduced_[key] = *minimal;
     return {failing.test, minimal, ""};
   }
 
