@@ -50,16 +50,16 @@ bool calls_missing_list(const gl::Case& program) {
   });
 }
 
-// Returns false if a mesh or grid point is drawn over an initial grid: no MapGrid has its dimension.
+// Returns false if a mesh or grid point is drawn over an initial grid: no MapGrid of its dimension is before
+// it.
 bool keeps_to_grids(const gl::Case& program) {
-  std::set<int> with_grid, drawn;
-  for (const gl::Command& command : program.commands()) {
+  std::set<int> with_grid;
+  return std::ranges::all_of(program.commands(), [&](const gl::Command& command) {
     const gl::Role role = gl::role_of(command.entry);
-    if (role == gl::Role::kMapGrid) with_grid.insert(gl::dimension_of(command.entry));
-    if (role == gl::Role::kEvalMesh || role == gl::Role::kEvalPoint)
-      drawn.insert(gl::dimension_of(command.entry));
-  }
-  return std::ranges::includes(with_grid, drawn);
+    const int dimension = gl::dimension_of(command.entry);
+    if (role == gl::Role::kMapGrid) with_grid.insert(dimension);
+    return (role != gl::Role::kEvalMesh && role != gl::Role::kEvalPoint) || with_grid.contains(dimension);
+  });
 }
 
 // Returns the program without all commands of each word, without the pairs of commands that only make sense

@@ -3,10 +3,12 @@
 #include <evalcts/results/run_result.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -48,10 +50,12 @@ std::string Crash::group() const {
   // A function of the C library that copies bytes crashes in many places, so the group begins at its caller.
   std::size_t first = 0;
   while (first + 1 < frames.size() && frames[first].starts_with("libc.so")) ++first;
-  std::string group;
-  for (std::size_t i = first; i < frames.size() && i < first + kFramesOfGroup; ++i)
-    group += (i > first ? " < " : "") + frames[i];
-  return group;
+  // A recursion may be more or less deep.
+  std::vector<std::string> distinct;
+  std::unique_copy(frames.begin() + static_cast<std::ptrdiff_t>(first), frames.end(),
+                   std::back_inserter(distinct));
+  distinct.resize(std::min(distinct.size(), kFramesOfGroup));
+  return fmt::format("{}", fmt::join(distinct, " < "));
 }
 
 std::string TestRecord::signature() const {

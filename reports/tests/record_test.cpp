@@ -323,20 +323,22 @@ TEST(RunResult, SeverityPutsTheUnexpectedFirst) {
   EXPECT_EQ(severity("internal-error", true), severity("internal-error", false));
 }
 
-// Crashes are one group if their innermost frames are equal, ignoring the C library and outer frames.
+// Crashes are one group if their innermost frames are equal, ignoring the C library, recursion and
+// outer frames.
 TEST(RunResult, CrashesAreGroupedByTheirInnermostFrames) {
   const auto crash = [](const char* name, const char* call, const std::vector<std::string>& frames) {
     return json{{"name", name},
                 {"verdict", "crash"},
                 {"crash", {{"call", call}, {"commands_before", 3}, {"frames", frames}}}};
   };
-  const RunResult result = read_run_result(
-      {{"tests",
-        {crash("A.one", "glEnd()", {"libGL.so.1 glEnd+0x8"}),
-         crash("A.two", "glMap1f(GL_MAP1_INDEX, ...)",
-               {"libc.so.6+0x1", "gl+0x2", "gl+0x3", "gl+0x4", "gl+0x5"}),
-         crash("A.three", "glMap1d(GL_MAP1_INDEX, ...)", {"libc.so.6+0x9", "gl+0x2", "gl+0x3", "gl+0x4"}),
-         json{{"name", "A.four"}, {"verdict", "crash"}}}}});
+  const RunResult result =
+      read_run_result({{"tests",
+                        {crash("A.one", "glEnd()", {"libGL.so.1 glEnd+0x8"}),
+                         crash("A.two", "glMap1f(GL_MAP1_INDEX, ...)",
+                               {"libc.so.6+0x1", "gl+0x2", "gl+0x3", "gl+0x4", "gl+0x5"}),
+                         crash("A.three", "glMap1d(GL_MAP1_INDEX, ...)",
+                               {"libc.so.6+0x9", "gl+0x2", "gl+0x3", "gl+0x3", "gl+0x4"}),
+                         json{{"name", "A.four"}, {"verdict", "crash"}}}}});
   const std::vector<CrashGroup> groups = crash_groups(result);
   ASSERT_EQ(groups.size(), 2u);
   EXPECT_EQ(groups[0].where, "gl+0x2 < gl+0x3 < gl+0x4");
