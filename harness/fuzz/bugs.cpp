@@ -1,4 +1,4 @@
-// Reduces the failing cases of a run in child processes, and groups the failing tests by the minimal
+// Reduces the failing cases of a run in workers, and groups the failing tests by the minimal
 // programs.
 #include <evalcts/fuzz/bugs.h>
 
@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <memory>
 #include <optional>
 #include <regex>
 #include <set>
@@ -31,7 +30,6 @@
 namespace evalcts::fuzz {
 namespace {
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostCalls = 40;        // lines of a minimal program, about a screen
@@ -89,7 +87,7 @@ bool draws_very_much(const FailingCase& failing) {
   return !failing.commands.empty() && vertices_of(gl::parse_case(failing.commands)) > kMostVertices;
 }
 
-// Reduces failing cases in child processes, and crashes by running each candidate in a separate process.
+// Reduces failing cases in workers, and crashes by running each candidate in a separate process.
 class BugSearch {
  public:
   BugSearch(const RunResult& run, const BugRequest& request,
@@ -120,7 +118,8 @@ class BugSearch {
     std::erase_if(cases, [this](const FailingCase& each) { return reductions_.contains(each.test); });
     if (!cases.empty() && !interrupted && seconds_left() > 0) reduce(cases);
     for (const FailingCase& each : cases)
-      if (!reductions_.contains(each.test)) take({each.test, {}, kDiedOnTheWay});
+      if (!reductions_.contains(each.test))
+        take({each.test, {}, interrupted || seconds_left() <= 0 ? kOutOfTime : kDiedOnTheWay});
     reduce_deaths(deaths);
     return reductions_;
   }
@@ -274,18 +273,17 @@ class BugSearch {
     const double patience =
         test.verdict == Verdict::kTimeout ? kSecondsOfHang : request_.limits.seconds_per_test;
     const Clock::time_point begin = Clock::now();
+    const auto is_over = [&] {
+      return interrupted || seconds_left() <= 0 ||
+             std::chrono::duration<double>(Clock::now() - begin).count() > kSecondsOfDeath;
+    };
     std::optional<Finding> finding = fuzz::reduce_death(
         program, death_of(test),
-        [&](const gl::Case& candidate) {
-          const bool is_over = interrupted || seconds_left() <= 0 ||
-                               std::chrono::duration<double>(Clock::now() - begin).count() > kSecondsOfDeath;
-          return is_over ? std::nullopt : run_alone(candidate, patience);
-        },
+        [&](const gl::Case& candidate) { return is_over() ? std::nullopt : run_alone(candidate, patience); },
         deaths_, kMostAttemptsOfDeath, max_eval_order());
     if (!finding)
-      return not_reduced(seconds_left() <= 0
-                             ? kOutOfTime
-                             : "the commands that the executable specification has do not show it");
+      return not_reduced(is_over() ? kOutOfTime
+                                   : "the commands that the executable specification has do not show it");
     finding->failure.message = test.message;
     return {test.name, *std::move(finding), ""};
   }

@@ -5,6 +5,7 @@
 #include <evalcts/fuzz/normal_form.h>
 #include <evalcts/gl/case_json.h>
 #include <evalcts/gl/explicit_vertices.h>
+#include <evalcts/runner/interruption.h>
 #include "legal.h"
 #include "reducer.h"
 #include "shrink.h"
@@ -32,7 +33,8 @@ WorkerRun run_program(const std::vector<std::string>& command, const gl::Case& p
 }
 
 std::optional<Difference> death_of(const WorkerRun& run) {
-  if (run.complete) return std::nullopt;
+  const bool is_own_fault = !run.ending.signalled && run.ending.value == kOwnFault;
+  if (run.complete || interrupted || run.in_flight.empty() || is_own_fault) return std::nullopt;
   if (run.hung) return Difference{Difference::kHang, run.crash ? run.crash->command() : "", ""};
   return Difference{Difference::kCrash, run.crash ? run.crash->group() : "", ""};
 }

@@ -11,12 +11,16 @@
 
 namespace evalcts::fuzz {
 
+// Exit status of the suite program after a fault of its own.
+inline constexpr int kOwnFault = 3;
+
 // Runs the program in a process of its own. `command`: starts the suite program with the implementation.
 WorkerRun run_program(const std::vector<std::string>& command, const gl::Case& program,
                       const std::filesystem::path& log, const Limits& limits);
 
 // Returns the difference that the end of a process is: a crash or hang, whose place is that of the innermost
-// frames, or the command in flight for a hang. Returns none if the process ran to its end.
+// frames, or the command in flight for a hang. Returns none if the process ran to its end, or ended for
+// another reason: an interruption, a fault of its own, or a library that does not start.
 std::optional<Difference> death_of(const WorkerRun& run);
 
 // Returns the named finding of a program in which the library dies.

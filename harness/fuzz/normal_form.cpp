@@ -5,10 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <set>
-#include <string_view>
 #include <vector>
 
 #include <evalcts/gl/roles.h>
@@ -268,6 +266,8 @@ const char* requirement_of_error(const Facts& facts) {
 const char* requirement_of_answer(const std::string& place, const Facts& facts) {
   if (place.starts_with("GetMap")) return facts.surfaces_only ? "EV-GETMAP-COEFF2" : "EV-GETMAP-COEFF1";
   if (place.starts_with("IsEnabled")) return "EV-EN-GETS";
+  if (place.find("_GRID_DOMAIN") != std::string::npos) return "EV-GET-GRIDDOMAIN";
+  if (place.find("_GRID_SEGMENTS") != std::string::npos) return "EV-GET-GRIDSEG";
   if (facts.lists == Facts::Lists::kExecuted) return "EV-DL-COMPEXEC";
   if (facts.without_vertices) return facts.automatic_normals ? "EV-AUTON-NOVERTEX" : "EV-COORD-NOVERTEX";
   if (facts.lists == Facts::Lists::kCompiled) return "EV-DL-EXECUTE";

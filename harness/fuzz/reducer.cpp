@@ -148,7 +148,7 @@ Reducer::Judge Reducer::in_shared() const {
 std::optional<Finding> Reducer::difference_of(const gl::Case& candidate, const Difference& difference,
                                               const Judge& judge) const {
   if (hooks_.alive) hooks_.alive();
-  if ((hooks_.is_over && hooks_.is_over()) ||
+  if (is_over() ||
       with_what_exists(subject_.info, table_, candidate).commands().size() < candidate.commands().size())
     return {};
   const std::optional<Specified> specified = specify_if_defined(candidate, max_order_);
@@ -177,11 +177,13 @@ bool Reducer::is_minimal(const gl::Case& program, const Difference& difference) 
 
 const Finding* Reducer::finding_of(Known& known) {
   if (known.was_run || !known.record) return known.finding ? &*known.finding : nullptr;
-  known.was_run = true;
+  if (is_over()) return nullptr;
   std::optional<Finding> found = find(known.program, known.difference);
-  if (!found || !known.record->is_shown_by(found->failure) ||
-      !is_minimal(known.program, found->failure.difference))
-    return nullptr;
+  const bool is_shown = found && known.record->is_shown_by(found->failure) &&
+                        is_minimal(known.program, found->failure.difference);
+  if (is_over()) return nullptr;  // perhaps before all programs had run
+  known.was_run = true;
+  if (!is_shown) return nullptr;
   name_finding(*found, max_order_);
   found->known = known.record->bug;
   known.finding = std::move(found);
@@ -224,6 +226,7 @@ std::optional<Finding> Reducer::prove(const std::string& bug) {
 
 void Reducer::name(Finding& finding) {
   name_finding(finding, max_order_);
+  if (is_over()) return;  // it is perhaps not minimal
   for (Known& known : known_) {
     const std::string &relation = known.difference.relation, &found = finding.failure.difference.relation;
     if (!known.record || known.cause != finding.cause || (!relation.empty() && relation != found)) continue;
@@ -244,7 +247,7 @@ std::optional<Finding> Reducer::reduce(const gl::Case& program, const Difference
   if (!is_large || !is_complete) found = find(program, difference);
   if (is_large && (found || is_complete)) {
     // Each run of a program that draws very much takes long. It has the bug of an earlier one if the same
-    // commands alone show it; otherwise a part of it is reduced.
+    // commands alone show it (whether it needs each of them is not tried); otherwise a part of it is reduced.
     const Alikeness alikeness(program);
     const Difference wanted = found ? difference.completed_by(found->failure.difference) : difference;
     for (const Known& known : known_)
@@ -258,12 +261,14 @@ std::optional<Finding> Reducer::reduce(const gl::Case& program, const Difference
     });
     if (!found) found = find(program, difference);
   }
+  if (hooks_.finish) hooks_.finish();
   return found ? std::optional(reduce(*std::move(found))) : std::nullopt;
 }
 
 Finding Reducer::reduce(Finding finding, bool careful) {
   const Alikeness alikeness(finding.program);
   Difference difference = finding.failure.difference;
+  // A candidate that still shows the difference takes the place of the finding.
   const Still still = [&](const gl::Case& candidate) {
     if (!alikeness.holds_for(candidate)) return false;
     std::optional<Finding> found = difference_of(candidate, difference, fresh());

@@ -94,6 +94,7 @@ class Reducer {
     std::optional<Finding> finding;  // none: it has not been run, or does not fail here as described
   };
 
+  bool is_over() const { return hooks_.is_over && hooks_.is_over(); }
   Judge fresh() const;
   Judge in_shared() const;
   // Returns true if no part of the program shows the difference.
@@ -106,7 +107,7 @@ class Reducer {
   // Runs a program of the register, if it was not run yet. Returns its finding, null if it does not fail here
   // as described, or if a part of it does: this is then another bug.
   const Finding* finding_of(Known& known);
-  // Replaces the finding by that of a program of the register with the same cause and relation.
+  // Names the finding, and replaces it by that of a program of the register with the same cause and relation.
   void name(Finding& finding);
 
   const Subject& subject_;
@@ -115,7 +116,7 @@ class Reducer {
   const int max_order_;
   const int most_attempts_;
   const Hooks hooks_;
-  std::list<Known> known_;  // those with fewer commands first
+  std::list<Known> known_;  // found here, then bugs of the same product, then others; small programs first
   std::size_t new_findings_ = 0;
 };
 

@@ -58,7 +58,7 @@ class Searcher {
               .ended = [this](const WorkerRun& run) { finish(run); }};
     if (request_.seconds > 0) pool.deadline = begin_ + seconds(request_.seconds + kPatience);
     const bool started = pool.run([this] { return next(); });
-    if (!started && found_.programs == 0)
+    if (!started && found_.programs == 0 && !interrupted)
       found_.cannot_start = "it does not start: " + latest_end_ + "; " + last_line(scratch_ / "log");
     found_.seconds = seconds_since(begin_);
     std::ranges::sort(found_.causes, {}, [](const Cause& cause) { return number_of(cause.program); });
@@ -152,7 +152,6 @@ class Searcher {
     latest_end_ = run.cannot_start.empty() ? describe(run.ending) : run.cannot_start;
     if (run.complete || interrupted || run.cut_short) return;
     if (!run.cannot_write.empty()) throw CannotWrite(run.cannot_write);
-    constexpr int kOwnFault = 3;
     if (!run.ending.signalled && run.ending.value == kOwnFault)
       throw std::runtime_error(fmt::format("{}: {}", run.in_flight, last_line(scratch_ / "log")));
     if (run.in_flight.empty()) return;
@@ -192,22 +191,21 @@ class Searcher {
     const double patience =
         run.hung ? std::min(kShortPatience, request_.seconds_per_program) : request_.seconds_per_program;
     const Clock::time_point begin = Clock::now();
+    const auto is_over = [&] { return interrupted || seconds_since(begin) > kSecondsAlone; };
     const std::size_t before = deaths_.size();
     const std::optional<Finding> finding = reduce_death(
         program, death_of(run).value_or(Difference{Difference::kCrash, "", ""}),
-        [&](const gl::Case& candidate) {
-          return interrupted || seconds_since(begin) > kSecondsAlone ? std::nullopt
-                                                                     : run_alone(candidate, patience);
-        },
+        [&](const gl::Case& candidate) { return is_over() ? std::nullopt : run_alone(candidate, patience); },
         deaths_, run.hung ? kMostHangs : kMostAttemptsAlone, max_eval_order_);
     if (deaths_.size() == before) found_.seconds_of_known += seconds_since(begin);
     if (finding) return found(fmt::format("program {}", number), *finding);
-    Finding of_history;
-    of_history.program = program;
-    of_history.failure.what = run.hung ? Difference::kHang : Difference::kCrash;
-    of_history.failure.message = fmt::format("{}: {}", of_history.failure.what, describe(run.ending));
-    of_history.cause = of_history.title = of_history.failure.what + " after what was run before";
-    found(fmt::format("program {}", number), of_history);
+    Finding whole;
+    whole.program = program;
+    whole.failure.what = run.hung ? Difference::kHang : Difference::kCrash;
+    whole.failure.message = fmt::format("{}: {}", whole.failure.what, describe(run.ending));
+    whole.cause = whole.title = whole.failure.what + (is_over() ? " in a program that was not reduced"
+                                                                : " after what was run before");
+    found(fmt::format("program {}", number), whole);
   }
 
   // Runs the program in a separate process.

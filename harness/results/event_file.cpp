@@ -1,4 +1,4 @@
-// Implements EventFile. Before each line, it checks that the descriptor still refers to the file.
+// Implements EventFile. Before each line, it checks that the descriptor still refers to the file or pipe.
 #include <evalcts/results/event_file.h>
 
 #include <fcntl.h>
@@ -54,8 +54,15 @@ void EventFile::write(const std::string& line) {
     was_closed_ = true;
     open();
   }
-  const ssize_t written = ::write(descriptor_, line.data(), line.size());
-  if (written == static_cast<ssize_t>(line.size())) return;
+  std::string_view rest = line;
+  ssize_t written = 0;
+  while (!rest.empty()) {
+    written = ::write(descriptor_, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) break;
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+  if (rest.empty()) return;
   const std::string words =
       kCannotWriteEvent + std::string(std::strerror(written < 0 ? errno : ENOSPC)) + "\n";
   [[maybe_unused]] const ssize_t said = ::write(STDERR_FILENO, words.data(), words.size());

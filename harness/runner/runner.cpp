@@ -1,4 +1,4 @@
-// Runs the tests of one implementation in child processes, repeats unexpected failures alone, and makes the
+// Runs the tests of one implementation in workers, repeats unexpected failures alone, and makes the
 // record of the run.
 #include <evalcts/runner/runner.h>
 
@@ -11,7 +11,6 @@
 #include <deque>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 
@@ -176,7 +175,7 @@ class Run {
     return all;
   }
 
-  // Ends the run if the disk is full, because the end of a child is then not the fault of the library.
+  // Ends the run if the disk is full, because the end of a process is then not the fault of the library.
   void throw_if_it_cannot_write(const WorkerRun& run) const {
     if (!run.cannot_write.empty())
       throw CannotWrite(fmt::format("cannot write into '{}': {}", request_.output.string(),
@@ -337,8 +336,8 @@ class Run {
     return same_crashes_[run.crash->call + "\n" + run.crash->group()];
   }
 
-  // Records the tests that children died in. Each test is run again alone, unless it crashed in a map command
-  // and kSameCrashes tests with the same crash have been confirmed and none had another outcome.
+  // Records the tests that processes died in. Each test is run again alone, unless it crashed in a map
+  // command and kSameCrashes tests with the same crash have been confirmed and none had another outcome.
   void record_deaths(const std::vector<WorkerRun>& ended) {
     std::vector<const WorkerRun*> first, like_others, rest;
     std::map<const SameCrashes*, std::size_t> chosen;
@@ -382,8 +381,9 @@ class Run {
   bool dies_with_explicit_vertices(const std::string& name, const WorkerRun& alone) const {
     const auto cases = alone.cases.find(name);
     if (is_in_map_command(alone) || cases == alone.cases.end() || cases->second.empty()) return false;
-    return !run_scratch({{.kind = "test", .name = name, .cases = cases->second.size(), .runs_control = true}})
-                .in_flight.empty();
+    const WorkerRun control =
+        run_scratch({{.kind = "test", .name = name, .cases = cases->second.size(), .runs_control = true}});
+    return !interrupted && !control.in_flight.empty();
   }
 
   void record_death(const WorkerRun& child, const WorkerRun& alone) {
@@ -392,6 +392,11 @@ class Run {
     const std::string how = describe(child, request_.limits);
     if (interrupted) {
       add_record(name, verdict, how + "; not confirmed, the run was interrupted", {}, child.crash);
+      return;
+    }
+    if (alone.in_flight.empty() && alone.finished.empty()) {
+      add_record(name, verdict, how + "; not confirmed, because no test began in a new process", {},
+                 child.crash);
       return;
     }
     if (is_in_map_command(child)) {
@@ -667,7 +672,7 @@ class Run {
   fs::path records_file_;
   bool dies_with_second_context_ = false;  // set if a process died before its first test
   Baseline baseline_;
-  std::vector<std::vector<std::string>> sequences_;  // the tests that each child finished, in order
+  std::vector<std::vector<std::string>> sequences_;  // the tests that each process finished, in order
   Deadline deadline_;                                // the end of the search in progress
   double searches_left_ = kSearchesBudget;
   std::set<std::string> searched_;                                    // tests whose history was searched for

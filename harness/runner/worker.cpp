@@ -256,7 +256,7 @@ bool Pool::run(const std::function<std::optional<Job>()>& next) const {
       const WorkerRun& run = done->run();
       returned.insert(returned.begin(), done->waiting().begin(), done->waiting().end());
       const bool is_empty = run.finished.empty() && run.in_flight.empty();
-      empty_starts = is_empty && !run.complete ? empty_starts + 1 : 0;
+      empty_starts = is_empty ? empty_starts + 1 : 0;
       if (ended) ended(run);
       while (running.size() < workers && start()) continue;
     }

@@ -102,8 +102,9 @@ void parse(int argc, char** argv, Options& options) {
   app.add_option("--interpretation", session.readings, "NAME=READING, as for evalcts run")
       ->expected(1)
       ->take_all();
-  app.add_option("--worker", options.worker,
-                 "run the jobs that standard input has, a line of JSON each, and append events to this file");
+  app.add_option(
+      "--worker", options.worker,
+      "run the jobs that standard input has, a line of JSON each, and write events to this file or pipe");
   app.add_option("--renew-above", options.renew_above,
                  "end after a job if this process uses more memory than this, in MiB")
       ->needs("--worker");

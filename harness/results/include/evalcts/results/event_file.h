@@ -1,5 +1,5 @@
-// The file to which the suite program writes its events, one line each. It is the only channel from the suite
-// program to the runner while tests run, so it stays usable if a library closes descriptors or forks.
+// The file or named pipe to which the suite program writes its events, one line each. It is the only channel
+// from the suite program to the runner while tests run, so it stays usable if a library closes descriptors or forks.
 #pragma once
 
 #include <sys/types.h>
@@ -17,7 +17,7 @@ inline constexpr char kCannotWriteEvent[] = "evalcts: cannot write the result of
 
 class EventFile {
  public:
-  // Appends to the file. If the path is empty, events are discarded. Throws CannotWrite.
+  // Appends to the file or pipe. If the path is empty, events are discarded. Throws CannotWrite.
   explicit EventFile(const std::filesystem::path& path);
   ~EventFile();
   EventFile(const EventFile&) = delete;
