@@ -278,7 +278,6 @@ json to_json(const Report& report) {
 std::string to_text(const Line& line) {
   struct Writer {
     json operator()(const ImplementationInfo& info) const { return {{"implementation", to_json(info)}}; }
-    json operator()(const NotStarted& not_started) const { return {{"cannot_start", not_started.reason}}; }
     json operator()(const Row& row) const { return {{"row", to_json(row)}}; }
     json operator()(const Profile& profile) const { return {{"profile", to_json(profile)}}; }
   };
@@ -289,7 +288,6 @@ std::optional<Line> parse_line(const std::string& text) {
   const json in = json::parse(text, nullptr, false);
   if (!in.is_object()) return std::nullopt;
   if (in.contains("implementation")) return info_from(in["implementation"]);
-  if (in.contains("cannot_start")) return NotStarted{in["cannot_start"]};
   if (in.contains("profile")) return profile_from(in["profile"]);
   return row_from(in.at("row"));
 }

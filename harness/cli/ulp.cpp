@@ -1,6 +1,5 @@
-// `evalcts ulp`: measures the accuracy table. Each implementation is measured in its own process,
-// because libraries disturb each other in one process and may crash. The process writes one line of JSON
-// for each row.
+// `evalcts ulp`: measures the accuracy table. Workers measure an implementation at a time, because libraries
+// disturb each other in one process and may crash.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sys/prctl.h>
@@ -12,6 +11,7 @@
 #include <csignal>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <variant>
 
@@ -26,11 +26,15 @@
 #include <evalcts/accuracy/report.h>
 #include <evalcts/accuracy/search.h>
 #include <evalcts/accuracy/table.h>
+#include <evalcts/results/event_file.h>
 #include <evalcts/results/files.h>
 #include <evalcts/results/filter.h>
+#include <evalcts/results/job_reader.h>
+#include <evalcts/results/serialization.h>
 #include <evalcts/results/text.h>
 #include <evalcts/runner/child_process.h>
 #include <evalcts/runner/interruption.h>
+#include <evalcts/runner/worker.h>
 #include "default_implementations.h"
 #include "places.h"
 #include "terminal.h"
@@ -82,54 +86,73 @@ std::vector<accuracy::RowRequest> chosen_rows(const UlpOptions& options) {
   return rows;
 }
 
-// --- the process that measures an implementation
+// --- the worker, which opens one implementation
 
-int measure_rows(const UlpOptions& options) {
+// Each class of maps of each target is a job, and so is each profile.
+constexpr char kRow[] = "row", kProfile[] = "profile";
+
+// Runs the jobs of standard input, whose names are numbers of rows or profiles.
+int work(const UlpOptions& options) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  std::ofstream file(options.rows);
-  const auto write = [&](const accuracy::Line& line) { file << accuracy::to_text(line) << std::endl; };
+  JobReader jobs;
+  EventFile events(options.worker);
+  const auto report = [&](const Event& event) { events.write(to_line(event)); };
+  const auto write = [&](const accuracy::Line& line) { events.write(accuracy::to_text(line) + "\n"); };
+  std::unique_ptr<accuracy::Subject> subject;
   try {
-    const auto subject = accuracy::open_subject(implementation_of(options));
-    const ImplementationInfo info = subject->info();
-    write(info);
-    // Writes the line that `measure` returns, or `otherwise` with the reason why there is none.
-    const auto write_measured = [&](std::size_t order, const auto& measure, const auto& otherwise) {
-      try {
-        if (info.max_eval_order > 0 && static_cast<GLint>(order) > info.max_eval_order)
-          throw NotObservable(fmt::format("GL_MAX_EVAL_ORDER is {}", info.max_eval_order));
-        write(measure());
-      } catch (const NotObservable& reason) {
-        write(otherwise(reason.what()));
-      } catch (const gl::MissingEntryPoint& missing) {
-        write(otherwise(missing.what()));
-      }
-    };
-    for (const accuracy::RowRequest& request : chosen_rows(options)) {
-      // A subject without targets is measured only once.
-      if (!subject->has_targets() && request.target != targets_of(options).front()) break;
-      const auto measure = [&] {
-        const accuracy::Errors sample = accuracy::measure(*subject, request, interrupted);
-        accuracy::Errors errors = sample;
-        const std::uint64_t climbed = options.climb.value_or(options.values.value_or(kValuesOfRow));
-        accuracy::climb(*subject, request, climbed, errors, interrupted);
-        return accuracy::row_of(request, *subject, errors, sample, climbed);
-      };
-      write_measured(static_cast<std::size_t>(std::max(request.what.uorder, request.what.vorder)), measure,
-                     [&](const char* why) { return accuracy::not_measured(request, why); });
-    }
-    for (const accuracy::ProfileCurve& curve : accuracy::profile_curves()) {
-      if (interrupted) break;
-      write_measured(
-          curve.points.size(),
-          [&] { return accuracy::measure_profile(*subject, targets_of(options).front(), curve); },
-          [&](const char* why) {
-            return accuracy::Profile{curve.name, why, {}, {}};
-          });
-    }
+    subject = accuracy::open_subject(implementation_of(options));
   } catch (const CannotStart& reason) {
-    write(accuracy::NotStarted{reason.what()});
+    report(CannotOpen{reason.what()});
+    return kWrongUse;
   }
-  return file ? kNothingUnexpected : kWrongUse;
+  const ImplementationInfo info = subject->info();
+  write(info);
+  // Writes the line that `measure` returns, or `otherwise` with the reason why there is none.
+  const auto write_measured = [&](std::size_t order, const auto& measure, const auto& otherwise) {
+    try {
+      if (info.max_eval_order > 0 && static_cast<GLint>(order) > info.max_eval_order)
+        throw NotObservable(fmt::format("GL_MAX_EVAL_ORDER is {}", info.max_eval_order));
+      write(measure());
+    } catch (const NotObservable& reason) {
+      write(otherwise(reason.what()));
+    } catch (const gl::MissingEntryPoint& missing) {
+      write(otherwise(missing.what()));
+    }
+  };
+  const auto measure_row = [&](const accuracy::RowRequest& request) {
+    // A subject without targets is measured only once.
+    if (!subject->has_targets() && request.target != targets_of(options).front()) return;
+    const auto measure = [&] {
+      const accuracy::Errors sample = accuracy::measure(*subject, request, interrupted);
+      accuracy::Errors errors = sample;
+      const std::uint64_t climbed = options.climb.value_or(options.values.value_or(kValuesOfRow));
+      accuracy::climb(*subject, request, climbed, errors, interrupted);
+      return accuracy::row_of(request, *subject, errors, sample, climbed);
+    };
+    write_measured(static_cast<std::size_t>(std::max(request.what.uorder, request.what.vorder)), measure,
+                   [&](const char* why) { return accuracy::not_measured(request, why); });
+  };
+  const auto measure_profile = [&](const accuracy::ProfileCurve& curve) {
+    write_measured(
+        curve.points.size(),
+        [&] { return accuracy::measure_profile(*subject, targets_of(options).front(), curve); },
+        [&](const char* why) {
+          return accuracy::Profile{curve.name, why, {}, {}};
+        });
+  };
+  const std::vector<accuracy::RowRequest> rows = chosen_rows(options);
+  while (const std::optional<std::string> line = jobs.next()) {
+    const Job job = parse_job(*line).value();
+    report(JobStarted{job.name});
+    const std::size_t number = std::stoul(job.data);
+    if (job.kind == kRow)
+      measure_row(rows.at(number));
+    else
+      measure_profile(accuracy::profile_curves().at(number));
+    report(JobEnded{});
+  }
+  report(RunEnded{});
+  return kNothingUnexpected;
 }
 
 // --- evaluation of one input
@@ -300,32 +323,12 @@ std::optional<std::string> drawn(const fs::path& output, const std::string& scri
   return svg;
 }
 
-// --- the process that starts the measurements
+// --- the process that starts the workers
 
-struct Measurement {
-  std::string implementation, name;
-  fs::path rows, log;
-  std::unique_ptr<ChildProcess> child = nullptr;
-  std::optional<Ending> ending = std::nullopt;
-};
-
-std::vector<accuracy::Line> lines_of(const fs::path& file) {
-  std::vector<accuracy::Line> lines;
-  std::ifstream stream(file);
-  for (std::string text; std::getline(stream, text);)
-    if (std::optional<accuracy::Line> line = accuracy::parse_line(text)) lines.push_back(*std::move(line));
-  return lines;
-}
-
-void start(Measurement& measurement, const UlpOptions& options) {
-  std::error_code error;
-  fs::remove(measurement.rows, error);
-  fs::remove(measurement.log, error);
+std::vector<std::string> worker_command(const UlpOptions& options, const std::string& implementation) {
   std::vector<std::string> command = {
       fs::read_symlink("/proc/self/exe").string(),
       "ulp",
-      "--rows",
-      measurement.rows.string(),
       "--seed",
       std::to_string(options.seed),
       "--values",
@@ -335,51 +338,107 @@ void start(Measurement& measurement, const UlpOptions& options) {
   const auto add = [&](const std::string& option, const std::string& value) {
     if (!value.empty()) command.push_back(option + "=" + value);
   };
-  add("--implementation", measurement.implementation);
+  add("--implementation", implementation);
   add("--library", options.library);
   add("--context", options.context);
   add("--filter", options.filter);
   if (!options.domain.empty()) add("--domain", in_hex(options.domain));
   if (options.segments > 0) add("--segments", std::to_string(options.segments));
   for (const std::string& target : options.targets) add("--target", target);
-  measurement.child = std::make_unique<ChildProcess>(command, measurement.log.string());
+  return command;
 }
 
-// Returns the implementation's part of the document. Removes the files of the measurement, but keeps its log
-// if the process crashed.
-accuracy::MeasuredImplementation result_of(const Measurement& measurement, const UlpOptions& options) {
-  using Status = accuracy::MeasuredImplementation::Status;
-  accuracy::MeasuredImplementation entry;
-  entry.name = measurement.name;
-  for (accuracy::Line& line : lines_of(measurement.rows)) {
-    if (auto* const info = std::get_if<ImplementationInfo>(&line)) {
-      entry.info = std::move(*info);
-    } else if (const auto* const not_started = std::get_if<accuracy::NotStarted>(&line)) {
-      entry.status = Status::kNotStarted;
-      entry.reason = not_started->reason;
-    } else if (auto* const profile = std::get_if<accuracy::Profile>(&line)) {
-      entry.profiles.push_back(std::move(*profile));
-    } else {
-      auto& row = entry.rows.emplace_back(std::get<accuracy::Row>(std::move(line)));
-      for (WorstResult* const worst : {&row.worst_ulp, &row.worst_condition_aware, &row.worst_zero})
-        if (*worst)
-          (*worst)->replay = how_to_replay(options, measurement.implementation, row, (*worst)->worst.input);
+std::vector<Job> jobs_of(const UlpOptions& options) {
+  std::vector<Job> jobs;
+  for (const accuracy::RowRequest& request : chosen_rows(options))
+    jobs.push_back({.kind = kRow,
+                    .name = request.what.name() + "/" + request.target,
+                    .data = std::to_string(jobs.size())});
+  const std::size_t rows = jobs.size();
+  for (const accuracy::ProfileCurve& curve : accuracy::profile_curves())
+    jobs.push_back({.kind = kProfile, .name = curve.name, .data = std::to_string(jobs.size() - rows)});
+  return jobs;
+}
+
+// Sorts the measured rows and profiles into the order of the requests, and adds the commands that replay
+// inputs. A row in which a process died is not measured.
+void complete(accuracy::MeasuredImplementation& entry, const UlpOptions& options,
+              const std::string& implementation, const std::map<std::string, std::string>& deaths) {
+  std::vector<accuracy::Row> rows;
+  for (const accuracy::RowRequest& request : chosen_rows(options)) {
+    const auto found = std::ranges::find_if(entry.rows, [&](const accuracy::Row& row) {
+      return row.what.name() == request.what.name() && (row.target.empty() || row.target == request.target);
+    });
+    const auto death = deaths.find(request.what.name() + "/" + request.target);
+    if (death != deaths.end()) {
+      rows.push_back(accuracy::not_measured(request, death->second));
+    } else if (found != entry.rows.end()) {
+      rows.push_back(std::move(*found));
+      entry.rows.erase(found);
     }
   }
-  const bool well = measurement.ending && !measurement.ending->signalled && measurement.ending->value == 0;
+  for (accuracy::Row& row : rows)
+    for (WorstResult* const worst : {&row.worst_ulp, &row.worst_condition_aware, &row.worst_zero})
+      if (*worst) (*worst)->replay = how_to_replay(options, implementation, row, (*worst)->worst.input);
+  entry.rows = std::move(rows);
+  std::vector<accuracy::Profile> profiles;
+  for (const accuracy::ProfileCurve& curve : accuracy::profile_curves())
+    for (accuracy::Profile& profile : entry.profiles)
+      if (profile.curve == curve.name) profiles.push_back(std::move(profile));
+  entry.profiles = std::move(profiles);
+}
+
+// Measures an implementation, which the report calls `name`, in several workers. Their log is kept only if a
+// process dies.
+accuracy::MeasuredImplementation measure(const UlpOptions& options, const std::string& implementation,
+                                         const std::string& name, const fs::path& output,
+                                         ProgressLine& line) {
+  using Status = accuracy::MeasuredImplementation::Status;
+  accuracy::MeasuredImplementation entry;
+  entry.name = name;
+  const fs::path log = output / fmt::format("log-ulp-{}.txt", name);
+  std::error_code error;
+  fs::remove(log, error);
+  const std::vector<Job> jobs = jobs_of(options);
+  std::map<std::string, std::string> deaths;  // what happened, by job
+  std::size_t next = 0, done = 0;
+  const auto take = [&](const Event& event) {
+    if (std::holds_alternative<JobEnded>(event))
+      line.show(name, fmt::format("{} of {}", ++done, jobs.size()));
+    const auto* const other = std::get_if<OtherEvent>(&event);
+    std::optional<accuracy::Line> measured = other ? accuracy::parse_line(other->line) : std::nullopt;
+    if (!measured) return;
+    if (auto* const info = std::get_if<ImplementationInfo>(&*measured))
+      entry.info = std::move(*info);
+    else if (auto* const profile = std::get_if<accuracy::Profile>(&*measured))
+      entry.profiles.push_back(std::move(*profile));
+    else
+      entry.rows.push_back(std::get<accuracy::Row>(*std::move(measured)));
+  };
+  const auto take_end = [&](const WorkerRun& run) {
+    if (run.complete || interrupted) return;
+    const Limits limits;
+    entry.status = run.cannot_start.empty() ? Status::kCrashed : Status::kNotStarted;
+    entry.reason = run.cannot_start;
+    if (entry.status == Status::kNotStarted) return;
+    entry.reason = fmt::format("{}; its output: {}", describe(run, limits), log.string());
+    if (!run.in_flight.empty()) deaths[run.in_flight] = describe(run, limits);
+  };
+  // A row may take any time, so no process counts as hung.
+  Pool{.command = [&] { return worker_command(options, implementation); },
+       .log = log,
+       .limits = {.seconds_per_test = std::numeric_limits<double>::infinity()},
+       .workers = static_cast<std::size_t>(options.jobs.value_or(usual_jobs())),
+       .each = take,
+       .ended = take_end}
+      .run([&] { return next < jobs.size() ? std::optional(jobs[next++]) : std::nullopt; });
   if (interrupted) {
-    // The unfinished row is lost.
+    // The unfinished rows are lost.
     entry.status = Status::kInterrupted;
     entry.reason = "interrupted; these rows were finished";
-  } else if (!well) {
-    entry.status = Status::kCrashed;
-    entry.reason =
-        fmt::format("the process ended with {}; its output: {}",
-                    measurement.ending ? describe(*measurement.ending) : "nothing", measurement.log.string());
   }
-  std::error_code error;
-  fs::remove(measurement.rows, error);
-  if (entry.status != Status::kCrashed) fs::remove(measurement.log, error);
+  complete(entry, options, implementation, deaths);
+  if (entry.status != Status::kCrashed) fs::remove(log, error);
   return entry;
 }
 
@@ -473,7 +532,7 @@ std::vector<std::string> own_subject_names() {
 }
 
 int ulp(const UlpOptions& options) {
-  if (!options.rows.empty()) return measure_rows(options);
+  if (!options.worker.empty()) return work(options);
   if (options.sweep) return sweep(options);
   if (!options.merge.empty()) return merge(options);
   if (options.digest) return digest(options);
@@ -510,38 +569,22 @@ int ulp(const UlpOptions& options) {
 
   stop_when_asked();
   ProgressLine line;
-  std::vector<Measurement> all;
-  for (const std::string& name : names) {
-    const std::string label = !options.label.empty() ? options.label : name.empty() ? "library" : name;
-    all.push_back({name, label, output / fmt::format("ulp-{}-{}.rows", label, all.size()),
-                   output / fmt::format("log-ulp-{}-{}.txt", label, all.size())});
-  }
-  const std::size_t rows = 1 + chosen_rows(options).size() + accuracy::profile_curves().size();
-  const auto jobs = static_cast<std::size_t>(options.jobs.value_or(usual_jobs()));
-  std::size_t started = 0, ended = 0;
-  while (ended < all.size() && !interrupted) {
-    for (; started < all.size() && started - ended < jobs; ++started) start(all[started], options);
-    for (std::size_t i = 0; i < started; ++i) {
-      if (all[i].ending) continue;
-      all[i].ending = all[i].child->wait(0.05);
-      if (all[i].ending) ++ended;
-      line.show(all[i].name,
-                all[i].ending ? "done" : fmt::format("{} of {}", lines_of(all[i].rows).size(), rows));
-    }
-  }
-  for (Measurement& measurement : all) measurement.child.reset();  // kills children that still run
-
   const bool with_target = targets_of(options).size() > 1;
-  accuracy::Report report{options.command, interrupted, options.seed, targets_of(options), {}};
-  int code = interrupted ? kWrongUse : kNothingUnexpected;
-  for (const Measurement& measurement : all) {
+  accuracy::Report report{options.command, false, options.seed, targets_of(options), {}};
+  int code = kNothingUnexpected;
+  const auto label_of = [&](const std::string& name) {
+    return !options.label.empty() ? options.label : name.empty() ? "library" : name;
+  };
+  for (const std::string& name : names) {
     using Status = accuracy::MeasuredImplementation::Status;
-    const accuracy::MeasuredImplementation& entry =
-        report.implementations.emplace_back(result_of(measurement, options));
+    accuracy::MeasuredImplementation& entry =
+        report.implementations.emplace_back(measure(options, name, label_of(name), output, line));
     line.print(in_words(entry, with_target, options.verbose) + "\n");
     if (entry.status == Status::kCrashed) code = std::max(code, kUnexpected);
     if (entry.status == Status::kNotStarted && named) code = std::max(code, kWrongUse);
   }
+  report.interrupted = interrupted;
+  if (interrupted) code = kWrongUse;
   const json document = accuracy::to_json(report);
   write_atomically(output / "ulp.json", document.dump(1) + "\n");
   write_atomically(output / "ulp.csv", reports::table_csv(document));
@@ -620,7 +663,7 @@ std::function<int()> define_ulp(CLI::App& app, const Call& call) {
   app.add_option(
       "--checkpoint", options->checkpoint,
       "file that stores the state of a sweep and from which it is resumed (default: in the output folder)");
-  app.add_option("--rows", options->rows)->group("");
+  app.add_option("--worker", options->worker)->group("");
   return [options] { return ulp(*options); };
 }
 

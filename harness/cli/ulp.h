@@ -38,7 +38,7 @@ struct UlpOptions {
   std::string page;                       // mode that writes the page of this ulp.json again
   std::string shard;                      // "K/N"; empty: all
   std::string checkpoint;                 // file; empty: one in the output folder
-  std::string rows;     // for the child process that measures one implementation: the file to write
+  std::string worker;   // mode of a worker, which measures one implementation: the file of its events
   std::string command;  // the typed command
   std::string program;  // evalcts as the user typed it
 };

@@ -1,7 +1,6 @@
 // Implements the suite program: as a worker it runs jobs; otherwise it registers each test with GoogleTest.
 #include <evalcts/suite/suite_main.h>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/prctl.h>
@@ -10,8 +9,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
@@ -25,6 +22,7 @@
 #include <evalcts/fuzz/reduction.h>
 #include <evalcts/results/event_file.h>
 #include <evalcts/results/filter.h>
+#include <evalcts/results/job_reader.h>
 #include <evalcts/results/serialization.h>
 #include <evalcts/runner/child_process.h>
 #include "crash_report.h"
@@ -164,39 +162,6 @@ int run_google_tests(Session& session, Depth depth, const std::string& filter) {
 }
 
 // --- the worker
-
-// Reads lines of standard input. The library gets an empty standard input in its place.
-class JobReader {
- public:
-  JobReader() : descriptor_(fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, kFirstDescriptor)) {
-    const int empty = open("/dev/null", O_RDONLY | O_CLOEXEC);
-    dup2(empty, STDIN_FILENO);
-    close(empty);
-  }
-  ~JobReader() { close(descriptor_); }
-  JobReader(const JobReader&) = delete;
-  JobReader& operator=(const JobReader&) = delete;
-
-  // Returns the next line; none at the end.
-  std::optional<std::string> next() {
-    std::size_t end;
-    while ((end = read_.find('\n')) == std::string::npos) {
-      std::array<char, 65536> bytes{};
-      const ssize_t count = read(descriptor_, bytes.data(), bytes.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) return std::nullopt;
-      read_.append(bytes.data(), static_cast<std::size_t>(count));
-    }
-    std::string line = read_.substr(0, end);
-    read_.erase(0, end + 1);
-    return line;
-  }
-
- private:
-  static constexpr int kFirstDescriptor = 100;  // a library hardly closes descriptors from here on
-  int descriptor_;
-  std::string read_;
-};
 
 class JobLoop {
  public:

@@ -305,6 +305,19 @@ TEST_F(UlpCommand, SurvivesACrash) {
   EXPECT_EQ(complaints(document()), "");
 }
 
+TEST_F(UlpCommand, MeasuresTheOtherRowsAfterACrash) {
+  setenv("EVALCTS_DRILL", "order", 1);
+  const Outcome outcome = ulp({"--library", WRONG_SINK, "--filter", "curve/?/integers", "--values", "100"});
+  EXPECT_EQ(outcome.code, 1) << outcome.text;
+  const json entry = document()["implementations"][0];
+  EXPECT_EQ(as_text(entry["status"]), "crashed");
+  EXPECT_GT(entry["rows"].size(), 3u);
+  for (const json& row : entry["rows"])
+    EXPECT_EQ(row.contains("not_measured"), as_text(row["name"]) == "curve/6/integers") << row;
+  EXPECT_TRUE(contains(outcome.text, "SIGABRT"));
+  EXPECT_EQ(complaints(document()), "");
+}
+
 TEST_F(UlpCommand, DigestIsOneLine) {
   const auto line = [&](std::vector<std::string> more) {
     more.insert(more.begin(), {"--digest", "--values", "3000"});
@@ -351,7 +364,7 @@ TEST_F(UlpCommand, KeepsWhatWasMeasuredWhenInterrupted) {
   ChildProcess child({EVALCTS_PROGRAM, "ulp", "--implementation", "sum-float", "--values", "100000000",
                       "--filter", "curve/4/*", "--output", folder_.string()},
                      (folder_ / "interrupted.log").string());
-  for (int i = 0; i < 500 && !std::filesystem::exists(folder_ / "ulp-sum-float-0.rows"); ++i)
+  for (int i = 0; i < 500 && !std::filesystem::exists(folder_ / "log-ulp-sum-float.txt"); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   kill(child.id(), SIGINT);
   const auto ending = child.wait(60);

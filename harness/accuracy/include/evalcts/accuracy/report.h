@@ -73,12 +73,9 @@ struct Report {
 // Returns the report in the format evalcts-ulp-1.
 nlohmann::json to_json(const Report& report);
 
-// --- Lines of the process that measures one implementation
+// --- Events of a worker that measures one implementation
 
-struct NotStarted {
-  std::string reason;
-};
-using Line = std::variant<ImplementationInfo, NotStarted, Row, Profile>;
+using Line = std::variant<ImplementationInfo, Row, Profile>;
 
 std::string to_text(const Line& line);
 // Returns nothing if the line is truncated.

@@ -1,0 +1,39 @@
+// Implements JobReader.
+#include <evalcts/results/job_reader.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+
+namespace evalcts {
+namespace {
+
+constexpr int kFirstDescriptor = 100;  // a library hardly closes descriptors from here on
+
+}  // namespace
+
+JobReader::JobReader() : descriptor_(fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, kFirstDescriptor)) {
+  const int empty = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  dup2(empty, STDIN_FILENO);
+  close(empty);
+}
+
+JobReader::~JobReader() { close(descriptor_); }
+
+std::optional<std::string> JobReader::next() {
+  std::size_t end;
+  while ((end = read_.find('\n')) == std::string::npos) {
+    std::array<char, 65536> bytes{};
+    const ssize_t count = read(descriptor_, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return std::nullopt;
+    read_.append(bytes.data(), static_cast<std::size_t>(count));
+  }
+  std::string line = read_.substr(0, end);
+  read_.erase(0, end + 1);
+  return line;
+}
+
+}  // namespace evalcts
