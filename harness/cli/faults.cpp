@@ -54,11 +54,13 @@ std::string text_of_variation(const faults::Tried& tried) {
   return text;
 }
 
-// Returns the text about a fault that was tried; empty if it was detected.
+// Returns the text about a fault; empty if it was detected.
 std::string text_of_fault(const faults::Tried& tried) {
   std::string text;
   for (const faults::Detection& each : tried.detections)
-    if (!each.is_detected())
+    if (each.outcome == faults::Detection::Outcome::kNotVisible)
+      text += fmt::format("not visible: {}: {}: {}\n", tried.change.name, each.subject, each.reason);
+    else if (!each.is_detected())
       text += fmt::format("survives: {} ({}): no test of {} detects it\n", tried.change.name,
                           tried.change.what, each.subject);
   return text;

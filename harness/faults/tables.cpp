@@ -65,8 +65,9 @@ FaultTable make_table(std::vector<Tried> faults, const std::vector<std::string>&
   for (const std::string& id : decided) {
     FaultTable::Row row{id, {}};
     for (const Tried& tried : faults)
-      if (std::ranges::any_of(tried.detections,
-                              [&](const Detection& each) { return belongs_to(each.subject, id); }))
+      if (std::ranges::any_of(tried.detections, [&](const Detection& each) {
+            return belongs_to(each.subject, id) && each.outcome != Detection::Outcome::kNotVisible;
+          }))
         row.faults.push_back(tried.change.name);
     table.requirements.push_back(std::move(row));
   }
@@ -89,7 +90,9 @@ std::string as_markdown(const FaultTable& table) {
         if (belongs_to(each.subject, row.requirement))
           text += fmt::format("| {} | {}: {} | {} | {} | {} | {} |\n", each.subject, name, fault.what,
                               name_of(fault.level), fault.implementation,
-                              each.is_detected() ? each.first.test : "**nothing**",
+                              each.is_detected()                                ? each.first.test
+                              : each.outcome == Detection::Outcome::kNotVisible ? each.reason
+                                                                                : "**nothing**",
                               each.is_detected() ? name_of(each.first.depth) : "");
     }
   }

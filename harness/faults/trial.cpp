@@ -75,8 +75,7 @@ class Trial {
       if (change.is_variation())
         try_variation(result);
       else
-        for (const std::string& requirement : change.requirements)
-          result.detections.push_back(detect(change, requirement));
+        try_fault(result);
     } catch (const CannotTry& cannot) {
       result.not_tried = cannot.reason;
     }
@@ -84,6 +83,15 @@ class Trial {
   }
 
  private:
+  void try_fault(Tried& result) {
+    for (const std::string& requirement : result.change.requirements)
+      result.detections.push_back(detect(result.change, requirement));
+    if (std::ranges::all_of(result.detections, [](const Detection& each) {
+          return each.outcome == Detection::Outcome::kNotVisible;
+        }))
+      throw CannotTry{result.detections.front().reason};
+  }
+
   void try_variation(Tried& result) {
     const ListedChange& variation = result.change;
     const std::vector<std::string> all = tests_of(nullptr, Depth::kQuick, Level::kQuality);
@@ -113,14 +121,22 @@ class Trial {
     }
   }
 
-  // Looks for a test that names the requirement and detects the fault.
+  // Looks for a test that names the requirement and detects the fault. The fault is not visible if no such
+  // test is decided without it.
   Detection detect(const ListedChange& fault, const std::string& requirement) {
     ListedChange only = fault;
     only.requirements = {requirement};
-    Detection detection{.subject = requirement};
+    bool is_decided = false;
+    std::string why_undecided;
     for (const Depth depth : {Depth::kQuick, Depth::kFull}) {
       std::vector<std::string> tests = tests_of(&only, depth, fault.level);
       Verdicts without = verdicts({fault, "", ""}, depth, tests);
+      for (const auto& [name, record] : without) {
+        is_decided = is_decided ||
+                     (record.verdict != Verdict::kNotObservable && record.verdict != Verdict::kNotSupported);
+        why_undecided = fmt::format("without the fault, {} is {}: {}", name, text_of(record.verdict).word,
+                                    record.message);
+      }
       std::erase_if(tests, [&](const std::string& name) { return without[name].verdict != Verdict::kPass; });
       if (tests.empty()) continue;
       const Verdicts with = run({fault, fault.name, ""}, depth, tests, true);
@@ -130,7 +146,8 @@ class Trial {
         return {requirement, Detection::Outcome::kDetected, bad_test(record->second, depth), ""};
       }
     }
-    return detection;
+    if (is_decided || why_undecided.empty()) return {.subject = requirement};
+    return {requirement, Detection::Outcome::kNotVisible, {}, why_undecided};
   }
 
   static bool is_detection(Verdict verdict, Level level) {

@@ -145,6 +145,18 @@ TEST_F(Faults, WhatCannotBeStartedIsNotTried) {
   EXPECT_NE(try_one(fault("NoSuchFault", {"EV-MAP1-ERR-ORDER-LOW"})).not_tried, "");
 }
 
+// No vertex program can be used with production.
+TEST_F(Faults, WhatNoTestObservesIsNotTried) {
+  const Tried only = try_one(fault("OrderZeroTaken", {"EV-AUTON-VP"}));
+  EXPECT_TRUE(only.not_tried.find("without the fault") != std::string::npos) << only.not_tried;
+  const Tried in_part = try_one(fault("OrderZeroTaken", {"EV-MAP1-ERR-ORDER-LOW", "EV-AUTON-VP"}));
+  EXPECT_TRUE(in_part.is_good());
+  EXPECT_EQ(in_part.detections.at(1).outcome, Detection::Outcome::kNotVisible);
+  const FaultTable table = make_table({in_part}, {"EV-MAP1-ERR-ORDER-LOW", "EV-AUTON-VP"});
+  EXPECT_EQ(table.requirements.at(0).faults, std::vector<std::string>{"OrderZeroTaken"});
+  EXPECT_TRUE(table.requirements.at(1).faults.empty());
+}
+
 // The exception leaves the threads, so that the command can report it.
 TEST_F(Faults, AProgramThatCannotBeStartedIsAnError) {
   const ListedChange one = fault("OrderZeroTaken", {"EV-MAP1-ERR-ORDER-LOW"});
