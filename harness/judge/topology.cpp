@@ -172,7 +172,7 @@ class Distance {
     for (const reference::Primitive& primitive : prediction.primitives)
       for (const reference::Vertex& vertex : primitive.vertices) {
         std::vector<float> values;
-        for (const auto* four : {&vertex.position, &vertex.texture_coordinate[0], &vertex.color})
+        for (const auto* four : {&vertex.position, &vertex.texture_coordinate.of_unit_0, &vertex.color})
           for (const reference::Component& component : *four) values.push_back(reference::rounded(component));
         if (observation.clamped_colors)
           for (auto color = values.end() - 4; color != values.end(); ++color)

@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t kMostBetweenTests = std::uint64_t{400} << 20;  // bytes of memory of a process
+constexpr std::uint64_t kMostBetweenTests = std::uint64_t{250} << 20;  // bytes of memory of a process
 constexpr double kSecondsToStart = 60;   // for the description of the implementation, and each proof
 constexpr double kSearchBudget = 30;     // seconds for the search for the history of one failure
 constexpr double kSearchesBudget = 120;  // seconds for all these searches

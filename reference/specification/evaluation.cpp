@@ -51,8 +51,8 @@ void Specification::eval_coord(const Argument& u, const std::optional<Argument>&
   // coordinates have the values that TexCoord sets.
   if (const auto texture = effective_map(dimension, {GL_MAP1_TEXTURE_COORD_4, GL_MAP1_TEXTURE_COORD_3,
                                                      GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_1})) {
-    vertex.texture_coordinate[0] = {0.0f, 0.0f, 0.0f, 1.0f};
-    evaluate_into(vertex.texture_coordinate[0], texture, u, v);
+    vertex.texture_coordinate.of_unit_0 = {0.0f, 0.0f, 0.0f, 1.0f};
+    evaluate_into(vertex.texture_coordinate.of_unit_0, texture, u, v);
   }
   evaluate_into(vertex.position, position, u, v);
   open_->vertices.push_back(std::move(vertex));

@@ -228,9 +228,9 @@ Vertex Specification::current_vertex() const {
   const auto& [color, normal, texture_coordinate, index, edge_flag] = attributes_.current;
   std::ranges::copy(color, vertex.color.begin());
   vertex.normal = std::array<Component, 3>{normal[0], normal[1], normal[2]};
-  for (int unit = 0; unit < kTextureUnits; ++unit) {
-    std::ranges::copy(texture_coordinate[unit], vertex.texture_coordinate[unit].begin());
-  }
+  std::ranges::copy(texture_coordinate[0], vertex.texture_coordinate.of_unit_0.begin());
+  std::copy(texture_coordinate.begin() + 1, texture_coordinate.end(),
+            vertex.texture_coordinate.of_others.begin());
   vertex.index = index;
   vertex.edge_flag = edge_flag;
   return vertex;

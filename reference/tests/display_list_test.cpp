@@ -34,7 +34,7 @@ std::vector<std::vector<GLdouble>> seen(Specification& gl) {
       add(rounded(vertex.position));
       add(rounded(vertex.color));
       add(rounded(vertex.normal));
-      for (const auto& unit : vertex.texture_coordinate) add(rounded(unit));
+      for (std::size_t unit = 0; unit < kTextureUnits; ++unit) add(rounded(vertex.texture_coordinate[unit]));
       all.push_back(values);
     }
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -54,11 +55,23 @@ struct AutomaticNormal {
 
 using Normal = std::variant<std::array<Component, 3>, AutomaticNormal>;
 
+// Texture coordinates s, t, r, q of each unit. Evaluation sets those of unit 0 only (EV-ATTR-UNIT0).
+struct TextureCoordinates {
+  std::array<Component, 4> of_unit_0;
+  std::array<std::array<float, 4>, kTextureUnits - 1> of_others;
+
+  std::array<Component, 4> operator[](std::size_t unit) const {
+    if (unit == 0) return of_unit_0;
+    const auto& [s, t, r, q] = of_others.at(unit - 1);
+    return {s, t, r, q};
+  }
+};
+
 struct Vertex {
   std::array<Component, 4> position;  // x, y, z, w
   std::array<Component, 4> color;     // R, G, B, A, not clamped (EV-ATTR-COLOR-CLAMP)
   Normal normal;                      // x, y, z
-  std::array<std::array<Component, 4>, kTextureUnits> texture_coordinate;  // s, t, r, q of each unit
+  TextureCoordinates texture_coordinate;
   Component index;  // colour index, which has no effect in RGBA mode (EV-ATTR-INDEX-RGBA)
   bool edge_flag;
 };
