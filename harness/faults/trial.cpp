@@ -122,20 +122,19 @@ class Trial {
   }
 
   // Looks for a test that names the requirement and detects the fault. The fault is not visible if no such
-  // test is decided without it.
+  // test passes without it.
   Detection detect(const ListedChange& fault, const std::string& requirement) {
     ListedChange only = fault;
     only.requirements = {requirement};
-    bool is_decided = false;
-    std::string why_undecided;
+    bool one_passes = false;
+    std::string why_none_passes;
     for (const Depth depth : {Depth::kQuick, Depth::kFull}) {
       std::vector<std::string> tests = tests_of(&only, depth, fault.level);
       Verdicts without = verdicts({fault, "", ""}, depth, tests);
       for (const auto& [name, record] : without) {
-        is_decided = is_decided ||
-                     (record.verdict != Verdict::kNotObservable && record.verdict != Verdict::kNotSupported);
-        why_undecided = fmt::format("without the fault, {} is {}: {}", name, text_of(record.verdict).word,
-                                    record.message);
+        one_passes = one_passes || record.verdict == Verdict::kPass;
+        why_none_passes = fmt::format("without the fault, {} is {}: {}", name, text_of(record.verdict).word,
+                                      record.message);
       }
       std::erase_if(tests, [&](const std::string& name) { return without[name].verdict != Verdict::kPass; });
       if (tests.empty()) continue;
@@ -146,8 +145,8 @@ class Trial {
         return {requirement, Detection::Outcome::kDetected, bad_test(record->second, depth), ""};
       }
     }
-    if (is_decided || why_undecided.empty()) return {.subject = requirement};
-    return {requirement, Detection::Outcome::kNotVisible, {}, why_undecided};
+    if (one_passes || why_none_passes.empty()) return {.subject = requirement};
+    return {requirement, Detection::Outcome::kNotVisible, {}, why_none_passes};
   }
 
   static bool is_detection(Verdict verdict, Level level) {
