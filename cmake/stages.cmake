@@ -13,7 +13,7 @@ add_custom_target(evalcts_nothing)
 
 # Checks whose result depends on the version of their tool: formatting, the spelling of all files that git tracks, and the warnings
 # of the API reference. codespell takes the ignored words for mistakes: names, and a command that a test misspells.
-evalcts_stage(lint-format 600 sh -c [=[find . \( -path './build*' -o -path './.*' \) -prune -o -type f \
+evalcts_stage(lint-format 600 sh -c [=[find . \( -path './build*' -o -path './reports/out' -o -path './.*' \) -prune -o -type f \
   \( -name '*.cpp' -o -name '*.h' -o -name '*.hpp' -o -name '*.c' \) -print0 | xargs -0 clang-format-14 --dry-run --Werror]=])
 evalcts_stage(lint-spelling 600 bash -o pipefail -c "git -c safe.directory='*' ls-files -z \
 '*.md' '*.txt' '*.cpp' '*.h' '*.hpp' '*.c' '*.py' '*.cmake' '*.sh' '*.js' '*.h2m' '*requirements.json' evalcts \

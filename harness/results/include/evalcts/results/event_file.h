@@ -1,5 +1,6 @@
 // The file or named pipe to which the suite program writes its events, one line each. It is the only channel
-// from the suite program to the runner while tests run, so it stays usable if a library closes descriptors or forks.
+// from the suite program to the runner while tests run, so it stays usable if a library closes descriptors or
+// forks.
 #pragma once
 
 #include <sys/types.h>
