@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
 #include <limits>
 #include <string>
 #include <vector>
@@ -12,6 +13,8 @@
 #include <evalcts/gl/case_json.h>
 #include <evalcts/gl/roles.h>
 #include "altered.h"
+#include "fuzz/death.h"
+#include "fuzz/reducer.h"
 
 namespace evalcts::fuzz {
 namespace {
@@ -149,16 +152,18 @@ std::string known_on(Implementation& implementation, const std::string& relation
   return reduction.minimal ? reduction.minimal->known : reduction.why_not;
 }
 
+void answer_the_lower_bits(gl::Table& table) {
+  table.GetMapiv = [](GLenum target, GLenum query, GLint* values) {
+    Altered::original.GetMapiv(target, query, values);
+    GLdouble coefficient = 0;
+    if (query != GL_COEFF) return;
+    Altered::original.GetMapdv(target, query, &coefficient);
+    *values = static_cast<GLint>(static_cast<GLuint>(static_cast<GLint64>(coefficient)));
+  };
+}
+
 TEST(Known, IsABugWithTheCapturedValueOfItsProgram) {
-  Altered lower_bits([](gl::Table& table) {
-    table.GetMapiv = [](GLenum target, GLenum query, GLint* values) {
-      Altered::original.GetMapiv(target, query, values);
-      GLdouble coefficient = 0;
-      if (query != GL_COEFF) return;
-      Altered::original.GetMapdv(target, query, &coefficient);
-      *values = static_cast<GLint>(static_cast<GLuint>(static_cast<GLint64>(coefficient)));
-    };
-  });
+  Altered lower_bits(answer_the_lower_bits);
   EXPECT_EQ(known_on(lower_bits, Difference::kSaturated, kLargeCoefficient), "mesa-getmap-saturation");
   Altered smallest([](gl::Table& table) {
     table.GetMapiv = [](GLenum target, GLenum query, GLint* values) {
@@ -175,6 +180,33 @@ TEST(Known, IsABugWithTheCapturedValueOfItsProgram) {
     };
   });
   EXPECT_EQ(known_on(another, Difference::kSaturated, kLargeCoefficient), "");
+}
+
+TEST(Known, IsNotDecidedAfterTheTimeIsOver) {
+  Altered lower_bits(answer_the_lower_bits);
+  Subject subject;
+  subject.implementation = &lower_bits;
+  subject.info = inquire(lower_bits);
+  Captures captures(lower_bits, subject.info, nullptr);
+  subject.captures = &captures;
+  bool is_over = true;
+  Reducer reducer(subject, nullptr, 100, {.is_over = [&] { return is_over; }});
+  EXPECT_FALSE(reducer.prove("mesa-getmap-saturation"));
+  is_over = false;
+  EXPECT_TRUE(reducer.prove("mesa-getmap-saturation"));
+}
+
+TEST(Deaths, AreThoseOfTheProgramInFlight) {
+  WorkerRun run;
+  run.ending = {.signalled = true, .value = SIGSEGV};
+  EXPECT_FALSE(death_of(run)) << "the library died before the program";
+  run.in_flight = "program";
+  EXPECT_EQ(death_of(run).value().kind, Difference::kCrash);
+  run.hung = true;
+  EXPECT_EQ(death_of(run).value().kind, Difference::kHang);
+  run.hung = false;
+  run.ending = {.signalled = false, .value = kOwnFault};
+  EXPECT_FALSE(death_of(run)) << "the suite program has failed";
 }
 
 // All coefficients are answered wrongly, large ones as well as others.
