@@ -131,7 +131,7 @@ EVALCTS_TEST(AfterRandomCommands, Meshes, kMust, "EV-BE-ORDER")
 gl::Case without_evaluations(const gl::Case& c) {
   gl::Case rest(gl::control(c.identity()));
   for (const gl::Command& command : c.commands())
-    if (!gl::name_of(command.entry).starts_with("glEval")) rest.add(command);
+    if (!gl::is_evaluation(command.entry)) rest.add(command);
   return rest;
 }
 

@@ -9,6 +9,7 @@
 
 #include <evalcts/gl/lift.h>
 #include <evalcts/gl/numbers.h>
+#include <evalcts/gl/roles.h>
 #include "grid.h"
 
 namespace evalcts::gl {
@@ -62,16 +63,8 @@ Command map(const Command& command, bool doubles) {
   return delivered;
 }
 
-bool is_map(EntryPoint entry) {
-  return entry == EntryPoint::Map1f || entry == EntryPoint::Map1d || entry == EntryPoint::Map2f ||
-         entry == EntryPoint::Map2d;
-}
-
 // Returns true for the Vertex commands, which are useful only between Begin and End.
-bool is_vertex(EntryPoint entry) {
-  const std::string_view name = name_of(entry);
-  return name.starts_with("glVertex") && name != "glVertexPointer" && !name.starts_with("glVertexAttrib");
-}
+bool is_vertex(EntryPoint entry) { return role_of(entry) == Role::kVertex; }
 
 // Replaces evaluation at coordinates by evaluation at the points of grids.
 class OnGrids {
@@ -277,9 +270,9 @@ DeliveredCase one_for_one(const Case& script, bool doubles, bool arrays) {
   DeliveredCase delivered{script.without_commands(), {}};
   for (const Command& command : script.commands()) {
     const auto at = coordinates(command);
-    const gl::Ref ref = delivered.script.add(!at.empty()             ? eval_coord(at, doubles, arrays)
-                                             : is_map(command.entry) ? map(command, doubles)
-                                                                     : command);
+    const gl::Ref ref = delivered.script.add(!at.empty() ? eval_coord(at, doubles, arrays)
+                                             : role_of(command.entry) == Role::kMap ? map(command, doubles)
+                                                                                    : command);
     delivered.positions.push_back(ref.index);
   }
   return delivered;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <evalcts/gl/display_lists.h>
+#include <evalcts/gl/roles.h>
 #include <evalcts/gl/tokens.h>
 
 namespace evalcts::gl {
@@ -129,9 +130,9 @@ bool is_of_evaluators(GLenum name) {
 
 // True if the command defines, enables or queries maps or grids.
 bool is_about_maps(const Command& command) {
+  const Role role = role_of(command.entry);
+  if (role == Role::kMap || role == Role::kMapGrid || role == Role::kGetMap) return true;
   const std::string_view name = name_of(command.entry);
-  for (const char* prefix : {"glMap1", "glMap2", "glMapGrid", "glGetMap"})
-    if (name.starts_with(prefix)) return true;
   for (const char* of_state : {"glEnable", "glDisable", "glIsEnabled", "glGetBooleanv", "glGetIntegerv",
                                "glGetFloatv", "glGetDoublev"})
     if (name == of_state) {
@@ -169,11 +170,10 @@ Case with_replaced(const Case& script, IdleCapability idle, const Follow& follow
   bool in_primitive = false;
   for (const Command& written : script.commands()) {
     const int number = static_cast<int>(places.size());
-    const std::string_view name = name_of(written.entry);
-    if (name == "glBegin") in_primitive = true;
-    if (name == "glEnd") in_primitive = false;
+    if (written.entry == EntryPoint::Begin) in_primitive = true;
+    if (written.entry == EntryPoint::End) in_primitive = false;
     follow(written);
-    const bool is_mesh = name.starts_with("glEvalMesh");
+    const bool is_mesh = role_of(written.entry) == Role::kEvalMesh;
     if (is_about_maps(written) || (is_mesh && in_primitive)) {
       changes.change(control);
       places.push_back(-1);
@@ -181,11 +181,11 @@ Case with_replaced(const Case& script, IdleCapability idle, const Follow& follow
     }
     if (is_mesh) {
       mesh(control, written, number);
-    } else if (name.starts_with("glEval")) {
+    } else if (is_evaluation(written.entry)) {
       evaluate(control, written, number);
     } else {
       Command command = written;
-      if (name == "glPushAttrib")
+      if (written.entry == EntryPoint::PushAttrib)
         std::get<std::int64_t>(command.arguments.at(0)) &= ~std::int64_t{GL_EVAL_BIT};
       for (Value& argument : command.arguments)
         if (auto* result = std::get_if<ResultOf>(&argument))
@@ -210,9 +210,8 @@ Case with_explicit_commands(const Case& script, IdleCapability idle, Arguments a
   return with_replaced(
       script, idle, [&](const Command& command) { maps.follow(command); },
       [&](Case& c, const Command& command, int number) {
-        const std::string_view name = name_of(command.entry);
-        const int dimension = name.starts_with("glEvalCoord1") || name == "glEvalPoint1" ? 1 : 2;
-        if (maps.issue_attributes(c, dimension, number, arguments)) vertex(c, number, arguments);
+        if (maps.issue_attributes(c, dimension_of(command.entry), number, arguments))
+          vertex(c, number, arguments);
       },
       [](Case& c, const Command& mesh, int number) { MeshOfVertices(c, number, mesh, GL_TRIANGLE_STRIP); });
 }

@@ -13,6 +13,7 @@
 #include <evalcts/gl/errors.h>
 #include <evalcts/gl/explicit_vertices.h>
 #include <evalcts/gl/player.h>
+#include <evalcts/gl/roles.h>
 #include <evalcts/gl/tokens.h>
 #include <evalcts/judge/judge.h>
 
@@ -69,9 +70,7 @@ void ExplicitControl::require_explicit_vertices(const std::string& what) {
 }
 
 void ExplicitControl::require_no_such_error(const gl::Case& script, const std::vector<GLenum>& errors) const {
-  const auto evaluates = [](const gl::Command& command) {
-    return gl::name_of(command.entry).starts_with("glEval");
-  };
+  const auto evaluates = [](const gl::Command& command) { return gl::is_evaluation(command.entry); };
   if (subject_.reproduction || std::ranges::none_of(script.commands(), evaluates)) return;
   for (const gl::Case& control : {gl::with_explicit_vertices(script), gl::with_explicit_commands(script)}) {
     try {
