@@ -6,7 +6,7 @@
 
 namespace evalcts::cli {
 
-// Returns the reason why an implementation does not start; empty if it starts. Tries it in a child process,
+// Returns the reason why an implementation does not start; empty if it starts. Tries it in a worker,
 // because GL libraries disturb each other in one process.
 std::string why_not(const std::string& implementation);
 

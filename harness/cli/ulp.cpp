@@ -1,9 +1,8 @@
-// `evalcts ulp`: measures the accuracy table. Workers measure an implementation at a time, because libraries
-// disturb each other in one process and may crash.
+// `evalcts ulp`: measures the accuracy table. Implementations are measured one after the other, each by
+// several workers, because libraries disturb each other in one process and may crash.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sys/prctl.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -361,7 +360,7 @@ std::vector<Job> jobs_of(const UlpOptions& options) {
 }
 
 // Sorts the measured rows and profiles into the order of the requests, and adds the commands that replay
-// inputs. A row in which a process died is not measured.
+// inputs. A row or profile in which a process died is not measured.
 void complete(accuracy::MeasuredImplementation& entry, const UlpOptions& options,
               const std::string& implementation, const std::map<std::string, std::string>& deaths) {
   std::vector<accuracy::Row> rows;
@@ -383,8 +382,11 @@ void complete(accuracy::MeasuredImplementation& entry, const UlpOptions& options
   entry.rows = std::move(rows);
   std::vector<accuracy::Profile> profiles;
   for (const accuracy::ProfileCurve& curve : accuracy::profile_curves())
-    for (accuracy::Profile& profile : entry.profiles)
-      if (profile.curve == curve.name) profiles.push_back(std::move(profile));
+    if (const auto death = deaths.find(curve.name); death != deaths.end())
+      profiles.push_back({curve.name, death->second, {}, {}});
+    else
+      for (accuracy::Profile& profile : entry.profiles)
+        if (profile.curve == curve.name) profiles.push_back(std::move(profile));
   entry.profiles = std::move(profiles);
 }
 
@@ -418,9 +420,13 @@ accuracy::MeasuredImplementation measure(const UlpOptions& options, const std::s
   const auto take_end = [&](const WorkerRun& run) {
     if (run.complete || interrupted) return;
     const Limits limits;
-    entry.status = run.cannot_start.empty() ? Status::kCrashed : Status::kNotStarted;
-    entry.reason = run.cannot_start;
-    if (entry.status == Status::kNotStarted) return;
+    if (!run.cannot_start.empty()) {
+      if (entry.info || entry.status == Status::kCrashed) return;  // another worker has started
+      entry.status = Status::kNotStarted;
+      entry.reason = run.cannot_start;
+      return;
+    }
+    entry.status = Status::kCrashed;
     entry.reason = fmt::format("{}; its output: {}", describe(run, limits), log.string());
     if (!run.in_flight.empty()) deaths[run.in_flight] = describe(run, limits);
   };
@@ -432,6 +438,10 @@ accuracy::MeasuredImplementation measure(const UlpOptions& options, const std::s
        .each = take,
        .ended = take_end}
       .run([&] { return next < jobs.size() ? std::optional(jobs[next++]) : std::nullopt; });
+  if (entry.status == Status::kNotStarted && entry.info) {
+    entry.status = Status::kComplete;
+    entry.reason.clear();
+  }
   if (interrupted) {
     // The unfinished rows are lost.
     entry.status = Status::kInterrupted;
@@ -623,7 +633,7 @@ std::function<int()> define_ulp(CLI::App& app, const Call& call) {
       ->check(CLI::Range(0.0, 1e15));  // needed because the parser reads -1 as 2^64 - 1
   app.add_option("--seed", options->seed, "seed of maps and arguments (default: 1)");
   app.add_option("--jobs", options->jobs,
-                 "number of implementations that are measured in parallel (default: one per core)")
+                 "number of processes that measure an implementation in parallel (default: one per core)")
       ->check(CLI::Range(1, 256));
   app.add_option("--output", options->output, "folder for ulp.json and ulp.csv");
   app.add_flag("--verbose", options->verbose, "print the inputs with the largest errors of every row");

@@ -2,10 +2,10 @@
 #include "call.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace evalcts::faults {
 namespace {

@@ -41,7 +41,8 @@ Value draw_quads(GLenum mode, std::initializer_list<int> corners) {
 }
 
 Rule curve_at(Value condition, Coordinate u) {
-  return instead(EvalMesh1, kDrawsCurve && condition, [=](Call& c) {
+  const Value draws = kIsMode1 && !kInside && kI1 <= kI2;
+  return instead(EvalMesh1, draws && condition, [=](Call& c) {
     kNoteGrids(c);
     const GridIndex direction = noted(kCurveU, c);
     const GLint i1 = c.integer('i');

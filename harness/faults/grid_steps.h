@@ -63,9 +63,6 @@ using Coordinate = GLfloat (*)(const GridIndex& index);
 inline constexpr Coordinate kExact = [](const GridIndex& index) { return index.exact(); };
 inline constexpr Coordinate kInexact = [](const GridIndex& index) { return index.at(); };
 
-// True if EvalMesh1 draws: it is called outside of primitives with a legal mode and a range that
-// is not empty.
-inline const Value kDrawsCurve = kIsMode1 && !kInside && kI1 <= kI2;
 // Replaces EvalMesh1 by a loop of EvalCoord1f at the arguments `u`, if it draws and the condition holds.
 Rule curve_at(Value condition, Coordinate u);
 // Replaces EvalMesh2 of this mode by loops of EvalCoord2f. The rows of a LINE mesh are drawn correctly.

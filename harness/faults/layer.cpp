@@ -179,8 +179,9 @@ void Call::go_original() { enter(); }
 void Call::go() {
   const std::vector<Rule>& rules = running_layer().rules;
   const std::size_t before = next;
-  const auto rule = std::find_if(rules.begin() + static_cast<std::ptrdiff_t>(next), rules.end(),
-                                 [&](const Rule& r) { return r.entries.contain(entry); });
+  const auto rule =
+      std::find_if(rules.begin() + static_cast<std::ptrdiff_t>(next), rules.end(),
+                   [&](const Rule& r) { return r.kind != Rule::Kind::kMissing && r.entries.contain(entry); });
   if (rule == rules.end()) return enter();
   next = static_cast<std::size_t>(rule - rules.begin()) + 1;
   if (rule->kind == Rule::Kind::kLate) go();

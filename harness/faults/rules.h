@@ -192,7 +192,8 @@ Value put(Value i, Value value);          // sets element i at the pointer argum
 Value exchange(Value i, Value j);         // exchanges two elements at the pointer argument
 Value answer(std::vector<Value> values);  // sets the first elements at the pointer argument
 Value swap(Place one, Place other);
-// Raises an error by a command that may be compiled into a list.
+// Raises an error outside of primitives. While a list is compiled, INVALID_ENUM and INVALID_VALUE are
+// compiled into it; INVALID_OPERATION is raised at once.
 Value error(GLenum kind);
 // Raises INVALID_OPERATION between Begin and End.
 Value error_inside();

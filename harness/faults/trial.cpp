@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostDeaths = 60;  // children that may die while the tests run on one implementation
+constexpr int kMostDeaths = 60;  // workers that may die while the tests run on one implementation
 
 // Faults that no test can detect behind a variation, although the tests that detect them without it may pass
 // in part.
@@ -167,7 +167,7 @@ class Trial {
     for (const auto& [name, record] : verdicts({variation, fault.name, ""}, Depth::kQuick,
                                                tests_of(&fault, Depth::kQuick, Level::kQuality))) {
       const auto alone = varied.find(name);
-      if (!record.is_bad() || without.at(name).is_bad() || alone == varied.end()) continue;
+      if (!is_failure(record.verdict) || without.at(name).is_bad() || alone == varied.end()) continue;
       const bool passes = alone->second.verdict == Verdict::kPass;
       if (passes)
         tests.push_back(name);
@@ -182,7 +182,8 @@ class Trial {
     if (in_full.empty()) tests.insert(tests.end(), undecided.begin(), undecided.end());
     if (tests.empty()) return detection;
     const Verdicts both = verdicts({variation, fault.name, variation.name}, Depth::kQuick, tests);
-    const auto detecting = std::ranges::find_if(both, [](const auto& each) { return each.second.is_bad(); });
+    const auto detecting =
+        std::ranges::find_if(both, [](const auto& each) { return is_failure(each.second.verdict); });
     if (detecting != both.end())
       return {fault.name, Detection::Outcome::kDetected, bad_test(detecting->second, Depth::kQuick), ""};
     if (in_full.empty()) return detection;
@@ -276,7 +277,7 @@ class Trial {
                           const auto* const finished = std::get_if<TestFinished>(&event);
                           if (!finished) return;
                           verdicts[finished->record.name] = finished->record;
-                          is_bad = is_bad || finished->record.is_bad();
+                          is_bad = is_bad || is_failure(finished->record.verdict);
                         },
                     .ended =
                         [&](const WorkerRun& run) {
@@ -337,7 +338,7 @@ std::vector<Tried> try_all(const TrialRequest& request,
   std::vector<std::optional<Tried>> results(request.changes.size());
   std::atomic<std::size_t> next = 0, done = 0;
   const auto work = [&] {
-    for (std::size_t i; (i = next++) < results.size() && !interrupted;) {
+    for (std::size_t i = next++; i < results.size() && !interrupted; i = next++) {
       const ListedChange& change = request.changes[i];
       progress(done, change.name);
       try {

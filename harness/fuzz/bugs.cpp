@@ -63,10 +63,20 @@ std::vector<const KnownBug*> bugs_of_baseline(const TestRecord& test) {
   return bugs;
 }
 
-// Returns the first of them that is proven, or has no program that could prove it; null if there is none.
+Difference death_of(const TestRecord& test) {
+  return {test.verdict == Verdict::kTimeout ? Difference::kHang : Difference::kCrash, test.place_of_death(),
+          ""};
+}
+
+// Returns the first of them that is proven, for a crash or hang at the same place, or has no program that
+// could prove it; null if there is none.
 const KnownBug* accepted_bug(const TestRecord& test, const Proofs& proofs) {
-  for (const KnownBug* const bug : bugs_of_baseline(test))
-    if (bug->programs.empty() || proofs.contains(bug->id)) return bug;
+  for (const KnownBug* const bug : bugs_of_baseline(test)) {
+    if (bug->programs.empty()) return bug;
+    const auto proof = proofs.find(bug->id);
+    if (proof == proofs.end()) continue;
+    if (!is_death(test.verdict) || proof->second.failure.difference == death_of(test)) return bug;
+  }
   return nullptr;
 }
 
@@ -76,11 +86,6 @@ const KnownBug* known_bug_behind(const TestRecord& test, const Finding* minimal,
   if (minimal && !minimal->known.empty()) return find_known_bug(minimal->known);
   const KnownBug* const accepted = accepted_bug(test, proofs);
   return minimal && accepted && !accepted->programs.empty() ? nullptr : accepted;
-}
-
-Difference death_of(const TestRecord& test) {
-  return {test.verdict == Verdict::kTimeout ? Difference::kHang : Difference::kCrash, test.place_of_death(),
-          ""};
 }
 
 bool draws_very_much(const FailingCase& failing) {
@@ -94,8 +99,34 @@ class BugSearch {
             const std::function<void(std::size_t, std::size_t)>& progress)
       : run_(run), request_(request), progress_(progress) {}
 
+  // Runs the programs of the known bugs that the baseline names.
+  const Proofs& prove_bugs_of_baseline() {
+    std::set<const KnownBug*> named;
+    for (const TestRecord& test : run_.tests)
+      if (is_to_be_explained(test))
+        for (const KnownBug* const bug : bugs_of_baseline(test)) named.insert(bug);
+    std::vector<FailingCase> to_prove;
+    for (const KnownBug& bug : known_bugs()) {
+      if (!named.contains(&bug) || bug.programs.empty()) continue;
+      if (!bug.dies()) {
+        to_prove.push_back({kProof + bug.id, bug.programs.front().difference, ""});
+        continue;
+      }
+      for (const KnownProgram& known : known_programs()) {
+        if (known.bug != bug.id || interrupted) continue;
+        const std::optional<Difference> death = run_alone(known.program, kSecondsOfProof);
+        if (!death || !death->is_like(known.record.difference)) continue;
+        Finding& proof = proofs_[bug.id] = finding_of_death(known.program, *death, max_eval_order());
+        proof.known = bug.id;
+        break;
+      }
+    }
+    reduce(to_prove);
+    return proofs_;
+  }
+
+  // Reduces the failures that the proofs do not explain.
   std::map<std::string, Reduction> reduce_all() {
-    prove_bugs_of_baseline();
     const std::vector<const TestRecord*> tests = in_order();
     total_ = tests.size();
     std::vector<FailingCase> cases;
@@ -124,34 +155,7 @@ class BugSearch {
     return reductions_;
   }
 
-  const Proofs& proofs() const { return proofs_; }
-
  private:
-  // Runs the programs of the known bugs that the baseline names.
-  void prove_bugs_of_baseline() {
-    std::set<const KnownBug*> named;
-    for (const TestRecord& test : run_.tests)
-      if (is_to_be_explained(test))
-        for (const KnownBug* const bug : bugs_of_baseline(test)) named.insert(bug);
-    std::vector<FailingCase> to_prove;
-    for (const KnownBug& bug : known_bugs()) {
-      if (!named.contains(&bug) || bug.programs.empty()) continue;
-      if (!bug.dies()) {
-        to_prove.push_back({kProof + bug.id, bug.programs.front().difference, ""});
-        continue;
-      }
-      for (const KnownProgram& known : known_programs()) {
-        if (known.bug != bug.id || interrupted) continue;
-        const std::optional<Difference> death = run_alone(known.program, kSecondsOfProof);
-        if (!death || !death->is_like(known.record.difference)) continue;
-        Finding& proof = proofs_[bug.id] = finding_of_death(known.program, *death, max_eval_order());
-        proof.known = bug.id;
-        break;
-      }
-    }
-    reduce(to_prove);
-  }
-
   // Returns the commands of the first failing case as JSON; empty if the case cannot be stored as JSON.
   std::string commands_of(const TestRecord& test) const {
     const auto found = run_.failing_cases.find(test.name);
@@ -208,10 +212,6 @@ class BugSearch {
               const auto* other = std::get_if<OtherEvent>(&event);
               if (std::optional<Reduction> reduction = other ? parse_reduction(other->line) : std::nullopt)
                 take(*std::move(reduction));
-            },
-        .ended =
-            [](const WorkerRun& run) {
-              if (!run.cannot_write.empty()) throw CannotWrite(run.cannot_write);
             }};
     pool.run([&]() -> std::optional<Job> {
       for (; next < cases.size(); ++next) {
@@ -248,7 +248,7 @@ class BugSearch {
     std::map<std::string, std::size_t> attempts;
     for (const TestRecord* test : deaths) {
       if (interrupted) return;
-      const std::string place = test->place_of_death();
+      const std::string place = test->place_of_death().empty() ? std::string() : death_of(*test).text();
       if (!place.empty() && attempts[place]++ >= kMostTestsOfPlace) {
         take({test->name, {}, kSamePlace});
         continue;
@@ -477,6 +477,7 @@ std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduc
     return key;
   };
   std::map<std::string, std::string> of_likeness;               // key of a reduced test, by likeness_of()
+  std::map<std::string, std::string> of_place;                  // the same, by crash or hang and its place
   std::vector<std::pair<const TestRecord*, std::string>> left;  // tests not reduced, with the reason
   for (const TestRecord& test : run.tests) {
     if (!is_to_be_explained(test)) continue;
@@ -489,12 +490,18 @@ std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduc
       continue;
     }
     const Finding& minimal = *found->second.minimal;
-    of_likeness.try_emplace(likeness_of(test), add(test, minimal.cause, &minimal, ""));
+    const std::string key = add(test, minimal.cause, &minimal, "");
+    of_likeness.try_emplace(likeness_of(test), key);
+    if (!test.place_of_death().empty()) of_place.try_emplace(death_of(test).text(), key);
   }
   for (const auto& [test, why] : left) {
     const auto alike = of_likeness.find(likeness_of(*test));
-    if (!accepted_bug(*test, proofs) && test->place_of_death().empty() && alike != of_likeness.end() &&
-        (why == kOutOfTime || why == kDiedOnTheWay))
+    const auto same_place =
+        test->place_of_death().empty() ? of_place.end() : of_place.find(death_of(*test).text());
+    if (!accepted_bug(*test, proofs) && same_place != of_place.end())
+      groups.at(same_place->second).tests.push_back(test);
+    else if (!accepted_bug(*test, proofs) && test->place_of_death().empty() && alike != of_likeness.end() &&
+             (why == kOutOfTime || why == kDiedOnTheWay))
       groups.at(alike->second).tests.push_back(test);
     else
       add(*test, "not reduced; " + likeness_of(*test), nullptr, why);
@@ -508,11 +515,10 @@ std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduc
 void find_bugs(RunResult& run, const BugRequest& request,
                const std::function<void(std::size_t, std::size_t)>& progress) {
   std::map<std::string, Reduction> reductions;
-  Proofs proofs;
+  BugSearch search(run, request, progress);
+  const Proofs proofs = search.prove_bugs_of_baseline();
   if (run.pass == Pass::kFreshContexts) {
-    BugSearch search(run, request, progress);
     reductions = search.reduce_all();
-    proofs = search.proofs();
   } else {
     for (const TestRecord& test : run.tests)
       reductions[test.name] = {test.name, {}, "it depends on what was run before in the same context"};

@@ -2,15 +2,12 @@
 // fresh context, and reduces them to findings.
 #include <evalcts/fuzz/campaign.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <memory>
 #include <utility>
 
-#include <evalcts/fuzz/events.h>
 #include <evalcts/fuzz/random_program.h>
 #include <evalcts/gl/case_json.h>
 #include "legal.h"
@@ -23,6 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kReportEvery = std::chrono::milliseconds(500);
+constexpr int kMostAttempts = 400;         // maximum number of candidates for a reduction
 constexpr std::uint64_t kFreshEvery = 16;  // every 16th program has its own context
 
 // Returns the program without maps of a higher order, because it is unknown if they are accepted or rejected.
@@ -44,7 +42,7 @@ class CampaignRunner {
         max_order_(subject.info.max_order()),
         knows_limit_(max_order_ == subject.info.max_eval_order),
         shared_(SharedContext::of(subject)),
-        reducer_(subject, shared_.get(), RandomJob().most_attempts,
+        reducer_(subject, shared_.get(), kMostAttempts,
                  {.alive = [this] { report_now_and_then(); },
                   .is_over = [this] { return is_over(); },
                   .try_start = [this](const gl::Case& candidate) { return try_start(candidate); },

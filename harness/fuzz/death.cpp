@@ -47,11 +47,12 @@ std::optional<Finding> reduce_death(const gl::Case& program, const Difference& d
     return of_candidate && of_candidate->is_like(death);
   };
   // One place is one bug. Without a place, the commands tell.
-  const auto may_be = [&](const gl::Case& known) {
-    return !death.place.empty() || with_words_of(known, program);
+  const auto is = [&](const gl::Case& known) {
+    return (!death.place.empty() || with_words_of(known, program)) &&
+           specify_if_defined(known, max_eval_order) && run(known) == std::optional(death);
   };
   for (const KnownProgram& known : known_programs())
-    if (known.record.difference.kind == death.kind && may_be(known.program) && dies(known.program)) {
+    if (known.record.difference.kind == death.kind && is(known.program)) {
       Finding finding = finding_of_death(known.program, death, max_eval_order);
       finding.known = known.bug;
       return finding;

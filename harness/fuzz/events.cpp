@@ -1,4 +1,4 @@
-// Converts findings, events of campaigns and lists of failing cases to JSON and back.
+// Converts findings, events of campaigns and reductions, and the data of jobs to JSON and back.
 #include <evalcts/fuzz/events.h>
 #include <evalcts/fuzz/reduction.h>
 
@@ -93,20 +93,16 @@ std::string to_text(const Finding& finding) {
 }
 
 std::string to_text(const RandomJob& job) {
-  return json{{"number", job.number},
-              {"length", job.length},
-              {"seconds", job.seconds},
-              {"in_fresh_context", job.in_fresh_context},
-              {"most_attempts", job.most_attempts},
-              {"in_flight", job.in_flight},
-              {"deadly", job.deadly}}
+  return json{{"number", job.number},       {"length", job.length},
+              {"seconds", job.seconds},     {"in_fresh_context", job.in_fresh_context},
+              {"in_flight", job.in_flight}, {"deadly", job.deadly}}
       .dump();
 }
 
 RandomJob parse_random_job(const std::string& text) try {
   const json data = json::parse(text);
-  return {data.at("number"),        data.at("length"),    data.at("seconds"), data.at("in_fresh_context"),
-          data.at("most_attempts"), data.at("in_flight"), data.at("deadly")};
+  return {data.at("number"),           data.at("length"),    data.at("seconds"),
+          data.at("in_fresh_context"), data.at("in_flight"), data.at("deadly")};
 } catch (const json::exception& error) {
   throw std::invalid_argument(error.what());
 }

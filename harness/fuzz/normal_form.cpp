@@ -222,7 +222,8 @@ Name of_answers(const Failure& failure, const Facts& facts) {
     return of_current_values(failure.difference.kind, facts, true);
   const std::string query = failure.difference.place.substr(0, failure.difference.place.find(' '));
   const std::string words = words_without(facts, {"Map", "GetMap", "GetnMap", "Get", "IsEnabled"});
-  return {cause_from("answer of " + query, {words, in_lists(facts)}),
+  const std::string& asked = query == "IsEnabled" ? query : failure.difference.place;
+  return {cause_from("answer of " + asked, {words, in_lists(facts)}),
           fmt::format("{} answers {} instead of {}{}{}", query, failure.captured, failure.expected,
                       words.empty() ? "" : " after " + words, in_lists(facts))};
 }

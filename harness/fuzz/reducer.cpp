@@ -22,7 +22,9 @@ constexpr int kInShared = 5;  // attempts in the shared context for each attempt
 // Returns the stem of the command, by which programs are compared. Commands that set current values have one
 // stem, and so have those that enable or disable AUTO_NORMAL.
 std::string word_of(const gl::Command& command) {
-  if (gl::integer_of(command, 0) == GL_AUTO_NORMAL) return "AUTO_NORMAL";
+  if ((command.entry == EntryPoint::Enable || command.entry == EntryPoint::Disable) &&
+      gl::integer_of(command, 0) == GL_AUTO_NORMAL)
+    return "AUTO_NORMAL";
   return gl::role_of(command.entry) == gl::Role::kCurrentValue ? "current value" : gl::stem_of(command.entry);
 }
 
@@ -117,7 +119,7 @@ Reducer::Reducer(const Subject& subject, SharedContext* shared, int most_attempt
       most_attempts_(most_attempts),
       hooks_(std::move(hooks)) {
   for (const KnownProgram& program : known_programs())
-    if (program.record.difference.kind != Difference::kCrash)
+    if (!program.record.difference.is_death())
       known_.push_back(
           {&program, program.program, program.record.difference, program.cause(max_order_), false, {}});
   // Bugs of the same product are likelier, and smaller programs recognise more.
@@ -152,7 +154,11 @@ std::optional<Finding> Reducer::difference_of(const gl::Case& candidate, const D
       with_what_exists(subject_.info, table_, candidate).commands().size() < candidate.commands().size())
     return {};
   const std::optional<Specified> specified = specify_if_defined(candidate, max_order_);
-  if (!specified || (hooks_.try_start && !hooks_.try_start(candidate))) return {};
+  if (!specified) return {};
+  if (hooks_.try_start && !hooks_.try_start(candidate)) {
+    ++not_started_;
+    return {};
+  }
   const Judged judged =
       judge(candidate, *specified, outcomes_of(difference.kind), attributes_of(difference.kind));
   const auto found = std::ranges::find_if(
@@ -178,10 +184,11 @@ bool Reducer::is_minimal(const gl::Case& program, const Difference& difference) 
 const Finding* Reducer::finding_of(Known& known) {
   if (known.was_run || !known.record) return known.finding ? &*known.finding : nullptr;
   if (is_over()) return nullptr;
+  const std::size_t not_started = not_started_;
   std::optional<Finding> found = find(known.program, known.difference);
   const bool is_shown = found && known.record->is_shown_by(found->failure) &&
                         is_minimal(known.program, found->failure.difference);
-  if (is_over()) return nullptr;  // perhaps before all programs had run
+  if (is_over() || not_started_ != not_started) return nullptr;  // not all programs have run
   known.was_run = true;
   if (!is_shown) return nullptr;
   name_finding(*found, max_order_);

@@ -5,7 +5,6 @@
 #include <list>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <evalcts/fuzz/finding.h>
 #include <evalcts/fuzz/known_programs.h>
@@ -90,7 +89,7 @@ class Reducer {
     gl::Case program;
     Difference difference;
     std::string cause;
-    bool was_run = false;            // of the register
+    bool was_run = false;            // true if a program of the register has been run
     std::optional<Finding> finding;  // none: it has not been run, or does not fail here as described
   };
 
@@ -118,6 +117,7 @@ class Reducer {
   const Hooks hooks_;
   std::list<Known> known_;  // found here, then bugs of the same product, then others; small programs first
   std::size_t new_findings_ = 0;
+  mutable std::size_t not_started_ = 0;  // number of programs that try_start has rejected
 };
 
 }  // namespace evalcts::fuzz

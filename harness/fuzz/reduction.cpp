@@ -63,7 +63,7 @@ class CaseReducer {
     if (const auto same = reduced_.find(key); same != reduced_.end()) return {failing.test, same->second, ""};
     const std::optional<Finding> minimal = reducer_.reduce(program, failing.difference);
     if (!minimal) return not_reduced(failing, is_over() ? kOutOfTime : why_it_does_not_show(script, program));
-    if (is_over()) return not_reduced(failing, kOutOfTime);
+    if (is_over() && minimal->known.empty()) return not_reduced(failing, kOutOfTime);
     if (vertices_of(program) <= kMostVertices && reducer_.find(plain, failing.difference))
       reduced_[key] = *minimal;
     return {failing.test, minimal, ""};

@@ -151,7 +151,6 @@ class Searcher {
   void finish(const WorkerRun& run) {
     latest_end_ = run.cannot_start.empty() ? describe(run.ending) : run.cannot_start;
     if (run.complete || interrupted || run.cut_short) return;
-    if (!run.cannot_write.empty()) throw CannotWrite(run.cannot_write);
     if (!run.ending.signalled && run.ending.value == kOwnFault)
       throw std::runtime_error(fmt::format("{}: {}", run.in_flight, last_line(scratch_ / "log")));
     if (run.in_flight.empty()) return;
@@ -177,7 +176,7 @@ class Searcher {
     return last;
   }
 
-  // Adds the finding for a death of a child. The program in which it died, or the candidate of a reduction
+  // Adds the finding for a death of a worker. The program in which it died, or the candidate of a reduction
   // (`in_flight`), is reduced by running smaller candidates in separate processes.
   void died(const WorkerRun& run, std::uint32_t number, const std::string& in_flight) {
     const gl::Case program = in_flight.empty()
@@ -202,6 +201,7 @@ class Searcher {
     Finding whole;
     whole.program = program;
     whole.failure.what = run.hung ? Difference::kHang : Difference::kCrash;
+    whole.failure.difference = {whole.failure.what, "", ""};
     whole.failure.message = fmt::format("{}: {}", whole.failure.what, describe(run.ending));
     whole.cause = whole.title = whole.failure.what + (is_over() ? " in a program that was not reduced"
                                                                 : " after what was run before");
@@ -257,7 +257,7 @@ class Searcher {
   std::map<std::uint32_t, Finding> smaller_;                  // smallest programs of reductions, by program
   std::map<std::uint32_t, std::vector<std::string>> deadly_;  // see RandomJob, by program
   std::string latest_end_;                                    // of a worker, in words
-  int max_eval_order_ = 8;                                    // reported by the children
+  int max_eval_order_ = 8;                                    // reported by the workers
 };
 
 }  // namespace

@@ -42,8 +42,8 @@ std::string kind_of(const std::string& named) {
 std::string relation_of(double captured, double lowest, double highest) {
   constexpr double kNear = 0.01;
   const double distance = std::max(captured - highest, lowest - captured);
-  const bool is_near = distance <= kNear * std::max(1.0, std::abs(lowest));
-  return is_near ? "near" : "far";
+  const double scale = std::max(1.0, std::min(std::abs(lowest), std::abs(highest)));
+  return std::isfinite(scale) && distance <= kNear * scale ? "near" : "far";
 }
 
 std::string relation_of_errors(const std::string& captured, const std::string& expected) {

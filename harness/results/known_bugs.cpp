@@ -60,7 +60,8 @@ KnownBug read_known_bug(const JsonObject& in) {
     added.commands = program.json_text("commands");
     if (!added.name.empty()) of_programs.tests.push_back("Findings." + added.name);
   });
-  if (out.dies()) of_programs.status = "Crash";
+  if (out.dies())
+    of_programs.status = out.programs.front().difference.kind == Difference::kHang ? "Timeout" : "Crash";
   if (!of_programs.tests.empty()) out.tests.push_back(of_programs);
   in.each_object("tests", [&](const JsonObject& tests) { out.tests.push_back(read_failing_tests(tests)); });
   return out;
@@ -79,10 +80,7 @@ bool AffectedVersions::may_contain(const ImplementationRecord& implementation) c
          VersionRange(fmt::format("{} {} or newer", product, first)).contains(implementation.version);
 }
 
-bool KnownBug::dies() const {
-  return !programs.empty() && (programs.front().difference.kind == Difference::kCrash ||
-                               programs.front().difference.kind == Difference::kHang);
-}
+bool KnownBug::dies() const { return !programs.empty() && programs.front().difference.is_death(); }
 
 std::vector<KnownBug> parse_known_bugs(const std::string& text) {
   const json data = json::parse(text, nullptr, false);

@@ -15,7 +15,7 @@
 namespace evalcts {
 namespace {
 
-constexpr char kTestBegins[] = "[ RUN      ] ", kOwnWords[] = "evalcts: ";
+constexpr char kTestBegins[] = "[ RUN      ] ";
 constexpr std::size_t kLongestLine = 4096;    // longer lines are split
 constexpr std::size_t kMostAtOnce = 1 << 20;  // bytes per call of take(), so that it returns
 
@@ -81,7 +81,6 @@ void OutputLog::take_line(const std::string& line) {
     kept_ = 0;
   }
   if (beginning_.size() + line.size() <= kMostRemembered) beginning_ += line;
-  if (line.starts_with(kOwnWords)) own_words_ = line.substr(0, line.find('\n'));
   if (left_out_ > 0 || kept_ + line.size() > kMostPrinted) {
     left_out_ += line.size();
     return;

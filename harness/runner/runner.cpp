@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <deque>
 #include <fstream>
 #include <map>
@@ -146,7 +148,6 @@ class Run {
     for (const Job& test : tests) worker.give(test);
     worker.finish();
     const WorkerRun& run = worker.wait(deadline_);
-    throw_if_it_cannot_write(run);
     return run;
   }
 
@@ -162,7 +163,6 @@ class Run {
          .deadline = deadline_,
          .ended =
              [&](const WorkerRun& run) {
-               throw_if_it_cannot_write(run);
                if (!run.in_flight.empty()) runs[run.in_flight] = run;
                if (!run.finished.empty()) runs[run.finished.front()] = run;
              }}
@@ -173,13 +173,6 @@ class Run {
     std::vector<WorkerRun> all;
     for (const std::string& test : tests) all.push_back(runs[test]);
     return all;
-  }
-
-  // Ends the run if the disk is full, because the end of a process is then not the fault of the library.
-  void throw_if_it_cannot_write(const WorkerRun& run) const {
-    if (!run.cannot_write.empty())
-      throw CannotWrite(fmt::format("cannot write into '{}': {}", request_.output.string(),
-                                    run.cannot_write.substr(run.cannot_write.rfind(": ") + 2)));
   }
 
   void run_tests() {
@@ -230,7 +223,6 @@ class Run {
         .each = [this](const Event& event) { note(event); },
         .ended =
             [&](const WorkerRun& run) {
-              throw_if_it_cannot_write(run);
               // A library that cannot have two contexts may die when the warm context is made.
               if (!run.complete && run.finished.empty() && run.in_flight.empty())
                 dies_with_second_context_ = true;

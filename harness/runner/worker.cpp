@@ -5,12 +5,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <poll.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
@@ -34,15 +36,23 @@ constexpr char kCannotStartLine[] = "cannot start: ";  // suite_main prints the 
 // Time that a process that hangs may take to report its command in flight.
 constexpr std::chrono::seconds kMostToReport(1);
 
-struct Pipe {
+// Two connected descriptors, which it closes unless they are taken away.
+struct Ends {
   int reader = -1, writer = -1;
-  Pipe() {
+  // `make` is pipe2(), or makes a pair of sockets.
+  explicit Ends(const std::function<int(int*)>& make) {
     std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0)
+    if (make(ends.data()) != 0)
       throw std::runtime_error(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
     reader = ends[0];
     writer = ends[1];
   }
+  ~Ends() {
+    for (const int end : {reader, writer})
+      if (end >= 0) close(end);
+  }
+  Ends(const Ends&) = delete;
+  Ends& operator=(const Ends&) = delete;
 };
 
 // Returns a clause with the first different lines that a library printed before it failed to start, and the
@@ -74,17 +84,17 @@ std::string describe(const WorkerRun& run, const Limits& limits) {
 
 Worker::Worker(std::vector<std::string> command, const fs::path& log, const Limits& limits)
     : limits_(limits) {
-  const Pipe events, jobs;
-  events_ = events.reader;
-  events_writer_ = events.writer;
-  input_ = jobs.writer;
-  fcntl(events_, F_SETFL, O_NONBLOCK);
-  fcntl(input_, F_SETFL, O_NONBLOCK);
+  Ends events([](int* ends) { return pipe2(ends, O_CLOEXEC); });
+  // A socket can be written without SIGPIPE when the process has ended.
+  Ends jobs([](int* ends) { return socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends); });
+  fcntl(events.reader, F_SETFL, O_NONBLOCK);
   // The process opens the pipe by this name, so that it can open it again if the library closes it.
-  command.insert(command.end(), {"--worker", fmt::format("/proc/{}/fd/{}", getpid(), events_writer_)});
+  command.insert(command.end(), {"--worker", fmt::format("/proc/{}/fd/{}", getpid(), events.writer)});
   run_.command = command;
   process_.emplace(command, log.string(), ChildProcess::Prints::kLimited, jobs.reader);
-  close(jobs.reader);
+  events_ = std::exchange(events.reader, -1);
+  events_writer_ = std::exchange(events.writer, -1);
+  input_ = std::exchange(jobs.writer, -1);
 }
 
 Worker::~Worker() {
@@ -113,7 +123,7 @@ void Worker::close_input() {
 
 void Worker::write_jobs() {
   while (input_ >= 0 && !unwritten_.empty()) {
-    const ssize_t count = write(input_, unwritten_.data(), unwritten_.size());
+    const ssize_t count = send(input_, unwritten_.data(), unwritten_.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0 && errno == EAGAIN) return;
     if (count < 0) return close_input();  // the process has ended
@@ -150,9 +160,6 @@ bool Worker::look(const Deadline& deadline, const EachEvent& each) {
   }
   run_.ending = *ending;
   run_.printed = process_->printed();
-  if (!ending->signalled && ending->value == kExitCannotWrite &&
-      process_->own_words().starts_with(kCannotWriteEvent))
-    run_.cannot_write = process_->own_words();
   return true;
 }
 

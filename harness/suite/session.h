@@ -32,10 +32,12 @@ struct SessionOptions {
 class Session {
  public:
   // Opens nothing yet. `wrapping`: see suite_main(). `report`: called with events of tests. Both must outlive
-  // the object. All functions below throw CannotStart if the implementation does not start.
+  // the object.
   Session(SessionOptions options, const Wrapping& wrapping, const std::function<void(const Event&)>& report);
   // Destroys all contexts. This must happen before static destructors run, because Mesa would hang.
   void close();
+
+  // The functions below throw CannotStart if the implementation does not start.
 
   // Opens all that tests need, so that a library that dies of it dies before its first test.
   void open_for_tests();

@@ -112,7 +112,8 @@ void CheckedTrace::expect_error(gl::Ref get_error, const std::vector<GLenum>& al
   const char* kind = none_allowed ? "spurious error" : got == GL_NO_ERROR ? "missing error" : "wrong error";
   gl::Check check{.answer = {.kind = gl::Answer::Kind::kReturned, .command = get_error, .is_error = true}};
   for (const GLenum error : allowed) check.accepted.emplace_back(error, error);
-  // If the command before GetError executes or ends a list, it does not show which command raises the error.
+  // If the command before GetError executes, begins or ends a list, it does not show which command raises the
+  // error.
   const gl::EntryPoint entry = subject.entry;
   const bool hides_command = entry == gl::EntryPoint::CallList || entry == gl::EntryPoint::CallLists ||
                              entry == gl::EntryPoint::EndList || entry == gl::EntryPoint::NewList;

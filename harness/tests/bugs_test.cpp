@@ -324,8 +324,9 @@ TEST(Bugs, DeathsAtOnePlaceAreOne) {
   Finding death = finding(nested->programs.front().commands, "crash; libGL.so end+0x7; ");
   death.known = nested->id;
   with_known["Lists.C"] = {"Lists.C", death, ""};
+  add("Lists.F", "EV-DL-NESTED", Verdict::kCrash, "glEndList()", {"libGL.so end+0x7"});
   EXPECT_EQ(titles(with_known), (std::set<std::string>{"2: glMap1f crashes in a display list",
-                                                       "1: " + nested->title, "2: glEvalMesh2 hangs"}));
+                                                       "2: " + nested->title, "2: glEvalMesh2 hangs"}));
 }
 
 TEST(Bugs, WhatIsNotReducedBelongsToTheBugOfTheBaseline) {

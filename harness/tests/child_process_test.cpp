@@ -1,10 +1,13 @@
-// Tests child processes: their end, time limits, logs, and the quoting of shell commands.
+// Tests child processes: their end, time limits, logs, and the quoting of shell commands; and workers that do
+// not read their jobs.
 #include <evalcts/runner/child_process.h>
 
 #include <gtest/gtest.h>
 
 #include <csignal>
 #include <fstream>
+
+#include <evalcts/runner/worker.h>
 
 #include "contains.h"
 
@@ -49,6 +52,20 @@ TEST(ChildProcess, KeepsItsOutputInTheLog) {
 
 TEST(ChildProcess, RefusesWhatIsNoProgram) {
   EXPECT_THROW(ChildProcess({"/nonexistent/program"}, ""), std::runtime_error);
+}
+
+// A program that goes on for a moment after it has closed its standard input.
+TEST(Worker, SurvivesAProcessThatDoesNotReadItsJobs) {
+  Worker worker({"/bin/sh", "-c", "exec <&-; sleep 0.3; exit 3"}, "", {});
+  std::size_t jobs = 0;
+  do {
+    worker.give({"test", "A.B"});
+    ++jobs;
+    wait_for_news({&worker});
+  } while (!worker.look());
+  EXPECT_EQ(describe(worker.run().ending), "exit code 3");
+  EXPECT_FALSE(worker.run().complete);
+  EXPECT_EQ(worker.waiting().size(), jobs);
 }
 
 TEST(ShellLine, QuotesWhatAShellWouldTakeApart) {

@@ -599,42 +599,24 @@ TEST_F(CommandLine, NamedImplementationsThatStartAreStillJudged) {
   EXPECT_TRUE(fs::exists(folder_ / "results-reference.json"));
 }
 
-// Returns a child of any thread of the process; 0 if there is none.
-pid_t child_of(pid_t parent) {
-  for (const auto& task : fs::directory_iterator("/proc/" + std::to_string(parent) + "/task")) {
-    std::ifstream children(task.path() / "children");
-    if (pid_t child = 0; children >> child) return child;
-  }
-  return 0;
-}
-
 // If a child is killed from outside, the running test gets a verdict, and the remaining tests run.
 TEST_F(CommandLine, KilledChildIsReplaced) {
-  setenv("EVALCTS_DRILL", "hang", 1);
-  const std::vector<std::string> arguments = {
-      EVALCTS_PROGRAM,  "run",       "--implementation",
-      "osmesa",         "--library", DRILL_LIBRARY,
-      "--name",         "drill",     "--output",
-      folder_.string(), "--filter",  "Map1State.Stride/*:InitialState.O*",
-      "--jobs",         "1",         "--no-bugs"};
-  ChildProcess run(arguments, (folder_ / "command.log").string());
-  // Two children are killed: the first one hangs in the test, the second one is to confirm that.
+  std::vector<std::string> command =
+      drill_arguments("hang", {"--filter", "Map1State.Stride/*:InitialState.O*", "--jobs", "1", "--no-bugs"});
+  command.insert(command.begin(), EVALCTS_PROGRAM);
+  ChildProcess run(command, (folder_ / "command.log").string());
+  // Two children are killed when they hang: the first one in the test, the second one is to confirm that.
   pid_t killed = 0;
   for (int round = 0; round < 2; ++round) {
-    for (int i = 0; i < 1000; ++i) {
+    pid_t latest = killed;
+    for (int i = 0; i < 1000 && latest == killed; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      const pid_t child = child_of(run.id());
-      std::ifstream records(folder_ / "records-drill.jsonl");
-      std::string last;
-      for (std::string line; std::getline(records, line);) last = line;
-      if (child > 0 && child != killed && last.find("MAP1_INDEX_f") != std::string::npos) {
-        // Until it has reached the hanging call. The second child first opens the library.
-        std::this_thread::sleep_for(std::chrono::milliseconds(round ? 2000 : 200));
-        kill(child, SIGKILL);
-        killed = child;
-        break;
-      }
+      std::ifstream hanging(drill_file());
+      for (pid_t each = 0; hanging >> each;) latest = each;
     }
+    ASSERT_NE(latest, killed);
+    kill(latest, SIGKILL);
+    killed = latest;
   }
   const auto ending = run.wait(60);
   ASSERT_TRUE(ending);

@@ -61,12 +61,6 @@ TEST_F(OutputLogTest, ATestBeginsBehindWhatALibraryPrintedWithoutAnEnd) {
   EXPECT_TRUE(content().ends_with("half a line[ RUN      ] A.B\nshort\n"));
 }
 
-TEST_F(OutputLogTest, HearsOwnWordsInAFlood) {
-  OutputLog log(path_);
-  print(log, lines(kMostPrinted / 8) + "evalcts: the disk is full\n" + lines(10));
-  EXPECT_EQ(log.own_words(), "evalcts: the disk is full");
-}
-
 TEST_F(OutputLogTest, SaysWhereItCannotWrite) { EXPECT_THROW(OutputLog("/nonexistent/log"), CannotWrite); }
 
 }  // namespace

@@ -17,9 +17,10 @@ seed u reports/tests/sample/ulp.json
 seed s reports/published/sweep-*.json
 python3 -c 'import json, pathlib, sys
 for bug in json.loads("[" + pathlib.Path("suites/bugs/mesa.json").read_text() + "]"):
-    for finding in bug.get("findings", []):
-        seed = pathlib.Path(sys.argv[1], "c-" + finding["name"])
-        seed.write_text("c" + json.dumps(finding["program"]))' "$seeds"
+    for program in bug.get("programs", []):
+        if "name" in program:
+            seed = pathlib.Path(sys.argv[1], "c-" + program["name"])
+            seed.write_text("c" + json.dumps(program["commands"]))' "$seeds"
 printf 'b# version: Mesa 20.3 to 24.3\n# implementation: egl, glx\n\n# bug: mesa-a.\n# why\nA.B/@(C|D)*,Fail\nA.E,Pass\n\f%s\f%s\f%s' \
   $'A.B*,quick,3-0c515077b74857d4\n' $'# hangs\n^C\\.\n' $'# now and then\n^A\\.(B|C)/\n' >"$seeds/b"
 printf 'amap1_eval.ordinary.1 0x1p+0 -2.5\nmap1_eval.ordinary.2 skip\n# words\nx inf nan\n' >"$seeds/a"

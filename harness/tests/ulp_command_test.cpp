@@ -7,14 +7,14 @@
 #include <thread>
 
 #include <evalcts/results/json_schema.h>
-#include "program.h"
+#include "drill.h"
 
 namespace evalcts {
 namespace {
 
 using nlohmann::json;
 
-class UlpCommand : public ProgramTest {
+class UlpCommand : public DrillTest {
  protected:
   Outcome ulp(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "ulp");
@@ -360,18 +360,24 @@ TEST_F(UlpCommand, WrongUseIsTwo) {
   EXPECT_EQ(ulp({"--help"}).code, 0);
 }
 
+// The first row is finished when the library hangs in the second.
 TEST_F(UlpCommand, KeepsWhatWasMeasuredWhenInterrupted) {
-  ChildProcess child({EVALCTS_PROGRAM, "ulp", "--implementation", "sum-float", "--values", "100000000",
-                      "--filter", "curve/4/*", "--output", folder_.string()},
-                     (folder_ / "interrupted.log").string());
-  for (int i = 0; i < 500 && !std::filesystem::exists(folder_ / "log-ulp-sum-float.txt"); ++i)
+  setenv("EVALCTS_DRILL", "hang", 1);
+  ChildProcess child(
+      {EVALCTS_PROGRAM, "ulp", "--library", WRONG_SINK, "--name", "wrong", "--filter",
+       "curve/4/integers:curve/6/integers", "--values", "100", "--jobs", "1", "--output", folder_.string()},
+      (folder_ / "interrupted.log").string());
+  for (int i = 0; i < 500 && !std::filesystem::exists(drill_file()); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   kill(child.id(), SIGINT);
   const auto ending = child.wait(60);
   ASSERT_TRUE(ending);
   EXPECT_EQ(ending->value, 2);
   EXPECT_EQ(as_text(document()["status"]), "interrupted");
-  EXPECT_EQ(as_text(document()["implementations"][0]["status"]), "interrupted");
+  const json entry = document()["implementations"][0];
+  EXPECT_EQ(as_text(entry["status"]), "interrupted");
+  ASSERT_EQ(entry["rows"].size(), 1u);
+  EXPECT_EQ(as_text(entry["rows"][0]["name"]), "curve/4/integers");
   EXPECT_EQ(complaints(document()), "");
 }
 

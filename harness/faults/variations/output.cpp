@@ -55,8 +55,8 @@ VARIATION(FloatArguments, "", "arguments of EvalCoord in double are rounded to f
 
 // --- Other arithmetic --------------------------------------------------------------------------------------
 
-// Changes the last five bits of the significand, which is an error of up to 2 parts in 10^6, unless they are
-// 0 or equal to the pattern. Applied twice, returns the original value.
+// Changes the last five bits of the significand, which is an error of up to 2.6 parts in 10^6, unless they
+// are 0 or equal to the pattern. Applied twice, returns the original value.
 double changed(double value) {
   constexpr std::uint32_t kMask = 0x1f, kPattern = 0x15;
   const auto x = static_cast<float>(value);
@@ -65,8 +65,8 @@ double changed(double value) {
   if (!std::isnormal(x) || last == 0 || last == kPattern) return x;
   return std::bit_cast<float>(bits ^ kPattern);
 }
-// Defines the maps with changed control points by the original ones, which are needed before commands of
-// lists or of other contexts can use the maps.
+// Restores the original control points of all changed maps. It must run before commands of lists or of other
+// contexts can use the maps.
 void take_back(Call& call) {
   GLint unit = GL_TEXTURE0;
   unmodified.GetIntegerv(GL_ACTIVE_TEXTURE, &unit);
@@ -91,9 +91,9 @@ void take_back(Call& call) {
 
 const Value kTakesEffect = kIsLegal && !kInside && !kListMode && state(GL_ACTIVE_TEXTURE) == GL_TEXTURE0;
 const Value kIsChangedAnswer = kQuery == GL_COEFF && !kInside && remembered(kTarget);
-VARIATION(OtherArithmetic, "", "results are those of control points that are off by up to 2 parts in 10^6",
+VARIATION(OtherArithmetic, "", "results are those of control points that are off by up to 2.6 parts in 10^6",
           before(Map1f | Map2f, kTakesEffect,
-                 {set(remembered(kTarget), 1),
+                 {set(remembered(kTarget), 1), set(kFlag, 1),
                   [](Call& c) {
                     Net net = c.net();
                     std::ranges::transform(net.values, net.values.begin(), changed);

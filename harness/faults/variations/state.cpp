@@ -19,7 +19,7 @@ VARIATION(MaxOrderEight, "", "MAX_EVAL_ORDER is 8, as small as it may be",
                 put(0, [](Call& c) { return c.entry == GetBooleanv ? GL_TRUE : 8; })),
           // Order 0 is rejected with the same error.
           before(kMaps, kOrder > 8, set(kOrder, 0)), before(kMap2, kVOrder > 8, set(kVOrder, 0)));
-VARIATION(NoisyOutput, "", "each EvalCoord writes to standard output and standard error",
+VARIATION(NoisyOutput, "", "each EvalCoord1f writes to standard output and standard error",
           before(EvalCoord1f, [](Call& c) {
             std::printf("EvalCoord1f %g\n", c.argument('u'));
             std::fprintf(stderr, "{\"event\": \"EvalCoord1f\"}\n");
@@ -69,13 +69,13 @@ VARIATION(QueriesRefused, "", "queries of state that is not about evaluators are
                                    GL_EDGE_FLAG, GL_LIST_BASE, GL_LIST_INDEX, GL_LIST_MODE, GL_MATRIX_MODE,
                                    GL_LINE_WIDTH, GL_POINT_SIZE, GL_SHADE_MODEL}),
                  set(kName, 0)));
-// As in a layer over OpenGL ES.
+// A layer over OpenGL ES rejects these capabilities.
 VARIATION(CapabilitiesRefused, "", "the capabilities of logical operations are rejected",
           before(kSwitches | IsEnabled, kIsLogicOp, set(kName, 0)));
 VARIATION(AnswersInsidePrimitives, "",
           "IsEnabled answers between Begin and End, without an error, of all capabilities",
           instead(IsEnabled, kInside, set(kResult, GL_TRUE)));
-VARIATION(OneTextureUnit, "", "there is one texture unit, and no multitexture",
+VARIATION(OneTextureUnit, "", "GetIntegerv answers that there is one texture unit",
           after(GetIntegerv, (kName == GL_MAX_TEXTURE_UNITS || kName == GL_MAX_TEXTURE_COORDS) && !kInside,
                 put(0, 1)));
 
@@ -102,7 +102,7 @@ const Entries kSince1_2 =
 VARIATION(Version11, "", "the GL is 1.1, without any extension", set_version("1.1"), missing(kSince1_2));
 VARIATION(Version15, "", "the GL is 1.5, without any extension", set_version("1.5"));
 
-// Returns the text of GetString with its end, which must outlive the call.
+// Replaces the text that GetString returns by extended(text), which outlives the call.
 Value extend_text(std::string (*extended)(std::string text)) {
   return [=](Call& c) {
     static std::map<double, std::string> texts;

@@ -56,7 +56,6 @@ FAULT(IndexMapSetsTheIndex, "EV-ATTR-INDEX-RGBA EV-CUR-INDEX",
       after(EvalPoint1, noted_on(GL_MAP1_INDEX), call(Indexf, {3})));
 FAULT(IndexMapGivesTheRed, "EV-ATTR-INDEX-RGBA", "in RGBA mode an index map makes the current colour white",
       before(kPoints1, noted_on(GL_MAP1_INDEX) && maps_vertices(1), call(Color4f, {1, 1, 1, 1})));
-// These faults need colour-index contexts, which a provider of this build stands in for.
 FAULT(LongNormalsNormalised, "EV-ATTR-NORMAL", "normals longer than 1 are normalised by the evaluator",
       change_vertices([](ObservedVertex& vertex) {
         const auto& [x, y, z] = vertex.normal;
@@ -85,6 +84,7 @@ FAULT(OtherUnitsAtTheirInitialValues, "EV-ATTR-OTHERUNITS",
           vertex.texture_coordinate[unit] = {0, 0, 0, 1};
       }));
 
+// Faults of index maps need colour-index contexts, which a provider of this build supplies.
 namespace on_color_index {
 constexpr std::string_view kImplementation = kColorIndex;
 FAULT(IndexMapsStayOff, "EV-ATTR-INDEX", "Enable does nothing to index maps",

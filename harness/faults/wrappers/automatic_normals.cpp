@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "rules.h"
 
@@ -27,9 +28,11 @@ void turn(ObservedVertex& vertex) { scale(vertex.normal, -1); }
 Rules turned_if(Value condition) {
   return {before(kMap2, kTarget >= GL_MAP2_VERTEX_3, set(kCount, std::move(condition))),
           before(Begin, [](Call& call) { remembered_list().push_back(kCount(call)); }),
-          change_output(noted_on(GL_AUTO_NORMAL), [](Primitives& all) {
-            for (std::size_t i = 0; i < std::min(all.size(), remembered_list().size()); ++i)
-              if (remembered_list()[i] != 0) std::ranges::for_each(all[i].vertices, turn);
+          change_output(true, [](Primitives& all) {
+            const std::vector<double> turned = std::exchange(remembered_list(), {});
+            if (!tracked().enabled[GL_AUTO_NORMAL]) return;
+            for (std::size_t i = 0; i < std::min(all.size(), turned.size()); ++i)
+              if (turned[i] != 0) std::ranges::for_each(all[i].vertices, turn);
           })};
 }
 

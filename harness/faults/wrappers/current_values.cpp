@@ -1,5 +1,7 @@
-// Faults against section 11 of the requirements, state that evaluation must not change, and in primitives
-// that are longer than a vertex buffer.
+// Faults against section 11 of the requirements: state that evaluation must not change. Some appear only in
+// primitives that are longer than a vertex buffer.
+#include <algorithm>
+
 #include "rules.h"
 
 namespace evalcts::faults::current_values {

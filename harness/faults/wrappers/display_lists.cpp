@@ -1,7 +1,7 @@
 // Faults against section 20 of the requirements: evaluator commands in display lists.
 #include <algorithm>
 
-#include "grid_steps.h"
+#include "rules.h"
 
 namespace evalcts::faults::display_lists {
 namespace {

@@ -5,7 +5,7 @@ namespace evalcts::faults::entry_points {
 namespace {
 
 FAULT(GetMapdvNotExported, "EV-API-ENTRY/1-D", "GetMapdv is missing", missing(GetMapdv));
-FAULT(EvalCoord2dvIsAStub, "EV-API-ENTRY/2-D", "EvalCoord2dv is a stub that raises INVALID_OPERATION",
+FAULT(EvalCoord2dvRaisesAnError, "EV-API-ENTRY/2-D", "EvalCoord2dv only raises INVALID_OPERATION",
       instead(EvalCoord2dv, error(GL_INVALID_OPERATION)));
 FAULT(Texture3AndVertex3TokensSwapped, "EV-API-ENUM-MAP1",
       "MAP1_TEXTURE_COORD_3 and MAP1_VERTEX_3, alike but for their effect, have each other's number",

@@ -82,8 +82,6 @@ FAULT(EveryFifthEvaluationOneUlpOff, "EV-COORD-REPEAT", "every fifth EvalCoord1f
 FAULT(SecondPrimitiveHalfAnUlpOff, "EV-COORD-REPEAT", "from the second primitive on EvalCoord2 is a bit off",
       after(End, set(kFlag, 1)), before(kEvalCoord2, kFlag, set(kU, next_float(kU, 2))));
 
-// In the control, with explicit vertices, no vertex map is enabled.
-
 namespace on_osmesa {
 constexpr std::string_view kImplementation = "osmesa";
 FAULT(MaterialBetweenEvaluationsLost, "EV-COORD-MATERIAL",
@@ -95,6 +93,7 @@ FAULT(ColorArrayColorsEvaluatedVertices, "EV-COORD-NOARRAYS",
       note_array(GL_COLOR_ARRAY), before(kPoints, kFlag, call(Color4f, {0.625, 0.625, 0.625, 0.625})));
 FAULT(NormalArrayTurnsNormalMapsOff, "EV-COORD-NOARRAYS", "an enabled normal array replaces normal maps",
       note_array(GL_NORMAL_ARRAY), skip(Enable, kName == GL_MAP1_NORMAL && kFlag));
+// The next fault spares the control with explicit vertices, in which no vertex map is enabled.
 FAULT(EvaluatedVerticesHaveNoFog, "EV-COORD-TRANSFORM", "evaluated vertices are not fogged",
       without(Begin, kMapsVertices, GL_FOG));
 FAULT(EvaluatedColorsAreNotLit, "EV-COORD-TRANSFORM", "evaluated vertices with a colour map are not lit",

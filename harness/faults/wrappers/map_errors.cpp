@@ -67,7 +67,7 @@ FAULT(ReversedConstantRefused, "EV-MAP-NOERR-OTHER/1-D", "u1 > u2 is rejected at
       before(kMap1, kOrder == 1 && kU1 > kU2, set(kOrder, 0)));
 FAULT(SubnormalPointsRefused, "EV-MAP-NOERR-OTHER", "a subnormal control point raises INVALID_VALUE",
       before(kMaps, kIsLegal != 0 && abs(element(0)) < 1e-38 && element(0) != 0, set(kOrder, 0)));
-FAULT(TouchingIntervalsRefused, "EV-MAP-NOERR-OTHER/2-D", "Map2 raises INVALID_VALUE for u2 = v1",
+FAULT(TouchingIntervalsRefused, "EV-MAP-NOERR-OTHER/2-D", "Map2 raises INVALID_VALUE if u2 = v1 and v2 = u1",
       before(kMap2, kU2 == kV1 && kV2 == kU1, set(kV2, kV1)));
 FAULT(TargetInSixteenBits, "EV-MAP1-ERR-TARGET EV-MAP2-ERR-TARGET", "targets are kept in 16 bits",
       before(kMap1, is_map1(kTarget & 0xFFFF), set(kTarget, kTarget & 0xFFFF)),

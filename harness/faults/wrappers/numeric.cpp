@@ -50,8 +50,9 @@ FAULT(SurfaceColorsSaturateBelow, "EV-NUM-RANGE-COLOR/2-D", "colours of surfaces
 FAULT(SmallPointsFlushedInBigMaps, "EV-NUM-AFFINE", "small control points are multiples of 1/4096",
       before(kMap1,
              change_values([](double x) { return std::abs(x) < 1 ? std::round(x * 4096) / 4096 : x; })));
-FAULT(InfiniteGridStays, "EV-NUM-SPECIAL-SAFE/2-D", "after a grid with an infinite end, MapGrid2 is lost",
-      skip(kMapGrid2, kFlag), after(kMapGrid2, abs(kU1) == HUGE_VAL || abs(kV2) == HUGE_VAL, set(kFlag, 1)));
+FAULT(InfiniteGridStays, "EV-NUM-SPECIAL-SAFE/2-D",
+      "after a grid with an infinite u1 or v2, MapGrid2 is lost", skip(kMapGrid2, kFlag),
+      after(kMapGrid2, abs(kU1) == HUGE_VAL || abs(kV2) == HUGE_VAL, set(kFlag, 1)));
 FAULT(NaNPointDisablesMap, "EV-NUM-SPECIAL-SAFE", "a map with a NaN point is disabled",
       after(kMaps, kOrder > 0 && kComponents && is_nan(element(0)), disable(kTarget)));
 FAULT(MapAfterNaNIsLost, "EV-NUM-SPECIAL-SAFE/1-D", "the first Map1 after a NaN argument does nothing",

@@ -1,5 +1,5 @@
-// Defines misbehaviours of a library towards its process, by name. The ids of started processes are written
-// to EVALCTS_DRILL_FILE.
+// Defines misbehaviours of a library towards its process, by name. The ids of processes that hang or were
+// started are appended to EVALCTS_DRILL_FILE.
 #pragma once
 
 #include <fcntl.h>
@@ -100,14 +100,23 @@ inline void corrupt_heap() {
   std::free(freed);
 }
 
+inline void report(pid_t process) {
+  if (const char* const file = std::getenv("EVALCTS_DRILL_FILE"))
+    std::ofstream(file, std::ios::app) << process << "\n";
+}
+
+inline void hang() {
+  report(getpid());
+  wait_for_ever();
+}
+
 inline void leave_process(bool own_session) {
   const pid_t child = fork();
   if (child == 0) {
     if (own_session) setsid();
     wait_for_ever();
   }
-  if (const char* const file = std::getenv("EVALCTS_DRILL_FILE"))
-    std::ofstream(file, std::ios::app) << child << "\n";
+  report(child);
 }
 
 inline void change_surroundings() {
@@ -130,7 +139,7 @@ inline bool misbehave(std::string_view name) {
       {"exit", [] { _exit(7); }},
       {"exit-well", [] { std::exit(0); }},
       {"kill", [] { raise(SIGKILL); }},
-      {"hang", [] { wait_for_ever(); }},
+      {"hang", hang},
       {"stop", [] { raise(SIGSTOP); }},
       {"memory", eat_memory},
       {"flood", [] { print_megabytes(20); }},

@@ -21,7 +21,6 @@ struct RandomJob {
   // a program. A difference in the shared context must be reproduced in a fresh context, alone or after some
   // of the earlier programs.
   bool in_fresh_context = false;
-  int most_attempts = 400;  // maximum number of candidates for the reduction
   // File to which each candidate of a reduction is written before it runs, so that the candidate is known if
   // the library dies in it. The file is empty at other times. An empty name means no file.
   std::string in_flight = {};

@@ -1,16 +1,11 @@
 // Writes and reads findings and the events of a campaign of random programs as JSON.
 #pragma once
 
-#include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
-#include <variant>
-#include <vector>
 
 #include <evalcts/fuzz/campaign.h>
 #include <evalcts/fuzz/finding.h>
-#include <evalcts/results/serialization.h>
 
 namespace evalcts::fuzz {
 

@@ -1,4 +1,4 @@
-// Searches for bugs by random programs, which child processes run on an implementation. A crash or hang of
+// Searches for bugs by random programs, which workers run on an implementation. A crash or hang of
 // the library affects only the running program, and is a finding like any other.
 #pragma once
 
@@ -23,7 +23,7 @@ struct SearchRequest {
   double seconds = 0;                     // time limit; 0: none
   int length = 120;
   int jobs = 1;
-  bool fresh_contexts = false;  // see Campaign
+  bool fresh_contexts = false;  // see RandomJob::in_fresh_context
   double seconds_per_program = 20;
   std::filesystem::path output;  // an existing folder
 };

@@ -27,6 +27,8 @@ struct Difference {
   std::string relation;  // "missing GL_INVALID_VALUE", "more" vertices, a value that is "near" or "far"
 
   bool operator==(const Difference&) const = default;
+  // Returns true for crashes and hangs.
+  bool is_death() const { return kind == kCrash || kind == kHang; }
   // Returns true if all parts that both have agree. A display list hides which of its commands raises an
   // error, and not every relation can be named.
   bool is_like(const Difference& other) const;

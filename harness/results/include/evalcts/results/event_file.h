@@ -1,6 +1,5 @@
-// The file or named pipe to which the suite program writes its events, one line each. It is the only channel
-// from the suite program to the runner while tests run, so it stays usable if a library closes descriptors or
-// forks.
+// The file or pipe to which a worker writes its events, one line each. It is the only channel from a worker
+// to the runner, so it stays usable if a library closes descriptors or forks.
 #pragma once
 
 #include <sys/types.h>
@@ -11,7 +10,7 @@
 
 namespace evalcts {
 
-// Exit status of the suite program if an event cannot be written (disk full), and the beginning of its last
+// Exit status of a worker if an event cannot be written (disk full), and the beginning of its last
 // line on standard error.
 inline constexpr int kExitCannotWrite = 74;
 inline constexpr char kCannotWriteEvent[] = "evalcts: cannot write the result of a test: ";

@@ -56,8 +56,6 @@ class ChildProcess {
 
   // Returns resident_memory() of the process.
   std::uint64_t memory() const { return resident_memory(id_); }
-  // Returns the latest line of limited output that begins with "evalcts: ".
-  std::string own_words() const { return output_ ? output_->own_words() : std::string(); }
   // Returns the first lines of limited output, see OutputLog::beginning.
   std::string printed() const { return output_ ? output_->beginning() : std::string(); }
 

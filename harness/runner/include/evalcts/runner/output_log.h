@@ -1,6 +1,5 @@
 // A pipe between a child process and its log. It limits the log, so that a library that prints without end
-// does not fill the disk, and remembers the last message of evalcts, which the log may not contain if the
-// disk is full.
+// does not fill the disk.
 #pragma once
 
 #include <cstddef>
@@ -36,8 +35,6 @@ class OutputLog {
   // Copies the rest of the output, after the last writer has ended.
   void finish();
 
-  // Returns the latest complete line that begins with "evalcts: ", a message of evalcts itself.
-  const std::string& own_words() const { return own_words_; }
   // Returns up to kMostRemembered bytes from the start of the output, in complete lines.
   const std::string& beginning() const { return beginning_; }
 
@@ -51,7 +48,7 @@ class OutputLog {
   // The output of the current test, which is written as a whole, because several processes share a log.
   std::string unwritten_;
   std::size_t kept_ = 0, left_out_ = 0;
-  std::string own_words_, beginning_;
+  std::string beginning_;
 };
 
 }  // namespace evalcts

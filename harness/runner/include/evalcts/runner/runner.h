@@ -1,4 +1,4 @@
-// Judges one implementation in child processes and makes its result record. A crash or hang of the library
+// Judges one implementation in workers and makes its result record. A crash or hang of the library
 // affects only the test that is running.
 #pragma once
 

@@ -31,7 +31,6 @@ struct WorkerRun {
   bool cut_short = false;    // the process was killed at the deadline
   bool complete = false;     // all jobs have ended
   std::string cannot_start;  // the reason if the implementation does not start, otherwise empty
-  std::string cannot_write;  // the reason if the process could not write its events, otherwise empty
   std::string printed;       // the first lines that the process printed
   Ending ending;
 };
@@ -64,7 +63,7 @@ class Worker {
 
   // Gives the process another job.
   void give(const Job& job);
-  // The process ends after its jobs.
+  // Lets the process end after its jobs.
   void finish();
   // Returns the jobs that have not been started yet.
   const std::deque<Job>& waiting() const { return waiting_; }
@@ -90,7 +89,7 @@ class Worker {
 
   Limits limits_;
   int events_ = -1, events_writer_ = -1;  // the pipe of the events; the writer is opened by the process, too
-  int input_ = -1;                        // standard input of the process; -1: closed
+  int input_ = -1;                        // a socket, standard input of the process; -1: closed
   bool is_finishing_ = false;
   std::string unwritten_;  // jobs that the pipe could not take yet
   std::string partial_;    // the beginning of an event whose end has not arrived yet
@@ -124,8 +123,8 @@ struct Pool {
 // Returns the reason why a process with one job gave no answer.
 std::string why_no_answer(const WorkerRun& run, const std::filesystem::path& log, const Limits& limits);
 
-// Asks for the answer to one job, in a process of its own. Returns the first event that `parse` accepts; if
-// there is none, sets `reason`.
+// Asks for the answer to one job, in a process of its own. Returns the event of type `Answer`; if there
+// is none, sets `reason`.
 template <class Answer>
 std::optional<Answer> ask(const std::vector<std::string>& command, const Job& job, std::string& reason,
                           const std::filesystem::path& log = {}, const Limits& limits = {}) {
@@ -139,6 +138,7 @@ std::optional<Answer> ask(const std::vector<std::string>& command, const Job& jo
   if (!answer) reason = why_no_answer(run, log, limits);
   return answer;
 }
+
 // Returns all tests of the suite program. Throws std::runtime_error.
 std::vector<ListedTest> list_tests(const std::filesystem::path& suite_program);
 

@@ -1,5 +1,5 @@
 // The suite program: an ordinary GoogleTest program that judges one implementation. The runner starts it as a
-// child process; other runners for GoogleTest can start it, too.
+// worker; other runners for GoogleTest can start it, too.
 #pragma once
 
 #include <functional>
