@@ -14,6 +14,7 @@
 
 #include <evalcts/backends/rejected_queries.h>
 #include <evalcts/gl/errors.h>
+#include <evalcts/gl/explicit_vertices.h>
 #include <evalcts/gl/player.h>
 #include <evalcts/gl/tokens.h>
 #include "context_maker.h"
@@ -282,6 +283,7 @@ ImplementationInfo inquire(Implementation& implementation) {
   for (std::size_t i = 0; i < gl::kEntryPointCount; ++i)
     if (const auto command = static_cast<gl::EntryPoint>(i); !gl::has(table, command))
       info.missing.insert(command);
+  info.idle_capability = gl::find_idle_capability(table);
   require_an_effect(table, info.library.empty() ? "the library" : info.library, info.version);
   context.reset();
   info.shares_state = state_survives_context(implementation);

@@ -547,6 +547,7 @@ bool WarmContext::restore() {
   for (std::size_t i = 0; i < queries_.commands().size(); ++i) {
     const gl::Ref query{static_cast<int>(i)};
     if (now.same(query, *initial_, query)) continue;
+    ++replaced_;
     renew();
     return false;
   }

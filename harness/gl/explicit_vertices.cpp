@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <evalcts/gl/display_lists.h>
+#include <evalcts/gl/errors.h>
 #include <evalcts/gl/roles.h>
 #include <evalcts/gl/tokens.h>
 
@@ -198,6 +199,17 @@ Case with_replaced(const Case& script, IdleCapability idle, const Follow& follow
 }
 
 }  // namespace
+
+IdleCapability find_idle_capability(const Table& table) {
+  if (!table.Enable || !table.Disable || !table.GetError) return {};
+  take_errors(table);
+  for (const GLenum capability : {GL_INDEX_LOGIC_OP, GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL}) {
+    table.Enable(capability);
+    table.Disable(capability);
+    if (take_errors(table).empty()) return capability;
+  }
+  return {};
+}
 
 Case with_explicit_vertices(const Case& script, IdleCapability idle) {
   return with_replaced(

@@ -205,7 +205,7 @@ Prediction predict(const gl::Case& script, int max_eval_order) {
 bool may_raise_an_error(const gl::Case& script, int max_eval_order) {
   if (uses_several_contexts(script)) return true;
   const gl::Case known = chosen(script, specified_commands(script, OtherState::kRejected)).first;
-  reference::Specification specification({.max_eval_order = max_eval_order});
+  reference::Specification specification({.max_eval_order = max_eval_order, .keeps_vertices = false});
   const gl::Trace trace = play(known, specification);
   if (!trace.left_over_errors().empty()) return true;
   for (std::size_t i = 0; i < known.commands().size(); ++i)
@@ -215,10 +215,12 @@ bool may_raise_an_error(const gl::Case& script, int max_eval_order) {
   return false;
 }
 
-Specified specify(const gl::Case& script, int max_eval_order, TextureUnits units, OtherState other) {
+Specified specify(const gl::Case& script, int max_eval_order, TextureUnits units, OtherState other,
+                  Emission emission) {
   reference::Specification specification({.max_eval_order = max_eval_order,
                                           .texture_units = units.with_coordinates,
-                                          .active_units = units.active});
+                                          .active_units = units.active,
+                                          .keeps_vertices = emission == Emission::kPredicted});
   Specified specified;
   specified.known = specified_commands(script, other);
   const auto [known, positions] = chosen(script, specified.known);

@@ -35,6 +35,8 @@ std::string note_on_driver(const ImplementationInfo& info, const ImplementationO
 // Returns the queries of grids that raise an error. Their own tests fail; other tests leave these queries out
 // when they query all state, because the error would be taken for that of another command.
 std::set<std::string> rejected_queries(Implementation& implementation) {
+  const std::unique_ptr<Context> context = implementation.create_context();
+  if (!context->table().GetError) return {};
   std::set<std::string> rejected;
   for (const GLenum name :
        {GL_MAP1_GRID_DOMAIN, GL_MAP1_GRID_SEGMENTS, GL_MAP2_GRID_DOMAIN, GL_MAP2_GRID_SEGMENTS})
@@ -43,9 +45,7 @@ std::set<std::string> rejected_queries(Implementation& implementation) {
       const gl::Ref query =
           doubles ? c.GetDoublev(name, gl::out<GLdouble>(4)) : c.GetIntegerv(name, gl::out<GLint>(4));
       const gl::Ref error = c.GetError();
-      const std::unique_ptr<Context> context = implementation.create_context();
-      if (context->table().GetError && gl::has(context->table(), c.commands()[0].entry) &&
-          context->play(c).error(error) != GL_NO_ERROR)
+      if (gl::has(context->table(), c.commands()[0].entry) && context->play(c).error(error) != GL_NO_ERROR)
         rejected.insert(gl::call_text(c.commands()[static_cast<std::size_t>(query.index)]));
     }
   return rejected;
@@ -196,22 +196,27 @@ void Session::run(const Subject& subject, const TestInfo& test, const Job& job, 
 }
 
 // Runs the test in the warm context, if there is one. Returns true, with the result in `record`, if it
-// passes. A sample of the tests runs in fresh contexts anyway.
+// passes.
 bool Session::passes_in_warm_context(const TestInfo& test, const Job& job, TestRecord& record) {
-  constexpr std::uint32_t kSample = 16;
-  // Limit of warm contexts; a library whose answers change by themselves needs more.
-  constexpr int kMostReplaced = 16;
-  if (!warm_ || (fnv1a<std::uint32_t>(record.name) + subject_.seed) % kSample == 0) return false;
   Subject subject = subject_;
   subject.implementation = &warm_->implementation();
   subject.is_warm = true;
   TestRecord warm = record;
   run(subject, test, job, warm);
-  const bool is_restored = warm_->restore();
-  if (!is_restored && ++replaced_contexts_ == kMostReplaced) warm_.reset();
-  if (!is_restored || warm.verdict != Verdict::kPass) return false;
+  if (!warm_->restore() || warm.verdict != Verdict::kPass) return false;
   record = std::move(warm);
   return true;
+}
+
+// Runs the test in the warm context first, if there is one. A sample of the tests uses fresh contexts only.
+void Session::run(const TestInfo& test, const Job& job, TestRecord& record) {
+  constexpr std::uint32_t kSample = 16;
+  const bool is_in_sample = (fnv1a<std::uint32_t>(record.name) + subject_.seed) % kSample == 0;
+  const bool uses_warm_context = warm_ && !warm_->is_hopeless() && !is_in_sample;
+  if (uses_warm_context && passes_in_warm_context(test, job, record)) return;
+  Subject subject = subject_;
+  if (uses_warm_context) subject.warm = warm_.get();
+  run(subject, test, job, record);
 }
 
 TestRecord Session::run_test(const TestInfo& test, const Job& job) {
@@ -222,7 +227,7 @@ TestRecord Session::run_test(const TestInfo& test, const Job& job) {
   record.level = test.level;
   const auto start = std::chrono::steady_clock::now();
   const Surroundings surroundings;
-  if (!passes_in_warm_context(test, job, record)) run(subject_, test, job, record);
+  run(test, job, record);
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const std::vector<std::string> changed = surroundings.put_back();
   if (!failing_case_.empty()) report_(CaseFailed{record.name, failing_case_});

@@ -54,6 +54,7 @@ class Session {
  private:
   void open();
   void open_captures();
+  void run(const TestInfo& test, const Job& job, TestRecord& record);
   void run(const Subject& subject, const TestInfo& test, const Job& job, TestRecord& record);
   bool passes_in_warm_context(const TestInfo& test, const Job& job, TestRecord& record);
   void begin_case(const gl::Case& script, const Job& job);
@@ -69,7 +70,6 @@ class Session {
   std::unique_ptr<Reproduction> reproduction_;
   Subject subject_;
   bool is_open_for_tests_ = false;
-  int replaced_contexts_ = 0;           // number of warm contexts whose state could not be restored
   std::uint64_t cases_left_ = 0;        // number of cases that the running test may still run
   const TestRecord* record_ = nullptr;  // of the running test
   gl::Case latest_case_;                // of the running test

@@ -34,22 +34,6 @@ bool explains(const Mismatch& mismatch, const std::string& what) {
          wrong == failed;
 }
 
-// Returns the first capability without effect on vertices that the library accepts; none if it accepts none.
-// With the initial LogicOp and PolygonOffset, these capabilities have no effect at all. A layer over OpenGL
-// ES may support only the last.
-gl::IdleCapability idle_capability(Implementation& implementation) {
-  const std::unique_ptr<Context> context = implementation.create_context();
-  const gl::Table& table = context->table();
-  if (!table.Enable || !table.Disable || !table.GetError) return {};
-  gl::take_errors(table);
-  for (const GLenum capability : {GL_INDEX_LOGIC_OP, GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL}) {
-    table.Enable(capability);
-    table.Disable(capability);
-    if (gl::take_errors(table).empty()) return capability;
-  }
-  return {};
-}
-
 }  // namespace
 
 void ExplicitControl::set_observed(const gl::Case& script, const Capture& capture, Attributes judged) {
@@ -60,8 +44,7 @@ void ExplicitControl::set_observed(const gl::Case& script, const Capture& captur
 }
 
 void ExplicitControl::require_explicit_vertices(const std::string& what) {
-  const std::optional<Observed> observed = std::exchange(observed_, std::nullopt);
-  if (observed) run_controls(*observed);
+  run_controls();
   const auto found =
       std::ranges::find_if(wrong_, [&](const Mismatch& mismatch) { return explains(mismatch, what); });
   if (found != wrong_.end())
@@ -86,29 +69,43 @@ void ExplicitControl::require_no_such_error(const gl::Case& script, const std::v
   }
 }
 
-void ExplicitControl::run_controls(const Observed& observed) {
-  wrong_.clear();
-  const gl::IdleCapability idle = idle_capability(*subject_.implementation);
-  std::vector<gl::Case> controls = {gl::with_explicit_vertices(observed.script, idle),
-                                    gl::with_explicit_commands(observed.script, idle)};
+void ExplicitControl::run_controls(const std::function<bool(Implementation&)>& fails) {
+  const std::optional<Observed> observed = std::exchange(observed_, std::nullopt);
+  if (!observed) return;
+  const gl::IdleCapability idle = subject_.info.idle_capability;
+  std::vector<gl::Case> controls = {gl::with_explicit_vertices(observed->script, idle),
+                                    gl::with_explicit_commands(observed->script, idle)};
   // Each array has mappings of its own, and a process has about 65,000 mappings at most.
   constexpr std::size_t kMostCommands = 2048;
-  if (observed.script.commands().size() <= kMostCommands)
-    controls.push_back(gl::with_explicit_commands(observed.script, idle, gl::Arguments::kArray));
-  for (const gl::Case& control : controls) {
-    std::optional<ControlObservation> seen;
-    try {
-      seen = observe_control(control, *observed.capture, observed.judged);
-    } catch (const gl::MissingEntryPoint&) {
-      // A sink need not support explicit commands. It has no further pipeline that could be at fault.
+  if (observed->script.commands().size() <= kMostCommands)
+    controls.push_back(gl::with_explicit_commands(observed->script, idle, gl::Arguments::kArray));
+  const auto wrong_on = [&](Implementation& implementation) {
+    std::vector<Mismatch> wrong;
+    for (const gl::Case& control : controls) {
+      std::optional<ControlObservation> seen;
+      try {
+        seen = observe_control(implementation, control, *observed->capture, observed->judged);
+      } catch (const gl::MissingEntryPoint&) {
+        // A sink need not support explicit commands. It has no further pipeline that could be at fault.
+      }
+      if (seen) std::ranges::move(mismatches(*seen, observed->judged), std::back_inserter(wrong));
     }
-    if (seen) std::ranges::move(mismatches(*seen, observed.judged), std::back_inserter(wrong_));
-  }
+    return wrong;
+  };
+  const auto shows_evaluation_at_fault = [&](WarmContext& warm) {
+    try {
+      return fails(warm.implementation()) && wrong_on(warm.implementation()).empty() && warm.restore();
+    } catch (const NotObservable&) {
+      return false;
+    }
+  };
+  if (fails && subject_.warm && shows_evaluation_at_fault(*subject_.warm)) return;
+  wrong_ = wrong_on(*subject_.implementation);
 }
 
 Attributes ExplicitControl::lost_attributes(const gl::Case& script, const Capture& capture) const {
   const std::optional<ControlObservation> seen =
-      observe_control(gl::with_explicit_vertices(script), capture, capture.shown());
+      observe_control(*subject_.implementation, gl::with_explicit_vertices(script), capture, capture.shown());
   Attributes lost = 0;
   for (Attributes attribute = 1; seen && attribute <= kAllAttributes; attribute <<= 1)
     if ((attribute & kAllAttributes & capture.shown()) && !mismatches(*seen, attribute).empty())
@@ -116,15 +113,15 @@ Attributes ExplicitControl::lost_attributes(const gl::Case& script, const Captur
   return lost;
 }
 
-std::optional<ExplicitControl::ControlObservation> ExplicitControl::observe_control(const gl::Case& control,
-                                                                                    const Capture& capture,
-                                                                                    Attributes judged) const {
+std::optional<ExplicitControl::ControlObservation> ExplicitControl::observe_control(
+    Implementation& implementation, const gl::Case& control, const Capture& capture,
+    Attributes judged) const {
   Prediction prediction = predict(control, subject_.info.max_order());
   const PrimitiveKinds kinds = kinds_of(prediction);
   if (!capture.takes(kinds)) return std::nullopt;
-  Topology topology = subject_.topologies->find(prediction, capture, *subject_.implementation);
+  Topology topology = subject_.topologies->find(prediction, capture, implementation);
   Observation observation =
-      capture.observe(*subject_.implementation, control, {judged, most_vertices_of(prediction) + 8, kinds});
+      capture.observe(implementation, control, {judged, most_vertices_of(prediction) + 8, kinds});
   return ControlObservation{std::move(prediction), std::move(topology), std::move(observation)};
 }
 

@@ -151,7 +151,7 @@ std::string Test::fault_of_explicit_answer(const gl::Case& script, gl::Ref query
   const gl::Command& asked = script.commands()[static_cast<std::size_t>(query.index)];
   if (subject_.is_warm || subject_.reproduction || gl::role_of(asked.entry) != gl::Role::kGet) return {};
   for (const gl::Case& control : {gl::with_explicit_commands(script), gl::with_explicit_vertices(script)}) {
-    const Specified specified = specify(control, max_order(), units(), OtherState::kSkipped);
+    const Specified specified = specify_answers(control);
     const gl::DeliveredCase delivered = delivery_.apply(control);
     const gl::Trace trace = subject_.implementation->create_context()->play(delivered.script);
     const CheckedTrace checked(*this, delivered, trace);
@@ -241,15 +241,18 @@ void Test::compare_only(const std::vector<gl::Ref>& queries) {
 // The attributes that are judged wherever a capture shows them.
 constexpr Attributes kJudged = kPosition | kColor | kNormal | kTextureCoordinate0;
 
-void Test::judge(const gl::Case& script) {
-  const Specified specified = specify(script, max_order(), units(), OtherState::kSkipped);
-  judge_answers(script, specified);
-  if (specified.prediction.vertex_count() > 0) judge_vertices(script, kJudged);
+Specified Test::specify_answers(const gl::Case& script) const {
+  return specify(script, max_order(), units(), OtherState::kSkipped, Emission::kLeftOut);
 }
 
-void Test::judge_answers(const gl::Case& script) {
-  judge_answers(script, specify(script, max_order(), units(), OtherState::kSkipped));
+void Test::judge(const gl::Case& script) {
+  judge_answers(script);
+  const Prediction prediction = predict(delivery_.apply(script).script, max_order());
+  if (prediction.vertex_count() == 0) return;
+  judge_emission(begin_case(script).script, prediction, kJudged, Thoroughness::kAllVertices);
 }
+
+void Test::judge_answers(const gl::Case& script) { judge_answers(script, specify_answers(script)); }
 
 void Test::judge(const gl::Case& script, const Specified& specified, Outcomes outcomes,
                  Attributes attributes) {

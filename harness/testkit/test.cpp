@@ -240,6 +240,13 @@ void Test::expect_observation(const gl::Case& written, Attributes required, std:
 void Test::fail_each(const gl::Case& script, const Capture& capture, const CaptureRequest& request,
                      const Observation& seen, const std::vector<Mismatch>& mismatches, const OwnJudge& judge,
                      const Prediction* prediction) {
+  if (!mismatches.empty() && !subject_.is_warm)
+    control_.run_controls([&](Implementation& implementation) {
+      std::set<std::string> wrong;
+      for (const Mismatch& mismatch : judge(capture.observe(implementation, script, request)))
+        wrong.insert(mismatch.what);
+      return std::ranges::all_of(mismatches, [&](const Mismatch& one) { return wrong.contains(one.what); });
+    });
   for (const Mismatch& mismatch : mismatches) {
     Failure failure;
     failure.case_identity = script.identity();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <evalcts/gl/display_lists.h>
+#include <evalcts/gl/explicit_vertices.h>
 #include <evalcts/testkit/reproduction.h>
 #include "synthetic_capture.h"
 
@@ -193,18 +194,54 @@ GLenum changed_in(const gl::Case& control) {
 TEST_F(ExplicitControlTest, StateThatTheLibraryKnowsIsChanged) {
   for (const GLenum known : {GL_INDEX_LOGIC_OP, GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL}) {
     WithCapabilities::first_known = known;
+    subject_.info.idle_capability = gl::find_idle_capability(implementation_.create_context()->table());
     const SyntheticCapture loses_behind_changes(traits(), [&](Observation& seen, const gl::Case& control) {
       if (changed_in(control) == known) lose_positions(seen, control);
     });
     EXPECT_THROW(controls(evaluated(), loses_behind_changes), NotObservable) << known;
   }
   WithCapabilities::first_known = GL_POLYGON_OFFSET_FILL + 1;  // no candidate is accepted
+  subject_.info.idle_capability = gl::find_idle_capability(implementation_.create_context()->table());
   GLenum changed = 0;
   const SyntheticCapture capture(traits(), [&](Observation&, const gl::Case& control) {
     changed = std::max(changed, changed_in(control));
   });
   EXPECT_EQ(controls(evaluated(), capture), kControls);
   EXPECT_EQ(changed, 0u);
+}
+
+// A warm context stands for fresh ones only if the case fails there, too, and its controls pass there.
+TEST_F(ExplicitControlTest, ControlsRunInTheWarmContextIfTheCaseFailsThere) {
+  std::unique_ptr<Implementation> library;
+  std::unique_ptr<WarmContext> warm;
+  for (const char* const name : {"osmesa", "egl"}) {
+    if (warm) break;
+    try {
+      library = open_implementation({name});
+      warm = WarmContext::of(*library, inquire(*library));
+    } catch (const CannotStart&) {
+      continue;
+    }
+  }
+  if (!warm) GTEST_SKIP() << "neither OSMesa nor EGL here";
+  subject_.warm = warm.get();
+  const auto run = [&](const SyntheticCapture& capture, bool fails_in_warm_context) {
+    control_.clear();
+    control_.set_observed(evaluated(), capture, kAllAttributes);
+    control_.run_controls([&](Implementation& used) {
+      EXPECT_EQ(&used, &warm->implementation());
+      return fails_in_warm_context;
+    });
+    control_.require_explicit_vertices("point 1");
+    return capture.last_implementation;
+  };
+  const SyntheticCapture right(traits()), wrong(traits(), lose_positions);
+  EXPECT_EQ(run(right, true), &warm->implementation());
+  EXPECT_EQ(right.observations, kControls);
+  EXPECT_EQ(run(right, false), subject_.implementation);
+  EXPECT_EQ(right.observations, 2 * kControls);
+  EXPECT_THROW(run(wrong, true), NotObservable);
+  EXPECT_EQ(wrong.last_implementation, subject_.implementation);
 }
 
 // An implementation whose End always raises an error, and whose other commands do nothing.

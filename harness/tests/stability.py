@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Checks that verdicts and signatures depend on nothing but the implementation: three runs, a run in a random
 order, and runs of each test alone in a separate process must give the same verdicts. Tests that are known to be
-flaky are left out, because the library itself decides them by chance.
+flaky are left out, because the library itself decides them by chance. Behind each legal variation, a worker with a
+warm context, another with the tests in a random order, and one with fresh contexts only must give the same.
 
-usage: stability.py EVALCTS [--implementation NAME]... [--depth quick] [--shuffle SEED]
+usage: stability.py EVALCTS [--implementation NAME]... [--variation NAME]... [--depth quick] [--shuffle SEED]
 
 Exit code 0: the same; 1: differences, which are printed; 2: a run could not be made.
 """
@@ -12,6 +13,7 @@ import concurrent.futures
 import json
 import os
 import pathlib
+import random
 import subprocess
 import sys
 import tempfile
@@ -58,6 +60,49 @@ def alone(program, name, depth, captures, test, folder):
     return whole_run(program, name, depth, folder / stem, "--filter", test, "--no-bugs", "--allow-unobserved")[0][test]
 
 
+def of_worker(command, tests, folder):
+    """Returns the outcome of each test that one worker runs in this order. The tests behind one that kills the process
+    run in another one."""
+    outcomes, left, log = {}, list(tests), folder / "log.txt"
+    while left:
+        records = folder / f"{len(left)}.jsonl"
+        jobs = "".join(json.dumps({"job": "test", "name": test}) + "\n" for test in left)
+        with log.open("a") as output:
+            subprocess.run([*command, "--worker", str(records)], input=jobs, text=True, stdout=output, stderr=output,
+                           timeout=3600)
+        events = [json.loads(line) for line in records.read_text().splitlines()] if records.exists() else []
+        started = [event["name"] for event in events if event["event"] == "start"]
+        outcomes |= {event["record"]["name"]: outcome(event["record"]) for event in events if event["event"] == "result"}
+        if not started:
+            print(f"{' '.join(command)} runs no test; see its output:\n{log.read_text()}", file=sys.stderr)
+            sys.exit(2)
+        if started[-1] not in outcomes:
+            outcomes[started[-1]] = "ends the process", ()
+        left = left[len(started):]
+    return outcomes
+
+
+def check_variation(suite, variation, depth, seed, folder):
+    """Compares workers with and without a warm context behind a legal variation."""
+    name = variation["name"]
+    command = [suite, *variation["arguments"], "--depth", depth, "--variation", name]
+    folder.mkdir()
+    listing = folder / "list.jsonl"
+    subprocess.run([suite, "--worker", str(listing)], input='{"job": "list", "name": "list"}\n', text=True,
+                   stdout=subprocess.DEVNULL, check=True)
+    listed = next(event for event in map(json.loads, listing.read_text().splitlines()) if event["event"] == "tests")
+    order = ("quick", "full", "thorough")
+    tests = [test["name"] for test in listed["tests"] if order.index(test["from"]) <= order.index(depth)]
+    shuffled = random.Random(seed).sample(tests, len(tests))
+    runs = {}
+    for what, options, names in (("warm", ["--warm"], tests), ("shuffled", ["--warm"], shuffled), ("fresh", [], tests)):
+        (folder / what).mkdir()
+        runs[what] = of_worker([*command, *options], names, folder / what)
+    differences = sum(compare(name, what, runs["fresh"], runs[what], set()) for what in ("warm", "shuffled"))
+    print(f"{name}: {len(tests)} tests, {differences} differences between warm, shuffled and fresh", flush=True)
+    return differences
+
+
 def in_short(outcome):
     verdict, mismatches = outcome
     return verdict + "".join(f"; {mismatch}" for mismatch in mismatches[:3]) + ("; ..." if mismatches[3:] else "")
@@ -96,14 +141,26 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("--implementation", action="append")
+    parser.add_argument("--variation", action="append")
     parser.add_argument("--depth", default="quick")
     parser.add_argument("--shuffle", type=int, default=1)
     arguments = parser.parse_args()
-    names = arguments.implementation or ["osmesa", "production", "reference"]
+    depth, seed = arguments.depth, arguments.shuffle
+    is_all = not arguments.implementation and not arguments.variation
     differences = 0
-    for name in names:
+    for name in ["osmesa", "egl", "production", "reference"] if is_all else arguments.implementation or []:
         with tempfile.TemporaryDirectory(prefix="evalcts-stability-") as folder:
-            differences += check(arguments.program, name, arguments.depth, arguments.shuffle, pathlib.Path(folder))
+            differences += check(arguments.program, name, depth, seed, pathlib.Path(folder))
+    if is_all or arguments.variation:
+        suite = str(pathlib.Path(arguments.program).with_name("evalcts-faulty-suite"))
+        with tempfile.TemporaryDirectory(prefix="evalcts-stability-") as folder:
+            listing = pathlib.Path(folder) / "variations.json"
+            subprocess.run([suite, "--list-variations", str(listing)], check=True)
+            variations = [one for one in json.loads(listing.read_text())["faults"]
+                          if is_all or one["name"] in arguments.variation]
+            with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+                differences += sum(pool.map(lambda one: check_variation(
+                    suite, one, depth, seed, pathlib.Path(folder) / one["name"]), variations))
     return 1 if differences else 0
 
 

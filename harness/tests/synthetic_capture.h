@@ -48,8 +48,10 @@ class SyntheticCapture final : public Capture {
   bool takes(PrimitiveKinds kinds) const override { return (kinds & ~traits_.takes) == 0; }
 
   // Does not split primitives.
-  Observation observe(Implementation&, const gl::Case& script, const CaptureRequest& request) const override {
+  Observation observe(Implementation& implementation, const gl::Case& script,
+                      const CaptureRequest& request) const override {
     ++observations;
+    last_implementation = &implementation;
     last_request = request;
     Observation observation;
     observation.attributes = shown();
@@ -72,6 +74,7 @@ class SyntheticCapture final : public Capture {
   int proofs = 0;
   mutable int observations = 0;
   mutable CaptureRequest last_request;
+  mutable const Implementation* last_implementation = nullptr;
 
  private:
   CaptureTraits traits_;

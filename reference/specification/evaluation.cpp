@@ -32,7 +32,7 @@ void Specification::eval_coord(const Argument& u, const std::optional<Argument>&
   const int dimension = v ? 2 : 1;
   // Without a vertex map nothing happens (EV-COORD-NOVERTEX). VERTEX_4 goes before VERTEX_3 (EV-PREC-VERTEX).
   const auto position = effective_map(dimension, {GL_MAP1_VERTEX_4, GL_MAP1_VERTEX_3});
-  if (!position || !inside()) return;
+  if (!position || !inside() || !keeps_vertices_) return;
 
   // The effect is that of the command that corresponds to each map, the vertex last, on a copy of the current
   // values that is used for this vertex only (EV-COORD-ASIF, EV-CUR-*). The initial position is (0,0,0,1), so

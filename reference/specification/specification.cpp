@@ -98,7 +98,8 @@ Specification::Specification() : Specification(Options{}) {}
 Specification::Specification(const Options& options)
     : max_eval_order_(std::clamp(options.max_eval_order, 8, kMaxOrder)),
       texture_units_(std::clamp(options.texture_units, 1, kTextureUnits)),
-      active_units_(std::clamp(options.active_units, texture_units_, kTextureUnits)) {
+      active_units_(std::clamp(options.active_units, texture_units_, kTextureUnits)),
+      keeps_vertices_(options.keeps_vertices) {
   for (GLenum i = 0; i < kMapKinds; ++i) {
     maps_[slot(GL_MAP1_COLOR_4 + i)] = std::make_shared<const Map>(initial_map(GL_MAP1_COLOR_4 + i));
     maps_[slot(GL_MAP2_COLOR_4 + i)] = std::make_shared<const Map>(initial_map(GL_MAP2_COLOR_4 + i));
@@ -239,7 +240,7 @@ Vertex Specification::current_vertex() const {
 void Specification::vertex(double x, double y, double z, double w) {
   if (compiled(&Specification::vertex, x, y, z, w)) return;
   reject_if({});
-  if (!inside()) return;
+  if (!inside() || !keeps_vertices_) return;
   Vertex vertex = current_vertex();
   vertex.position = {to_single(x), to_single(y), to_single(z), to_single(w)};
   open_->vertices.push_back(std::move(vertex));

@@ -51,6 +51,7 @@ class Specification {
     // Units that ActiveTexture accepts. From GL 2.0 on, these may be more, because units for images count as
     // well (GL 2.1 2.7). At least texture_units, at most kTextureUnits; other values are clamped.
     int active_units = 0;
+    bool keeps_vertices = true;  // false: primitives have no vertices, for callers that need only answers
   };
 
   // Makes a context in the initial state of the GL (EV-INIT-*).
@@ -359,6 +360,7 @@ class Specification {
 
   int max_eval_order_;
   int texture_units_, active_units_;
+  bool keeps_vertices_;
   std::array<std::shared_ptr<const Map>, 2 * kMapKinds> maps_;  // MAP1 targets, then MAP2 targets
   Attributes attributes_;
   std::vector<SavedAttributes> attribute_stack_;

@@ -128,6 +128,7 @@ struct ImplementationInfo {
   GLint active_units = 1;  // that ActiveTexture has to accept
   std::set<std::string> extensions;
   std::set<GLenum> rejected_queries, rejected_grid_queries;  // see rejected_queries.h
+  std::optional<GLenum> idle_capability;                     // see gl::find_idle_capability()
   bool shares_state = false;               // state that one context sets is visible in the next one
   std::set<gl::EntryPoint> missing;        // the commands that it does not have
   std::optional<Declaration> declaration;  // set for an implementation that is not a GL

@@ -36,14 +36,20 @@ class WarmContext {
   // Restores the state and compares what can be queried of it with that of the new context. Returns false if
   // it differs; another context then replaces this one.
   bool restore();
+  // True if so many contexts were replaced that the state of this library is not worth restoring, for example
+  // because its answers change by themselves.
+  bool is_hopeless() const { return replaced_ >= kMostReplaced; }
   // Replaces this context by another one.
   void renew();
 
  private:
   WarmContext(Implementation& inner, const ImplementationInfo& info);
 
+  static constexpr int kMostReplaced = 16;
+
   std::unique_ptr<Implementation> beside_, shared_;
   ImplementationInfo info_;
+  int replaced_ = 0;
   gl::Case queries_;
   std::optional<gl::Trace> initial_;
 };

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <evalcts/gl/case.h>
+#include <evalcts/gl/table.h>
 
 namespace evalcts::gl {
 
@@ -14,6 +15,10 @@ namespace evalcts::gl {
 // Begin and End, disturbs the primitives. The caller chooses the capability, because no capability is
 // supported by every layer.
 using IdleCapability = std::optional<GLenum>;
+// Returns the first capability without effect on vertices that the library accepts; none if it accepts none.
+// With the initial LogicOp and PolygonOffset, these capabilities have no effect at all. A layer over OpenGL
+// ES may support only the last.
+IdleCapability find_idle_capability(const Table& table);
 
 // Returns the case with each EvalCoord and EvalPoint replaced by a Vertex3f, and each EvalMesh outside of
 // Begin and End by the primitives of its definition (GL 1.0 5.1), with at most 16 vertices in each direction.

@@ -65,9 +65,13 @@ struct Specified {
 struct TextureUnits {
   int with_coordinates = reference::kTextureUnits, active = reference::kTextureUnits;
 };
+enum class Emission {
+  kPredicted,
+  kLeftOut  // the primitives of the prediction have no vertices: long meshes take most of the memory
+};
 // Runs the specified_commands() of the case on the specification.
 Specified specify(const gl::Case& script, int max_eval_order, TextureUnits units = {},
-                  OtherState other = OtherState::kRejected);
+                  OtherState other = OtherState::kRejected, Emission emission = Emission::kPredicted);
 
 // Returns a case that draws the predicted primitives with explicit vertices: all values correctly rounded,
 // and colour, normal and texture coordinates of unit 0 before each vertex. Evaluation must have the same

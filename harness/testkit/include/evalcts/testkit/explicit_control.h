@@ -2,6 +2,7 @@
 // evaluation. If it fails as well, the root cause is in the rest of the pipeline, not in the evaluators.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,12 @@ class ExplicitControl {
     observed_.reset();
     wrong_.clear();
   }
+
+  // Runs the controls of the observed case, if there is one and they have not run: in the warm context if the
+  // case fails there in the same way, which `fails` says, and the controls pass there; otherwise in fresh
+  // contexts. They hold the case and its controls to the same conditions either way, and making contexts
+  // takes most of the time.
+  void run_controls(const std::function<bool(Implementation&)>& fails = {});
 
   // Returns the attributes that are wrong in the control of the case, because the capture or the rest of the
   // pipeline loses them.
@@ -51,10 +58,9 @@ class ExplicitControl {
     Topology topology;
     Observation observation;
   };
-  void run_controls(const Observed& observed);
   // Observes a case without evaluation; empty if the capture does not take its primitives.
-  std::optional<ControlObservation> observe_control(const gl::Case& control, const Capture& capture,
-                                                    Attributes judged) const;
+  std::optional<ControlObservation> observe_control(Implementation& implementation, const gl::Case& control,
+                                                    const Capture& capture, Attributes judged) const;
   std::vector<Mismatch> mismatches(const ControlObservation& seen, Attributes judged) const;
 
   const Subject& subject_;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include <evalcts/backends/implementation.h>
+#include <evalcts/backends/reused_context.h>
 #include <evalcts/capture/capture.h>
 #include <evalcts/gl/case.h>
 #include <evalcts/results/depth.h>
@@ -23,6 +24,8 @@ struct Subject {
   // True if all cases share a context, whose state is restored in between, and what does not pass runs again
   // in fresh contexts, which decide.
   bool is_warm = false;
+  // For tests in fresh contexts: the warm context, where the controls of failing cases may run; may be null.
+  WarmContext* warm = nullptr;
   ImplementationInfo info;
   Captures* captures = nullptr;
   Depth depth = Depth::kFull;

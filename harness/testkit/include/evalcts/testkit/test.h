@@ -123,6 +123,8 @@ class Test : public Conditions {
   };
   // Returns the texture units for predictions.
   TextureUnits units() const { return {texture_units(), gl().active_units}; }
+  // Specifies the case without its vertices.
+  Specified specify_answers(const gl::Case& script) const;
   Ending end_of(const std::function<void(Test&)>& body);
   std::string mistake() const;
   Difference difference_of(const Mismatch& mismatch) const;
