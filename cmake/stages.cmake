@@ -26,7 +26,8 @@ set_tests_properties(stage.lint-format stage.lint-spelling stage.lint-api PROPER
 evalcts_stage(tidy 21600 run-clang-tidy-14 -quiet -checks=-bugprone-suspicious-include -p ${CMAKE_BINARY_DIR}
   "^(?!.*(mutated|later)).*\\.(c|cpp|cxx)$")
 
-# Repeated runs, shuffled runs and each test alone give the same verdicts and signatures.
+# Repeated runs, shuffled runs and each test alone give the same verdicts and signatures, and so do warm, shuffled and fresh
+# workers behind each legal variation.
 evalcts_stage(stability 21600 python3 harness/tests/stability.py $<TARGET_FILE:evalcts>)
 
 # Thorough depth gives no unexpected results. OSMesa runs in eight shards, because it takes more than an hour.

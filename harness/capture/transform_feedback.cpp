@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include <evalcts/capture/varyings.h>
 #include "control.h"
@@ -37,7 +38,9 @@ class TransformFeedback final : public Capture {
         std::clamp<std::size_t>(static_cast<std::size_t>(std::max(info.texture_units, 1)), 1, kTextureUnits);
     shader_ = copying_shader(units_);
     shader_of_unit_0_ = copying_shader(1);
-    for (const Attributes wanted : {attributes(), attributes() & ~Attributes{kTextureCoordinatesOther}}) {
+    const std::set<Attributes> requests = {attributes(),
+                                           attributes() & ~Attributes{kTextureCoordinatesOther}};
+    for (const Attributes wanted : requests) {
       std::string wrong;
       try {
         wrong = try_control(*this, implementation, {true, true}, wanted);

@@ -270,8 +270,8 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
 }  // namespace
 
 int suite_main(int argc, char** argv, const Wrapping& wrapping) {
-  // A library allocates the same large blocks in each context. Returning them to the system in between would
-  // take a sixth of the time.
+  // Mesa allocates the same large blocks for each context. To return them to the system in between takes a
+  // sixth of the time of a run.
   mallopt(M_MMAP_THRESHOLD, 32 << 20);
   mallopt(M_TRIM_THRESHOLD, 128 << 20);
   const rlimit no_core{0, 0};

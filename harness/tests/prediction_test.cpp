@@ -51,6 +51,29 @@ TEST(Prediction, KnowsTheFirstErrorOfAList) {
   EXPECT_EQ(predict(c, 8).error, static_cast<GLenum>(GL_INVALID_VALUE));
 }
 
+// Answers, errors and the number of primitives do not depend on the vertices.
+TEST(Specified, IsTheSameWithoutVertices) {
+  gl::Case c = with_a_line();
+  c.Begin(GL_POINTS);
+  c.EvalCoord1f(0.5f);
+  c.Vertex3f(1, 2, 3);
+  c.MapGrid1f(2, 0, 1);  // an error
+  const gl::Ref error = c.GetError();
+  c.End();
+  c.EvalMesh1(GL_LINE, 0, 1);
+  const gl::Ref grid = c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2));
+  const Specified whole = specify(c, 8);
+  const Specified without = specify(c, 8, {}, OtherState::kRejected, Emission::kLeftOut);
+  EXPECT_EQ(whole.prediction.vertex_count(), 4u);
+  EXPECT_EQ(without.prediction.vertex_count(), 0u);
+  EXPECT_EQ(without.completed, whole.completed);
+  EXPECT_EQ(without.inside, whole.inside);
+  EXPECT_EQ(without.errors, whole.errors);
+  EXPECT_EQ(without.error_answers, whole.error_answers);
+  EXPECT_EQ(without.answers.error(error), static_cast<GLenum>(GL_INVALID_OPERATION));
+  EXPECT_TRUE(without.answers.same(grid, whole.answers, grid));
+}
+
 TEST(Specified, SaysWhenPrimitivesAreOpenAndComplete) {
   gl::Case c = with_a_line();
   c.Begin(GL_POINTS);

@@ -156,8 +156,11 @@ def main():
         with tempfile.TemporaryDirectory(prefix="evalcts-stability-") as folder:
             listing = pathlib.Path(folder) / "variations.json"
             subprocess.run([suite, "--list-variations", str(listing)], check=True)
-            variations = [one for one in json.loads(listing.read_text())["faults"]
-                          if is_all or one["name"] in arguments.variation]
+            variations = json.loads(listing.read_text())["faults"]
+            names = [one["name"] for one in variations]
+            if unknown := sorted(set(arguments.variation or []) - set(names)):
+                parser.error(f"no variation is called {', '.join(unknown)}; there are {', '.join(names)}")
+            variations = [one for one in variations if is_all or one["name"] in arguments.variation]
             with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
                 differences += sum(pool.map(lambda one: check_variation(
                     suite, one, depth, seed, pathlib.Path(folder) / one["name"]), variations))
