@@ -58,8 +58,8 @@ TEST(Specified, IsTheSameWithoutVertices) {
   c.EvalCoord1f(0.5f);
   c.Vertex3f(1, 2, 3);
   c.MapGrid1f(2, 0, 1);  // an error
-  const gl::Ref error = c.GetError();
   c.End();
+  const gl::Ref error = c.GetError();
   c.EvalMesh1(GL_LINE, 0, 1);
   const gl::Ref grid = c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2));
   const Specified whole = specify(c, 8);
