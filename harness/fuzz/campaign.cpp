@@ -50,7 +50,8 @@ class CampaignRunner {
                   .smaller =
                       [this](const Finding& finding) {
                         report_(FindingShrank{job_.number, finding});
-                      }}) {
+                      },
+                  .is_careful = [this] { return !job_.deadly.empty(); }}) {
     report_(CampaignStarted{max_order_});
   }
 
@@ -104,11 +105,11 @@ class CampaignRunner {
   // Returns the finding that the difference is reduced to, or nothing if a fresh context does not show the
   // difference.
   std::optional<Finding> explained(const gl::Case& program, const Failure& failure, bool shares) {
-    if (shares && job_.deadly.empty())
+    if (shares)
       if (std::optional<Finding> known = reducer_.recognise(program, failure.difference)) return known;
     const std::optional<Finding> found =
         shares ? repeated(program, failure.difference) : std::optional(Finding{program, failure});
-    return found ? std::optional(reducer_.reduce(*found, !job_.deadly.empty())) : std::nullopt;
+    return found ? std::optional(reducer_.reduce(*found)) : std::nullopt;
   }
 
   // Reproduces a difference of the shared context in a fresh context, with the program alone or after some of

@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include <evalcts/gl/display_lists.h>
 #include <evalcts/gl/roles.h>
 #include <evalcts/gl/tokens.h>
 #include "legal.h"
@@ -40,11 +41,15 @@ struct Facts {
   std::set<std::string> words;
 
   explicit Facts(const gl::Case& program) {
-    std::set<std::int64_t> enabled;
+    std::set<std::int64_t> enabled;  // now; through lists or the attribute stack: at any time
+    const bool in_order =
+        !gl::uses_lists(program) && std::ranges::none_of(program.commands(), [](const Command& command) {
+          return command.entry == EntryPoint::PushAttrib;
+        });
     std::set<int> dimensions_of_maps;
     bool is_list_open = false;
     for (const Command& command : program.commands())
-      if (command.entry == EntryPoint::Enable) enabled.insert(gl::integer_of(command, 0));
+      if (!in_order && command.entry == EntryPoint::Enable) enabled.insert(gl::integer_of(command, 0));
     for (const Command& command : program.commands()) {
       const EntryPoint entry = command.entry;
       const Role role = gl::role_of(entry);
@@ -55,6 +60,8 @@ struct Facts {
             std::max(lists, gl::integer_of(command, 1) == GL_COMPILE ? Lists::kCompiled : Lists::kExecuted);
       if (entry == EntryPoint::NewList || entry == EntryPoint::EndList)
         is_list_open = entry == EntryPoint::NewList;
+      if (entry == EntryPoint::Enable) enabled.insert(name);
+      if (entry == EntryPoint::Disable && in_order) enabled.erase(name);
       nested_lists = nested_lists || (is_list_open && entry == EntryPoint::CallList);
       if (gl::is_evaluation(entry)) {
         ++evaluations;
@@ -100,8 +107,8 @@ struct Facts {
 };
 
 struct Rejected {
-  std::string word;  // "Map"
-  std::string error;
+  std::string word;   // "Map"
+  std::string error;  // "GL_INVALID_VALUE", "GL_INVALID_ENUM or GL_INVALID_VALUE"
 };
 
 // Returns the first command that has to be rejected; none if there is none.
@@ -110,8 +117,10 @@ std::optional<Rejected> rejected_command(const gl::Case& program, int max_eval_o
   if (!specified) return std::nullopt;
   for (std::size_t i = 0; i < specified->errors.size(); ++i) {
     const std::string word = Facts::word_of(program.commands()[i]);
-    if (!specified->errors[i].empty() && !word.empty())
-      return Rejected{word, gl::error_name(specified->errors[i].front())};
+    if (specified->errors[i].empty() || word.empty()) continue;
+    std::vector<std::string> names;
+    for (const GLenum error : specified->errors[i]) names.push_back(gl::error_name(error));
+    return Rejected{word, fmt::format("{}", fmt::join(names, " or "))};
   }
   return std::nullopt;
 }
@@ -228,7 +237,7 @@ Name of_answers(const Failure& failure, const Facts& facts) {
                       words.empty() ? "" : " after " + words, in_lists(facts))};
 }
 
-Name name_of(const Finding& minimal, const Facts& facts, int max_eval_order) {
+Name name_of(const Finding& minimal, const Facts& facts, const std::optional<Rejected>& rejected) {
   const Difference& difference = minimal.failure.difference;
   const std::string& kind = difference.kind;
   const std::string lists = in_lists(facts);
@@ -239,8 +248,8 @@ Name name_of(const Finding& minimal, const Facts& facts, int max_eval_order) {
                         words.empty() ? "Begin, End" : words, lists)};
   }
   if (kind == Difference::kError) return of_errors(minimal.failure, facts);
-  // The program is minimal, so it does not fail without the rejected command, whose error is right.
-  if (const std::optional<Rejected> rejected = rejected_command(minimal.program, max_eval_order))
+  // A minimal program does not fail without the rejected command, whose error is right.
+  if (rejected)
     return {cause_from("effect of a rejected command", {rejected->word, rejected->error, lists}),
             fmt::format("{} is rejected with {}{} and has an effect nevertheless", rejected->word,
                         rejected->error, lists)};
@@ -257,11 +266,15 @@ Name name_of(const Finding& minimal, const Facts& facts, int max_eval_order) {
 
 // --- the requirement that a minimal program violates
 
+const char* requirement_of_rejection(const Facts& facts) {
+  return facts.surfaces_only ? "EV-MAP2-ERR-NOEFFECT" : "EV-MAP1-ERR-NOEFFECT";
+}
+
 const char* requirement_of_error(const Facts& facts) {
   const bool active_texture = facts.words.contains("ActiveTexture");
   if (facts.lists != Facts::Lists::kNone) return active_texture ? "EV-DL-ACTIVETEX" : "EV-DL-ERR-ALL";
   if (active_texture) return facts.surfaces_only ? "EV-MAP2-ERR-ACTIVETEX" : "EV-MAP1-ERR-ACTIVETEX";
-  return facts.surfaces_only ? "EV-MAP2-ERR-NOEFFECT" : "EV-MAP1-ERR-NOEFFECT";
+  return requirement_of_rejection(facts);
 }
 
 const char* requirement_of_answer(const std::string& place, const Facts& facts) {
@@ -292,7 +305,7 @@ const char* requirement_of_vertices(const Difference& difference, const Facts& f
   return facts.explicit_vertices ? "EV-CUR-NEXTVERTEX" : "EV-COORD-CURRENT";
 }
 
-const char* requirement_of(const Difference& difference, const Facts& facts) {
+const char* requirement_of(const Difference& difference, const Facts& facts, bool has_rejected_map) {
   const std::string& kind = difference.kind;
   if (kind == Difference::kCrash || kind == Difference::kHang)
     return facts.nested_lists                   ? "EV-DL-NESTED"
@@ -303,6 +316,7 @@ const char* requirement_of(const Difference& difference, const Facts& facts) {
            : facts.mesh_mode == GL_LINE ? "EV-MESH2-LINE"
                                         : "EV-MESH2-FILL";
   if (kind == Difference::kError) return requirement_of_error(facts);
+  if (has_rejected_map) return requirement_of_rejection(facts);
   if (kind == Difference::kAnswer) return requirement_of_answer(difference.place, facts);
   return requirement_of_vertices(difference, facts);
 }
@@ -311,10 +325,12 @@ const char* requirement_of(const Difference& difference, const Facts& facts) {
 
 void name_finding(Finding& minimal, int max_eval_order) {
   const Facts facts(minimal.program);
-  const Name name = name_of(minimal, facts, max_eval_order);
+  const std::optional<Rejected> rejected = rejected_command(minimal.program, max_eval_order);
+  const Name name = name_of(minimal, facts, rejected);
   minimal.cause = name.cause;
   minimal.title = name.title;
-  minimal.requirement = requirement_of(minimal.failure.difference, facts);
+  minimal.requirement =
+      requirement_of(minimal.failure.difference, facts, rejected && rejected->word == "Map");
 }
 
 }  // namespace evalcts::fuzz

@@ -174,7 +174,7 @@ std::optional<Finding> Reducer::find(const gl::Case& program, const Difference& 
 
 bool Reducer::is_minimal(const gl::Case& program, const Difference& difference) const {
   const auto shows = [&](const gl::Case& part) {
-    if (shared_ && !difference_of(part, difference, in_shared())) return false;
+    if (shared() && !difference_of(part, difference, in_shared())) return false;
     return difference_of(part, difference, fresh()).has_value();
   };
   const std::vector<gl::Case> parts = parts_of(program);
@@ -217,7 +217,7 @@ const Finding* Reducer::explanation(const gl::Case& program, const Difference& d
 }
 
 std::optional<Finding> Reducer::recognise(const gl::Case& program, const Difference& difference) {
-  if (!shared_ || vertices_of(program) > kMostVertices) return {};
+  if (!shared() || vertices_of(program) > kMostVertices) return {};
   const Finding* const known = explanation(program, difference, true);
   if (hooks_.finish) hooks_.finish();
   return known ? std::optional(*known) : std::nullopt;
@@ -226,8 +226,11 @@ std::optional<Finding> Reducer::recognise(const gl::Case& program, const Differe
 std::optional<Finding> Reducer::prove(const std::string& bug) {
   for (const KnownProgram& program : known_programs())
     for (Known& known : known_)
-      if (program.bug == bug && known.record == &program)
-        if (const Finding* const finding = finding_of(known)) return *finding;
+      if (program.bug == bug && known.record == &program) {
+        const Finding* const finding = finding_of(known);
+        if (hooks_.finish) hooks_.finish();
+        if (finding) return *finding;
+      }
   return {};
 }
 
@@ -260,7 +263,7 @@ std::optional<Finding> Reducer::reduce(const gl::Case& program, const Difference
     for (const Known& known : known_)
       if (known.finding && known.difference.is_like(wanted))
         if (const auto part = with_words_of(known.program, program); part && alikeness.holds_for(*part))
-          if (difference_of(*part, wanted, fresh())) return known.finding;
+          if (find(*part, wanted)) return known.finding;
     excerpt_of(program, [&](const gl::Case& part) {
       std::optional<Finding> of_part = difference_of(part, wanted, fresh());
       if (of_part) found = of_part;
@@ -272,7 +275,7 @@ std::optional<Finding> Reducer::reduce(const gl::Case& program, const Difference
   return found ? std::optional(reduce(*std::move(found))) : std::nullopt;
 }
 
-Finding Reducer::reduce(Finding finding, bool careful) {
+Finding Reducer::reduce(Finding finding) {
   const Alikeness alikeness(finding.program);
   Difference difference = finding.failure.difference;
   // A candidate that still shows the difference takes the place of the finding.
@@ -306,7 +309,7 @@ Finding Reducer::reduce(Finding finding, bool careful) {
   // A difference that shows without display lists as well is no bug of lists.
   if (gl::uses_lists(finding.program)) still(gl::without_lists(finding.program));
   // Most differences have a known cause. The shared context quickly shows which one it may be.
-  const bool uses_shared = shared_ && vertices_of(finding.program) <= kMostVertices;
+  const bool uses_shared = shared() && vertices_of(finding.program) <= kMostVertices;
   if (const Finding* const known = explanation(finding.program, difference, uses_shared)) {
     finding = *known;
     return finish();
@@ -314,7 +317,7 @@ Finding Reducer::reduce(Finding finding, bool careful) {
   for (const std::string& word : words_of(finding.program)) still(without_word(finding.program, word));
   // The program is first shrunk in the shared context, where runs are cheap, so that few runs in fresh
   // contexts remain.
-  if (uses_shared && !careful && still_in_shared(finding.program))
+  if (uses_shared && still_in_shared(finding.program))
     still(shrink(finding.program, still_in_shared, kInShared * most_attempts_));
   // Each run of a program that draws very much takes long, so it gets fewer attempts.
   const std::int64_t size = std::max<std::int64_t>(vertices_of(finding.program) / kMostVertices, 1);
@@ -325,7 +328,7 @@ Finding Reducer::reduce(Finding finding, bool careful) {
   const std::optional<Specified> specified = specify_if_defined(finding.program, max_order_);
   if (difference.kind != Difference::kError && specified && has_rejected_command(*specified))
     if (std::optional<Finding> error = difference_of(finding.program, {Difference::kError, "", ""}, fresh()))
-      return reduce(*std::move(error), careful);
+      return reduce(*std::move(error));
   name(finding);
   return finish();
 }

@@ -49,8 +49,10 @@ class Reducer {
     // Called before a program runs. If it returns false, the program is not run, for example because the
     // library has died in it before.
     std::function<bool(const gl::Case&)> try_start = {};
-    std::function<void()> finish = {};                         // called after the last program of a reduction
+    std::function<void()> finish = {};                         // called when no program is running any more
     std::function<void(const Finding& finding)> smaller = {};  // called with the smallest program so far
+    // Returns true if the library has died in an earlier attempt. The shared context is not used then.
+    std::function<bool()> is_careful = {};
   };
 
   // `shared`: a context in which programs are tried first; may be null. `most_attempts`: approximate maximum
@@ -62,12 +64,11 @@ class Reducer {
   std::optional<Finding> find(const gl::Case& program, const Difference& difference) const;
 
   // Returns the finding with a minimal program and a name. If a known program explains it, the result has
-  // that program. If `careful`, the shared context is not used to shrink the program, because the library has
-  // died in an earlier attempt.
-  Finding reduce(Finding finding, bool careful = false);
+  // that program.
+  Finding reduce(Finding finding);
 
   // Returns the finding that the difference of the program is reduced to; none if the program does not differ
-  // in this way. A large program is not run as a whole if a part of it does.
+  // in this way. A large program whose difference is complete is not run as a whole if a part of it differs.
   std::optional<Finding> reduce(const gl::Case& program, const Difference& difference);
 
   // Returns the finding of a known program if the shared context shows that it explains the difference,
@@ -89,11 +90,12 @@ class Reducer {
     gl::Case program;
     Difference difference;
     std::string cause;
-    bool was_run = false;            // true if a program of the register has been run
+    bool was_run = false;            // true unless it is a program of the register that has not been run
     std::optional<Finding> finding;  // none: it has not been run, or does not fail here as described
   };
 
   bool is_over() const { return hooks_.is_over && hooks_.is_over(); }
+  SharedContext* shared() const { return hooks_.is_careful && hooks_.is_careful() ? nullptr : shared_; }
   Judge fresh() const;
   Judge in_shared() const;
   // Returns true if no part of the program shows the difference.

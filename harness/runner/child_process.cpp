@@ -132,7 +132,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::s
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
   if (error != 0)
-    throw std::runtime_error(fmt::format("cannot start '{}': {}", command.front(), std::strerror(error)));
+    throw CannotSpawn(fmt::format("cannot start '{}': {}", command.front(), std::strerror(error)));
   if (output_) output_->close_writer();
   descriptor_ = static_cast<int>(syscall(SYS_pidfd_open, id_, 0));
 }

@@ -78,7 +78,7 @@ std::vector<std::string> suite_command(const RunRequest& request) {
 }
 
 void add_commands(const RunRequest& request, TestRecord& record) {
-  // A failure over a shared context also needs the tests of its history.
+  // A failure that depends on earlier tests needs them, too.
   std::string filter = record.name;
   for (const std::string& before : record.history.value_or(std::vector<std::string>()))
     filter += ":" + before;
@@ -93,6 +93,8 @@ void add_commands(const RunRequest& request, TestRecord& record) {
     rerun.insert(rerun.end(), {"--timeout", fmt::format("{}", limits.seconds_per_test)});
   if (limits.memory != Limits().memory)
     rerun.insert(rerun.end(), {"--memory", std::to_string(limits.memory >> 20)});
+  // Processes that share the tests would separate the test from its history.
+  if (record.history && !request.first_pass) rerun.insert(rerun.end(), {"--jobs", "1"});
   rerun.insert(rerun.end(), {"--filter", filter});
   record.rerun = shell_line(rerun);
 

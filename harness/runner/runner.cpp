@@ -31,7 +31,8 @@ constexpr std::uint64_t kMostBetweenTests = std::uint64_t{250} << 20;  // bytes 
 constexpr double kSecondsToStart = 60;   // for the description of the implementation, and each proof
 constexpr double kSearchBudget = 30;     // seconds for the search for the history of one failure
 constexpr double kSearchesBudget = 120;  // seconds for all these searches
-constexpr int kMostEmptyStarts = 2;      // attempts that may end without a result before the run gives up
+constexpr int kMostFruitless = 2;        // rounds that may end without a result before the run gives up
+constexpr char kOutOfTime[] = "; the search for the tests that it depends on ran out of time";
 constexpr std::size_t kSameCrashes = 3;  // tests with one crash, after which others need no confirmation
 
 double seconds_since(Clock::time_point start) {
@@ -47,7 +48,7 @@ class Run {
     remove_stale_files();
     progress_({"starting", 0, request_.tests.size(), ""});
     try {
-      if (!start()) return finish(RunStatus::kNotStarted);
+      if (!start()) return finish(interrupted ? RunStatus::kInterrupted : RunStatus::kNotStarted);
       run_tests();
       if (second_pass())
         explain_by_history();
@@ -57,6 +58,9 @@ class Run {
       result_.reason =
           error.what() + std::string("; free some space, or choose another folder with --output");
       return finish(RunStatus::kInterrupted);
+    } catch (const CannotSpawn& error) {
+      result_.reason = error.what();
+      return finish(records_.empty() ? RunStatus::kNotStarted : RunStatus::kInterrupted);
     }
     return finish(interrupted ? RunStatus::kInterrupted : RunStatus::kComplete);
   }
@@ -135,7 +139,7 @@ class Run {
     return command;
   }
 
-  // True if tests run in a warm context first. Tests that run alone use fresh contexts only.
+  // True if tests run in a warm context first. Those of run_alone() use fresh contexts only.
   bool uses_warm_context() const {
     return !second_pass() && !request_.only_fresh_contexts && !dies_with_second_context_;
   }
@@ -160,7 +164,6 @@ class Run {
          .limits = request_.limits,
          .workers = tests.size(),
          .is_each_alone = true,
-         .deadline = deadline_,
          .ended =
              [&](const WorkerRun& run) {
                if (!run.in_flight.empty()) runs[run.in_flight] = run;
@@ -190,7 +193,7 @@ class Run {
       const std::vector<WorkerRun> ended = run_side_by_side(remaining);
       record_deaths(ended);
       if (interrupted || records_.size() > before || crashing_calls_.size() > calls_before ||
-          ++fruitless < kMostEmptyStarts)
+          ++fruitless < kMostFruitless)
         continue;
       const WorkerRun& last = ended.back();
       for (const std::string& name : remaining)
@@ -242,8 +245,8 @@ class Run {
     return ended;
   }
 
-  // Counts the crash of a test. Once kSameCrashes tests have crashed in the same command, processes that
-  // start later omit this command from tests in which it is optional.
+  // Counts the crash or hang of a test. Once kSameCrashes tests have crashed in the same command, processes
+  // that start later omit this command from tests in which it is optional.
   void count_crash(const WorkerRun& run) {
     if (run.in_flight.empty() || !run.crash || run.crash->call.empty()) return;
     std::set<std::string>& tests = tests_that_crash_in_[run.crash->call];
@@ -425,7 +428,8 @@ class Run {
 
   // --- repetition of failures ------------------------------------------------------------------------------
 
-  // Returns the outcome of the test when it ran alone, if it differs from the outcome in the record.
+  // Returns the outcome of the test when it ran alone, if there is one and it differs from the outcome in the
+  // record.
   std::optional<Repetition> other_outcome(const TestRecord& record, const WorkerRun& again) const {
     if (again.in_flight == record.name)
       return Repetition{verdict_of_death(again), describe(again, request_.limits)};
@@ -458,6 +462,10 @@ class Run {
         progress_({"running again", begin, names.size(), some.front()});
         const std::vector<WorkerRun> runs = run_alone(some, false);
         for (std::size_t i = 0; i < some.size() && !interrupted; ++i) {
+          if (runs[i].in_flight.empty() && !runs[i].records.contains(some[i])) {
+            records_[some[i]].message += "; not confirmed, because it did not begin in a new process";
+            continue;
+          }
           const std::optional<Repetition> other = other_outcome(records_[some[i]], runs[i]);
           if (!other) {
             same.push_back(some[i]);
@@ -471,7 +479,9 @@ class Run {
       }
       names = std::move(same);
     }
-    for (const auto& [name, rest] : rest_of_group) result_.confirmed_by_group += rest.size();
+    for (const std::string& name : names)  // the representatives that failed in the same way each time
+      if (const auto rest = rest_of_group.find(name); rest != rest_of_group.end())
+        result_.confirmed_by_group += rest->second.size();
   }
 
   // Keeps the first failure of each group, and returns the others by this first one. Failures with the same
@@ -497,14 +507,19 @@ class Run {
   void explain_difference(TestRecord& record, const Repetition& again) {
     const TestRecord before = record;
     progress_({"searching a history", records_.size(), request_.tests.size(), record.name});
-    add_history(record, predecessors_of(record.name));
+    const History::Quality found = add_history(record, predecessors_of(record.name));
     if (record.history && !record.history->empty()) return;
     record = before;
-    record.flake = !is_failure(again.verdict);
     record.again = again;
-    record.message += record.flake ? "; a flake: when it runs again alone in a new process, its verdict is "
-                                   : "; when it runs again alone in a new process, it fails in another way: ";
-    record.message += record.flake ? text_of(again.verdict).word : again.message;
+    if (is_failure(again.verdict)) {
+      record.message +=
+          "; when it runs again alone in a new process, it fails in another way: " + again.message;
+      return;
+    }
+    record.flake = found != History::Quality::kOutOfTime;
+    record.message += fmt::format("; {}when it runs again alone in a new process, its verdict is {}",
+                                  record.flake ? "a flake: " : "", text_of(again.verdict).word);
+    if (!record.flake) record.message += kOutOfTime;
   }
 
   // --- histories of failures -----------------------------------------------------------------------------
@@ -565,7 +580,7 @@ class Run {
   }
 
   // Searches for the shortest history by running tests in new processes, and adds it to the record.
-  void add_history(TestRecord& record, const std::vector<std::string>& predecessors) {
+  History::Quality add_history(TestRecord& record, const std::vector<std::string>& predecessors) {
     const auto begin = Clock::now();
     searched_.insert(record.name);
     double seconds = std::min(kSearchBudget, searches_left_);
@@ -593,8 +608,9 @@ class Run {
     if (history.quality == History::Quality::kShortest || history.quality == History::Quality::kShortened)
       record.history = history.tests;
     else
-      record.flake = true;
+      record.flake = history.quality == History::Quality::kNotReproduced;
     record.history_case = only_case;
+    return history.quality;
   }
 
   // For a history of one test, returns the last of the cases of this test that the failure depends on; empty
@@ -618,7 +634,7 @@ class Run {
             "{}; not reproduced, neither alone nor after the same {} tests: it does not always happen",
             message, predecessors);
       case History::Quality::kOutOfTime:
-        return message + "; the search for the tests that it depends on ran out of time";
+        return message + kOutOfTime;
       case History::Quality::kShortest:
       case History::Quality::kShortened:
         break;

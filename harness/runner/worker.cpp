@@ -14,6 +14,7 @@
 #include <cstring>
 #include <functional>
 #include <memory>
+#include <ranges>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -30,7 +31,7 @@ namespace fs = std::filesystem;
 
 constexpr int kLookMilliseconds = 20;  // longest time between two checks of the limits
 constexpr double kMostToEnd = 2;       // seconds that the process may take to exit after its last job
-constexpr int kMostFruitless = 2;      // workers in turn that may end before their first job
+constexpr int kMostEmptyStarts = 2;    // workers in turn that may end before their first job
 constexpr std::size_t kMostQuotedLines = 3;
 constexpr char kCannotStartLine[] = "cannot start: ";  // suite_main prints the reason in such a line, too
 // Time that a process that hangs may take to report its command in flight.
@@ -43,7 +44,7 @@ struct Ends {
   explicit Ends(const std::function<int(int*)>& make) {
     std::array<int, 2> ends{};
     if (make(ends.data()) != 0)
-      throw std::runtime_error(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
+      throw CannotSpawn(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
     reader = ends[0];
     writer = ends[1];
   }
@@ -239,7 +240,7 @@ bool Pool::run(const std::function<std::optional<Job>()>& next) const {
     if (!job || is_each_alone) worker.finish();
   };
   const auto start = [&] {
-    if (empty_starts >= kMostFruitless) return false;
+    if (empty_starts >= kMostEmptyStarts) return false;
     const std::optional<Job> job = next_job();
     if (!job) return false;
     running.push_back(std::make_unique<Worker>(command(), log, limits));
@@ -262,9 +263,13 @@ bool Pool::run(const std::function<std::optional<Job>()>& next) const {
       running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
       const WorkerRun& run = done->run();
       returned.insert(returned.begin(), done->waiting().begin(), done->waiting().end());
-      const bool is_empty = run.finished.empty() && run.in_flight.empty();
-      empty_starts = is_empty ? empty_starts + 1 : 0;
       if (ended) ended(run);
+      // Workers that are started from now on may have a better command.
+      const std::vector<std::string> now = command();
+      if (!run.finished.empty() || !run.in_flight.empty())
+        empty_starts = 0;
+      else if (std::ranges::equal(now, run.command | std::views::take(now.size())))
+        ++empty_starts;
       while (running.size() < workers && start()) continue;
     }
   }

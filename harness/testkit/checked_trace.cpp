@@ -100,20 +100,22 @@ void CheckedTrace::fail(gl::Check check, const Difference& difference, const std
 }
 
 void CheckedTrace::expect_error(gl::Ref get_error, const std::vector<GLenum>& allowed) {
+  expect_error_of({std::max(get_error.index - 1, 0)}, get_error, allowed);
+}
+
+void CheckedTrace::expect_error_of(gl::Ref raises, gl::Ref get_error, const std::vector<GLenum>& allowed) {
   const GLenum got = trace_.error(get_error);
   if (std::find(allowed.begin(), allowed.end(), got) != allowed.end()) return;
-  if (get_error.index > 0) require_answer({get_error.index - 1});
+  require_answer(raises);
   std::string expected;
   for (const GLenum error : allowed) expected += (expected.empty() ? "" : " or ") + gl::error_name(error);
   const std::string captured = gl::error_name(got);
-  // The error is expected from the command before GetError.
-  const gl::Command& subject = command({std::max(get_error.index - 1, 0)});
+  const gl::Command& subject = command(raises);
   const bool none_allowed = allowed.front() == GL_NO_ERROR;
   const char* kind = none_allowed ? "spurious error" : got == GL_NO_ERROR ? "missing error" : "wrong error";
   gl::Check check{.answer = {.kind = gl::Answer::Kind::kReturned, .command = get_error, .is_error = true}};
   for (const GLenum error : allowed) check.accepted.emplace_back(error, error);
-  // If the command before GetError executes, begins or ends a list, it does not show which command raises the
-  // error.
+  // A command that executes, begins or ends a list does not show which command of the list raises the error.
   const gl::EntryPoint entry = subject.entry;
   const bool hides_command = entry == gl::EntryPoint::CallList || entry == gl::EntryPoint::CallLists ||
                              entry == gl::EntryPoint::EndList || entry == gl::EntryPoint::NewList;

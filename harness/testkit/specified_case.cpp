@@ -69,6 +69,17 @@ bool is_rejected_in_primitive(const Specified& specified, std::size_t command) {
          std::ranges::count(specified.errors[command], GLenum{GL_INVALID_OPERATION}) > 0;
 }
 
+// Returns the last command before GetError that has to raise the error which is due; the command before
+// GetError if none is due.
+gl::Ref raising_command(const Specified& specified, gl::Ref get_error) {
+  const int before = std::max(get_error.index - 1, 0);
+  const auto at = [](int index) { return static_cast<std::size_t>(index); };
+  if (specified.error_answers[at(get_error.index)].front() == GL_NO_ERROR) return {before};
+  for (int i = before; i >= 0 && specified.error_answers[at(i)].empty(); --i)
+    if (!specified.errors[at(i)].empty()) return {i};
+  return {before};
+}
+
 }  // namespace
 
 void Test::require_rejections_in_primitives(const gl::Case& script, const Specified& specified) {
@@ -210,7 +221,7 @@ void Test::judge_answers(const gl::Case& script, const Specified& specified) {
     if (!specified.error_answers[i].empty()) {
       blame(follows_compiled_command(script, i) ? Observed::kCompilingError : Observed::kError);
       const std::size_t failures = checked.failures();
-      checked.expect_error(command, specified.error_answers[i]);
+      checked.expect_error_of(raising_command(specified, command), command, specified.error_answers[i]);
       errors_are_right = errors_are_right && checked.failures() == failures;
     } else if (snapshot_.contains(command.index)) {
       blame(Observed::kChange);

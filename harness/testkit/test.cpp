@@ -320,14 +320,8 @@ void Test::fail(Failure failure, const std::function<std::vector<std::string>()>
   fails_in_warm_context_ = subject_.is_warm;  // also if the test catches the exception
   if (subject_.is_warm) throw NotObservable("fresh contexts decide: " + failure.message);
   control_.require_explicit_vertices(failure.what);
-  const auto violate = [&](const RequirementId& id) {
-    if (std::ranges::count(record_.violated, id) == 0) record_.violated.push_back(id);
-  };
-  if (!decided_.empty()) {
-    std::ranges::for_each(decided_, violate);
-  } else {
-    violates_all_ = true;
-  }
+  for (const RequirementId& id : decided_) violate(id);
+  violates_all_ = violates_all_ || decided_.empty();
   if (subject_.reproduction) subject_.reproduction->failed(failure, check);
   record_.mismatches.push_back(failure.case_identity + ": " + failure.what);
   if (last_failed_case_ != cases_) ++failed_cases_;
@@ -335,6 +329,10 @@ void Test::fail(Failure failure, const std::function<std::vector<std::string>()>
   if (record_.failures.size() >= kFailuresInFull) return;
   if (calls) failure.calls = calls();
   record_.failures.push_back(std::move(failure));
+}
+
+void Test::violate(const RequirementId& id) {
+  if (std::ranges::count(record_.violated, id) == 0) record_.violated.push_back(id);
 }
 
 void Test::blame_list_or_commands(const std::function<void(Test&)>& body) {
@@ -347,6 +345,7 @@ void Test::blame_list_or_commands(const std::function<void(Test&)>& body) {
     other.requirements.pop_back();
     Subject subject = subject_;
     subject.before_case = nullptr;
+    subject.depth = depth();  // the same cases, though the delivery is another one
     Test test(subject, other);
     test.other_lists_ = lists;
     test.run(body);
@@ -358,7 +357,7 @@ void Test::blame_list_or_commands(const std::function<void(Test&)>& body) {
     return;
   }
   if (direct.verdict != Verdict::kPass) return;
-  if (delivery_.lists != gl::Lists::kCompiled && outcome_in(gl::Lists::kCompiled).verdict != Verdict::kFail) {
+  if (delivery_.lists != gl::Lists::kCompiled && outcome_in(gl::Lists::kCompiled).verdict == Verdict::kPass) {
     record_.violated = {of_list};
     return;
   }
@@ -404,9 +403,10 @@ void Test::run(const std::function<void(Test&)>& body) {
   record_.message = fails ? record_.failures.front().message : ending.why;
   if (fails) {
     if (violates_all_ && !record_.violated.empty())
-      record_.violated.insert(record_.violated.end(), record_.requirements.begin(),
-                              record_.requirements.end());
-    if (is_delivered_in_lists() && !other_lists_ && !subject_.reproduction) blame_list_or_commands(body);
+      for (const RequirementId& id : record_.requirements) violate(id);
+    if (record_.verdict == Verdict::kFail && is_delivered_in_lists() && !other_lists_ &&
+        !subject_.reproduction)
+      blame_list_or_commands(body);
   }
   std::vector<std::string> unobserved;
   if (unobserved_) unobserved.push_back(describe(unobserved_));

@@ -62,6 +62,40 @@ TEST(Identity, AMissingErrorStaysAMissingError) {
   EXPECT_FALSE(has(reduction.minimal->program, gl::EntryPoint::GetFloatv));
 }
 
+// GetError is asked for behind another command than the one that raises no error.
+TEST(Identity, AMissingErrorIsThatOfTheCommandThatHasToRaiseIt) {
+  Altered altered(lose_colours_and_take_small_strides);
+  const Reduction reduction = reduced_on(
+      altered, {Difference::kError, "Map", "missing GL_INVALID_VALUE"},
+      R"([["Map1f", "GL_MAP1_VERTEX_3", 0, 1, 2, 1, {"f32": [0, 0, 0]}], ["MapGrid1f", 3, 0, 1], ["GetError"]])");
+  ASSERT_TRUE(reduction.minimal) << reduction.why_not;
+  EXPECT_EQ(reduction.minimal->cause, "missing error; Map");
+  EXPECT_FALSE(has(reduction.minimal->program, gl::EntryPoint::MapGrid1f));
+}
+
+// Several errors are permitted for a command that is wrong in two ways.
+TEST(Identity, AMissingErrorMayBeOneOfSeveral) {
+  Altered altered(
+      [](gl::Table& table) { table.Map1f = [](GLenum, GLfloat, GLfloat, GLint, GLint, const GLfloat*) {}; });
+  const Reduction reduction =
+      reduced_on(altered, {Difference::kError, "Map", ""},
+                 R"([["Map1f", "GL_AUTO_NORMAL", 1, 1, 3, 1, {"f32": [0, 0, 0]}], ["GetError"]])");
+  ASSERT_TRUE(reduction.minimal) << reduction.why_not;
+  EXPECT_EQ(reduction.minimal->title, "Map raises no error, GL_INVALID_ENUM or GL_INVALID_VALUE is due");
+}
+
+// A vertex map that is disabled again is no vertex map.
+TEST(Identity, AnEvaluationBehindDisableHasNoVertexMap) {
+  Altered altered([](gl::Table& table) { table.Disable = [](GLenum) {}; });
+  const Reduction reduction =
+      reduced_on(altered, {Difference::kVertices, "", "more"},
+                 R"([["Enable", "GL_MAP1_VERTEX_3"], ["Disable", "GL_MAP1_VERTEX_3"], ["Begin", "GL_POINTS"],
+      ["EvalCoord1f", 0.5], ["End"]])");
+  ASSERT_TRUE(reduction.minimal) << reduction.why_not;
+  EXPECT_EQ(reduction.minimal->title, "An evaluation without a vertex map draws too many vertices");
+  EXPECT_EQ(reduction.minimal->requirement, "EV-COORD-NOVERTEX");
+}
+
 // Explicit commands show a wrong current colour as well, so it is no difference of evaluators.
 TEST(Identity, WhatExplicitCommandsShowIsNoDifferenceOfEvaluators) {
   Altered altered(lose_colours_and_take_small_strides);

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -29,13 +30,17 @@ std::uint64_t resident_memory(pid_t process);
 // Makes this process adopt the orphans of its children, in any session, and kill them when a child ends.
 void adopt_what_children_leave();
 
+struct CannotSpawn : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 class ChildProcess {
  public:
   // Amount of output that the log keeps: everything, or at most kMostPrinted bytes per test (output_log.h).
   enum class Prints { kUnlimited, kLimited };
 
   // Starts the program command[0], a path. Standard input is `input`, a descriptor; negative: it is empty.
-  // Standard output and error are appended to `log` (empty: discarded). Throws std::runtime_error.
+  // Standard output and error are appended to `log` (empty: discarded). Throws CannotSpawn.
   ChildProcess(const std::vector<std::string>& command, const std::string& log,
                Prints prints = Prints::kUnlimited, int input = -1);
   // Kills the process if it is still running.

@@ -28,7 +28,7 @@ struct RunRequest {
   std::uint32_t seed = 1;
   Limits limits;
   int retries = 1;  // number of times that an unexpected fail is repeated
-  int jobs = 1;     // number of processes that share the tests; a pass over one shared context uses one
+  int jobs = 1;     // number of processes that share the tests; those of a shared context run in one
   std::filesystem::path output;     // an existing folder
   std::string command;              // the command that the user typed, for the record
   std::string program = "evalcts";  // evalcts as the user types it, for the commands shown with a failure
@@ -57,9 +57,9 @@ inline constexpr std::size_t kMostRerun = 100;
 // Runs the tests, writes results-NAME.json (format "evalcts-results-1") and returns its content. During the
 // run, records-NAME.jsonl in the output folder grows by one line for each event, and log-NAME.txt contains
 // the output of the library and the suite. If the implementation cannot be started, the result has the status
-// "not-started" and the reason. If the folder becomes unwritable (disk full), the run ends with the status
-// "interrupted" and the reason. Throws CannotWrite if results-NAME.json cannot be written; the results are
-// then in records-NAME.jsonl.
+// "not-started" and the reason. If the folder becomes unwritable (disk full), or no more processes can be
+// started, the run ends with the status "interrupted" and the reason. Throws CannotWrite if results-NAME.json
+// cannot be written; the results are then in records-NAME.jsonl.
 //
 // A fail that the baseline does not list is repeated alone in a new process, up to `retries` times (see
 // kMostRerun), a crash or timeout once. If the outcome differs and the failure does not happen again after

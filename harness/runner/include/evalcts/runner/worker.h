@@ -55,7 +55,7 @@ class Worker {
   // Starts `command`, the suite program with the options of the implementation. All output other than events
   // is appended to `log` (empty: discarded), which keeps kMostPrinted bytes of each test. The process is
   // killed if it reports no event for limits.seconds_per_test while it has a job (it then counts as hung), or
-  // if it exceeds limits.memory. Throws std::runtime_error.
+  // if it exceeds limits.memory. Throws CannotSpawn.
   Worker(std::vector<std::string> command, const std::filesystem::path& log, const Limits& limits);
   ~Worker();
   Worker(const Worker&) = delete;

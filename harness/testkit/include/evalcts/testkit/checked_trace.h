@@ -27,8 +27,9 @@ class CheckedTrace {
   const gl::Trace& trace() const { return trace_; }
 
   // Checks that GetError returned one of these errors. The message says "missing error", "spurious error" or
-  // "wrong error".
+  // "wrong error". The error is that of the command `raises`, which is the one before GetError by default.
   void expect_error(gl::Ref get_error, const std::vector<GLenum>& allowed);
+  void expect_error_of(gl::Ref raises, gl::Ref get_error, const std::vector<GLenum>& allowed);
   void expect_no_error(gl::Ref get_error) { expect_error(get_error, {GL_NO_ERROR}); }
   // Checks the value that a command (IsEnabled, ...) returned.
   void expect_result(gl::Ref command, std::int64_t expected);

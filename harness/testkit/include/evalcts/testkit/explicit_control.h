@@ -18,7 +18,7 @@ class ExplicitControl {
  public:
   explicit ExplicitControl(const Subject& subject) : subject_(subject) {}
 
-  // Must be called after `script` has been observed through the capture, before these attributes are judged.
+  // Must be called before `script` is judged by these attributes of its observation through the capture.
   void set_observed(const gl::Case& script, const Capture& capture, Attributes judged);
   // Must be called when another case begins.
   void clear() {

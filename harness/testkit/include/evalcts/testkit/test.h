@@ -148,6 +148,8 @@ class Test : public Conditions {
   const Capture& choose_capture(Attributes required, PrimitiveKinds kinds);
   void note_capture(const Capture& capture);
 
+  void violate(const RequirementId& id);
+
   // Sets the violated requirements of a test that failed through display lists, by running it without a list
   // and in a list of the simplest kind. The requirement of the form of lists is violated only if both pass.
   void blame_list_or_commands(const std::function<void(Test&)>& body);
