@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 
+#include <evalcts/gl/roles.h>
 #include "control.h"
 #include "program.h"
 
@@ -149,9 +150,8 @@ class Windows {
     std::vector<int> positions;  // positions of the original commands in `windowed`
     std::size_t in_window = 0;
     for (gl::Command command : script_.commands()) {
-      const std::string_view name = gl::name_of(command.entry);
       if (command.entry == gl::EntryPoint::ActiveTexture || command.entry == gl::EntryPoint::PopAttrib ||
-          name.starts_with("glMultiTexCoord"))
+          gl::stem_of(command.entry) == "MultiTexCoord")
         return false;
       const std::size_t vertices = vertices_of(command);
       in_window += vertices;

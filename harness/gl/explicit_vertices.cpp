@@ -28,14 +28,14 @@ constexpr GLuint kNoList = 0x7fff1234;  // a list that no test defines
 class EnabledMaps {
  public:
   void follow(const Command& command) {
-    const std::string_view name = name_of(command.entry);
-    if (name == "glEnable" || name == "glDisable") {
-      const auto* cap = std::get_if<std::int64_t>(&command.arguments.at(0));
-      if (cap && name == "glEnable") caps_.insert(static_cast<GLenum>(*cap));
-      if (cap && name == "glDisable") caps_.erase(static_cast<GLenum>(*cap));
-    } else if (name == "glPushAttrib") {
+    const auto cap = static_cast<GLenum>(integer_of(command, 0));
+    if (command.entry == EntryPoint::Enable) {
+      caps_.insert(cap);
+    } else if (command.entry == EntryPoint::Disable) {
+      caps_.erase(cap);
+    } else if (command.entry == EntryPoint::PushAttrib) {
       saved_.push_back(caps_);
-    } else if (name == "glPopAttrib" && !saved_.empty()) {
+    } else if (command.entry == EntryPoint::PopAttrib && !saved_.empty()) {
       caps_ = std::move(saved_.back());
       saved_.pop_back();
     }

@@ -79,6 +79,11 @@ bool emits_vertex(EntryPoint entry) {
   return role == Role::kEvalCoord || role == Role::kEvalPoint || role == Role::kVertex;
 }
 
+bool asks(EntryPoint entry) {
+  const std::string_view name = name_of(entry);
+  return name.starts_with("glGet") || name.starts_with("glIs");
+}
+
 std::string stem_of(EntryPoint entry) { return properties_of(entry).stem; }
 
 std::string stem_without_dimension(EntryPoint entry) {

@@ -10,6 +10,7 @@
 
 #include <evalcts/gl/bind_methods.h>
 #include <evalcts/gl/player.h>
+#include <evalcts/gl/roles.h>
 
 namespace evalcts {
 namespace {
@@ -60,13 +61,11 @@ bool names_other_state(const gl::Command& command) {
       command.arguments.empty() ? nullptr : std::get_if<std::int64_t>(&command.arguments[0]);
   if (!number) return false;
   const auto name = static_cast<GLenum>(*number);
-  const std::string_view entry = gl::name_of(command.entry);
-  const auto begins = [&](std::string_view stem) { return entry.starts_with(stem); };
-  if (begins("glMap1") || begins("glMap2") || begins("glGetMap") || begins("glGetnMap"))
-    return is_target_of_vertex_programs(name);
-  const bool gets = entry == "glGetBooleanv" || entry == "glGetIntegerv" || entry == "glGetFloatv" ||
-                    entry == "glGetDoublev";
-  const bool takes_a_name = gets || entry == "glEnable" || entry == "glDisable" || entry == "glIsEnabled";
+  const gl::Role role = gl::role_of(command.entry);
+  if (role == gl::Role::kMap || role == gl::Role::kGetMap) return is_target_of_vertex_programs(name);
+  const bool takes_a_name = role == gl::Role::kGet || command.entry == gl::EntryPoint::Enable ||
+                            command.entry == gl::EntryPoint::Disable ||
+                            command.entry == gl::EntryPoint::IsEnabled;
   return takes_a_name && !kSpecification.has_state(name);
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include <evalcts/gl/roles.h>
 #include <evalcts/vectors/write.h>
 #include "kinds.h"
 #include "sequences.h"
@@ -23,9 +24,9 @@ std::vector<std::pair<std::string, std::string>> flags_of(const gl::Case& script
   bool asks_by_size = false, uses_units = false;
   for (const gl::Command& command : script.commands()) {
     order = std::max(order, gl::largest_order(command));
-    const std::string_view name = gl::name_of(command.entry);
-    asks_by_size = asks_by_size || name.starts_with("glGetnMap");
-    if (name == "glActiveTexture" || name.starts_with("glMultiTexCoord")) {
+    const std::string stem = gl::stem_of(command.entry);
+    asks_by_size = asks_by_size || stem == "GetnMap";
+    if (stem == "ActiveTexture" || stem == "MultiTexCoord") {
       const auto unit = std::get<std::int64_t>(command.arguments[0]) - GL_TEXTURE0;
       uses_units = uses_units || (unit > 1 && unit < 8);
     }

@@ -26,6 +26,9 @@ bool is_evaluation(EntryPoint entry);
 // Returns true for EvalCoord, EvalPoint and Vertex, each of which emits one vertex between Begin and End.
 bool emits_vertex(EntryPoint entry);
 
+// Returns true for commands that ask: GetError, GetMap, GetnMap, Get..., IsEnabled, IsList.
+bool asks(EntryPoint entry);
+
 // Returns the name without the form of its arguments: "Map1" for glMap1fv, "Vertex" for glVertex3f, "Get" for
 // glGetFloatv, "PushAttrib" for glPushAttrib.
 std::string stem_of(EntryPoint entry);
