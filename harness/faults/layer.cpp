@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include <evalcts/backends/context_in_front.h>
@@ -40,7 +41,7 @@ const std::vector<std::pair<int, Change>>& mutations() {
 
 // --- Layers ------------------------------------------------------------------------------------------------
 
-std::vector<Layer> layers;  // of the context, the outermost first
+std::vector<Layer> layers;  // of the current context, the outermost first
 std::size_t entered = 0;    // number of layers that the current call has reached
 
 // Makes the next layer the running one during its lifetime.
@@ -59,8 +60,8 @@ class LayeredContext final : public ContextInFront {
  public:
   LayeredContext(std::shared_ptr<Context> inner, const std::vector<const Change*>& changes)
       : ContextInFront(std::move(inner)) {
+    exchange();
     innermost = table_;
-    layers.clear();
     Entries wrapped = kTracked, provided;
     for (const Change* const change : changes) {
       layers.push_back({change->rules().all});
@@ -87,6 +88,14 @@ class LayeredContext final : public ContextInFront {
     });
   }
 
+  ~LayeredContext() override {
+    if (current_ == this) current_ = nullptr;
+  }
+  void make_current() override {
+    ContextInFront::make_current();
+    if (current_ != this) exchange();
+  }
+
   std::vector<ObservedPrimitive> take_emitted() override {
     std::vector<ObservedPrimitive> primitives = inner().take_emitted();
     for_each_layer_from_inside([&](const Layer& layer) {
@@ -102,6 +111,16 @@ class LayeredContext final : public ContextInFront {
   static void for_each_layer_from_inside(F f) {
     for (entered = layers.size(); entered > 0; --entered) f(layers[entered - 1]);
   }
+
+  // Puts the layers and tables of this context in the place of those of the current one.
+  void exchange() {
+    if (current_) current_->kept_ = {std::move(layers), innermost, unmodified};
+    std::tie(layers, innermost, unmodified) = std::exchange(kept_, {});
+    current_ = this;
+  }
+
+  static inline LayeredContext* current_ = nullptr;
+  std::tuple<std::vector<Layer>, gl::Table, gl::Table> kept_;  // of a context that is not current
 };
 
 class LayeredImplementation final : public ImplementationInFront {
@@ -119,7 +138,8 @@ class LayeredImplementation final : public ImplementationInFront {
     return std::make_unique<LayeredContext>(std::move(made), changes_);
   }
   std::unique_ptr<Context> create_beside() override {
-    return shares_state_ ? nullptr : inner().create_beside();
+    std::shared_ptr<Context> made = shares_state_ ? nullptr : inner().create_beside();
+    return made ? std::make_unique<LayeredContext>(std::move(made), changes_) : nullptr;
   }
 
  private:

@@ -18,6 +18,7 @@
 #include <evalcts/results/files.h>
 #include <evalcts/runner/child_process.h>
 #include <evalcts/runner/interruption.h>
+#include <evalcts/runner/runner.h>
 #include <evalcts/runner/worker.h>
 
 namespace evalcts::faults {
@@ -98,7 +99,7 @@ class Trial {
     const Verdicts without = verdicts({variation, "", ""}, Depth::kQuick, all);
     Verdicts varied;
     try {
-      varied = verdicts({variation, "", variation.name}, Depth::kQuick, all);
+      varied = verdicts_of_run(variation);
     } catch (const CannotTry& cannot) {
       // Without any verdict, the variation must not count as free of false alarms.
       result.alarms.push_back(
@@ -119,6 +120,28 @@ class Trial {
           detection.reason = each.reason;
       result.detections.push_back(std::move(detection));
     }
+  }
+
+  // Judges the variation as a user would: failures are repeated, and crashes are compared with controls.
+  // Throws CannotTry.
+  Verdicts verdicts_of_run(const ListedChange& variation) const {
+    const Subject subject{variation, "", variation.name};
+    RunRequest run;
+    run.suite_program = request_.suite_program;
+    run.more_options = subject.arguments();
+    run.name = subject.label();
+    std::ranges::copy_if(request_.tests, std::back_inserter(run.tests),
+                         [](const ListedTest& test) { return test.from <= Depth::kQuick; });
+    run.depth = Depth::kQuick;
+    run.limits = {request_.seconds_per_test};
+    run.output = request_.scratch / subject.label();
+    fs::create_directories(run.output);
+    const RunResult result = run_implementation(run, [](const Progress&) {});
+    if (result.status != RunStatus::kComplete)
+      throw CannotTry{result.reason.empty() ? "interrupted" : result.reason};
+    Verdicts verdicts;
+    for (const TestRecord& record : result.tests) verdicts[record.name] = record;
+    return verdicts;
   }
 
   // Looks for a test that names the requirement and detects the fault. The fault is not visible if no such

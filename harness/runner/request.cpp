@@ -74,6 +74,7 @@ RunResult header_of(const RunRequest& request) {
 std::vector<std::string> suite_command(const RunRequest& request) {
   std::vector<std::string> command = shared_options(request);
   command.insert(command.begin(), request.suite_program.string());
+  command.insert(command.end(), request.more_options.begin(), request.more_options.end());
   return command;
 }
 

@@ -502,8 +502,8 @@ class Run {
     return rest;
   }
 
-  // Explains a failure with another outcome when it ran alone: it depends on earlier tests, it is a flake, or
-  // it fails each time, but not in the same way.
+  // Explains a failure with another outcome when it ran alone: it depends on earlier tests, it is a flake,
+  // which decides nothing, or it fails each time, but not in the same way.
   void explain_difference(TestRecord& record, const Repetition& again) {
     const TestRecord before = record;
     progress_({"searching a history", records_.size(), request_.tests.size(), record.name});
@@ -517,9 +517,14 @@ class Run {
       return;
     }
     record.flake = found != History::Quality::kOutOfTime;
-    record.message += fmt::format("; {}when it runs again alone in a new process, its verdict is {}",
-                                  record.flake ? "a flake: " : "", text_of(again.verdict).word);
-    if (!record.flake) record.message += kOutOfTime;
+    record.message += fmt::format("; when it runs again alone in a new process, its verdict is {}",
+                                  text_of(again.verdict).word);
+    if (!record.flake) {
+      record.message += kOutOfTime;
+    } else {
+      record.verdict = Verdict::kNotObservable;
+      record.message = "unstable: " + record.message;
+    }
   }
 
   // --- histories of failures -----------------------------------------------------------------------------

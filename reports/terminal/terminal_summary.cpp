@@ -227,6 +227,39 @@ void write_head(Screen& screen, const RunResult& record) {
     if (test.verdict == Verdict::kPass && !test.unobserved.empty()) ++unobserved[test.unobserved];
   for (const auto& [what, tests] : unobserved)
     screen.line(fmt::format("  {} of these passes without {}: not observed", tests, what), Colour::kYellow);
+
+  std::vector<std::string> unstable;
+  for (const TestRecord& test : record.tests)
+    if (test.verdict == Verdict::kNotObservable && test.flake) unstable.push_back(test.name);
+  if (!unstable.empty())
+    screen.whole_line(
+        fmt::format("note: {} {} unstable: {} failed, and not when {} run again ({}{})",
+                    count(unstable.size(), "test"), unstable.size() == 1 ? "is" : "are",
+                    unstable.size() == 1 ? "it" : "they", unstable.size() == 1 ? "it was" : "they were",
+                    unstable.front(), unstable.size() > 1 ? ", ..." : ""),
+        Colour::kYellow);
+}
+
+// If much was not observed, says why: the captures that do not work, and the most frequent reason.
+void write_why_unobserved(Screen& screen, const RunResult& record) {
+  constexpr std::size_t kPart = 4;
+  std::map<std::string, std::size_t> reasons;
+  std::size_t tests = 0;
+  for (const TestRecord& test : record.tests)
+    if (test.verdict == Verdict::kNotObservable) {
+      ++tests;
+      ++reasons[test.message];
+    }
+  if (kPart * tests < record.total() || tests == 0) return;
+  const auto most = std::ranges::max_element(reasons, {}, [](const auto& reason) { return reason.second; });
+  screen.whole_line(fmt::format("note: {} of {} tests were not observed, {} of them because: {}", tests,
+                                record.total(), most->second, most->first),
+                    Colour::kYellow);
+  for (const CaptureRecord& capture : record.implementation.captures)
+    if (!capture.available)
+      screen.whole_line(fmt::format("  {} does not work: {}", capture.name, capture.reason), Colour::kYellow);
+  screen.whole_line("  docs/test-your-gl.md says what helps; --verbose lists all that was not judged",
+                    Colour::kYellow);
 }
 
 // Writes one line for all crashes or hangs at the same place, and one about the commands that other tests
@@ -314,6 +347,7 @@ std::string terminal_summary(const RunResult& record, const Catalogue& catalogue
                              std::size_t lines) {
   Screen screen(colour, !verbose);
   write_head(screen, record);
+  write_why_unobserved(screen, record);
   write_crashes(screen, record, verbose);
 
   std::vector<const TestRecord*> failing, others;  // tests to write in full, and in one line

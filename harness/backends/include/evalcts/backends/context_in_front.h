@@ -16,6 +16,7 @@ class ContextInFront : public Context {
   explicit ContextInFront(std::shared_ptr<Context> inner)
       : table_(inner->table()), inner_(std::move(inner)) {}
   const gl::Table& table() const override { return table_; }
+  void make_current() override { inner_->make_current(); }
   bool has_sink() const override { return inner_->has_sink(); }
   Attributes emitted_attributes() const override { return inner_->emitted_attributes(); }
   std::vector<ObservedPrimitive> take_emitted() override { return inner_->take_emitted(); }

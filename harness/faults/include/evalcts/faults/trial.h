@@ -78,8 +78,8 @@ struct TrialRequest {
 // passes on the implementation without the fault, and fails (or, for a fault of quality level, warns) with
 // it.
 //
-// Variation: all tests run at quick depth, and the tests of each fault of `behind` with this fault behind the
-// variation. A test that fails on the implementation without variation is ignored. A fault is visible behind
+// Variation: all tests run at quick depth as run_implementation() runs them, and the tests of each fault of
+// `behind` with this fault behind the variation. A test that fails on the implementation without variation is ignored. A fault is visible behind
 // a variation if a test of its requirements fails with the fault alone, passes in full with the variation
 // alone, and is not `not-observable` with both.
 //

@@ -20,6 +20,7 @@ namespace evalcts {
 struct RunRequest {
   std::filesystem::path suite_program;
   ImplementationOptions implementation;
+  std::vector<std::string> more_options = {};  // further options of the suite program
   std::string name;               // the user's label, or the name of the implementation; part of file names
   std::optional<Shard> shard;     // set if `tests` are a part of all tests
   std::vector<ListedTest> tests;  // the tests to run
@@ -64,8 +65,8 @@ inline constexpr std::size_t kMostRerun = 100;
 // A fail that the baseline does not list is repeated alone in a new process, up to `retries` times (see
 // kMostRerun), a crash or timeout once. If the outcome differs and the failure does not happen again after
 // the tests that ran before it (which the message and "history" would then name), "again" is the other
-// outcome. If that is no failure, the test is a flake ("flake"). The test keeps its verdict, because the
-// library did fail.
+// outcome. If that is no failure, the test is a flake ("flake"): a fail is then undecided (not-observable), a
+// crash or timeout keeps its verdict.
 //
 // A second pass has its own files, and "pass": "reuse-context" in its record. A test that fails in the same
 // way as in the first pass is marked as expected and as "also_in_fresh_context". For any other failure, the
