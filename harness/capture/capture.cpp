@@ -56,12 +56,16 @@ void Captures::prove_all() {
   for (Entry& entry : captures_) proved(entry);
 }
 
-const Capture& Captures::showing_all(Attributes required, PrimitiveKinds kinds) {
+const char* of_which(bool nonpositive_w) { return nonpositive_w ? " of vertices with w <= 0" : ""; }
+
+const Capture& Captures::showing_all(Attributes required, PrimitiveKinds kinds, bool nonpositive_w) {
   for (Entry& entry : captures_) {
     const Capture* const capture = proved(entry);
-    if (capture && capture->takes(kinds) && (capture->attributes() & required) == required) return *capture;
+    if (!capture || (nonpositive_w && capture->loses_nonpositive_w())) continue;
+    if (capture->takes(kinds) && (capture->attributes() & required) == required) return *capture;
   }
-  throw NotObservable(fmt::format("no capture of this implementation shows {}", describe(required)));
+  throw NotObservable(fmt::format("no capture of this implementation shows {}{}", describe(required),
+                                  of_which(nonpositive_w)));
 }
 
 Attributes Captures::shown_exactly(Attributes required, PrimitiveKinds kinds) {
@@ -98,7 +102,7 @@ std::vector<const Capture*> Captures::showing_most(Attributes required, Primitiv
   }
   if (chosen.empty())
     throw NotObservable(fmt::format("no capture of this implementation shows {}{}", describe(required),
-                                    nonpositive_w ? " of vertices with w <= 0" : ""));
+                                    of_which(nonpositive_w)));
   if (chosen.size() > most) chosen.resize(most);
   return chosen;
 }

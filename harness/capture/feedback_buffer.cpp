@@ -1,7 +1,8 @@
 // Feedback mode (GL 2.1 §5.3). Texture coordinates of unit 0 come back as they are; positions come back
 // through identity OBJECT_LINEAR texture generation, normals through NORMAL_MAP, each in a pass of its own.
 // If an implementation divides s, t and r by q, as Mesa up to 7 does, the texture matrix separates q from
-// them. -0, subnormals and non-finite values are not preserved.
+// them; if it loses others, the matrix puts one after the other in the place of s. -0, subnormals and
+// non-finite values are not preserved.
 #include <algorithm>
 #include <bit>
 #include <optional>
@@ -13,12 +14,19 @@ namespace {
 
 enum class TextureCoordinatesHold { kTexture, kPosition, kNormal };
 
-// The components of the texture coordinates that a pass shows.
-enum class Components {
-  kAll,
-  kWithoutLast,  // s, t and r; q is 0
-  kLast          // q, in the place of s; all others are 0
+// The passes that show all components of the texture coordinates.
+enum class Passes { kOne, kLastApart, kOneByOne };
+
+// The components that a pass shows: `count` of them from `first` on, in the places of s, t and r. The others
+// are 0. A pass of all four needs no matrix.
+struct Components {
+  std::size_t first, count;
 };
+std::vector<Components> components_of(Passes passes) {
+  if (passes == Passes::kOne) return {{0, 4}};
+  if (passes == Passes::kLastApart) return {{0, 3}, {3, 1}};
+  return {{0, 1}, {1, 1}, {2, 1}, {3, 1}};
+}
 
 // Returns a projection to x = y = z = 0, so that no vertex is clipped. If w is kept, vertices with w < 0 are
 // still clipped. If w becomes 0, none is clipped, provided that the library accepts the degenerate point.
@@ -28,32 +36,37 @@ std::vector<GLfloat> collapsing_projection(bool keep_w) {
   return matrix;
 }
 
-// Returns a texture matrix that keeps these components.
+// Returns a texture matrix that shows these components.
 std::vector<GLfloat> texture_matrix(Components components) {
   std::vector<GLfloat> matrix(16, 0.0f);
-  if (components == Components::kLast) {
-    matrix[12] = 1.0f;
-  } else {
-    matrix[0] = matrix[5] = matrix[10] = 1.0f;
-  }
+  for (std::size_t i = 0; i < components.count; ++i) matrix[4 * (components.first + i) + i] = 1.0f;
   return matrix;
 }
 
-gl::Case setup(TextureCoordinatesHold hold, Components components, bool keep_w, bool unclamp) {
+// What a capture has found out about the implementation.
+struct Ways {
+  Passes passes = Passes::kOne;
+  bool keep_w = true;
+  bool unclamp = false;
+  bool has_texture_objects = true;  // GL 1.1, which also has names of internal formats
+};
+
+gl::Case setup(TextureCoordinatesHold hold, Components components, const Ways& ways) {
   gl::Case c;
   c.Viewport(0, 0, 64, 64);
-  if (components != Components::kAll) {
+  if (components.count < 4) {
     c.MatrixMode(GL_TEXTURE);
     c.LoadMatrixf(texture_matrix(components));
   }
   c.MatrixMode(GL_PROJECTION);
-  c.LoadMatrixf(collapsing_projection(keep_w));
+  c.LoadMatrixf(collapsing_projection(ways.keep_w));
   c.MatrixMode(GL_MODELVIEW);
   c.LoadIdentity();
-  if (unclamp) c.ClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
+  if (ways.unclamp) c.ClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
   // Some drivers skip texture coordinates and their generation unless a complete texture is enabled.
-  c.BindTexture(GL_TEXTURE_2D, 1);
-  c.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, std::vector<GLubyte>(4, 255));
+  if (ways.has_texture_objects) c.BindTexture(GL_TEXTURE_2D, 1);
+  c.TexImage2D(GL_TEXTURE_2D, 0, ways.has_texture_objects ? GL_RGBA : 4, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+               std::vector<GLubyte>(4, 255));
   c.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   c.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   c.Enable(GL_TEXTURE_2D);
@@ -82,38 +95,37 @@ class FeedbackBuffer final : public Capture {
     const auto reproduces = [&](const ControlOptions& options, Attribute attribute) {
       return confirm_attributes(*this, implementation, options, attribute) != 0;
     };
-    keep_w_ = true;
-    unclamp_ = false;
-    separate_last_ = false;
-    attributes_ = confirm_attributes(*this, implementation, {}, kAllAttributes);
-    if (const Attributes of_textures = kTextureCoordinate0 | kPosition | kNormal;
-        (attributes_ & of_textures) != of_textures) {
-      separate_last_ = true;
-      const Attributes separated = confirm_attributes(*this, implementation, {}, kAllAttributes);
-      if (std::popcount(separated) > std::popcount(attributes_)) {
-        attributes_ = separated;
-      } else {
-        separate_last_ = false;
-      }
+    ways_ = {.has_texture_objects = info.at_least(1, 1)};
+    attributes_ = 0;
+    constexpr Attributes kOfTextures = kTextureCoordinate0 | kPosition | kNormal;
+    Passes best = Passes::kOne;
+    for (const Passes passes : {Passes::kOne, Passes::kLastApart, Passes::kOneByOne}) {
+      if ((attributes_ & kOfTextures) == kOfTextures) break;
+      ways_.passes = passes;
+      const Attributes shown = confirm_attributes(*this, implementation, {}, kAllAttributes);
+      if (std::popcount(shown) <= std::popcount(attributes_)) continue;
+      attributes_ = shown;
+      best = passes;
     }
+    ways_.passes = best;
     if (!(attributes_ & kColor)) color_error_ = measure_color_error(*this, implementation);
     if (attributes_ == 0 && !color_error_)
       throw NotObservable("feedback mode does not give explicit vertices back unchanged");
 
     if (attributes_ & kNormal) attributes_ |= kUnitNormal;
     if (attributes_ & kPosition) {
-      keep_w_ = false;
-      if (!reproduces({.negative_w = true}, kPosition)) keep_w_ = true;
+      ways_.keep_w = false;
+      if (!reproduces({.negative_w = true}, kPosition)) ways_.keep_w = true;
     }
     if ((attributes_ & kColor) && info.at_least(3, 0)) {
-      unclamp_ = true;
-      if (!reproduces({.unclamped_color = true}, kColor)) unclamp_ = false;
+      ways_.unclamp = true;
+      if (!reproduces({.unclamped_color = true}, kColor)) ways_.unclamp = false;
     }
   }
 
   Attributes attributes() const override { return attributes_; }
   Attributes inexact_attributes() const override { return color_error_ ? kColor : 0u; }
-  bool loses_nonpositive_w() const override { return keep_w_; }
+  bool loses_nonpositive_w() const override { return ways_.keep_w; }
   bool loses_vertices_beyond_float() const override { return true; }  // 0 * infinity is clipped
 
   Observation observe(Implementation& implementation, const gl::Case& script,
@@ -134,44 +146,52 @@ class FeedbackBuffer final : public Capture {
       }
     };
     if ((wanted & (kTextureCoordinate0 | kColor)) || (wanted & kAllAttributes) == 0)
-      pass(TextureCoordinatesHold::kTexture,
-           separate_last_ ? kColor | (wanted & kTextureCoordinate0) : kTextureCoordinate0 | kColor);
+      pass(TextureCoordinatesHold::kTexture, ways_.passes == Passes::kOne
+                                                 ? kTextureCoordinate0 | kColor
+                                                 : kColor | (wanted & kTextureCoordinate0));
     if (wanted & kPosition) pass(TextureCoordinatesHold::kPosition, kPosition);
     if (wanted & (kNormal | kUnitNormal)) pass(TextureCoordinatesHold::kNormal, kNormal | kUnitNormal);
     if (!observation) throw NotObservable("feedback mode shows nothing of units 1 and up");
     // The control of a proof requests attributes that are not proved yet. Other unproved attributes
     // may be wrong.
     observation->attributes &= attributes_ | inexact_attributes() | wanted;
-    observation->clamped_colors = !unclamp_;
+    observation->clamped_colors = !ways_.unclamp;
     observation->color_error = color_error_.value_or(0);
     return *std::move(observation);
   }
 
  private:
-  // Runs one pass, or one for q and one for the other components.
+  // Runs the passes that show the components that are needed.
   Observation run_passes(Implementation& implementation, const gl::Case& script, TextureCoordinatesHold hold,
                          const CaptureRequest& request) const {
-    if (!separate_last_)
-      return run_pass(implementation, script, hold, Components::kAll, request.most_vertices);
-    Observation observation =
-        run_pass(implementation, script, hold, Components::kWithoutLast, request.most_vertices);
-    const bool shows_last =
-        hold == TextureCoordinatesHold::kPosition ||
-        (hold == TextureCoordinatesHold::kTexture && (request.attributes & kTextureCoordinate0));
-    if (!shows_last) return observation;
-    const Observation last = run_pass(implementation, script, hold, Components::kLast, request.most_vertices);
-    merge(observation, last, [](ObservedVertex& vertex, const ObservedVertex& more) {
-      vertex.position[3] = more.position[0];
-      vertex.texture_coordinate[0][3] = more.texture_coordinate[0][0];
-    });
-    return observation;
+    const bool shows_none =
+        hold == TextureCoordinatesHold::kTexture && !(request.attributes & kTextureCoordinate0);
+    const std::size_t needed = shows_none ? 1 : hold == TextureCoordinatesHold::kNormal ? 3 : 4;
+    std::optional<Observation> observation;
+    for (const Components components : components_of(ways_.passes)) {
+      if (components.first >= needed) break;
+      Observation seen = run_pass(implementation, script, hold, components, request.most_vertices);
+      if (!observation) {
+        observation = std::move(seen);
+        continue;
+      }
+      merge(*observation, seen, [&](ObservedVertex& vertex, const ObservedVertex& more) {
+        for (std::size_t i = 0; i < components.count; ++i) {
+          const std::size_t place = components.first + i;
+          vertex.position[place] = more.position[i];
+          vertex.texture_coordinate[0][place] = more.texture_coordinate[0][i];
+          if (place < 3) vertex.normal[place] = more.normal[i];
+        }
+      });
+    }
+    return *std::move(observation);
   }
 
   Observation run_pass(Implementation& implementation, const gl::Case& script, TextureCoordinatesHold hold,
                        Components components, std::size_t most_vertices) const {
     // Each vertex takes x y z w, R G B A, s t r q and a token; a polygon adds its number of vertices.
     const std::size_t room = (most_vertices + 1) * 13;
-    gl::Case prologue = setup(hold, components, keep_w_, unclamp_);
+    gl::Case prologue = setup(hold, components, ways_);
     const gl::Ref buffer = prologue.FeedbackBuffer(room, GL_4D_COLOR_TEXTURE, gl::out<GLfloat>(room));
     prologue.RenderMode(GL_FEEDBACK);
     WrappedCase wrapped = begin_wrapping(std::move(prologue), script);
@@ -251,9 +271,7 @@ class FeedbackBuffer final : public Capture {
     whole.overflow = whole.overflow || pass.overflow;
   }
 
-  bool keep_w_ = true;
-  bool unclamp_ = false;
-  bool separate_last_ = false;  // because s, t and r would be divided by q
+  Ways ways_;
   Attributes attributes_ = 0;
   std::optional<double> color_error_;  // set if colours are inexact
 };

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstring>
 #include <iostream>
 #include <limits>
 #include <stdexcept>
@@ -51,9 +54,48 @@ std::set<std::string> rejected_queries(Implementation& implementation) {
   return rejected;
 }
 
+constexpr float kSpecial = 1e30f;
+
+template <class T>
+bool has_special(const gl::Input& array) {
+  for (std::size_t at = 0; at + sizeof(T) <= array.bytes.size(); at += sizeof(T)) {
+    T value;
+    std::memcpy(&value, &array.bytes[at], sizeof value);
+    if (!(std::abs(value) < kSpecial)) return true;
+  }
+  return false;
+}
+
+// Returns true if an argument is not finite or so large that results may overflow.
+bool has_specials(const gl::Case& script) {
+  const auto is_special = [](const gl::Value& value) {
+    if (const auto* single = std::get_if<float>(&value)) return !(std::abs(*single) < kSpecial);
+    if (const auto* real = std::get_if<double>(&value)) return !(std::abs(*real) < kSpecial);
+    const auto* const array = std::get_if<gl::Input>(&value);
+    return array && ((array->type == gl::Scalar::kF32 && has_special<float>(*array)) ||
+                     (array->type == gl::Scalar::kF64 && has_special<double>(*array)));
+  };
+  return std::ranges::any_of(script.commands(), [&](const gl::Command& command) {
+    return std::ranges::any_of(command.arguments, is_special);
+  });
+}
+
+gl::Case explicit_specials() {
+  gl::Case c(gl::control("explicit vertices that are not finite"));
+  constexpr float kMost = std::numeric_limits<float>::max();
+  for (const GLenum mode : {GL_POINTS, GL_LINE_STRIP, GL_QUAD_STRIP})
+    for (const float special : {std::nanf(""), HUGE_VALF, -HUGE_VALF, kMost}) {
+      c.Begin(mode);
+      for (int i = 0; i < 4; ++i) c.Vertex4f(i == 1 ? special : 0.25f, i == 2 ? special : 0.5f, 0, 1);
+      c.End();
+    }
+  return c;
+}
+
 // Runs the controls of a case that ends the process: explicit commands replace evaluation, and maps and grids
-// are left out. If the case draws no vertices, the first control omits evaluation instead. Throws
-// NotObservable if the library survives all controls.
+// are left out. If the case draws no vertices, the first control omits evaluation instead. If it has
+// arguments that are not finite, another control draws such vertices. Throws NotObservable if the library
+// survives all controls.
 void run_without_evaluators(const Subject& subject, const gl::Case& script) {
   std::vector<gl::Case> controls = gl::controls_without_evaluators(script);
   if (predict(script, subject.info.max_order()).vertex_count() == 0) {
@@ -62,6 +104,7 @@ void run_without_evaluators(const Subject& subject, const gl::Case& script) {
       if (!gl::is_evaluation(command.entry)) without.add(command);
     controls.front() = gl::with_explicit_vertices(without);
   }
+  if (has_specials(script)) controls.push_back(explicit_specials());
   for (const gl::Case& control : controls) subject.implementation->create_context()->play(control);
   throw NotObservable("the library survives the case with explicit vertices");
 }

@@ -36,6 +36,16 @@ bool explains(const Mismatch& mismatch, const std::string& what) {
 
 }  // namespace
 
+Attributes attribute_of(const Mismatch& mismatch) {
+  if (mismatch.kind != Mismatch::Kind::kValue) return 0;
+  const std::string attribute = kind_of(mismatch.what);
+  return attribute == "position"             ? kPosition
+         : attribute == "color"              ? kColor
+         : attribute == "normal"             ? kNormal
+         : attribute == "texture coordinate" ? kTextureCoordinate0
+                                             : 0u;
+}
+
 void ExplicitControl::set_observed(const gl::Case& script, const Capture& capture, Attributes judged) {
   // For a reproduction, the control is known to pass, and must not be recorded in place of the case.
   if (subject_.reproduction) return;
@@ -101,6 +111,16 @@ void ExplicitControl::run_controls(const std::function<bool(Implementation&)>& f
   };
   if (fails && subject_.warm && shows_evaluation_at_fault(*subject_.warm)) return;
   wrong_ = wrong_on(*subject_.implementation);
+}
+
+Attributes ExplicitControl::lost_in_controls() const {
+  Attributes lost = 0;
+  for (const Mismatch& mismatch : wrong_) {
+    const Attributes attribute = attribute_of(mismatch);
+    if (attribute == 0 || attribute == kPosition) return 0;
+    lost |= attribute;
+  }
+  return lost;
 }
 
 Attributes ExplicitControl::lost_attributes(const gl::Case& script, const Capture& capture) const {

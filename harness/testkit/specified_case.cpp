@@ -89,19 +89,18 @@ void Test::require_rejections_in_primitives(const gl::Case& script, const Specif
   bool replaced = false;
   for (std::size_t i = 0; i < script.commands().size(); ++i) {
     const gl::Command& command = script.commands()[i];
-    const std::string_view name = gl::name_of(command.entry);
-    const bool ends_or_asks = name == "glEnd" || name == "glGetError";
-    if (!ends_or_asks && is_rejected_in_primitive(specified, i)) {
-      if (name.starts_with("glIs"))
+    const bool asks_for_error = command.entry == gl::EntryPoint::GetError;
+    if (!asks_for_error && command.entry != gl::EntryPoint::End && is_rejected_in_primitive(specified, i)) {
+      if (gl::asks(command.entry) && !specified.answers.has_output({static_cast<int>(i)}))
         c.IsEnabled(GL_LIGHTING);
-      else if (name.starts_with("glGet"))
+      else if (gl::asks(command.entry))
         c.GetIntegerv(GL_MATRIX_MODE, gl::out<GLint>(1));
       else
         c.Enable(GL_CULL_FACE);
       replaced = true;
     } else {
       const gl::Ref added = c.add(command);
-      if (name == "glGetError" && std::exchange(replaced, false)) errors.push_back(added);
+      if (asks_for_error && std::exchange(replaced, false)) errors.push_back(added);
     }
   }
   if (errors.empty()) return;

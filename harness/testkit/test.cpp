@@ -39,6 +39,26 @@ Mismatch wrong_error(GLenum got, GLenum expected) {
   return mismatch;
 }
 
+bool uses_attribute_stack_in_list(const gl::Case& script) {
+  bool is_list_open = false;
+  return std::ranges::any_of(script.commands(), [&](const gl::Command& command) {
+    if (command.entry == gl::EntryPoint::NewList) is_list_open = true;
+    if (command.entry == gl::EntryPoint::EndList) is_list_open = false;
+    return is_list_open &&
+           (command.entry == gl::EntryPoint::PushAttrib || command.entry == gl::EntryPoint::PopAttrib);
+  });
+}
+
+// Returns true if End may be outside of a primitive, also because lists may leave one open.
+bool may_end_outside(const gl::Case& script) {
+  bool is_open = false;
+  return std::ranges::any_of(script.commands(), [&](const gl::Command& command) {
+    if (command.entry == gl::EntryPoint::End) return !std::exchange(is_open, false);
+    if (command.entry == gl::EntryPoint::Begin) is_open = gl::integer_of(command, 0) <= GL_POLYGON;
+    return false;
+  });
+}
+
 }  // namespace
 
 // Counts the case and returns it after delivery. Throws NotObservable or NotSupported if the case cannot be
@@ -49,6 +69,8 @@ gl::DeliveredCase Test::begin_case(const gl::Case& script) {
   if (subject_.reproduction) subject_.reproduction->begin_case(script);
   gl::DeliveredCase delivered = delivery_.apply(script);
   lists_used_ = lists_used_ || gl::uses_lists(delivered.script);
+  may_end_outside_ = may_end_outside_ || may_end_outside(delivered.script);
+  stack_in_lists_ = stack_in_lists_ || uses_attribute_stack_in_list(delivered.script);
   const auto has_high_order = [&](const gl::Command& command) {
     return gl::largest_order(command) > max_order();
   };
@@ -94,10 +116,12 @@ CheckedTrace Test::play(const gl::Case& written) {
   return checked;
 }
 
-const Capture& Test::choose_capture(Attributes required, PrimitiveKinds kinds) {
-  const Capture& capture = subject_.captures->showing_all(required, kinds);
-  note_capture(capture);
-  return capture;
+const Capture& Test::choose_capture(const gl::Case& script, Attributes required, PrimitiveKinds kinds) {
+  const Capture* capture = &subject_.captures->showing_all(required, kinds, false);
+  if (capture->loses_nonpositive_w() && predict(script, max_order()).has_nonpositive_w())
+    capture = &subject_.captures->showing_all(required, kinds, true);
+  note_capture(*capture);
+  return *capture;
 }
 
 void Test::note_capture(const Capture& capture) {
@@ -113,7 +137,7 @@ Attributes Test::shown_exactly(Attributes required, PrimitiveKinds kinds) {
 Observation Test::observe(const gl::Case& written, Attributes required, std::size_t most_vertices,
                           PrimitiveKinds kinds) {
   const gl::Case script = begin_case(written).script;
-  const Capture& capture = choose_capture(required, kinds);
+  const Capture& capture = choose_capture(script, required, kinds);
   control_.set_observed(script, capture, required);
   return capture.observe(*subject_.implementation, script, {required, most_vertices, kinds});
 }
@@ -220,7 +244,7 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
   control_.set_observed(script, *capture, capture->shown());
   fail_each(
       script, *capture, {capture->shown(), room, kinds_of(prediction)}, observation, judgement.mismatches,
-      [&](const Observation& seen) { return judged(seen).mismatches; }, &prediction);
+      [&](const Observation& seen) { return judged(seen).mismatches; }, &prediction, required);
   if (judgement.accuracy.values + judgement.accuracy.not_judged > 0) {
     if (!record_.accuracy) record_.accuracy.emplace();
     record_.accuracy->add(judgement.accuracy);
@@ -230,7 +254,7 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
 void Test::expect_observation(const gl::Case& written, Attributes required, std::size_t most_vertices,
                               PrimitiveKinds kinds, const OwnJudge& judge, Judged judged) {
   const gl::Case script = begin_case(written).script;
-  const Capture& capture = choose_capture(required, kinds);
+  const Capture& capture = choose_capture(script, required, kinds);
   if (judged == Judged::kInLists) control_.set_observed(script, capture, required);
   const CaptureRequest request{required, most_vertices, kinds};
   const Observation seen = capture.observe(*subject_.implementation, script, request);
@@ -239,7 +263,7 @@ void Test::expect_observation(const gl::Case& written, Attributes required, std:
 
 void Test::fail_each(const gl::Case& script, const Capture& capture, const CaptureRequest& request,
                      const Observation& seen, const std::vector<Mismatch>& mismatches, const OwnJudge& judge,
-                     const Prediction* prediction) {
+                     const Prediction* prediction, Attributes required) {
   if (!mismatches.empty() && !subject_.is_warm)
     control_.run_controls([&](Implementation& implementation) {
       std::set<std::string> wrong;
@@ -247,7 +271,14 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Captu
         wrong.insert(mismatch.what);
       return std::ranges::all_of(mismatches, [&](const Mismatch& one) { return wrong.contains(one.what); });
     });
+  // If the controls lose a part of what the test is about, the rest is judged.
+  const Attributes lost = control_.lost_in_controls();
+  const bool judges_rest = (required & kAllAttributes & ~lost) != 0;
   for (const Mismatch& mismatch : mismatches) {
+    if (judges_rest && (attribute_of(mismatch) & lost)) {
+      unobserved_ |= attribute_of(mismatch) & lost;
+      continue;
+    }
     Failure failure;
     failure.case_identity = script.identity();
     failure.message = mismatch.message;
@@ -320,6 +351,10 @@ void Test::fail(Failure failure, const std::function<std::vector<std::string>()>
   fails_in_warm_context_ = subject_.is_warm;  // also if the test catches the exception
   if (subject_.is_warm) throw NotObservable("fresh contexts decide: " + failure.message);
   control_.require_explicit_vertices(failure.what);
+  if (!subject_.reproduction) {
+    if (stack_in_lists_) require_attribute_stack_in_lists();
+    if (may_end_outside_ && failure.what == "glGetError") require_error_of_end();
+  }
   for (const RequirementId& id : decided_) violate(id);
   violates_all_ = violates_all_ || decided_.empty();
   if (subject_.reproduction) subject_.reproduction->failed(failure, check);
@@ -329,6 +364,27 @@ void Test::fail(Failure failure, const std::function<std::vector<std::string>()>
   if (record_.failures.size() >= kFailuresInFull) return;
   if (calls) failure.calls = calls();
   record_.failures.push_back(std::move(failure));
+}
+
+void Test::require_attribute_stack_in_lists() const {
+  gl::Case c(gl::control("PushAttrib and PopAttrib in a display list"));
+  c.NewList(1, GL_COMPILE);
+  c.PushAttrib(GL_ENABLE_BIT);
+  c.Enable(GL_CULL_FACE);
+  c.PopAttrib();
+  c.EndList();
+  c.CallList(1);
+  const gl::Ref enabled = c.IsEnabled(GL_CULL_FACE);
+  if (subject_.implementation->create_context()->play(c).result(enabled) != GL_FALSE)
+    throw NotObservable("pipeline: display lists lose PushAttrib and PopAttrib of other state as well");
+}
+
+void Test::require_error_of_end() const {
+  gl::Case c(gl::control("End outside of a primitive"));
+  c.End();
+  const gl::Ref error = c.GetError();
+  if (subject_.implementation->create_context()->play(c).error(error) != GL_INVALID_OPERATION)
+    throw NotObservable("pipeline: End outside of a primitive does not raise its error before GetError");
 }
 
 void Test::violate(const RequirementId& id) {

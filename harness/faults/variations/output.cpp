@@ -1,8 +1,11 @@
 // Variations of the output: captures are coarse or missing, results have other errors, and meshes are drawn
 // in another order.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "grid_steps.h"
 
@@ -168,8 +171,14 @@ struct Feedback {
 };
 Feedback feedback;
 
-// Changes each colour component in a feedback buffer of RGBA colours, and each token.
-void change_feedback(std::size_t count, float (*change)(float), GLenum (*change_token)(GLenum)) {
+// A vertex in a feedback buffer of RGBA colours. The pointers are null if the buffer has no such values.
+struct FedBack {
+  GLfloat *color, *texture;
+};
+
+// Changes each vertex in a feedback buffer, and each token.
+void change_feedback(std::size_t count, const std::function<void(FedBack)>& change,
+                     GLenum (*change_token)(GLenum)) {
   GLfloat* const values = feedback.values;
   const std::size_t before = feedback.type == GL_2D ? 2 : feedback.type == GL_4D_COLOR_TEXTURE ? 4 : 3;
   const std::size_t colors = feedback.has_color() ? 4 : 0;
@@ -186,7 +195,8 @@ void change_feedback(std::size_t count, float (*change)(float), GLenum (*change_
     if (token == GL_LINE_TOKEN || token == GL_LINE_RESET_TOKEN) vertices = 2;
     if (token == GL_POLYGON_TOKEN && i < count) vertices = static_cast<std::size_t>(values[i++]);
     for (; vertices > 0 && i + size <= count; --vertices, i += size)
-      std::transform(values + i + before, values + i + before + colors, values + i + before, change);
+      change({colors ? values + i + before : nullptr,
+              feedback.has_texture() ? values + i + before + colors : nullptr});
     if (vertices > 0) return;
   }
 }
@@ -196,7 +206,8 @@ const Entries kTransformFeedback =
               kFeedback = RenderMode | FeedbackBuffer;
 
 Rules vary_feedback(
-    float (*change)(float), GLenum (*change_token)(GLenum) = [](GLenum token) { return token; }) {
+    const std::function<void(FedBack)>& change,
+    GLenum (*change_token)(GLenum) = [](GLenum token) { return token; }) {
   return {missing(kTransformFeedback), initially([](Call&) { feedback = {}; }),
           after(FeedbackBuffer,
                 [](Call& c) {
@@ -211,18 +222,75 @@ Rules vary_feedback(
           })};
 }
 
+std::function<void(FedBack)> change_colors(float (*change)(float)) {
+  return [=](FedBack vertex) {
+    if (vertex.color) std::transform(vertex.color, vertex.color + 4, vertex.color, change);
+  };
+}
 VARIATION(FeedbackOf8Bits, "", "feedback colours are rounded to 8 bits; no transform feedback",
-          vary_feedback([](float x) { return std::round(std::clamp(x, 0.0f, 1.0f) * 255.0f) / 255.0f; }));
+          vary_feedback(change_colors([](float x) {
+            return std::round(std::clamp(x, 0.0f, 1.0f) * 255.0f) / 255.0f;
+          })));
 VARIATION(FeedbackCutTo8Bits, "", "feedback colours are cut to 8 bits; no transform feedback",
-          vary_feedback([](float x) { return std::floor(std::clamp(x, 0.0f, 1.0f) * 255.0f) / 255.0f; }));
+          vary_feedback(change_colors([](float x) {
+            return std::floor(std::clamp(x, 0.0f, 1.0f) * 255.0f) / 255.0f;
+          })));
 VARIATION(FeedbackClamped, "", "feedback colours are clamped; no transform feedback",
-          vary_feedback([](float x) { return std::clamp(x, 0.0f, 1.0f); }));
+          vary_feedback(change_colors([](float x) { return std::clamp(x, 0.0f, 1.0f); })));
 VARIATION(FeedbackLineResets, "",
           "each line in the feedback buffer resets the stipple; no transform feedback",
-          vary_feedback([](float x) { return x; },
+          vary_feedback([](FedBack) {},
                         [](GLenum token) -> GLenum {
                           return token == GL_LINE_TOKEN ? GL_LINE_RESET_TOKEN : token;
                         }));
+VARIATION(FeedbackOfOneCoordinate, "",
+          "feedback has the first texture coordinate only; no transform feedback",
+          vary_feedback([](FedBack vertex) {
+            if (vertex.texture) std::copy_n(std::array{0.0f, 0.0f, 1.0f}.begin(), 3, vertex.texture + 1);
+          }));
+VARIATION(FeedbackOfVisiblePoints, "",
+          "feedback loses vertices whose w is 0 behind the projection; no transform feedback",
+          vary_feedback([](FedBack) {}), before(MatrixMode, set(kNumber, kFirst)),
+          before(LoadMatrixf, kNumber == GL_PROJECTION,
+                 set(kCount, element(15) == 0 && element(11) == 0 && element(7) == 0 && element(3) == 0)),
+          before(LoadIdentity, kNumber == GL_PROJECTION, set(kCount, 0)),
+          after(RenderMode, kFlag&& kCount, set(kResult, 0)));
+
+// The texture matrix, which the library applies to the first of several vertices with the same texture
+// coordinates.
+std::array<float, 16> texture_matrix;
+std::array<float, 4> last_texture;
+
+void reset_texture_matrix(Call&) { texture_matrix = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; }
+
+void transform_first(FedBack vertex) {
+  if (!vertex.texture) return;
+  std::array<float, 4> given{}, out{};
+  std::copy_n(vertex.texture, 4, given.begin());
+  const bool is_repeated =
+      given == std::exchange(last_texture, given) && !unmodified.IsEnabled(GL_TEXTURE_GEN_S);
+  for (std::size_t row = 0; row < 4; ++row)
+    for (std::size_t column = 0; column < 4; ++column)
+      out[row] += texture_matrix[4 * column + row] * given[column];
+  if (is_repeated) out = given;
+  for (std::size_t i = 0; i < 3; ++i) vertex.texture[i] = out[3] != 0 ? out[i] / out[3] : out[i];
+  vertex.texture[3] = out[3] != 0 ? 1.0f : 0.0f;
+}
+VARIATION(FeedbackOfRepeatedTexture, "",
+          "feedback divides texture coordinates by q, and the texture matrix does not transform given ones "
+          "that are the same as before; no transform feedback",
+          vary_feedback(transform_first), initially(reset_texture_matrix),
+          before(LoadIdentity, kNumber == GL_TEXTURE, reset_texture_matrix),
+          after(FeedbackBuffer,
+                [](Call&) {
+                  last_texture = {-1, -1, -1, -1};
+                }),
+          before(MatrixMode, set(kNumber, kFirst)), instead(LoadMatrixf, kNumber == GL_TEXTURE, [](Call& c) {
+            for (std::size_t i = 0; i < 16; ++i) texture_matrix[i] = static_cast<float>(c.read(i));
+          }));
+VARIATION(FeedbackWithoutNormalMap, "", "NORMAL_MAP is not known; no transform feedback, no shaders",
+          missing(kTransformFeedback | CreateShader | CreateProgram),
+          before(TexGeni, kThird == GL_NORMAL_MAP, set(kThird, 0)));
 VARIATION(NoTransformFeedback, "", "there is no transform feedback", missing(kTransformFeedback));
 VARIATION(NoFeedback, "", "there is no feedback mode", missing(kFeedback));
 VARIATION(NothingToSee, "", "there is neither feedback mode nor transform feedback",

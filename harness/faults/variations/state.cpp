@@ -99,6 +99,11 @@ const Entries kSince1_2 =
     BeginConditionalRender | EndConditionalRender | PrimitiveRestartIndex | PatchParameteri |
     ProvokingVertex | GenFramebuffers | BindFramebuffer | CheckFramebufferStatus | BindProgramARB |
     ProgramStringARB | BindProgramNV | LoadProgramNV | GetDebugMessageLog;
+VARIATION(Version10, "", "the GL is 1.0, without any extension", set_version("1.0"),
+          missing(kSince1_2 | BindTexture | EnableClientState | Entries(DisableClientState) | VertexPointer |
+                  ColorPointer | NormalPointer | TexCoordPointer | PolygonOffset),
+          // There are numbers of components, no formats.
+          before(TexImage2D, kThird > 4, set(kThird, 5)));
 VARIATION(Version11, "", "the GL is 1.1, without any extension", set_version("1.1"), missing(kSince1_2));
 VARIATION(Version15, "", "the GL is 1.5, without any extension", set_version("1.5"));
 

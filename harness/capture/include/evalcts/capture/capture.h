@@ -78,14 +78,15 @@ class Captures {
            std::vector<std::unique_ptr<Capture>> captures);
 
   std::size_t size() const { return captures_.size(); }
-  // Returns the first capture that shows all of these attributes exactly. Throws NotObservable.
-  const Capture& showing_all(Attributes required, PrimitiveKinds kinds);
+  // Returns the first capture that shows all of these attributes exactly. If `nonpositive_w`, captures that
+  // lose vertices with w <= 0 are excluded. Throws NotObservable.
+  const Capture& showing_all(Attributes required, PrimitiveKinds kinds, bool nonpositive_w = false);
   // Returns the largest subset of the required attributes that one capture shows exactly. Throws
   // NotObservable if no capture shows any.
   Attributes shown_exactly(Attributes required, PrimitiveKinds kinds);
   // Returns the capture that shows most of the required attributes, followed by up to `most` - 1 others that
-  // show at least the same attributes. If `nonpositive_w`, captures that lose vertices with w <= 0 are
-  // excluded. Throws NotObservable if no capture shows any.
+  // show at least the same attributes. `nonpositive_w` as above. Throws NotObservable if no capture shows
+  // any.
   std::vector<const Capture*> showing_most(Attributes required, PrimitiveKinds kinds, bool nonpositive_w,
                                            std::size_t most);
   // Proves all captures at once, before a case leaves the implementation no memory for a proof.

@@ -14,6 +14,10 @@
 
 namespace evalcts {
 
+// Returns the attribute of a vertex that a mismatch is about; 0 if there is none. Texture coordinates of all
+// units count as those of unit 0.
+Attributes attribute_of(const Mismatch& mismatch);
+
 class ExplicitControl {
  public:
   explicit ExplicitControl(const Subject& subject) : subject_(subject) {}
@@ -35,6 +39,9 @@ class ExplicitControl {
   // Returns the attributes that are wrong in the control of the case, because the capture or the rest of the
   // pipeline loses them.
   Attributes lost_attributes(const gl::Case& script, const Capture& capture) const;
+
+  // Returns the attributes that the controls, which have run, lose while positions and vertices are right.
+  Attributes lost_in_controls() const;
 
   // Must be called when the case leaves these errors behind. Throws NotObservable if it contains evaluations,
   // and leaves one of the errors behind with explicit commands in their place as well.

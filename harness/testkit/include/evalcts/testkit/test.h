@@ -145,10 +145,15 @@ class Test : public Conditions {
   gl::Ref same_as(const Specified& specified, const gl::Case& script, gl::Ref query) const;
   // Throws NotObservable if GetIntegerv rounds FOG_START wrongly.
   void require_rounding_of_other_state();
-  const Capture& choose_capture(Attributes required, PrimitiveKinds kinds);
+  // Chooses a capture for the script as it is delivered. Throws NotObservable.
+  const Capture& choose_capture(const gl::Case& script, Attributes required, PrimitiveKinds kinds);
   void note_capture(const Capture& capture);
 
   void violate(const RequirementId& id);
+  // Throws NotObservable if display lists do not push and pop CULL_FACE.
+  void require_attribute_stack_in_lists() const;
+  // Throws NotObservable if End outside of a primitive does not raise INVALID_OPERATION at once.
+  void require_error_of_end() const;
 
   // Sets the violated requirements of a test that failed through display lists, by running it without a list
   // and in a list of the simplest kind. The requirement of the form of lists is violated only if both pass.
@@ -170,7 +175,7 @@ class Test : public Conditions {
   // prediction, the first failure in positions or vertices gets a plot, otherwise the first failure.
   void fail_each(const gl::Case& script, const Capture& capture, const CaptureRequest& request,
                  const Observation& seen, const std::vector<Mismatch>& mismatches, const OwnJudge& judge,
-                 const Prediction* prediction = nullptr);
+                 const Prediction* prediction = nullptr, Attributes required = 0);
 
   bool judges_order_of_meshes_ = false;
   std::vector<RequirementId> decided_;
@@ -178,6 +183,8 @@ class Test : public Conditions {
   bool violates_all_ = false;             // a failure violates all requirements of the test
   std::optional<gl::Lists> other_lists_;  // replaces the form of lists of the delivery
   bool lists_used_ = false;
+  bool may_end_outside_ = false;
+  bool stack_in_lists_ = false;  // true if a case pushes or pops attributes in a list
   ExplicitControl control_;
   Attributes unobserved_ = 0;             // required attributes that no capture shows
   std::string fault_outside_evaluators_;  // the reason why an answer of the case is not judged; or empty
