@@ -219,6 +219,41 @@ EVALCTS_TEST(Map1Errors, OrderTooHigh, kMust, "EV-MAP1-ERR-ORDER-HIGH", "EV-MAP1
   for (const int order : orders_too_high(t)) judge_values(t, form, "order above MAX", &Map::uorder, {order});
 };
 
+// Orders of which products with k, a stride or the size of a value wrap at 16, 31 or 32 bits. A library that
+// reads the points leaves the array, behind which is no memory. There are no display lists, because a library
+// may copy the points before it checks the arguments.
+constexpr int kWrapping[] = {1 << 16, 1 << 28, 1 << 29, 1 << 30, (1 << 30) + 1, kHighest};
+
+EVALCTS_TEST_PAIR(Map1Errors.OrdersThatWrap, Map2Errors.OrdersThatWrap, kMust,
+                  decide("EV-MAP-ERR-WRAP/1-D", "EV-MAP-ERR-WRAP/2-D"),
+                  decide("EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT"),
+                  [](bool two) { return combine(target_forms(two)); })
+(Test& t, bool two, const TargetForm& form) {
+  const int k = gl::components_of(form.target);
+  const auto map = [=](int uorder, int vorder) {
+    return [=](gl::Case& c) {
+      const std::vector<GLfloat> points(static_cast<std::size_t>(4 * k));
+      const std::vector<GLdouble> doubles(points.begin(), points.end());
+      if (two)
+        form.doubles ? c.Map2d(form.target, 0, 1, k, uorder, 0, 1, k, vorder, doubles)
+                     : c.Map2f(form.target, 0, 1, k, uorder, 0, 1, k, vorder, points);
+      else
+        form.doubles ? c.Map1d(form.target, 0, 1, k, uorder, doubles)
+                     : c.Map1f(form.target, 0, 1, k, uorder, points);
+    };
+  };
+  std::vector<Calls> calls;
+  for (const int order : kWrapping) {
+    if (order <= t.order_limit()) continue;
+    calls.push_back(map(order, 2));
+    if (!two) continue;
+    calls.push_back(map(2, order));
+    calls.push_back(map(order, order));
+  }
+  if (calls.empty()) throw NotObservable("MAX_EVAL_ORDER is so high that no product wraps");
+  judge_rejected(t, "orders of which a product wraps", calls, two ? Prepared::kEverything : Prepared::kMaps1);
+};
+
 // Returns strides that are too small for `k` components. Display lists get no negative ones, because a
 // library that copies the points before it checks the arguments would read memory before the array, with an
 // unpredictable outcome.

@@ -192,12 +192,42 @@ void ask_for_everything(Test& t, Repetition& r, bool) {
   }
 }
 
-constexpr Unrelated kUnrelated[] = {
-    {"TEXTURE_UNITS", change_texture_units},   {"ATTRIBUTE_STACK", change_the_attribute_stack},
-    {"REFUSED_COMMANDS", give_wrong_commands}, {"QUERIES", ask_for_everything},
-    {"CURRENT_VALUES", change_current_values}, {"MATRICES", change_matrices},
-    {"FRAGMENTS", change_fragment_state},      {"OTHER_MAPS", change_maps_not_used},
-    {"PIXEL_STORE", change_client_state},      {"RASTERIZATION", change_rasterization}};
+void change_materials(Test&, Repetition& r, bool) {
+  for (const GLenum name : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION})
+    r.script().Materialfv(GL_FRONT_AND_BACK, name, std::vector<GLfloat>{0.1f, 0.2f, 0.3f, 0.4f});
+  r.after("Material");
+}
+
+void set_the_raster_position(Test&, Repetition& r, bool) {
+  r.script().RasterPos3f(0.25f, 0.5f, 0);
+  r.after("RasterPos");
+}
+
+void enable_arrays(Test& t, Repetition& r, bool) {
+  t.require(1, 1);
+  gl::Case& c = r.script();
+  c.EnableClientState(GL_VERTEX_ARRAY);
+  r.after("EnableClientState of VERTEX_ARRAY");
+  c.EnableClientState(GL_COLOR_ARRAY);
+  r.after("EnableClientState of COLOR_ARRAY");
+  c.DisableClientState(GL_VERTEX_ARRAY);
+  c.DisableClientState(GL_COLOR_ARRAY);
+  r.after("DisableClientState");
+}
+
+constexpr Unrelated kUnrelated[] = {{"MATERIAL", change_materials},
+                                    {"RASTER_POSITION", set_the_raster_position},
+                                    {"ARRAYS", enable_arrays},
+                                    {"TEXTURE_UNITS", change_texture_units},
+                                    {"ATTRIBUTE_STACK", change_the_attribute_stack},
+                                    {"REFUSED_COMMANDS", give_wrong_commands},
+                                    {"QUERIES", ask_for_everything},
+                                    {"CURRENT_VALUES", change_current_values},
+                                    {"MATRICES", change_matrices},
+                                    {"FRAGMENTS", change_fragment_state},
+                                    {"OTHER_MAPS", change_maps_not_used},
+                                    {"PIXEL_STORE", change_client_state},
+                                    {"RASTERIZATION", change_rasterization}};
 
 // Returns a repetition of draw_some() that defines the maps and the grid once, before the first drawing.
 Repetition repeated(const std::string& identity, gl::Case maps, bool two) {
@@ -210,7 +240,7 @@ Repetition repeated(const std::string& identity, gl::Case maps, bool two) {
 
 EVALCTS_TEST_PAIR(Numeric.UnrelatedState1, Numeric.UnrelatedState2, kMust,
                   decide("EV-NUM-INVARIANT-STATE/1-D", "EV-NUM-INVARIANT-STATE/2-D"),
-                  combine(kUnrelated).by(in_lists()))
+                  decide("EV-BE-OTHERS/1-D", "EV-BE-OTHERS/2-D"), combine(kUnrelated).by(in_lists()))
 (Test& t, bool two, const Unrelated& unrelated) {
   for (int order = 3; order <= t.by_depth(3, 7, 7); order += 4) {
     gl::Case maps;
@@ -246,6 +276,29 @@ EVALCTS_TEST_PAIR(Numeric.UnrelatedMaps1, Numeric.UnrelatedMaps2, kQuality,
       }
       repetition.check(t, kPosition, two ? kDrawn2 : kDrawn1);
     }
+};
+
+// Material is allowed between Begin and End, where its storage may be that of current values.
+EVALCTS_TEST_PAIR(Numeric.MaterialInside1, Numeric.MaterialInside2, kMust,
+                  decide("EV-BE-OTHERS/1-D", "EV-BE-OTHERS/2-D"), by(in_lists()))
+(Test& t, bool two) {
+  gl::Case c("each Material between evaluations, with maps of all attributes");
+  define_random(t, c, kinds_of(two)[1], 3, {0, 1});
+  map_grid(c, two, {3, 0, 1}, {2, 0, 1});
+  for (const GLenum face : {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}) {
+    c.Begin(GL_POINTS);
+    eval_coord(c, two, 0.25, 0.5);
+    for (const GLenum name :
+         {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_AMBIENT_AND_DIFFUSE, GL_SHININESS}) {
+      const std::size_t values = name == GL_SHININESS ? 1 : 4;
+      c.Materialfv(face, name, std::vector<GLfloat>(values, 0.125f));
+      eval_coord(c, two, 0.75, 0.5);
+      eval_point(c, two, 1, 1);
+    }
+    c.End();
+    eval_mesh(c, two, GL_POINT, 0, 3, 0, 2);
+  }
+  t.judge_vertices(c, kUnit0);
 };
 
 // AUTO_NORMAL must not change positions; it is evaluator state (appendix A of GL 2.1).

@@ -13,6 +13,10 @@ Rules lost_after_evaluation(const Entries& command) {
 // Sets kFlag when the array is enabled.
 Rule note_array(GLenum array) { return before(EnableClientState, kFirst == array, set(kFlag, 1)); }
 
+FAULT(PrimitivesOf16Bits, "EV-BE-NOLIMIT", "a primitive is cut after 65,535 vertices",
+      change_primitives([](ObservedPrimitive& primitive) {
+        if (primitive.vertices.size() > 65535) primitive.vertices.resize(65535);
+      }));
 FAULT(ColorMapOfSurfacesColorsCurves, "EV-COORD-DIM1", "Enable of MAP2_COLOR_4 enables MAP1_COLOR_4",
       after(kSwitches, kName == GL_MAP2_COLOR_4, switch_to(GL_MAP1_COLOR_4, noted_on(kName))));
 FAULT(NormalMapOfCurvesServesSurfaces, "EV-COORD-DIM2", "Enable of MAP1_NORMAL enables MAP2_NORMAL",

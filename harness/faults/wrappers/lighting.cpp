@@ -24,6 +24,10 @@ Rules note_tracking() {
           before(kEvalCoord1, kFlag, set(kCount, kCount + 1))};
 }
 
+FAULT(MaterialLosesMaps, "EV-BE-OTHERS",
+      "after Material between Begin and End, the maps of colours are disabled",
+      before(Materialfv, kInside, set(kFlag, 1)),
+      after(End, kFlag, {set(kFlag, 0), disable(GL_MAP1_COLOR_4), disable(GL_MAP2_COLOR_4)}));
 FAULT(SurfaceTracksCurrentColor, "EV-CMAT-EFFECT/2-D", "EvalCoord2 gives no colour while DIFFUSE is tracked",
       without(Begin, enabled(GL_COLOR_MATERIAL) && kTracked == GL_DIFFUSE, GL_MAP2_COLOR_4));
 FAULT(FirstVertexTracksCurrentColor, "EV-CMAT-EFFECT",

@@ -10,6 +10,11 @@ Value has_bad_orders() { return !is_legal_order(kOrder) || !is_legal_order(kVOrd
 // Raises a stride that is too small to the number of components.
 Value widen(Place stride) { return set(stride, max(stride, kComponents)); }
 
+// Products are computed with 32 bits.
+Value wraps(Value product) { return in_bits(product, 32) <= 64; }
+FAULT(WrappingOrdersTaken, "EV-MAP-ERR-WRAP", "orders whose product with k wraps at 32 bits are taken as 1",
+      before(kMap1, kOrder > kMaxOrder && wraps(kOrder * kComponents), set(kOrder, 1)),
+      before(kMap2, kOrder > kMaxOrder && wraps(kOrder * kVOrder), {set(kOrder, 1), set(kVOrder, 1)}));
 FAULT(OrderZeroTaken, "EV-MAP1-ERR-ORDER-LOW", "Map1 takes order 0 as 1",
       before(kMap1, kOrder == 0, set(kOrder, 1)));
 FAULT(NegativeOrderIgnored, "EV-MAP1-ERR-ORDER-LOW",

@@ -19,6 +19,8 @@ Value transpose() {
   return change_points([](Net& net) { net = net.transposed(); });
 }
 
+FAULT(MapsAreCounted, "EV-CTX-UNBOUNDED", "Map1 and Map2 do nothing from the thousandth call on",
+      before(kMaps, set(kCount, kCount + 1)), skip(kMaps, kCount > 1000));
 FAULT(UpperEndAvoided, "EV-MAP1-ZEROPOW", "u2 is evaluated just below, at 0.999, so that 0^0 is never needed",
       before(kMap1, {set(kFlag, 1), keep({kU1, kU2})}),
       before(EvalCoord1d, kU == kept(1) && kFlag, set(kU, kU - 0.001 * (kU - kept(0)))));
