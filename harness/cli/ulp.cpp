@@ -427,8 +427,8 @@ accuracy::MeasuredImplementation measure(const UlpOptions& options, const std::s
       return;
     }
     entry.status = Status::kCrashed;
-    entry.reason = fmt::format("{}; its output: {}", describe(run, limits), log.string());
-    if (!run.in_flight.empty()) deaths[run.in_flight] = describe(run, limits);
+    entry.reason = fmt::format("{}; its output: {}", describe(run), log.string());
+    if (!run.in_flight.empty()) deaths[run.in_flight] = describe(run);
   };
   // A row may take any time, so no process counts as hung.
   Pool{.command = [&] { return worker_command(options, implementation); },

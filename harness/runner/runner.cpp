@@ -33,7 +33,8 @@ constexpr double kSearchBudget = 30;     // seconds for the search for the histo
 constexpr double kSearchesBudget = 120;  // seconds for all these searches
 constexpr int kMostFruitless = 2;        // rounds that may end without a result before the run gives up
 constexpr char kOutOfTime[] = "; the search for the tests that it depends on ran out of time";
-constexpr std::size_t kSameCrashes = 3;  // tests with one crash, after which others need no confirmation
+constexpr double kPatienceAfterHang = 5;  // seconds for a test once another one has hung
+constexpr std::size_t kSameCrashes = 3;   // tests with one crash, after which others need no confirmation
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -104,7 +105,7 @@ class Run {
          .ended =
              [&](const WorkerRun& run) {
                if (!run.in_flight.empty())
-                 proofs[run.in_flight] = {run.in_flight, false, why_no_answer(run, log, limits), ""};
+                 proofs[run.in_flight] = {run.in_flight, false, why_no_answer(run, log), ""};
              }}
         .run([&]() -> std::optional<Job> {
           if (next == description->captures.size()) return std::nullopt;
@@ -198,8 +199,7 @@ class Run {
       const WorkerRun& last = ended.back();
       for (const std::string& name : remaining)
         if (!records_.contains(name))
-          add_record(name, verdict_of_death(last),
-                     describe(last, request_.limits) + " before its first test");
+          add_record(name, verdict_of_death(last), describe(last) + " before its first test");
     }
   }
 
@@ -222,6 +222,7 @@ class Run {
             },
         .log = file("log", "txt"),
         .limits = request_.limits,
+        .patience = [this] { return patience_; },
         .workers = std::min(static_cast<std::size_t>(second_pass() ? 1 : request_.jobs), tests.size()),
         .each = [this](const Event& event) { note(event); },
         .ended =
@@ -229,6 +230,8 @@ class Run {
               // A library that cannot have two contexts may die when the warm context is made.
               if (!run.complete && run.finished.empty() && run.in_flight.empty())
                 dies_with_second_context_ = true;
+              // Tests that hang often do so at one place, and each would take until the time limit.
+              if (run.hung) patience_ = std::min(patience_, kPatienceAfterHang);
               sequences_.push_back(run.finished);
               count_crash(run);
               ended.push_back(run);
@@ -327,17 +330,22 @@ class Run {
                                [&](const char* name) { return run.crash->call.starts_with(name); });
   }
 
-  SameCrashes& crashes_like(const WorkerRun& run) {
-    return same_crashes_[run.crash->call + "\n" + run.crash->group()];
-  }
+  static std::string place_of(const WorkerRun& run) { return run.crash->call + "\n" + run.crash->group(); }
+  SameCrashes& crashes_like(const WorkerRun& run) { return same_crashes_[place_of(run)]; }
 
   // Records the tests that processes died in. Each test is run again alone, unless it crashed in a map
-  // command and kSameCrashes tests with the same crash have been confirmed and none had another outcome.
+  // command and kSameCrashes tests with the same crash have been confirmed and none had another outcome, or
+  // it hangs at a place where another test hangs alone.
   void record_deaths(const std::vector<WorkerRun>& ended) {
-    std::vector<const WorkerRun*> first, like_others, rest;
+    std::vector<const WorkerRun*> first, like_others, rest, hung_like_others;
     std::map<const SameCrashes*, std::size_t> chosen;
     for (const WorkerRun& child : ended) {
       if (child.in_flight.empty()) continue;
+      if (child.hung && child.crash && !child.crash->call.empty() && !second_pass() &&
+          !hangs_.try_emplace(place_of(child), child.in_flight).second) {
+        hung_like_others.push_back(&child);
+        continue;
+      }
       const bool has_like = !second_pass() && is_in_map_command(child);
       const SameCrashes* const same = has_like ? &crashes_like(child) : nullptr;
       (same && same->confirmed + chosen[same]++ >= kSameCrashes ? like_others : first).push_back(&child);
@@ -349,10 +357,21 @@ class Run {
         rest.push_back(child);
         continue;
       }
-      add_record(child->in_flight, Verdict::kCrash,
-                 fmt::format("{}; as in {} tests that were run again alone",
-                             describe(*child, request_.limits), same.confirmed),
-                 {}, child->crash);
+      add_record(
+          child->in_flight, Verdict::kCrash,
+          fmt::format("{}; as in {} tests that were run again alone", describe(*child), same.confirmed), {},
+          child->crash);
+    }
+    for (const WorkerRun* child : hung_like_others) {
+      const TestRecord& representative = records_.at(hangs_.at(place_of(*child)));
+      if (interrupted || !hung_alone_.contains(representative.name))
+        rest.push_back(child);
+      else
+        add_record(child->in_flight, representative.verdict,
+                   fmt::format("{}{}; as in {}, which was run again alone",
+                               representative.verdict == Verdict::kNotObservable ? "pipeline: " : "",
+                               describe(*child), representative.name),
+                   {}, child->crash);
     }
     confirm_deaths(rest);
   }
@@ -384,7 +403,7 @@ class Run {
   void record_death(const WorkerRun& child, const WorkerRun& alone) {
     const std::string name = child.in_flight;
     const Verdict verdict = verdict_of_death(child);
-    const std::string how = describe(child, request_.limits);
+    const std::string how = describe(child);
     if (interrupted) {
       add_record(name, verdict, how + "; not confirmed, the run was interrupted", {}, child.crash);
       return;
@@ -394,6 +413,14 @@ class Run {
                  child.crash);
       return;
     }
+    const auto result = alone.records.find(name);
+    const bool has_record = result != alone.records.end();
+    if (child.hung && child.limits.seconds_per_test < request_.limits.seconds_per_test && has_record) {
+      records_[name] = result->second;  // it was only slow
+      append_to_records(TestFinished{result->second});
+      return;
+    }
+    if (alone.hung) hung_alone_.insert(name);
     if (is_in_map_command(child)) {
       SameCrashes& same = crashes_like(child);
       const bool is_same = is_in_map_command(alone) && &crashes_like(alone) == &same;
@@ -414,8 +441,6 @@ class Run {
       add_record(name, verdict, how + "; confirmed alone in a new process", alone.last_case, child.crash);
       return;
     }
-    const auto result = alone.records.find(name);
-    const bool has_record = result != alone.records.end();
     const bool fails_alone = has_record && result->second.verdict == Verdict::kFail;
     TestRecord& record =
         add_record(name, verdict, how + (fails_alone ? "; fails alone" : "; passes alone"), {}, child.crash);
@@ -431,8 +456,7 @@ class Run {
   // Returns the outcome of the test when it ran alone, if there is one and it differs from the outcome in the
   // record.
   std::optional<Repetition> other_outcome(const TestRecord& record, const WorkerRun& again) const {
-    if (again.in_flight == record.name)
-      return Repetition{verdict_of_death(again), describe(again, request_.limits)};
+    if (again.in_flight == record.name) return Repetition{verdict_of_death(again), describe(again)};
     const auto found = again.records.find(record.name);
     if (found == again.records.end()) return std::nullopt;
     const TestRecord& other = found->second;
@@ -692,6 +716,9 @@ class Run {
   std::map<std::string, std::set<std::string>> tests_that_crash_in_;  // by command
   std::vector<std::string> crashing_calls_;  // commands that new processes omit, see count_crash()
   std::map<std::string, SameCrashes> same_crashes_;
+  double patience_ = request_.limits.seconds_per_test;  // of tests in processes that start now
+  std::map<std::string, std::string> hangs_;            // by place: the first test that hung there
+  std::set<std::string> hung_alone_;                    // tests that hung again when they ran alone
   std::vector<std::string> guess_;  // the latest history, which often explains the next failure, too
 };
 

@@ -72,9 +72,9 @@ std::string quoted(const std::string& printed, const fs::path& log) {
 
 }  // namespace
 
-std::string describe(const WorkerRun& run, const Limits& limits) {
-  if (run.over_memory) return fmt::format("it used more than {} MiB of memory", limits.memory >> 20);
-  std::string text = run.hung ? fmt::format("no answer within {} seconds", limits.seconds_per_test)
+std::string describe(const WorkerRun& run) {
+  if (run.over_memory) return fmt::format("it used more than {} MiB of memory", run.limits.memory >> 20);
+  std::string text = run.hung ? fmt::format("no answer within {} seconds", run.limits.seconds_per_test)
                               : "the process ended with " + describe(run.ending);
   if (!run.crash) return text;
   if (!run.crash->call.empty())
@@ -83,8 +83,8 @@ std::string describe(const WorkerRun& run, const Limits& limits) {
   return text;
 }
 
-Worker::Worker(std::vector<std::string> command, const fs::path& log, const Limits& limits)
-    : limits_(limits) {
+Worker::Worker(std::vector<std::string> command, const fs::path& log, const Limits& limits) {
+  run_.limits = limits;
   Ends events([](int* ends) { return pipe2(ends, O_CLOEXEC); });
   // A socket can be written without SIGPIPE when the process has ended.
   Ends jobs([](int* ends) { return socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends); });
@@ -167,13 +167,13 @@ bool Worker::look(const Deadline& deadline, const EachEvent& each) {
 void Worker::check_limits(const Deadline& deadline) {
   const bool is_working = !waiting_.empty() || !run_.in_flight.empty() || is_finishing_;
   const double patience =
-      run_.complete ? std::min(limits_.seconds_per_test, kMostToEnd) : limits_.seconds_per_test;
+      run_.complete ? std::min(run_.limits.seconds_per_test, kMostToEnd) : run_.limits.seconds_per_test;
   if (interrupted || (report_deadline_ && Clock::now() > *report_deadline_)) {
     process_->kill();
   } else if (deadline && Clock::now() > *deadline) {
     run_.cut_short = true;
     process_->kill();
-  } else if (process_->memory() > limits_.memory) {
+  } else if (process_->memory() > run_.limits.memory) {
     run_.over_memory = true;
     process_->kill();
   } else if (is_working && std::chrono::duration<double>(Clock::now() - latest_event_).count() > patience) {
@@ -243,7 +243,9 @@ bool Pool::run(const std::function<std::optional<Job>()>& next) const {
     if (empty_starts >= kMostEmptyStarts) return false;
     const std::optional<Job> job = next_job();
     if (!job) return false;
-    running.push_back(std::make_unique<Worker>(command(), log, limits));
+    Limits of_this = limits;
+    if (patience) of_this.seconds_per_test = patience();
+    running.push_back(std::make_unique<Worker>(command(), log, of_this));
     supply(*running.back(), job);
     return true;
   };
@@ -276,10 +278,10 @@ bool Pool::run(const std::function<std::optional<Job>()>& next) const {
   return returned.empty();
 }
 
-std::string why_no_answer(const WorkerRun& run, const fs::path& log, const Limits& limits) {
+std::string why_no_answer(const WorkerRun& run, const fs::path& log) {
   if (interrupted) return "interrupted";
   if (!run.cannot_start.empty()) return run.cannot_start + quoted(run.printed, log);
-  if (run.hung || run.over_memory) return describe(run, limits);
+  if (run.hung || run.over_memory) return describe(run);
   return fmt::format("the process that loads the library ended with {}{}{}{}", describe(run.ending),
                      describe_gl_environment(), log.empty() ? "" : "; see " + log.string(),
                      quoted(run.printed, log));

@@ -165,6 +165,22 @@ TEST_F(Misbehaviours, CrashOfAQueryCostsTheTestsThatNeedIt) {
   EXPECT_NE(text_of("summary.md").find("Crashes and hangs by place"), std::string::npos);
 }
 
+// One of the tests that hang at a place is run again alone, and stands for the others.
+TEST_F(Misbehaviours, ThatHangAtOnePlaceAreConfirmedOnce) {
+  drill("hang", {"--filter", std::string("Map1State.*/MAP1_INDEX_f") + kWithoutLists, "--timeout", "3"});
+  std::size_t alone = 0, alike = 0;
+  const json all = results("drill");
+  for (const json& test : all["tests"]) {
+    if (as_text(test["verdict"]) != "timeout") continue;
+    const std::string_view message = as_text(test["message"]);
+    EXPECT_TRUE(contains(test["message"], "in glMap1f(GL_MAP1_INDEX, "));
+    alone += message.ends_with("; confirmed alone in a new process");
+    alike += message.ends_with(", which was run again alone");
+  }
+  EXPECT_EQ(alone, 1u);
+  EXPECT_GE(alike, 1u);
+}
+
 // The runs are parallel because each takes several seconds.
 TEST_F(Misbehaviours, ThatNeverEndAreEnded) {
   constexpr char kNamed[] = "no answer within 2 seconds in glMap1f(GL_MAP1_INDEX, ";
@@ -215,7 +231,7 @@ TEST_F(Flakes, AreToldApart) {
   EXPECT_EQ(flake["flake"], true);
   EXPECT_EQ(as_text(flake["again"]["verdict"]), "pass");
   EXPECT_FALSE(flake["mismatches"].empty());
-  EXPECT_TRUE(contains(text_of("junit-drill.xml"), "flake: pass when run again"));
+  EXPECT_TRUE(contains(text_of("junit-drill.xml"), "unstable: "));
 
   EXPECT_EQ(play("now-and-then", {"--retry", "0"}).code, 1);
   EXPECT_FALSE(test_named(results("drill"), kVictim).contains("flake"));
@@ -266,7 +282,7 @@ TEST_F(Flakes, AreNotSeenElsewhere) {
   EXPECT_EQ(play("now-and-then", {"--baseline", baseline.string(), "--write-baseline"}).code, 0);
   EXPECT_GT(times_run(), 1u);
   EXPECT_EQ(play("now-and-then", {"--baseline", baseline.string()}).code, 0);
-  EXPECT_EQ(times_run(), 1u);
+  EXPECT_GT(times_run(), 1u) << "what is undecided is no known failure";
   std::ofstream(baseline / "drill-flakes.txt") << "# now and then\n^Map1State\\.Stride/MAP1_INDEX_f$\n";
   EXPECT_EQ(play("now-and-then", {"--baseline", baseline.string(), "--strict"}).code, 0);
   EXPECT_EQ(times_run(), 1u);

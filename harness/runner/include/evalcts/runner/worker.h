@@ -17,9 +17,17 @@
 
 namespace evalcts {
 
+// Time and memory beyond which a library is assumed never to stop. They are far more than any GL needs
+// for a test.
+struct Limits {
+  double seconds_per_test = 60;
+  std::uint64_t memory = std::uint64_t{4096} << 20;  // resident memory of a process, in bytes
+};
+
 // Results and end of a worker.
 struct WorkerRun {
   std::vector<std::string> command;  // that started it
+  Limits limits;
   std::map<std::string, TestRecord> records;
   std::vector<std::string> finished;     // names of the jobs, in the order in which they ran
   std::string in_flight;                 // the job that runs, or that the process died in
@@ -35,17 +43,10 @@ struct WorkerRun {
   Ending ending;
 };
 
-// Time and memory beyond which a library is assumed never to stop. They are far more than any GL needs
-// for a test.
-struct Limits {
-  double seconds_per_test = 60;
-  std::uint64_t memory = std::uint64_t{4096} << 20;  // resident memory of a process, in bytes
-};
-
 // Returns a description of the end of the process: "no answer within 60 seconds in glEnd(), after 12
 // commands", "it used more than 4096 MiB of memory", "the process ended with ... in glEnd(), after 12
 // commands, at libGL.so.1 glEnd+0x2c".
-std::string describe(const WorkerRun& run, const Limits& limits);
+std::string describe(const WorkerRun& run);
 
 using Deadline = std::optional<std::chrono::steady_clock::time_point>;
 using EachEvent = std::function<void(const Event& event)>;
@@ -87,7 +88,6 @@ class Worker {
   void close_input();
   void check_limits(const Deadline& deadline);
 
-  Limits limits_;
   int events_ = -1, events_writer_ = -1;  // the pipe of the events; the writer is opened by the process, too
   int input_ = -1;                        // a socket, standard input of the process; -1: closed
   bool is_finishing_ = false;
@@ -109,6 +109,7 @@ struct Pool {
   std::function<std::vector<std::string>()> command;  // starts a worker; called for each
   std::filesystem::path log;                          // of all workers
   Limits limits;
+  std::function<double()> patience = {};  // seconds per test of the next worker; empty: those of `limits`
   std::size_t workers = 1;
   bool is_each_alone = false;  // each job gets a process of its own
   Deadline deadline = {};
@@ -121,7 +122,7 @@ struct Pool {
 };
 
 // Returns the reason why a process with one job gave no answer.
-std::string why_no_answer(const WorkerRun& run, const std::filesystem::path& log, const Limits& limits);
+std::string why_no_answer(const WorkerRun& run, const std::filesystem::path& log);
 
 // Asks for the answer to one job, in a process of its own. Returns the event of type `Answer`; if there
 // is none, sets `reason`.
@@ -135,7 +136,7 @@ std::optional<Answer> ask(const std::vector<std::string>& command, const Job& jo
   const WorkerRun& run = worker.wait({}, [&](const Event& event) {
     if (const auto* found = std::get_if<Answer>(&event)) answer = *found;
   });
-  if (!answer) reason = why_no_answer(run, log, limits);
+  if (!answer) reason = why_no_answer(run, log);
   return answer;
 }
 
