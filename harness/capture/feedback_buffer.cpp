@@ -43,7 +43,7 @@ std::vector<GLfloat> texture_matrix(Components components) {
   return matrix;
 }
 
-// What a capture has found out about the implementation.
+// Properties of the implementation that the proof has found.
 struct Ways {
   Passes passes = Passes::kOne;
   bool keep_w = true;

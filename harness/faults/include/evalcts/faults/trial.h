@@ -79,9 +79,9 @@ struct TrialRequest {
 // it.
 //
 // Variation: all tests run at quick depth as run_implementation() runs them, and the tests of each fault of
-// `behind` with this fault behind the variation. A test that fails on the implementation without variation is ignored. A fault is visible behind
-// a variation if a test of its requirements fails with the fault alone, passes in full with the variation
-// alone, and is not `not-observable` with both.
+// `behind` with this fault behind the variation. A test that fails on the implementation without variation is
+// ignored. A fault is visible behind a variation if a test of its requirements fails with the fault alone,
+// passes in full with the variation alone, and is not `not-observable` with both.
 //
 // A change is not tried if its implementation does not start on this machine.
 std::vector<Tried> try_all(const TrialRequest& request,
