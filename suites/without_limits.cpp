@@ -1,5 +1,5 @@
-// Quantities without a limit in the specification: vertices of a primitive, definitions, lists and evaluations
-// in a context; and grids whose steps vanish.
+// Quantities without a limit in the specification: vertices of a primitive, definitions, lists and
+// evaluations in a context; and grids whose steps vanish.
 #include <fmt/format.h>
 
 #include <cmath>
