@@ -481,7 +481,7 @@ std::string text_of(const std::vector<GLfloat>& values) {
   return fmt::format("{{{}}}", fmt::join(values, ", "));
 }
 
-// A query, and the answer that is due.
+// A query, and the first values of the answer that is due; others are not specified.
 struct Due {
   gl::Ref query;
   std::vector<GLfloat> values;
@@ -502,10 +502,10 @@ void expect_due_or_as_explicit(Test& t, const std::string& identity,
   for (const auto& [query, due] : all) {
     const auto is_near = [](GLfloat a, GLfloat b) { return std::abs(a - b) <= kMostError; };
     const std::vector<GLfloat> explicit_answer = control.trace().values<GLfloat>(query);
-    if (!std::ranges::equal(explicit_answer, due, is_near)) continue;
+    if (!std::equal(due.begin(), due.end(), explicit_answer.begin(), is_near)) continue;
     observed = true;
     const std::vector<GLfloat> answer = checked.trace().values<GLfloat>(query);
-    checked.expect(answer == explicit_answer || answer == due, query,
+    checked.expect(answer == explicit_answer || std::equal(due.begin(), due.end(), answer.begin()), query,
                    fmt::format("after an evaluation the query answers {}, after explicit vertices {}",
                                text_of(answer), text_of(explicit_answer)),
                    text_of(due), text_of(answer));
@@ -526,7 +526,7 @@ EVALCTS_TEST(CurrentValues, AttributesWithoutMaps, kMust, "EV-CUR-OTHERUNITS/1-D
     c.VertexAttrib4f(6, 1, 2, 3, 4);
     std::vector<Due> all;
     const auto query = [&] {
-      all.push_back({c.GetFloatv(GL_CURRENT_SECONDARY_COLOR, gl::out<GLfloat>(4)), {0.25f, 0.5f, 0.75f, 1}});
+      all.push_back({c.GetFloatv(GL_CURRENT_SECONDARY_COLOR, gl::out<GLfloat>(4)), {0.25f, 0.5f, 0.75f}});
       all.push_back({c.GetFloatv(GL_CURRENT_FOG_COORD, gl::out<GLfloat>(1)), {3.5f}});
       all.push_back({c.GetVertexAttribfv(6, GL_CURRENT_VERTEX_ATTRIB, gl::out<GLfloat>(4)), {1, 2, 3, 4}});
     };

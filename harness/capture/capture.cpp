@@ -56,7 +56,12 @@ void Captures::prove_all() {
   for (Entry& entry : captures_) proved(entry);
 }
 
+namespace {
+
+// Returns words for the vertices that a capture has to show, behind "shows position".
 const char* of_which(bool nonpositive_w) { return nonpositive_w ? " of vertices with w <= 0" : ""; }
+
+}  // namespace
 
 const Capture& Captures::showing_all(Attributes required, PrimitiveKinds kinds, bool nonpositive_w) {
   for (Entry& entry : captures_) {

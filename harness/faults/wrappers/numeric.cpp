@@ -20,8 +20,8 @@ FAULT(VanishingStepsEndMeshes, "EV-NUM-ENDS/1-D",
       "EvalMesh1 ends at the first point if the step is too small to change u1",
       before(EvalMesh1, !kInside && to_float(grid1(1) + (grid1(2) - grid1(1)) / grid1(0)) == grid1(1),
              set(kI2, kI1)));
-FAULT(OverflowingStepsDrawNothing, "EV-NUM-ENDS", "EvalMesh2 over a grid wider than a float draws nothing",
-      skip(EvalMesh2, !kInside && abs(grid2(2) - grid2(1)) > 0x1p128));
+FAULT(HugeStepsDrawNothing, "EV-NUM-ENDS", "EvalMesh2 over a grid wider than 2^126 draws nothing",
+      skip(EvalMesh2, !kInside && abs(grid2(2) - grid2(1)) > 0x1p126));
 QUALITY_FAULT(StartOneBitOff, "EV-NUM-START/1-D EV-NUM-START/2-D",
               "at u1 of the last map the curve or surface is evaluated at the next number",
               before(kMaps, set(kNumber, kU1)),
