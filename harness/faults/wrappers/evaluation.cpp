@@ -13,6 +13,8 @@ Rules lost_after_evaluation(const Entries& command) {
 // Sets kFlag when the array is enabled.
 Rule note_array(GLenum array) { return before(EnableClientState, kFirst == array, set(kFlag, 1)); }
 
+FAULT(MeshesOf16Bits, "EV-BE-NOLIMIT", "EvalMesh ends at point 65,535",
+      before(kMeshes, kI2 > 65535, set(kI2, 65535)));
 FAULT(PrimitivesOf16Bits, "EV-BE-NOLIMIT", "a primitive is cut after 65,535 vertices",
       change_primitives([](ObservedPrimitive& primitive) {
         if (primitive.vertices.size() > 65535) primitive.vertices.resize(65535);

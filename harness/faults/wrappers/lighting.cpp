@@ -24,6 +24,9 @@ Rules note_tracking() {
           before(kEvalCoord1, kFlag, set(kCount, kCount + 1))};
 }
 
+FAULT(ArraysTakeMaps, "EV-BE-OTHERS", "EnableClientState of COLOR_ARRAY disables the maps of colours",
+      after(EnableClientState, kFirst == GL_COLOR_ARRAY,
+            {disable(GL_MAP1_COLOR_4), disable(GL_MAP2_COLOR_4)}));
 FAULT(MaterialLosesMaps, "EV-BE-OTHERS",
       "after Material between Begin and End, the maps of colours are disabled",
       before(Materialfv, kInside, set(kFlag, 1)),

@@ -19,6 +19,10 @@ Value transpose() {
   return change_points([](Net& net) { net = net.transposed(); });
 }
 
+FAULT(EvaluationsAreCounted, "EV-CTX-UNBOUNDED", "EvalCoord does nothing from the hundred-thousandth call on",
+      before(kEvalCoords, set(kCount, kCount + 1)), skip(kEvalCoords, kCount > 100000));
+FAULT(MapsInLateListsAreLost, "EV-CTX-UNBOUNDED", "maps are not compiled into lists from the 257th on",
+      before(NewList, set(kCount, kCount + 1)), skip(kMaps, kListMode&& kCount > 256));
 FAULT(MapsAreCounted, "EV-CTX-UNBOUNDED", "Map1 and Map2 do nothing from the thousandth call on",
       before(kMaps, set(kCount, kCount + 1)), skip(kMaps, kCount > 1000));
 FAULT(UpperEndAvoided, "EV-MAP1-ZEROPOW", "u2 is evaluated just below, at 0.999, so that 0^0 is never needed",
