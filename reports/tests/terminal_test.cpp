@@ -236,6 +236,24 @@ TEST(Terminal, TellsFlakesApart) {
   EXPECT_TRUE(contains(junit_of(record), "flake: pass when run again"));
 }
 
+TEST(Terminal, TellsWhyMuchWasNotObserved) {
+  const auto text_with = [](std::size_t unobserved) {
+    json record = large_record();
+    json& tests = record["tests"];
+    for (std::size_t i = 0; i < tests.size() * unobserved / 10; ++i) {
+      tests[i]["verdict"] = "not-observable";
+      tests[i]["message"] = "nothing comes out";
+    }
+    record["implementation"]["captures"] =
+        json::array({{{"name", "Pixels"}, {"available", false}, {"reason", "no shaders"}, {"printed", ""}}});
+    return terminal_of(record, nullptr, false, false);
+  };
+  const std::string much = text_with(5);
+  EXPECT_TRUE(contains(much, "because: nothing comes out\n")) << much;
+  EXPECT_TRUE(contains(much, "\n  Pixels does not work: no shaders\n")) << much;
+  EXPECT_FALSE(contains(text_with(1), "does not work")) << "little is not observed";
+}
+
 TEST(Terminal, VerboseTellsAll) {
   const std::string text =
       terminal_of(read_sample("results-osmesa.json"), read_sample("requirements.json"), false, true);
