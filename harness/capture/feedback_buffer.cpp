@@ -1,18 +1,26 @@
 // Feedback mode (GL 2.1 §5.3). Texture coordinates of unit 0 come back as they are; positions come back
 // through identity OBJECT_LINEAR texture generation, normals through NORMAL_MAP, each in a pass of its own.
 // If an implementation divides s, t and r by q, as Mesa up to 7 does, the texture matrix separates q from
-// them; if it loses others, the matrix puts one after the other in the place of s. -0, subnormals and
+// them; if it loses others, the matrix puts one after the other in the place of s. Without NORMAL_MAP (GL
+// 1.3), normals come back as the colours of vertices that are lit along the axes. -0, subnormals and
 // non-finite values are not preserved.
 #include <algorithm>
 #include <bit>
 #include <optional>
 
+#include <evalcts/gl/roles.h>
 #include "control.h"
 
 namespace evalcts {
 namespace {
 
 enum class TextureCoordinatesHold { kTexture, kPosition, kNormal };
+
+// The three lights of a pass that shows normals: they shine along the axes, or against them if `sign` is -1.
+// A vertex gets the colour max(0, sign * scale * normal).
+struct Lights {
+  float sign, scale;
+};
 
 // The passes that show all components of the texture coordinates.
 enum class Passes { kOne, kLastApart, kOneByOne };
@@ -49,9 +57,41 @@ struct Ways {
   bool keep_w = true;
   bool unclamp = false;
   bool has_texture_objects = true;  // GL 1.1, which also has names of internal formats
+  bool lit_normals = false;         // normals come back through lights, not through NORMAL_MAP
 };
 
-gl::Case setup(TextureCoordinatesHold hold, Components components, const Ways& ways) {
+void add_lights(gl::Case& c, Lights lights) {
+  const auto black = [] { return std::vector<GLfloat>{0, 0, 0, 1}; };
+  c.LightModelfv(GL_LIGHT_MODEL_AMBIENT, black());
+  c.Materialfv(GL_FRONT_AND_BACK, GL_AMBIENT, black());
+  c.Materialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, std::vector<GLfloat>(4, 1.0f));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const GLenum light = GL_LIGHT0 + static_cast<GLenum>(i);
+    std::vector<GLfloat> direction(4, 0.0f), color = black();
+    direction[i] = lights.sign;
+    color[i] = lights.scale;
+    c.Lightfv(light, GL_POSITION, direction);
+    c.Lightfv(light, GL_DIFFUSE, color);
+    c.Lightfv(light, GL_SPECULAR, black());
+    c.Enable(light);
+  }
+  c.Enable(GL_LIGHTING);
+}
+
+// True if the command may change the colours of lit vertices.
+bool affects_lighting(const gl::Command& command) {
+  const std::string stem = gl::stem_of(command.entry);
+  if (stem == "Enable" || stem == "Disable") {
+    const auto* const capability = std::get_if<std::int64_t>(&command.arguments.at(0));
+    if (!capability) return true;
+    return *capability == GL_LIGHTING || *capability == GL_COLOR_MATERIAL || *capability == GL_NORMALIZE ||
+           *capability == GL_RESCALE_NORMAL || (*capability >= GL_LIGHT0 && *capability < GL_LIGHT0 + 8);
+  }
+  return stem == "Material" || stem == "ColorMaterial" || stem == "Light" || stem == "LightModel";
+}
+
+gl::Case setup(TextureCoordinatesHold hold, Components components, const Ways& ways,
+               const std::optional<Lights>& lights) {
   gl::Case c;
   c.Viewport(0, 0, 64, 64);
   if (components.count < 4) {
@@ -72,6 +112,10 @@ gl::Case setup(TextureCoordinatesHold hold, Components components, const Ways& w
   c.Enable(GL_TEXTURE_2D);
   if (hold == TextureCoordinatesHold::kTexture) return c;
 
+  if (lights) {
+    add_lights(c, *lights);
+    return c;
+  }
   const bool position = hold == TextureCoordinatesHold::kPosition;
   const GLenum coordinates[] = {GL_S, GL_T, GL_R, GL_Q};
   const GLenum switches[] = {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q};
@@ -108,6 +152,10 @@ class FeedbackBuffer final : public Capture {
       best = passes;
     }
     ways_.passes = best;
+    if (!(attributes_ & kNormal)) {
+      ways_.lit_normals = true;
+      if (reproduces({}, kNormal)) attributes_ |= kNormal;
+    }
     if (!(attributes_ & kColor)) color_error_ = measure_color_error(*this, implementation);
     if (attributes_ == 0 && !color_error_)
       throw NotObservable("feedback mode does not give explicit vertices back unchanged");
@@ -133,7 +181,9 @@ class FeedbackBuffer final : public Capture {
     const Attributes wanted = request.attributes;
     std::optional<Observation> observation;
     const auto pass = [&](TextureCoordinatesHold hold, Attributes gives) {
-      Observation seen = run_passes(implementation, script, hold, request);
+      Observation seen = hold == TextureCoordinatesHold::kNormal && ways_.lit_normals
+                             ? run_lit_passes(implementation, script, request)
+                             : run_passes(implementation, script, hold, request);
       seen.attributes = gives;
       if (!observation) {
         observation = std::move(seen);
@@ -187,11 +237,40 @@ class FeedbackBuffer final : public Capture {
     return *std::move(observation);
   }
 
+  // Runs the passes that show normals as colours: one for positive and one for negative components, and two
+  // with lights of 2^-32 if a component may exceed 1, because colours are clamped.
+  Observation run_lit_passes(Implementation& implementation, const gl::Case& script,
+                             const CaptureRequest& request) const {
+    if (std::ranges::any_of(script.commands(), affects_lighting))
+      throw NotObservable("feedback mode shows normals by lighting, which the case changes");
+    for (const float scale : {1.0f, 0x1p-32f}) {
+      bool is_clamped = false;
+      const auto pass = [&](float sign) {
+        Observation seen = run_pass(implementation, script, TextureCoordinatesHold::kNormal, {0, 4},
+                                    request.most_vertices, Lights{sign, scale});
+        for (ObservedPrimitive& primitive : seen.primitives)
+          for (ObservedVertex& vertex : primitive.vertices)
+            for (std::size_t i = 0; i < 3; ++i) {
+              is_clamped = is_clamped || vertex.color[i] >= 1;
+              vertex.normal[i] = sign * vertex.color[i] / scale;
+            }
+        return seen;
+      };
+      Observation observation = pass(1);
+      merge(observation, pass(-1), [](ObservedVertex& vertex, const ObservedVertex& more) {
+        for (std::size_t i = 0; i < 3; ++i) vertex.normal[i] += more.normal[i];
+      });
+      if (!is_clamped) return observation;
+    }
+    throw NotObservable("feedback mode shows normals by lighting, and they are too large");
+  }
+
   Observation run_pass(Implementation& implementation, const gl::Case& script, TextureCoordinatesHold hold,
-                       Components components, std::size_t most_vertices) const {
+                       Components components, std::size_t most_vertices,
+                       const std::optional<Lights>& lights = {}) const {
     // Each vertex takes x y z w, R G B A, s t r q and a token; a polygon adds its number of vertices.
     const std::size_t room = (most_vertices + 1) * 13;
-    gl::Case prologue = setup(hold, components, ways_);
+    gl::Case prologue = setup(hold, components, ways_, lights);
     const gl::Ref buffer = prologue.FeedbackBuffer(room, GL_4D_COLOR_TEXTURE, gl::out<GLfloat>(room));
     prologue.RenderMode(GL_FEEDBACK);
     WrappedCase wrapped = begin_wrapping(std::move(prologue), script);

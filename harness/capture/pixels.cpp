@@ -2,13 +2,16 @@
 // large point in the middle of the viewport. A part of a row of pixels shows one vertex, because its stencil
 // values let only that point pass, and a pixel shows half of one component, because a fragment shader writes
 // 16 of its bits as colour. -0 comes back as 0, and subnormals may. NaN and infinities are distinguished from
-// finite numbers if the shader can do so.
+// finite numbers if the shader can do so. Without shaders, the pixels show the colours of the vertices, with
+// the precision of the framebuffer.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 
 #include <evalcts/gl/roles.h>
 #include "control.h"
@@ -104,20 +107,13 @@ void main() {{
                      kCorner, powers, scaling);
 }
 
-std::int64_t integer(const gl::Command& command, std::size_t argument) {
-  const auto* number = std::get_if<std::int64_t>(&command.arguments.at(argument));
-  return number ? *number : 0;
-}
-
 // Returns the number of vertices that the command draws by itself.
 std::size_t vertices_of(const gl::Command& command) {
   const auto count = [&](std::size_t first) {
     return static_cast<std::size_t>(
-        std::max<std::int64_t>(0, integer(command, first + 1) - integer(command, first) + 1));
+        std::max<std::int64_t>(0, gl::integer_of(command, first + 1) - gl::integer_of(command, first) + 1));
   };
-  const std::string_view name = gl::name_of(command.entry);
-  for (const char* start : {"glVertex", "glEvalCoord", "glEvalPoint"})
-    if (name.starts_with(start)) return 1;
+  if (gl::emits_vertex(command.entry)) return 1;
   if (command.entry == gl::EntryPoint::EvalMesh1) return count(1);
   if (command.entry == gl::EntryPoint::EvalMesh2) return count(1) * count(3);
   return 0;
@@ -129,8 +125,9 @@ class Windows {
  public:
   // Makes one window if the case sets the texture coordinates of unit 1 itself or its lists draw the windows
   // in another order.
-  explicit Windows(const gl::Case& script) : script_(script) {
-    if (!split() || !are_in_order()) {
+  // Also makes one window if there is no program, which clips the others.
+  Windows(const gl::Case& script, bool has_program) : script_(script) {
+    if (!has_program || !split() || !are_in_order()) {
       script_ = script;
       count_ = 1;
     }
@@ -179,7 +176,7 @@ class Windows {
     const std::function<void(const gl::Command&)> execute = [&](const gl::Command& command) {
       if (command.entry == gl::EntryPoint::CallList && depth < 64) {
         ++depth;
-        for (const gl::Command* called : lists[integer(command, 0)]) execute(*called);
+        for (const gl::Command* called : lists[gl::integer_of(command, 0)]) execute(*called);
         --depth;
       }
       if (command.entry == gl::EntryPoint::MultiTexCoord1f) window = std::get<float>(command.arguments[1]);
@@ -196,9 +193,9 @@ class Windows {
       if (list) list->push_back(&command);
       if (executes) execute(command);
       if (command.entry == gl::EntryPoint::NewList) {
-        list = &lists[integer(command, 0)];
+        list = &lists[gl::integer_of(command, 0)];
         list->clear();
-        executes = integer(command, 1) == GL_COMPILE_AND_EXECUTE;
+        executes = gl::integer_of(command, 1) == GL_COMPILE_AND_EXECUTE;
       }
     }
     return in_order;
@@ -232,8 +229,11 @@ void draw_witness(gl::Case& c) {
   c.End();
 }
 
-bool is_witness(const ObservedVertex& vertex) {
+bool is_witness(const ObservedVertex& vertex, bool colors_only) {
   const ObservedVertex& known = witness();
+  if (colors_only)
+    return std::ranges::equal(vertex.color, known.color,
+                              [](float got, float given) { return std::abs(got - given) <= 1.0f / 63; });
   return vertex.position == known.position && vertex.color == known.color && vertex.normal == known.normal &&
          vertex.texture_coordinate[0] == known.texture_coordinate[0];
 }
@@ -267,6 +267,7 @@ class Pixels final : public Capture {
   bool is_last_resort() const override { return true; }
 
   void prove(Implementation& implementation, const ImplementationInfo&) override {
+    has_program_ = true;
     attributes_ = kAttributes;  // for the control
     std::string wrong;
     try {
@@ -276,18 +277,26 @@ class Pixels final : public Capture {
     } catch (const NotObservable& reason) {
       wrong = reason.what();
     }
-    if (!wrong.empty()) throw NotObservable(wrong);
+    if (wrong.empty()) return;
+    has_program_ = false;
+    attributes_ = 0;
+    color_error_ = measure_color_error(*this, implementation);
+    if (!color_error_) throw NotObservable(wrong);
   }
 
   Attributes attributes() const override { return attributes_; }
+  Attributes inexact_attributes() const override { return color_error_ ? kColor : 0u; }
+  bool loses_nonpositive_w() const override { return !has_program_; }
   bool loses_vertices_beyond_float() const override { return true; }
   bool takes(PrimitiveKinds kinds) const override { return kinds == kPoints; }
 
   Observation observe(Implementation& implementation, const gl::Case& script,
                       const CaptureRequest& request) const override {
     Observation observation;
-    observation.attributes = attributes_;
-    const Windows windows(script);
+    observation.attributes = has_program_ ? attributes_ : kColor;
+    observation.clamped_colors = !has_program_;
+    observation.color_error = color_error_.value_or(0);
+    const Windows windows(script, has_program_);
     std::vector<ObservedVertex> vertices;
     for (std::size_t window = 0; window < windows.count(); ++window)
       observe_window(implementation, windows, window, vertices, observation);
@@ -310,7 +319,7 @@ class Pixels final : public Capture {
     }
     if (seen.size() == kOfOneWindow)
       throw NotObservable(fmt::format("pixels show at most {} vertices of these commands", kOfOneWindow - 1));
-    if (seen.empty() || !is_witness(seen.back()))
+    if (seen.empty() || !is_witness(seen.back(), !has_program_))
       throw NotObservable("pixels do not show the explicit vertex that is drawn after the case");
     vertices.insert(vertices.end(), seen.begin(), seen.end() - 1);
   }
@@ -319,38 +328,16 @@ class Pixels final : public Capture {
   // case.
   GLenum run_pass(Implementation& implementation, const Windows& windows, std::size_t window,
                   std::size_t first, std::size_t count, std::vector<ObservedVertex>& vertices) const {
+    if (!has_program_) return run_pass_of_colors(implementation, windows.script(), first, count, vertices);
     const std::unique_ptr<Context> context = implementation.create_context();
-    gl::Case prologue;
-    prologue.Viewport(0, 0, kViewport, kViewport);
-    prologue.Disable(GL_DITHER);
-    prologue.Clear(GL_COLOR_BUFFER_BIT);
-    prologue.Enable(GL_SCISSOR_TEST);
-    for (std::size_t i = 0; i < count; ++i) {
-      prologue.Scissor(kCorner + static_cast<GLint>(i / kSide * kColumns),
-                       kCorner + static_cast<GLint>(i % kSide), kColumns, 1);
-      prologue.ClearStencil(static_cast<GLint>(255 - (first + i)));
-      prologue.Clear(GL_STENCIL_BUFFER_BIT);
-    }
-    prologue.Scissor(kCorner, kCorner, kSide, kSide);
-    prologue.Enable(GL_STENCIL_TEST);
-    prologue.StencilFunc(GL_EQUAL, 255, ~0u);
-    prologue.StencilOp(GL_INCR, GL_INCR, GL_ZERO);
-    prologue.PointSize(kSide);
+    gl::Case prologue = begin_pass(first, count);
     prologue.Enable(GL_VERTEX_PROGRAM_POINT_SIZE);
     const UsedProgram program(
         prologue, *context,
         {.vertex = vertex_shader(windows.count(), window), .fragment = fragment_shader()});
-
-    WrappedCase wrapped = begin_wrapping(std::move(prologue), windows.script());
-    gl::Case& c = wrapped.commands;
-    if (windows.count() > 1) Windows::set(c, window);
-    draw_witness(c);
-    const gl::Ref pixels = c.ReadPixels(kCorner, kCorner, kSide, kSide, GL_RGBA, GL_UNSIGNED_BYTE,
-                                        gl::out<GLubyte>(std::size_t{4} * kSide * kSide));
-    const gl::Trace trace = context->play(c);
-    program.require_linked(trace);
-    if (trace.error(wrapped.error_before) != GL_NO_ERROR) throw NotObservable("pixels cannot be set up");
-    const Picture picture{trace.values<GLubyte>(pixels)};
+    gl::Case epilogue;
+    if (windows.count() > 1) Windows::set(epilogue, window);
+    const auto [picture, error] = draw(*context, std::move(prologue), windows.script(), epilogue, &program);
     for (std::size_t i = 0; i < count && picture.at(i)[2] == 255; ++i) {
       ObservedVertex& vertex = vertices.emplace_back();
       decode(picture.at(i), 0, vertex.position);
@@ -358,10 +345,72 @@ class Pixels final : public Capture {
       decode(picture.at(i), 8, vertex.texture_coordinate[0]);
       decode(picture.at(i), 12, vertex.normal);
     }
-    return trace.error(wrapped.error_after);
+    return error;
   }
 
+  // Draws twice, behind black and behind white: where both pictures agree there is a vertex.
+  GLenum run_pass_of_colors(Implementation& implementation, const gl::Case& script, std::size_t first,
+                            std::size_t count, std::vector<ObservedVertex>& vertices) const {
+    const auto behind = [&](GLfloat background) {
+      gl::Case prologue;
+      prologue.ClearColor(background, background, background, background);
+      prologue.append(begin_pass(first, count));
+      prologue.MatrixMode(GL_PROJECTION);
+      std::vector<GLfloat> to_the_middle(16, 0.0f);
+      to_the_middle[15] = 1.0f;
+      prologue.LoadMatrixf(std::move(to_the_middle));
+      prologue.MatrixMode(GL_MODELVIEW);
+      return draw(*implementation.create_context(), std::move(prologue), script, {}, nullptr);
+    };
+    const auto [picture, error] = behind(0);
+    const Picture other = behind(1).first;
+    for (std::size_t i = 0; i < count && std::equal(picture.at(i), picture.at(i) + 4, other.at(i)); ++i) {
+      ObservedVertex& vertex = vertices.emplace_back();
+      for (std::size_t k = 0; k < 4; ++k) vertex.color[k] = static_cast<float>(picture.at(i)[k]) / 255.0f;
+    }
+    return error;
+  }
+
+  // Returns commands that clear the framebuffer and let a part of a row of pixels show the vertex `first` and
+  // each of the `count` - 1 after it.
+  static gl::Case begin_pass(std::size_t first, std::size_t count) {
+    gl::Case c;
+    c.Viewport(0, 0, kViewport, kViewport);
+    c.Disable(GL_DITHER);
+    c.Clear(GL_COLOR_BUFFER_BIT);
+    c.Enable(GL_SCISSOR_TEST);
+    for (std::size_t i = 0; i < count; ++i) {
+      c.Scissor(kCorner + static_cast<GLint>(i / kSide * kColumns), kCorner + static_cast<GLint>(i % kSide),
+                kColumns, 1);
+      c.ClearStencil(static_cast<GLint>(255 - (first + i)));
+      c.Clear(GL_STENCIL_BUFFER_BIT);
+    }
+    c.Scissor(kCorner, kCorner, kSide, kSide);
+    c.Enable(GL_STENCIL_TEST);
+    c.StencilFunc(GL_EQUAL, 255, ~0u);
+    c.StencilOp(GL_INCR, GL_INCR, GL_ZERO);
+    c.PointSize(kSide);
+    return c;
+  }
+
+  // Runs the prologue, the case, the epilogue and the witness. Returns the pixels and the error of the case.
+  static std::pair<Picture, GLenum> draw(Context& context, gl::Case prologue, const gl::Case& script,
+                                         const gl::Case& epilogue, const UsedProgram* program) {
+    WrappedCase wrapped = begin_wrapping(std::move(prologue), script);
+    wrapped.commands.append(epilogue);
+    draw_witness(wrapped.commands);
+    const gl::Ref pixels =
+        wrapped.commands.ReadPixels(kCorner, kCorner, kSide, kSide, GL_RGBA, GL_UNSIGNED_BYTE,
+                                    gl::out<GLubyte>(std::size_t{4} * kSide * kSide));
+    const gl::Trace trace = context.play(wrapped.commands);
+    if (program) program->require_linked(trace);
+    if (trace.error(wrapped.error_before) != GL_NO_ERROR) throw NotObservable("pixels cannot be set up");
+    return {Picture{trace.values<GLubyte>(pixels)}, trace.error(wrapped.error_after)};
+  }
+
+  bool has_program_ = true;
   Attributes attributes_ = 0;
+  std::optional<double> color_error_;  // set if there is no program
 };
 
 }  // namespace

@@ -254,13 +254,15 @@ VARIATION(FeedbackOfVisiblePoints, "",
                  set(kCount, element(15) == 0 && element(11) == 0 && element(7) == 0 && element(3) == 0)),
           before(LoadIdentity, kNumber == GL_PROJECTION, set(kCount, 0)),
           after(RenderMode, kFlag&& kCount, set(kResult, 0)));
+const Entries kShaders = CreateShader | Entries(CreateProgram);
 VARIATION(FeedbackWithoutNormalMap, "", "NORMAL_MAP is not known; no transform feedback, no shaders",
-          missing(kTransformFeedback | CreateShader | CreateProgram),
-          before(TexGeni, kThird == GL_NORMAL_MAP, set(kThird, 0)));
+          missing(kTransformFeedback | kShaders), before(TexGeni, kThird == GL_NORMAL_MAP, set(kThird, 0)));
 VARIATION(NoTransformFeedback, "", "there is no transform feedback", missing(kTransformFeedback));
 VARIATION(NoFeedback, "", "there is no feedback mode", missing(kFeedback));
 VARIATION(NothingToSee, "", "there is neither feedback mode nor transform feedback",
           missing(kFeedback | kTransformFeedback));
+VARIATION(PixelsOfColors, "", "there is neither feedback mode nor transform feedback nor a shader",
+          missing(kFeedback | kTransformFeedback | kShaders));
 }  // namespace with_pipeline
 
 }  // namespace
