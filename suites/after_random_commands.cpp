@@ -44,27 +44,31 @@ void after_random_commands(Test& t, const std::function<void(gl::Case&)>& play) 
 // Judges the points that the commands after `past` draw: the last ones that are captured.
 void expect_last_points(Test& t, const gl::Case& past, const gl::Case& c) {
   const Prediction all = predict(c, t.max_order());
-  Prediction last = all;
-  const std::size_t before = predict(past, t.max_order()).primitives.size();
-  last.primitives.erase(last.primitives.begin(),
-                        last.primitives.begin() + static_cast<std::ptrdiff_t>(before));
-  const std::size_t count = last.vertex_count();
+  const std::size_t count = all.vertex_count() - predict(past, t.max_order()).vertex_count();
   const Attributes shown = t.shown_exactly(kUnit0);
-  const auto judge_last = [&](const Observation& seen) {
+  const auto judge_last = [&](const Prediction& prediction, const Observation& seen) {
     if (seen.overflow) throw NotObservable("there are far too many vertices, which other tests report");
+    Prediction last = prediction;
+    std::size_t points = last.vertex_count();
+    while (!last.primitives.empty() && points >= count + last.primitives.front().vertices.size()) {
+      points -= last.primitives.front().vertices.size();
+      last.primitives.erase(last.primitives.begin());
+    }
     Observation tail = seen;
     std::vector<ObservedVertex> vertices = vertices_of(seen);
-    if (vertices.size() > count)
-      vertices.erase(vertices.begin(), vertices.end() - static_cast<std::ptrdiff_t>(count));
+    if (vertices.size() > points)
+      vertices.erase(vertices.begin(), vertices.end() - static_cast<std::ptrdiff_t>(points));
     tail.primitives = {{GL_POINTS, vertices}};
     tail.attributes &= shown;
     const JudgeOptions options{.version = t.gl().version_number()};
-    const Topology order = with_meshes_in_own_order(last, Topology::points(count), tail, options);
+    const Topology order = with_meshes_in_own_order(last, Topology::points(points), tail, options);
     return judge(last, order, tail, options).mismatches;
   };
   // Room for an implementation that draws the whole past twice. If the last points are not captured, the test
   // cannot judge them.
-  t.expect_observation(c, shown, 2 * all.vertex_count() + 8, kPoints, judge_last, Test::Judged::kAfterLists);
+  t.expect_observation(
+      c, shown, 2 * all.vertex_count() + 8, kPoints,
+      [&](const Observation& seen) { return judge_last(all, seen); }, judge_last);
 }
 
 // Returns true for queries of current values, which section 11 of the requirements is about.

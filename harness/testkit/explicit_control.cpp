@@ -46,11 +46,12 @@ Attributes attribute_of(const Mismatch& mismatch) {
                                              : 0u;
 }
 
-void ExplicitControl::set_observed(const gl::Case& script, const Capture& capture, Attributes judged) {
+void ExplicitControl::set_observed(const gl::Case& script, const Capture& capture, Attributes judged,
+                                   Judge judge) {
   // For a reproduction, the control is known to pass, and must not be recorded in place of the case.
   if (subject_.reproduction) return;
   // Positions are always judged, because wrong positions make other attributes of vertices meaningless.
-  observed_ = {script, &capture, (judged | kPosition) & capture.shown()};
+  observed_ = {script, &capture, (judged | kPosition) & capture.shown(), std::move(judge)};
 }
 
 void ExplicitControl::require_explicit_vertices(const std::string& what) {
@@ -98,7 +99,10 @@ void ExplicitControl::run_controls(const std::function<bool(Implementation&)>& f
       } catch (const gl::MissingEntryPoint&) {
         // A sink need not support explicit commands. It has no further pipeline that could be at fault.
       }
-      if (seen) std::ranges::move(mismatches(*seen, observed->judged), std::back_inserter(wrong));
+      if (!seen) continue;
+      std::ranges::move(observed->judge ? observed->judge(seen->prediction, seen->observation)
+                                        : mismatches(*seen, observed->judged),
+                        std::back_inserter(wrong));
     }
     return wrong;
   };

@@ -252,10 +252,11 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
 }
 
 void Test::expect_observation(const gl::Case& written, Attributes required, std::size_t most_vertices,
-                              PrimitiveKinds kinds, const OwnJudge& judge, Judged judged) {
+                              PrimitiveKinds kinds, const OwnJudge& judge,
+                              const ExplicitControl::Judge& of_controls) {
   const gl::Case script = begin_case(written).script;
   const Capture& capture = choose_capture(script, required, kinds);
-  if (judged == Judged::kInLists) control_.set_observed(script, capture, required);
+  control_.set_observed(script, capture, required, of_controls);
   const CaptureRequest request{required, most_vertices, kinds};
   const Observation seen = capture.observe(*subject_.implementation, script, request);
   fail_each(script, capture, request, seen, judge(seen), judge);

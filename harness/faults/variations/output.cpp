@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "grid_steps.h"
 
@@ -254,6 +255,38 @@ VARIATION(FeedbackOfVisiblePoints, "",
                  set(kCount, element(15) == 0 && element(11) == 0 && element(7) == 0 && element(3) == 0)),
           before(LoadIdentity, kNumber == GL_PROJECTION, set(kCount, 0)),
           after(RenderMode, kFlag&& kCount, set(kResult, 0)));
+// The texture matrix, which the library applies to the first of several vertices with the same texture
+// coordinates.
+std::array<float, 16> texture_matrix;
+std::array<float, 4> last_texture;
+
+void reset_texture_matrix(Call&) { texture_matrix = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; }
+
+void transform_first(FedBack vertex) {
+  if (!vertex.texture) return;
+  std::array<float, 4> given{}, out{};
+  std::copy_n(vertex.texture, 4, given.begin());
+  const bool is_repeated =
+      given == std::exchange(last_texture, given) && !unmodified.IsEnabled(GL_TEXTURE_GEN_S);
+  for (std::size_t row = 0; row < 4; ++row)
+    for (std::size_t column = 0; column < 4; ++column)
+      out[row] += texture_matrix[4 * column + row] * given[column];
+  if (is_repeated) out = given;
+  for (std::size_t i = 0; i < 3; ++i) vertex.texture[i] = out[3] != 0 ? out[i] / out[3] : out[i];
+  vertex.texture[3] = out[3] != 0 ? 1.0f : 0.0f;
+}
+VARIATION(FeedbackOfRepeatedTexture, "",
+          "feedback divides texture coordinates by q, and the texture matrix does not transform given ones "
+          "that are the same as before; no transform feedback",
+          vary_feedback(transform_first), initially(reset_texture_matrix),
+          before(LoadIdentity, kNumber == GL_TEXTURE, reset_texture_matrix),
+          after(FeedbackBuffer,
+                [](Call&) {
+                  last_texture = {-1, -1, -1, -1};
+                }),
+          before(MatrixMode, set(kNumber, kFirst)), instead(LoadMatrixf, kNumber == GL_TEXTURE, [](Call& c) {
+            for (std::size_t i = 0; i < 16; ++i) texture_matrix[i] = static_cast<float>(c.read(i));
+          }));
 const Entries kShaders = CreateShader | Entries(CreateProgram);
 VARIATION(FeedbackWithoutNormalMap, "", "NORMAL_MAP is not known; no transform feedback, no shaders",
           missing(kTransformFeedback | kShaders), before(TexGeni, kThird == GL_NORMAL_MAP, set(kThird, 0)));

@@ -22,8 +22,12 @@ class ExplicitControl {
  public:
   explicit ExplicitControl(const Subject& subject) : subject_(subject) {}
 
+  // Compares a part of the vertices of a control with its prediction.
+  using Judge = std::function<std::vector<Mismatch>(const Prediction&, const Observation&)>;
+
   // Must be called before `script` is judged by these attributes of its observation through the capture.
-  void set_observed(const gl::Case& script, const Capture& capture, Attributes judged);
+  // Without `judge`, all vertices of the controls are compared.
+  void set_observed(const gl::Case& script, const Capture& capture, Attributes judged, Judge judge = {});
   // Must be called when another case begins.
   void clear() {
     observed_.reset();
@@ -58,6 +62,7 @@ class ExplicitControl {
     gl::Case script;
     const Capture* capture;
     Attributes judged;
+    Judge judge;  // may be empty
   };
 
   struct ControlObservation {

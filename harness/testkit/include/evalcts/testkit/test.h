@@ -90,11 +90,11 @@ class Test : public Conditions {
                       PrimitiveKinds kinds = kPoints);
   // Returns the mismatches of an observation; may throw NotObservable.
   using OwnJudge = std::function<std::vector<Mismatch>(const Observation&)>;
-  // Observes a case as observe() does, and fails for each mismatch that `judge` returns. kAfterLists states
-  // that `judge` uses only vertices that are drawn after all display lists of the case; then no controls run.
-  enum class Judged { kInLists, kAfterLists };
+  // Observes a case as observe() does, and fails for each mismatch that `judge` returns. All vertices
+  // of the controls are compared with the prediction, unless `of_controls` judges a part of them.
   void expect_observation(const gl::Case& script, Attributes required, std::size_t most_vertices,
-                          PrimitiveKinds kinds, const OwnJudge& judge, Judged judged = Judged::kInLists);
+                          PrimitiveKinds kinds, const OwnJudge& judge,
+                          const ExplicitControl::Judge& of_controls = {});
 
   // Runs the case with a vertex shader of the test, and returns the outputs of the
   // shader. Throws NotObservable.
