@@ -70,8 +70,17 @@ std::string equal_bits_in_words(const RunResult& record) {
   return compared.empty() ? "" : "bits differ between " + join(compared, ", ");
 }
 
+std::string memory_in_words(const RunResult& record) {
+  std::vector<std::string> grows;
+  for (const TestRecord& test : record.tests)
+    if (test.verdict == Verdict::kQualityWarning && decides(test, "EV-CTX-UNBOUNDED"))
+      grows.push_back(test.message);
+  return join(grows, ", ");
+}
+
 std::vector<std::string> quality_in_words(const RunResult& record) {
-  std::vector<std::string> lines = {single_precision_in_words(record), equal_bits_in_words(record)};
+  std::vector<std::string> lines = {single_precision_in_words(record), equal_bits_in_words(record),
+                                    memory_in_words(record)};
   std::erase(lines, "");
   return lines;
 }

@@ -16,7 +16,11 @@ std::string single_precision_in_words(const RunResult& record);
 // tests of level quality that require equal bits where commands are equivalent; empty if none of them warns.
 std::string equal_bits_in_words(const RunResult& record);
 
-// Returns those of the two texts above that are not empty.
+// Returns "memory grows by 4112 bytes with each Map1f", by the tests of level quality that measure it; empty
+// if none of them warns.
+std::string memory_in_words(const RunResult& record);
+
+// Returns those of the texts above that are not empty.
 std::vector<std::string> quality_in_words(const RunResult& record);
 
 }  // namespace evalcts::reports

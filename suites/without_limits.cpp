@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <evalcts/gl/explicit_vertices.h>
 #include <evalcts/testkit/registration.h>
 #include "dimensions.h"
 #include "grid_cases.h"
@@ -167,6 +168,57 @@ EVALCTS_TEST_PAIR(Contexts.ManyEvaluations, Contexts.ManyEvaluations2, kMust,
   for (const double u : {0.0, 0.25, 0.5, 1.0}) eval_coord(c, two, u, 0.75);
   c.End();
   t.judge_vertices(c, kPosition);
+};
+
+// --- Memory ------------------------------------------------------------------------------------------------
+
+constexpr int kRepetitions = 128;  // of a command in a case
+constexpr double kMostKept = 64;   // bytes for each command
+
+// Fails if the library keeps memory for each of the commands, and for explicit ones in their place less than
+// half as much.
+void expect_no_growth(Test& t, const gl::Case& c, const std::string& what, int times, bool in_new_contexts) {
+#ifndef __SANITIZE_ADDRESS__  // which keeps what is freed
+  const double kept = t.kept_memory(c, in_new_contexts) / times;
+  if (kept <= kMostKept) return;
+  gl::Case control = gl::with_explicit_commands(c);
+  control.set_identity(gl::control(c.identity()));
+  const double of_control = t.kept_memory(control, in_new_contexts) / times;
+  if (of_control > kept / 2)
+    throw NotObservable(fmt::format("pipeline: memory grows by {:.0f} bytes without evaluators", of_control));
+  const std::string captured = fmt::format("{:.0f} bytes", kept - of_control);
+  t.fail(failure_of(c, "memory", fmt::format("memory grows by {} with each {}", captured, what),
+                    fmt::format("at most {:.0f} bytes", kMostKept), captured));
+#else
+  throw NotObservable("AddressSanitizer keeps what is freed");
+#endif
+}
+
+EVALCTS_TEST_PAIR(Contexts.MemoryOfMaps, Contexts.MemoryOfMaps2, kQuality,
+                  decide("EV-CTX-UNBOUNDED/1-D", "EV-CTX-UNBOUNDED/2-D"))
+(Test& t, bool two) {
+  t.prefer_fresh_contexts();
+  const GLenum target = target_in(two, GL_MAP1_VERTEX_3);
+  gl::Case maps(fmt::format("{} definitions of a map", kRepetitions));
+  const Map small = random_map(t, target, {2, 2}), large = random_map(t, target, {8, 8});
+  for (int i = 0; i < kRepetitions; ++i) define_in_slot(maps, i % 2 ? large : small, false, 0);
+  expect_no_growth(t, maps, two ? "Map2f" : "Map1f", kRepetitions, false);
+
+  gl::Case lists(fmt::format("{} lists that define a map and evaluate it", kRepetitions));
+  lists.Enable(target);
+  for (int i = 0; i < kRepetitions; ++i) {
+    lists.NewList(1, GL_COMPILE);
+    define_in_slot(lists, large, false, 0);
+    lists.Begin(GL_POINTS);
+    eval_coord(lists, two, 0.5, 0.5);
+    lists.End();
+    lists.EndList();
+  }
+  expect_no_growth(t, lists, "display list with a map", kRepetitions, false);
+
+  gl::Case context("a context with a map");
+  define_and_enable(context, large);
+  expect_no_growth(t, context, "context with a map", 1, true);
 };
 
 // --- Grids whose steps vanish ------------------------------------------------------------------------------

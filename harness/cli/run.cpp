@@ -224,6 +224,7 @@ void find_bugs(RunResult& result, const RunRequest& request, const RunOptions& o
   });
   result.bugs = std::move(judged.bugs);
   result.bugs_note = std::move(judged.bugs_note);
+  fuzz::set_aside_shared_bugs(result);
   fs::remove_all(scratch);
 }
 

@@ -401,6 +401,7 @@ Bug bug_from(const Group& group) {
                     group.minimal && gl::uses_lists(group.minimal->program) ? " in a display list" : "");
   if (const KnownBug* const known = group.known) {
     bug.known = known->id;
+    bug.outside_evaluators = bug.outside_evaluators || known->outside_evaluators;
     bug.known_in = known->affects.text();
     bug.id = id_of(known->requirements.front().id, known->id);
     bug.title = known->title;
@@ -558,6 +559,25 @@ void find_bugs(RunResult& run, const BugRequest& request,
         fmt::format("for {} of {} {} (--bug-seconds): they belong to the bugs of tests that fail alike", late,
                     tests, kOutOfTime));
   run.bugs_note = fmt::format("{}", fmt::join(notes, "; "));
+}
+
+void set_aside_shared_bugs(RunResult& result) {
+  const auto is_shared = [](const Bug& bug) { return bug.outside_evaluators && bug.known.empty(); };
+  std::map<std::string, std::string> titles;  // by test
+  for (const Bug& bug : result.bugs)
+    if (is_shared(bug))
+      for (const std::string& test : bug.tests) titles.emplace(test, bug.title);
+  for (const Bug& bug : result.bugs)
+    if (!is_shared(bug))
+      for (const std::string& test : bug.tests) titles.erase(test);
+  std::erase_if(result.bugs, is_shared);
+  for (TestRecord& test : result.tests) {
+    const auto title = titles.find(test.name);
+    if (title == titles.end()) continue;
+    test.verdict = Verdict::kNotObservable;
+    test.message = "pipeline: explicit vertices instead of evaluations show it as well: " + title->second;
+  }
+  result.summarize();
 }
 
 }  // namespace evalcts::fuzz

@@ -1,4 +1,5 @@
-// The C code that makes contexts, for each kind of context: OSMesa, EGL, a provider, or none.
+// The C code that makes contexts, for each kind of context: OSMesa, EGL, a provider, a sink, libglevaluator,
+// or none.
 #include "c_contexts.h"
 
 #include <fmt/format.h>
@@ -261,24 +262,84 @@ static void make_context(const char *path) {
 static void *address_of(const char *name) { return dlsym(layer, name); }
 )";
 
-// Code for libglevaluator. %MOST%: number of vertices that are kept.
-constexpr char kProduction[] = R"(
-/* libglevaluator: vertices come through a callback. */
+// Code for evaluators that hand over their vertices. %MOST%: number of vertices that are kept.
+constexpr char kEmitted[] = R"(
+/* The emitted vertices: position, color, normal, and eight texture coordinates. */
 enum { MOST_VERTICES = %MOST%, VALUES = 43 };
-static glev_context *context, *contexts[MOST_CONTEXTS];
 static float emitted[MOST_VERTICES * VALUES];
 static size_t emitted_vertices;
 
+static void emit(const float *position, const float *color, const float *normal, const float *texcoord, size_t units) {
+  float *const values = emitted + VALUES * emitted_vertices;
+  if (emitted_vertices++ >= MOST_VERTICES) return;
+  if (position) memcpy(values, position, 4 * sizeof(float));
+  if (color) memcpy(values + 4, color, 4 * sizeof(float));
+  if (normal) memcpy(values + 8, normal, 3 * sizeof(float));
+  if (texcoord) memcpy(values + 11, texcoord, 4 * units * sizeof(float));
+}
+)";
+
+constexpr char kSink[] = R"(
+/* A sink, evalcts_sink.h. */
+struct receiver {
+  void *user;
+  void (*begin)(void *, unsigned);
+  void (*end)(void *);
+  void (*vertex)(void *, const float *, const float *, const float *, const float (*)[4], unsigned);
+};
+static const struct sink {
+  unsigned version, attributes;
+  const struct {
+    const char *name;
+    void (*function)(void);
+  } *commands;
+  const char *(*reset)(const struct receiver *);
+} *sink;
+
+static void on_begin(void *user, unsigned mode) { (void)user, (void)mode; }
+static void on_end(void *user) { (void)user; }
+static void on_vertex(void *user, const float *position, const float *color, const float *normal,
+                      const float (*texcoord)[4], unsigned units) {
+  (void)user;
+  emit(position, color, normal, texcoord ? texcoord[0] : NULL, units < 8 ? units : 8);
+}
+
+/* The commands that a sink may lack. */
+static void begin_primitive(GLenum mode) { (void)mode; }
+static void end_primitive(void) {}
+static GLenum no_error(void) { return GL_NO_ERROR; }
+
+static void use_context(GLuint number, int how) {
+  static const struct receiver receiver = {NULL, on_begin, on_end, on_vertex};
+  const char *why;
+  if (number != 0 || how != 0) stop("there is one context");
+  if ((why = sink->reset(&receiver))) stop(why);
+}
+
+static void *address_of(const char *name) {
+  for (size_t i = 0; sink->commands[i].name; ++i)
+    if (strcmp(sink->commands[i].name, name) == 0) return *(void **)&sink->commands[i].function;
+  return strcmp(name, "glBegin") == 0      ? (void *)begin_primitive
+         : strcmp(name, "glEnd") == 0      ? (void *)end_primitive
+         : strcmp(name, "glGetError") == 0 ? (void *)no_error
+                                           : NULL;
+}
+
+static void make_context(const char *path) {
+  open_library(path);
+  sink = ((const struct sink *(*)(void))need("evalcts_sink_open"))();
+  if (!sink) stop("the sink cannot be used");
+  use_context(0, 0);
+}
+)";
+
+constexpr char kProduction[] = R"(
+/* libglevaluator: vertices come through a callback. */
+static glev_context *context, *contexts[MOST_CONTEXTS];
+
 static void on_vertex(void *user, const glev_vertex *vertex) {
   (void)user;
-  if (emitted_vertices < MOST_VERTICES) {
-    float *values = emitted + VALUES * emitted_vertices;
-    memcpy(values, vertex->position, 4 * sizeof(float));
-    memcpy(values + 4, vertex->color, 4 * sizeof(float));
-    memcpy(values + 8, vertex->normal, 3 * sizeof(float));
-    memcpy(values + 11, vertex->texcoord, 32 * sizeof(float));
-  }
-  ++emitted_vertices;
+  emit(vertex->position, vertex->color, vertex->normal, vertex->texcoord[0], 8);
 }
 
 static void use_context(GLuint number, int how) {
@@ -305,6 +366,7 @@ const char* fragment_of(const std::string& context) {
   if (context == "egl") return kEgl;
   if (context == "egl-gles2") return kGles2;
   if (context == "provider") return kProvider;
+  if (context == "sink") return kSink;
   if (context == "none") return kNone;
   if (context == "reference")
     throw NoCProgram("the reference is C++ inside evalcts: no C program can reach it");
@@ -314,12 +376,11 @@ const char* fragment_of(const std::string& context) {
 }  // namespace
 
 std::string c_contexts(const CProgram& program) {
-  if (program.context == "production") {
-    std::string fragment = kProduction;
-    replace_all(fragment, "%MOST%", std::to_string(program.emitted_vertices + 64));
-    return fragment;
-  }
+  std::string emitted = kEmitted;
+  replace_all(emitted, "%MOST%", std::to_string(program.emitted_vertices + 64));
+  if (program.context == "production") return emitted + kProduction;
   std::string text = fragment_of(program.context);
+  if (program.context == "sink") text = emitted + text;
   replace_all(text, "%DISPLAY%", kDisplay);
   std::string open_library = kOpenLibrary;
   const bool is_in_front = !program.library_below.empty();

@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <utility>
 
 #include <evalcts/gl/call_in_flight.h>
@@ -146,6 +148,34 @@ RecordedVaryings Test::record_varyings(const gl::Case& written, const VaryingSha
                                        std::size_t most_vertices) {
   const gl::Case script = begin_case(written).script;
   return evalcts::record_varyings(*subject_.implementation, shader, script, kPoints, most_vertices);
+}
+
+double Test::kept_memory(const gl::Case& written, bool in_new_contexts) {
+  const gl::Case script = begin_case(written).script;
+  const auto resident = [] {
+    std::ifstream file("/proc/self/statm");
+    double size = 0, pages = 0;
+    if (!(file >> size >> pages)) throw NotObservable("/proc/self/statm does not show the resident memory");
+    return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
+  };
+  constexpr int kTimes = 8, kRounds = 5;
+  std::unique_ptr<Context> context;
+  double before = 0;
+  std::vector<double> growth;
+  for (int round = 0; round <= kRounds; ++round) {  // the first one fills caches
+    for (int i = 0; i < kTimes; ++i) {
+      if (!context || in_new_contexts) {
+        context.reset();
+        context = subject_.implementation->create_context();
+      }
+      context->play(script);
+    }
+    const double now = resident();
+    if (round > 0) growth.push_back(now - before);
+    before = now;
+  }
+  std::ranges::sort(growth);
+  return growth[kRounds / 2] / kTimes;
 }
 
 void Test::judge_vertices(const gl::Case& written, Attributes about) {

@@ -350,6 +350,22 @@ TEST(Bugs, WhatIsNotReducedBelongsToTheBugOfTheBaseline) {
   EXPECT_EQ(bugs_of(run, {}, proofs).size(), 3u);
 }
 
+TEST(Bugs, ThatExplicitVerticesShowAsWellAreNotFailures) {
+  RunResult run;
+  for (const char* name : {"A.Shared", "B.OfBoth", "C.Known", "D.Own"})
+    run.tests.push_back({.name = name, .verdict = Verdict::kCrash});
+  run.bugs = {{.title = "End crashes", .outside_evaluators = true, .tests = {"A.Shared", "B.OfBoth"}},
+              {.title = "known", .outside_evaluators = true, .tests = {"C.Known"}, .known = "mesa-known"},
+              {.title = "EvalMesh1 crashes", .tests = {"B.OfBoth", "D.Own"}}};
+  set_aside_shared_bugs(run);
+  ASSERT_EQ(run.bugs.size(), 2u);
+  EXPECT_EQ(run.bugs[0].title, "known");
+  EXPECT_EQ(run.tests[0].verdict, Verdict::kNotObservable);
+  EXPECT_TRUE(run.tests[0].message.ends_with("End crashes")) << run.tests[0].message;
+  for (std::size_t i = 1; i < run.tests.size(); ++i) EXPECT_EQ(run.tests[i].verdict, Verdict::kCrash) << i;
+  EXPECT_EQ(run.counts[static_cast<std::size_t>(Verdict::kCrash)], 3u);
+}
+
 TEST(Bugs, OfRealProgramsAreMarked) {
   RunResult run;
   run.tests = {failing("RealPrograms.Teapot", "EV-MESH2-FILL")};

@@ -65,6 +65,25 @@ TEST_F(CProgram, OfProductionChecksWhatCameThroughTheSink) {
   EXPECT_EQ(outcome({Kind::kLeftOver, {}, 0, true}, 0, 0).code, 0);
 }
 
+TEST_F(CProgram, OfASinkChecksWhatItHandsOver) {
+#ifndef __SANITIZE_ADDRESS__
+  const gl::Case c = line();
+  const auto code = [&](gl::Answer answer, double value) {
+    const gl::Check check{.answer = answer, .accepted = {{value, value}}, .what = "it"};
+    return build_and_start(gl::to_c({.context = "sink", .library = {}, .script = &c, .check = &check}),
+                           BEZIER_SINK)
+        .code;
+  };
+  using Kind = gl::Answer::Kind;
+  const gl::Answer y_of_second{Kind::kEmittedValue, {}, gl::kEmittedValues + 1};
+  EXPECT_EQ(code(y_of_second, 1), 0);
+  EXPECT_EQ(code(y_of_second, 2), 1);
+  EXPECT_EQ(code({Kind::kEmittedVertices}, 2), 0);
+  EXPECT_EQ(code({Kind::kEmittedVertices}, 1), 1);
+  EXPECT_EQ(code({Kind::kLeftOver, {}, 0, true}, 0), 0);
+#endif
+}
+
 TEST_F(CProgram, AnswersOfEveryKind) {
   gl::Case c("queries");
   const gl::Ref error = c.GetError();

@@ -53,4 +53,8 @@ std::string likeness_of(const TestRecord& test);
 // decimal value in a comment.
 std::vector<std::string> readable_calls(const gl::Case& program);
 
+// Removes the bugs that are not in the register and that explicit vertices show as well. Tests that no other
+// bug explains are not observed then.
+void set_aside_shared_bugs(RunResult& run);
+
 }  // namespace evalcts::fuzz

@@ -19,7 +19,7 @@ struct NoCProgram : std::runtime_error {
 };
 
 struct CProgram {
-  // The kind of contexts: "osmesa", "egl", "egl-gles2", "provider", "none" or "production".
+  // The kind of contexts: "osmesa", "egl", "egl-gles2", "provider", "sink", "none" or "production".
   std::string context;
   std::string context_library = {};  // the file that makes the context, if the commands come from `library`
   std::string library;               // the file that was judged; empty for "production"
@@ -27,7 +27,7 @@ struct CProgram {
   const Case* script = nullptr;
   const Check* check = nullptr;      // null: the failure is a crash or a hang in the commands
   const Trace* trace = nullptr;      // the recorded answers, for Check::Rule::kUnlike
-  std::size_t emitted_vertices = 0;  // when the failure was recorded, for "production"
+  std::size_t emitted_vertices = 0;  // when the failure was recorded, for "sink" and "production"
 };
 
 // Returns the program. Its exit code is 1 if the check does not hold or the library crashes, 0 if the check

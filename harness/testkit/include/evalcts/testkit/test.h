@@ -101,6 +101,10 @@ class Test : public Conditions {
   RecordedVaryings record_varyings(const gl::Case& script, const VaryingShader& shader,
                                    std::size_t most_vertices);
 
+  // Plays the case many times, all in one context or each in a new one. Returns the memory that each time
+  // keeps, in bytes: the median growth of the resident memory of the process over several rounds.
+  double kept_memory(const gl::Case& script, bool in_new_contexts);
+
   // Records that the implementation follows this reading of an ambiguous passage; both are named in
   // "readings" of the catalogue. Fails if the user chose another reading.
   void follows(const std::string& text, const std::string& reading);
