@@ -30,6 +30,10 @@ class ContextMaker {
   }
   // Makes a context current. Throws CannotStart.
   virtual void make_current(void* /*context*/) {}
+  // True if contexts can be used in any thread and release() is supported, which leaves no context current in
+  // the calling thread. release() throws CannotStart.
+  virtual bool has_threads() const { return false; }
+  virtual void release() {}
   // True if copy() is supported, which copies the state groups of a PushAttrib mask from the current context
   // to another context. copy() throws CannotStart.
   virtual bool copies() const { return false; }

@@ -143,11 +143,18 @@ class EglContexts final : public ContextMaker {
 
   void make_current(void* context) override {
     Made& made = *static_cast<Made*>(context);
+    bind_api();
     if (egl_.MakeCurrent(display_, made.surface, made.surface, made.context)) return;
     const CannotStart error = failure("eglMakeCurrent");
     if (context != only_.get() || !initialize_again()) throw CannotStart(error);
     const std::unique_ptr<Made> again(make(EGL_NO_CONTEXT, attributes_));
     made = *again;
+  }
+
+  bool has_threads() const override { return opengl(); }
+  void release() override {
+    if (!egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT))
+      throw failure("eglMakeCurrent without a context");
   }
 
   void destroy(void* context) override {
@@ -219,6 +226,7 @@ class EglContexts final : public ContextMaker {
 
   Made* make(EGLContext share, const std::vector<EGLint>& attributes) {
     auto made = std::make_unique<Made>();
+    bind_api();
     made->context = egl_.CreateContext(display_, config_, share, attributes.data());
     if (made->context == EGL_NO_CONTEXT) {
       const CannotStart error = failure("eglCreateContext");
@@ -241,11 +249,13 @@ class EglContexts final : public ContextMaker {
     return made.release();
   }
 
+  // Chooses the API of the contexts that the calling thread creates and releases. Each thread has its own.
+  bool bind_api() const { return egl_.BindAPI(opengl() ? EGL_OPENGL_API : EGL_OPENGL_ES_API); }
+
   // Initialises the display again after the library under test has terminated it, as a layer may do when it
   // is loaded.
   bool initialize_again() {
-    return egl_.Initialize(display_, nullptr, nullptr) &&
-           egl_.BindAPI(opengl() ? EGL_OPENGL_API : EGL_OPENGL_ES_API) && choose_config();
+    return egl_.Initialize(display_, nullptr, nullptr) && bind_api() && choose_config();
   }
 
   CannotStart failure(const std::string& step) const {
@@ -334,8 +344,7 @@ class EglContexts final : public ContextMaker {
     EGLint major = 0, minor = 0;
     if (!egl_.Initialize(display_, &major, &minor)) throw failure("eglInitialize");
     const char* apis = egl_.QueryString(display_, EGL_CLIENT_APIS);
-    if (!has_word(apis, opengl() ? "OpenGL" : "OpenGL_ES") ||
-        !egl_.BindAPI(opengl() ? EGL_OPENGL_API : EGL_OPENGL_ES_API))
+    if (!has_word(apis, opengl() ? "OpenGL" : "OpenGL_ES") || !bind_api())
       throw CannotStart(fmt::format("it has no {}, only {}", opengl() ? "desktop OpenGL" : "OpenGL ES",
                                     apis ? apis : "nothing"));
 

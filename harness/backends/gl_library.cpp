@@ -45,6 +45,10 @@ class MadeContext final : public Context {
     of_the_case_ = this;
     maker_.make_current(handle_);
   }
+  void release() override {
+    of_the_case_ = nullptr;
+    maker_.release();
+  }
 
   // Implements the commands of gl/contexts.h.
   static void other(GLuint number) {
@@ -154,6 +158,7 @@ class GlLibrary final : public Implementation {
       table_.SharingContextEVALCTS = &MadeContext::sharing;
       table_.ContextOfKindEVALCTS = &MadeContext::of_kind;
     }
+    if (contexts_->has_threads()) table_.MoveToThreadEVALCTS = [](GLuint) {};
     if (contexts_->copies()) table_.CopyContextEVALCTS = &MadeContext::copy;
     if (contexts_->records_requests()) {
       table_.RecordRequestsEVALCTS = &MadeContext::record_requests;

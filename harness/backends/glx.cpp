@@ -28,7 +28,7 @@ namespace {
 // clang-format off
 #define XLIB_FUNCTIONS(X)                                                               \
   X(OpenDisplay) X(CloseDisplay) X(DisplayName) X(DefaultScreen) X(Sync) X(Free)        \
-  X(QueryExtension) X(SetErrorHandler) X(SetIOErrorHandler) X(GetErrorText)
+  X(QueryExtension) X(SetErrorHandler) X(SetIOErrorHandler) X(GetErrorText) X(InitThreads)
 #define GLX_FUNCTIONS(X)                                                                \
   X(QueryVersion) X(QueryExtensionsString) X(ChooseFBConfig) X(CreateNewContext)        \
   X(CreatePbuffer) X(DestroyPbuffer) X(MakeContextCurrent) X(IsDirect)                  \
@@ -108,6 +108,7 @@ class GlxContexts final : public ContextMaker {
         xlib_(xlib_of(xlib_library_)),
         glx_(glx_of(library_)),
         direct_(rendering == GlxRendering::kDirect) {
+    xlib_.InitThreads();  // the first call of Xlib; unnecessary since libX11 1.8
     errors::get_text = xlib_.GetErrorText;
     xlib_.SetErrorHandler(&errors::take);
     xlib_.SetIOErrorHandler(&errors::end);
@@ -151,6 +152,12 @@ class GlxContexts final : public ContextMaker {
     const Made& made = *static_cast<Made*>(context);
     if (!glx_.MakeContextCurrent(display_, made.surface, made.surface, made.context))
       throw CannotStart("glXMakeContextCurrent rejects the context");
+  }
+
+  bool has_threads() const override { return true; }
+  void release() override {
+    if (!glx_.MakeContextCurrent(display_, None, None, nullptr))
+      throw CannotStart("glXMakeContextCurrent does not release the context");
   }
 
   bool copies() const override { return true; }

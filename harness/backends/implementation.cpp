@@ -241,6 +241,16 @@ std::string undeclared_part(const Declaration& declaration, const gl::Command& c
   return {};
 }
 
+gl::Trace Context::play(const gl::Case& script) {
+  return gl::play(script, table(), {}, [this](bool is_current) {
+    try {
+      is_current ? make_current() : release();
+    } catch (const CannotStart& error) {
+      throw NotObservable(std::string("pipeline: a context does not move between threads: ") + error.what());
+    }
+  });
+}
+
 ImplementationInfo inquire(Implementation& implementation) {
   ImplementationInfo info;
   if (const Declaration* declaration = implementation.declaration()) info.declaration = *declaration;

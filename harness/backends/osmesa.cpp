@@ -1,6 +1,7 @@
 // Makes contexts with OSMesa, Mesa's interface for drawing into memory without a window system.
 #include <fmt/format.h>
 
+#include <memory>
 #include <vector>
 
 #include <evalcts/backends/gl_environment.h>
@@ -45,8 +46,9 @@ class OSMesaContexts final : public ContextMaker {
 
   void* create_sharing(void* with) override {
     // A drop-in library may export the extended form although the library below it lacks that form.
-    void* context = create_ext_ ? create_ext_(GL_RGBA, 24, 8, 0, with) : nullptr;
-    if (!context && create_) context = create_(GL_RGBA, with);
+    OSMesaContext const other = with ? static_cast<Made*>(with)->context : nullptr;
+    OSMesaContext context = create_ext_ ? create_ext_(GL_RGBA, 24, 8, 0, other) : nullptr;
+    if (!context && create_) context = create_(GL_RGBA, other);
     return current(context);
   }
 
@@ -70,13 +72,21 @@ class OSMesaContexts final : public ContextMaker {
     return current(create(attributes, nullptr));
   }
   void make_current(void* context) override {
-    if (!make_current_(context, pixels_.data(), GL_UNSIGNED_BYTE, kFramebufferSide, kFramebufferSide))
+    Made& made = *static_cast<Made*>(context);
+    if (!make_current_(made.context, made.pixels.data(), GL_UNSIGNED_BYTE, kFramebufferSide,
+                       kFramebufferSide))
       throw CannotStart("OSMesaMakeCurrent rejects the context");
+  }
+  bool has_threads() const override { return true; }
+  void release() override {
+    if (!make_current_(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0))
+      throw CannotStart("OSMesaMakeCurrent does not release the context");
   }
 
   void destroy(void* context) override {
+    const std::unique_ptr<Made> made(static_cast<Made*>(context));
     make_current_(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
-    destroy_(context);
+    destroy_(made->context);
   }
 
   void* exported(const char* command) override { return library_.find(command); }
@@ -86,15 +96,21 @@ class OSMesaContexts final : public ContextMaker {
   std::string library() const override { return library_.path(); }
 
  private:
-  void* current(void* context) {
+  struct Made {
+    OSMesaContext context;
+    std::vector<unsigned char> pixels = std::vector<unsigned char>(kFramebufferSide * kFramebufferSide * 4);
+  };
+
+  Made* current(OSMesaContext context) {
     if (!context) throw CannotStart("OSMesaCreateContext returns no context" + describe_gl_environment());
+    auto made = std::make_unique<Made>(Made{context});
     try {
-      make_current(context);
+      make_current(made.get());
     } catch (const CannotStart&) {
       destroy_(context);
       throw;
     }
-    return context;
+    return made.release();
   }
 
   SharedLibrary library_;
@@ -104,7 +120,6 @@ class OSMesaContexts final : public ContextMaker {
   MakeCurrent make_current_ = nullptr;
   DestroyContext destroy_ = nullptr;
   bool exports_commands_ = false;
-  std::vector<unsigned char> pixels_ = std::vector<unsigned char>(kFramebufferSide * kFramebufferSide * 4);
 };
 
 }  // namespace

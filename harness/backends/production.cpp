@@ -54,6 +54,11 @@ class ProductionContext final : public Context {
   ProductionContext& operator=(const ProductionContext&) = delete;
 
   const gl::Table& table() const override { return table_; }
+  void make_current() override { switch_to(0); }
+  void release() override {
+    of_the_case_ = nullptr;
+    CurrentHandle::current = nullptr;
+  }
   bool has_sink() const override { return true; }
   std::vector<ObservedPrimitive> take_emitted() override { return std::exchange(emitted_, {}); }
 
@@ -112,6 +117,7 @@ class Production final : public Implementation {
   gl::Table table_ = [] {
     gl::Table table = bind_functions();
     table.OtherContextEVALCTS = &ProductionContext::other;
+    table.MoveToThreadEVALCTS = [](GLuint) {};
     return table;
   }();
 };

@@ -45,6 +45,10 @@ class Provider final : public ContextMaker {
     if (makes_several() && !provider_->make_current(context))
       throw CannotStart(fmt::format("{} does not make its context current", library_.path()));
   }
+  bool has_threads() const override {
+    return makes_several() && provider_->version >= 3 && provider_->release;
+  }
+  void release() override { provider_->release(); }
   void destroy(void* context) override { provider_->destroy(context); }
   void* address_of(const char* command) override {
     return provider_->get_address ? provider_->get_address(command) : nullptr;

@@ -14,7 +14,7 @@ namespace {
 struct Filter {
   static inline gl::Table inner;
   static inline std::set<GLenum> names;
-  static inline bool inside = false;  // between Begin and End, where every query raises an error
+  static inline thread_local bool inside = false;  // between Begin and End, where every query raises an error
 
   static bool drops(GLenum name) { return !inside && names.contains(name); }
 

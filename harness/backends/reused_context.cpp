@@ -348,6 +348,7 @@ class Shared {
     table_.OtherContextEVALCTS = table_.SharingContextEVALCTS = nullptr;  // all cases must use one context
     table_.ContextOfKindEVALCTS = nullptr;
     table_.CopyContextEVALCTS = nullptr;
+    table_.MoveToThreadEVALCTS = nullptr;
     table_.RecordRequestsEVALCTS = nullptr;
     table_.RecordedRequestsEVALCTS = nullptr;
     // The initial viewport is the size of a window that only the implementation knows.

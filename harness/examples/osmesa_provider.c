@@ -19,7 +19,7 @@ static MakeCurrent make_current;
 static DestroyContext destroy_context;
 static const char* what_went_wrong;
 static char loader_message[512];
-static unsigned char pixels[kSide * kSide * 4];
+static _Thread_local unsigned char pixels[kSide * kSide * 4]; /* several threads may draw at once */
 
 static int make_context_current(void* context) {
   return make_current(context, pixels, kUnsignedByte, kSide, kSide);
@@ -56,8 +56,10 @@ static void* create(void) {
   return context;
 }
 
+static void release(void) { make_current(NULL, NULL, kUnsignedByte, 0, 0); }
+
 static void destroy(void* context) {
-  make_current(NULL, NULL, kUnsignedByte, 0, 0);
+  release();
   destroy_context(context);
 }
 
@@ -66,8 +68,13 @@ static void* get_address(const char* command) { return dlsym(library, command); 
 static const char* error(void) { return what_went_wrong; }
 
 const evalcts_provider* evalcts_provider_open(void) {
-  static const evalcts_provider kProvider = {
-      EVALCTS_PROVIDER_VERSION, create, destroy, get_address, error,
-      make_context_current,     NULL /* OSMesa has no colour-index contexts */};
+  static const evalcts_provider kProvider = {EVALCTS_PROVIDER_VERSION,
+                                             create,
+                                             destroy,
+                                             get_address,
+                                             error,
+                                             make_context_current,
+                                             NULL /* OSMesa has no colour-index contexts */,
+                                             release};
   return &kProvider;
 }

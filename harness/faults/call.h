@@ -12,9 +12,9 @@ namespace evalcts::faults {
 using enum gl::EntryPoint;
 
 // The entry points of the implementation without any layer.
-inline gl::Table innermost;
+inline thread_local gl::Table innermost;
 // The entry points behind the layer whose rules run.
-inline gl::Table unmodified;
+inline thread_local gl::Table unmodified;
 
 inline constexpr GLint kMaxOrder = 64;  // MAX_EVAL_ORDER of production
 

@@ -41,8 +41,10 @@ const std::vector<std::pair<int, Change>>& mutations() {
 
 // --- Layers ------------------------------------------------------------------------------------------------
 
-std::vector<Layer> layers;  // of the current context, the outermost first
-std::size_t entered = 0;    // number of layers that the current call has reached
+// Layers of the current context of the thread, the outermost first.
+thread_local std::vector<Layer> layers;
+// Number of layers that the current call has reached.
+thread_local std::size_t entered = 0;
 
 // Makes the next layer the running one during its lifetime.
 class Entrance {
@@ -95,6 +97,10 @@ class LayeredContext final : public ContextInFront {
     ContextInFront::make_current();
     if (current_ != this) exchange();
   }
+  void release() override {
+    ContextInFront::release();
+    if (current_ == this) keep_current();
+  }
 
   std::vector<ObservedPrimitive> take_emitted() override {
     std::vector<ObservedPrimitive> primitives = inner().take_emitted();
@@ -114,12 +120,17 @@ class LayeredContext final : public ContextInFront {
 
   // Puts the layers and tables of this context in the place of those of the current one.
   void exchange() {
-    if (current_) current_->kept_ = {std::move(layers), innermost, unmodified};
+    if (current_) keep_current();
     std::tie(layers, innermost, unmodified) = std::exchange(kept_, {});
     current_ = this;
   }
 
-  static inline LayeredContext* current_ = nullptr;
+  static void keep_current() {
+    current_->kept_ = {std::move(layers), innermost, unmodified};
+    current_ = nullptr;
+  }
+
+  static inline thread_local LayeredContext* current_ = nullptr;
   std::tuple<std::vector<Layer>, gl::Table, gl::Table> kept_;  // of a context that is not current
 };
 

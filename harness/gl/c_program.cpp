@@ -97,6 +97,8 @@ class Writer {
   }
 
   std::string write() {
+    if (std::ranges::count(commands_, EntryPoint::MoveToThreadEVALCTS, &Command::entry) > 0)
+      throw NoCProgram("the case moves its context between threads: a C program has one thread");
     headers();
     text_ += c_contexts(program_);
     entry_points();

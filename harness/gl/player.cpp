@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cfenv>
+#include <future>
 #include <list>
 #include <map>
 
@@ -129,6 +130,8 @@ std::string describe_missing(EntryPoint missing) {
       return "a context of the kind that the test needs cannot be created";
     case EntryPoint::CopyContextEVALCTS:
       return "state cannot be copied from one context to another (glXCopyContext)";
+    case EntryPoint::MoveToThreadEVALCTS:
+      return "contexts of this implementation, or contexts that tests share, stay in one thread";
     case EntryPoint::RecordRequestsEVALCTS:
     case EntryPoint::RecordedRequestsEVALCTS:
       return "no GLX requests can be recorded";
@@ -144,7 +147,8 @@ MissingEntryPoint::MissingEntryPoint(EntryPoint missing)
 
 class Player {
  public:
-  explicit Player(const Table& table) : table_(table) {}
+  Player(const Table& table, const std::function<void(bool)>& set_current)
+      : table_(table), set_current_(set_current) {}
   ~Player() { call_in_flight.command = nullptr; }
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
@@ -153,13 +157,7 @@ class Player {
     for (const Command& command : script.commands())
       if (!has(table_, command.entry)) throw MissingEntryPoint(command.entry);
     trace_.results_.resize(script.commands().size());
-    for (const Command& command : script.commands()) {
-      call_in_flight.position = index_;
-      call_in_flight.command = &command;
-      issue(command);
-      if (after_each) after_each(index_);
-      ++index_;
-    }
+    issue_all(script.commands(), after_each, false);
     call_in_flight.command = nullptr;
     if (uses_other_contexts(script)) table_.OtherContextEVALCTS(0);
     trace_.left_over_errors_ = take_errors(table_);
@@ -167,6 +165,33 @@ class Player {
   }
 
  private:
+  // Issues the commands from index_ on, until the context moves back to the calling thread.
+  void issue_all(const std::vector<Command>& commands, const std::function<void(std::size_t)>& after_each,
+                 bool in_other_thread) {
+    while (index_ < commands.size()) {
+      const Command& command = commands[index_];
+      if (command.entry != EntryPoint::MoveToThreadEVALCTS) {
+        call_in_flight.position = index_;
+        call_in_flight.command = &command;
+        issue(command);
+        if (after_each) after_each(index_);
+        ++index_;
+        continue;
+      }
+      ++index_;
+      const bool to_other_thread = integer_of(command, 0) != 0;
+      if (to_other_thread == in_other_thread) continue;
+      if (in_other_thread) return;
+      set_current_(false);
+      std::async(std::launch::async, [&] {
+        set_current_(true);
+        issue_all(commands, after_each, true);
+        set_current_(false);
+      }).get();
+      set_current_(true);
+    }
+  }
+
   bool uses_other_contexts(const Case& script) const {
     if (!table_.OtherContextEVALCTS) return false;
     return std::ranges::any_of(script.commands(), [](const Command& command) {
@@ -267,6 +292,7 @@ class Player {
   }
 
   const Table& table_;
+  const std::function<void(bool)>& set_current_;
   Trace trace_;
   std::size_t index_ = 0;
   std::list<ClientArray> inputs_;  // all arrays exist until the case ends
@@ -285,8 +311,9 @@ std::vector<GLenum> take_errors(const Table& table) {
   return errors;
 }
 
-Trace play(const Case& script, const Table& table, const std::function<void(std::size_t)>& after_each) {
-  Trace trace = Player(table).play(script, after_each);
+Trace play(const Case& script, const Table& table, const std::function<void(std::size_t)>& after_each,
+           const std::function<void(bool)>& set_current) {
+  Trace trace = Player(table, set_current).play(script, after_each);
   std::fesetenv(FE_DFL_ENV);
   return trace;
 }

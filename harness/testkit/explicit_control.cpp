@@ -113,7 +113,7 @@ void ExplicitControl::run_controls(const std::function<bool(Implementation&)>& f
       return false;
     }
   };
-  if (fails && subject_.warm && shows_evaluation_at_fault(*subject_.warm)) return;
+  if (fails && uses_warm_context_ && subject_.warm && shows_evaluation_at_fault(*subject_.warm)) return;
   wrong_ = wrong_on(*subject_.implementation);
 }
 

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <fstream>
+#include <future>
 #include <utility>
 
 #include <evalcts/gl/call_in_flight.h>
@@ -24,6 +26,15 @@ namespace evalcts {
 namespace {
 
 constexpr std::size_t kFailuresInFull = 8;
+
+// Runs a function that creates or moves contexts. Throws NotObservable if the library rejects this.
+void run_with_contexts(const std::function<void()>& function) {
+  try {
+    function();
+  } catch (const CannotStart& error) {
+    throw NotObservable(std::string("pipeline: a thread has no context: ") + error.what());
+  }
+}
 
 // The accuracy of cases with more vertices is not recorded, because this takes longer than judging.
 constexpr std::size_t kMostMeasured = 2000;
@@ -176,6 +187,53 @@ double Test::kept_memory(const gl::Case& written, bool in_new_contexts) {
   }
   std::ranges::sort(growth);
   return growth[kRounds / 2] / kTimes;
+}
+
+void Test::require_threads() {
+  prefer_fresh_contexts();
+  control_.leave_warm_context();
+  if (subject_.reproduction) throw NotObservable("a C program has one thread");
+  if (!subject_.implementation->create_context()->table().MoveToThreadEVALCTS)
+    throw gl::MissingEntryPoint(gl::EntryPoint::MoveToThreadEVALCTS);
+}
+
+void Test::run_in_thread(const std::function<void()>& body) {
+  require_threads();
+  subject_.captures->prove_all();  // a capture that works in this thread only must be proved here
+  std::async(std::launch::async, [&] { run_with_contexts(body); }).get();
+}
+
+void Test::run_beside(const gl::Case& other, const std::function<void()>& body) {
+  require_threads();
+  const std::unique_ptr<Context> context = subject_.implementation->create_context();
+  run_with_contexts([&] { context->release(); });
+  std::atomic<bool> has_begun = false, is_over = false;
+  const auto begin = [&] {
+    has_begun = true;
+    has_begun.notify_one();
+  };
+  std::future<void> beside = std::async(std::launch::async, [&] {
+    try {
+      run_with_contexts([&] { context->make_current(); });
+      for (; !is_over; begin()) {
+        context->play(other);
+        context->take_emitted();  // limits memory
+      }
+      context->release();
+    } catch (...) {
+      begin();
+      throw;
+    }
+  });
+  has_begun.wait(false);
+  try {
+    body();
+  } catch (...) {
+    is_over = true;  // the future waits for its thread
+    throw;
+  }
+  is_over = true;
+  beside.get();
 }
 
 void Test::judge_vertices(const gl::Case& written, Attributes about) {

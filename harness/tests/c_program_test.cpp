@@ -214,6 +214,9 @@ TEST_F(CProgram, ThereIsNoneOfWhatOnlyEvalctsCanOpen) {
   const gl::Case c = line();
   EXPECT_THROW(gl::to_c({.context = "reference", .library = {}, .script = &c}), gl::NoCProgram);
   EXPECT_THROW(gl::to_c({.context = "provider.so", .library = {}, .script = &c}), gl::NoCProgram);
+  gl::Case moves;
+  moves.MoveToThreadEVALCTS(1);
+  EXPECT_THROW(gl::to_c({.context = "osmesa", .library = {}, .script = &moves}), gl::NoCProgram);
 }
 
 // The production evaluator, but with one wrong value.

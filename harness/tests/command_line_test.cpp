@@ -55,12 +55,12 @@ TEST_F(CommandLine, ListsAndExplains) {
   ASSERT_TRUE(tests.is_object());
   EXPECT_GE(tests["tests"].size(), 100u);
   const json requirements = json::parse(evalcts({"list", "requirements", "--json"}).text, nullptr, false);
-  EXPECT_EQ(requirements["requirements"].size(), 400u);
+  EXPECT_EQ(requirements["requirements"].size(), 401u);
   const json implementations =
       json::parse(evalcts({"list", "implementations", "--json"}).text, nullptr, false);
   EXPECT_EQ(implementations["implementations"].size(), 10u);
   const json coverage = json::parse(evalcts({"coverage", "--json"}).text, nullptr, false);
-  EXPECT_EQ(coverage["requirements"].size(), 400u);
+  EXPECT_EQ(coverage["requirements"].size(), 401u);
   EXPECT_TRUE(coverage["problems"].empty());
   EXPECT_TRUE(contains(evalcts({"explain", "EV-MAP1-COPY"}).text, "Map1State.CopyOnCall/UNMAPPED"));
   EXPECT_TRUE(contains(evalcts({"explain", "Map1State.CopyOnCall/UNMAPPED"}).text, "EV-MAP1-COPY"));

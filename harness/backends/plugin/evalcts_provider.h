@@ -17,7 +17,7 @@ extern "C" {
 #endif
 
 /* The version of this interface. */
-#define EVALCTS_PROVIDER_VERSION 2
+#define EVALCTS_PROVIDER_VERSION 3
 
 /* The functions of a provider, which evalcts_provider_open() returns. */
 typedef struct evalcts_provider {
@@ -44,7 +44,7 @@ typedef struct evalcts_provider {
    * create(). The text is copied at once. The pointer may be null. */
   const char* (*error)(void);
 
-  /* The functions below are read from providers of version 2. Their pointers may be null. */
+  /* The next two functions are read from providers of version 2 and newer. Their pointers may be null. */
 
   /* Makes a context current in the calling thread; returns 0 if it fails. If the pointer is not null, several
    * contexts can exist at a time, and tests of several contexts are run. destroy() is then called for the
@@ -55,10 +55,18 @@ typedef struct evalcts_provider {
    * for each index. INDEX maps are judged in it. Called while a context of create() exists, so that
    * make_current() is needed as well. */
   void* (*create_color_index)(void);
+
+  /* The function below is read from providers of version 3. Its pointer may be null. */
+
+  /* Makes no context current in the calling thread. If neither this pointer nor make_current() is null, tests
+   * of several threads are run: any thread may call the functions above, but not two threads at once, while
+   * others issue GL commands in contexts of their own. A context is then created in one thread and may be
+   * made current in another after its release. */
+  void (*release)(void);
 } evalcts_provider;
 
 /* Returns the provider, which must stay valid until the process ends, or null if it cannot be used. Called
- * once, from the thread that calls everything else. */
+ * once, from the thread that calls everything else, unless there is release(). */
 __attribute__((visibility("default"))) const evalcts_provider* evalcts_provider_open(void);
 
 #ifdef __cplusplus

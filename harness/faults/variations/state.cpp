@@ -131,6 +131,12 @@ VARIATION(StringsUnanswered, "", "VENDOR, RENDERER and EXTENSIONS are not answer
 
 // --- Missing commands --------------------------------------------------------------------------------------
 
+Entries every_command() {
+  Entries all;
+  all.all.set();
+  return all;
+}
+
 VARIATION(NoLists, "", "there are no display lists",
           missing(NewList | EndList | Entries(CallList) | CallLists | ListBase | GenLists | IsList |
                   DeleteLists));
@@ -151,6 +157,9 @@ VARIATION(NoTextures, "", "there are no textures",
 VARIATION(OneContext, "", "there can be one context at a time",
           missing(OtherContextEVALCTS | SharingContextEVALCTS | Entries(ContextOfKindEVALCTS) |
                   CopyContextEVALCTS));
+VARIATION(OtherThreadsDoNothing, "", "all commands are ignored in other threads than the first",
+          skip(every_command(), kThread != getpid()));
+VARIATION(OneThread, "", "contexts stay in one thread", missing(MoveToThreadEVALCTS));
 VARIATION(OneState, "", "all contexts have one state", one_state());
 
 // --- Pixels, buffers and lists -----------------------------------------------------------------------------

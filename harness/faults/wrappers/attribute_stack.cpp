@@ -1,4 +1,8 @@
 // Faults against section 21 of the requirements: the attribute stack and several contexts.
+#include <atomic>
+#include <mutex>
+#include <thread>
+
 #include "rules.h"
 
 namespace evalcts::faults::attribute_stack {
@@ -59,6 +63,39 @@ FAULT(ThirdSwitchLosesEnable, "EV-CTX-SWITCH", "MAP2_TEXTURE_COORD_1 is off afte
             {set(kCount, kCount + 1), when(kCount == 3, disable(GL_MAP2_TEXTURE_COORD_1))}));
 FAULT(SwitchLosesAutoNormal, "EV-CTX-SWITCH", "AUTO_NORMAL is off when the first context is current again",
       after(kOtherContexts, kFirst == 0, disable(GL_AUTO_NORMAL)));
+
+// The latest map of each target, with its thread.
+struct SharedMaps {
+  std::mutex mutex;
+  std::map<GLenum, std::pair<pid_t, Map>> latest;
+} shared_maps;
+
+FAULT(OtherThreadsEvaluateNothing, "EV-CTX-THREAD", "evaluation in other threads than the first is ignored",
+      skip(kPoints | kMeshes, kThread != getpid()));
+FAULT(MovedContextLosesMaps, "EV-CTX-THREAD",
+      "a context that moves to another thread has initial vertex maps", before(kMaps, set(kNumber, kThread)),
+      before(Begin, kNumber&& kNumber != kThread,
+             {set(kNumber, kThread), define(GL_MAP1_VERTEX_3, {0, 0, 0}),
+              define(GL_MAP2_VERTEX_3, {0, 0, 0})}));
+FAULT(ThreadsShareMaps, "EV-CTX-THREAD", "all threads have the maps that one of them has defined last",
+      after(kMaps, kIsLegal,
+            [](Call& c) {
+              const std::scoped_lock lock(shared_maps.mutex);
+              shared_maps.latest[c.target()] = {gettid(), current_map(c.target())};
+            }),
+      before(Begin, [](Call&) {
+        std::this_thread::yield();
+        const std::scoped_lock lock(shared_maps.mutex);
+        for (const auto& [target, of_thread] : shared_maps.latest)
+          if (of_thread.first != gettid()) of_thread.second.define();
+      }));
+FAULT(ThreadsShareArgument, "EV-CTX-THREAD", "EvalCoord keeps u in a variable that all threads share",
+      before(kEvalCoords, [](Call& c) {
+        static std::atomic<double> u;
+        u = c.numbers[0];
+        std::this_thread::yield();
+        c.numbers[0] = u;
+      }));
 
 namespace on_osmesa {
 constexpr std::string_view kImplementation = "osmesa";

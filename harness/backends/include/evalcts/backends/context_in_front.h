@@ -17,6 +17,7 @@ class ContextInFront : public Context {
       : table_(inner->table()), inner_(std::move(inner)) {}
   const gl::Table& table() const override { return table_; }
   void make_current() override { inner_->make_current(); }
+  void release() override { inner_->release(); }
   bool has_sink() const override { return inner_->has_sink(); }
   Attributes emitted_attributes() const override { return inner_->emitted_attributes(); }
   std::vector<ObservedPrimitive> take_emitted() override { return inner_->take_emitted(); }

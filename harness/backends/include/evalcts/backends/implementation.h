@@ -28,12 +28,16 @@ class Context {
   virtual ~Context() = default;
   virtual const gl::Table& table() const = 0;
   // Runs the case on this context. Every case of a test or capture is run by this function.
-  virtual gl::Trace play(const gl::Case& script) { return gl::play(script, table()); }
+  virtual gl::Trace play(const gl::Case& script);
   // Returns the shader programs that captures keep, by their source, if many cases share this context; null
   // for other contexts.
   virtual std::map<std::string, GLuint>* kept_programs() { return nullptr; }
-  // Makes a context of create_beside() current again. Must not be called while a case uses another context.
+  // Makes a context of create_beside(), or one that was released, current in the calling thread. Must not be
+  // called while a case uses another context.
   virtual void make_current() {}
+  // Leaves no context current in the calling thread, so that make_current() may be called in another one.
+  // Called only if the table has MoveToThreadEVALCTS.
+  virtual void release() {}
   // True if take_emitted() returns vertices directly from the evaluator (implementations in this process).
   virtual bool has_sink() const { return false; }
   // Returns the attributes of the vertices of take_emitted().

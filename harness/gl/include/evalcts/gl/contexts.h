@@ -1,4 +1,5 @@
-// Commands of the harness that make another context current, so that a case may use several.
+// Commands of the harness that make another context current, so that a case may use several, or move one to
+// another thread.
 #pragma once
 
 #include <GL/gl.h>
@@ -27,4 +28,9 @@ void glContextOfKindEVALCTS(GLuint context, GLuint kind);
 // Copies the state of the attribute groups in the mask from one context of the case, which becomes current,
 // to another, which is not current (glXCopyContext: GLX 1.4 section 3.3.7).
 void glCopyContextEVALCTS(GLuint from, GLuint to, GLbitfield mask);
+
+// Moves context 0, which must be current and not between Begin and End, to another thread (1), or back to the
+// thread of the first command (0), which issues the next commands. Thread 1 ends when the context leaves it.
+// The player does this; a table has the entry point if its contexts can move.
+void glMoveToThreadEVALCTS(GLuint thread);
 }

@@ -86,9 +86,11 @@ class Trace {
 // Runs all commands of the case in order on the current context. No other commands are issued, except
 // GetError after the last one; inside Begin/End, GetError would itself raise an error. Throws
 // MissingEntryPoint before the first command if an entry point of the case is null in the table. `after_each`
-// is called after each command with its position. The default floating-point environment is restored
-// afterwards, because the judge needs it.
+// is called after each command with its position. `set_current` makes the context current in the calling
+// thread, or leaves none current there; needed if the table has MoveToThreadEVALCTS. The default
+// floating-point environment is restored afterwards, because the judge needs it.
 Trace play(const Case& script, const Table& table,
-           const std::function<void(std::size_t position)>& after_each = {});
+           const std::function<void(std::size_t position)>& after_each = {},
+           const std::function<void(bool is_current)>& set_current = {});
 
 }  // namespace evalcts::gl

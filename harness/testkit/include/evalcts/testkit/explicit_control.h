@@ -28,6 +28,8 @@ class ExplicitControl {
   // Must be called before `script` is judged by these attributes of its observation through the capture.
   // Without `judge`, all vertices of the controls are compared.
   void set_observed(const gl::Case& script, const Capture& capture, Attributes judged, Judge judge = {});
+  // Makes all controls run in fresh contexts, because the warm context belongs to another thread.
+  void leave_warm_context() { uses_warm_context_ = false; }
   // Must be called when another case begins.
   void clear() {
     observed_.reset();
@@ -76,6 +78,7 @@ class ExplicitControl {
   std::vector<Mismatch> mismatches(const ControlObservation& seen, Attributes judged) const;
 
   const Subject& subject_;
+  bool uses_warm_context_ = true;
   std::optional<Observed> observed_;
   std::vector<Mismatch> wrong_;  // the mismatches of the controls, after they have run
 };

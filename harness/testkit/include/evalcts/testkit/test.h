@@ -105,6 +105,13 @@ class Test : public Conditions {
   // keeps, in bytes: the median growth of the resident memory of the process over several rounds.
   double kept_memory(const gl::Case& script, bool in_new_contexts);
 
+  // Runs `body` in a new thread, until it ends. All contexts of its cases are created there. Throws
+  // NotObservable, MissingEntryPoint if contexts stay in one thread, and all exceptions of `body`.
+  void run_in_thread(const std::function<void()>& body);
+  // Runs `body` while a new thread plays the case `other` again and again in one context; it has played the
+  // case once before. Throws the same.
+  void run_beside(const gl::Case& other, const std::function<void()>& body);
+
   // Records that the implementation follows this reading of an ambiguous passage; both are named in
   // "readings" of the catalogue. Fails if the user chose another reading.
   void follows(const std::string& text, const std::string& reading);
@@ -138,6 +145,8 @@ class Test : public Conditions {
   // Makes the next failures violate the requirements to which the table of blame gives the observation.
   void blame(Observed observed);
   gl::DeliveredCase begin_case(const gl::Case& script);
+  // Throws NotObservable or MissingEntryPoint unless the test can use contexts in several threads.
+  void require_threads();
   // Runs the case with Enable(CULL_FACE), IsEnabled(LIGHTING) or GetIntegerv(MATRIX_MODE) in place of the
   // commands, queries by Is or Get that are rejected between Begin and End. Throws NotObservable if these
   // take effect or raise no error: the library has then lost the Begin, for example in a display list, or
