@@ -1,0 +1,142 @@
+// Implements DeathConfirmation.
+#include "death_confirmation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace evalcts {
+namespace {
+
+constexpr std::size_t kSameCrashes = 3;  // confirmed crashes after which others like them are not confirmed
+
+std::string place_of(const WorkerRun& run) { return run.crash->call + "\n" + run.crash->group(); }
+
+// True for a crash in a command that defines or queries a map. No control is needed to blame evaluators for
+// it, because a control has no such commands.
+bool is_in_map_command(const WorkerRun& run) {
+  if (!run.crash || run.hung || run.over_memory) return false;
+  return std::ranges::any_of(std::array{"glMap", "glGetMap", "glGetnMap"},
+                             [&](const char* name) { return run.crash->call.starts_with(name); });
+}
+
+}  // namespace
+
+void DeathConfirmation::record(const std::vector<WorkerRun>& ended) {
+  std::vector<const WorkerRun*> first, like_others, hung_like_others, rest;
+  std::map<const SameCrashes*, std::size_t> chosen;
+  for (const WorkerRun& run : ended) {
+    if (run.in_flight.empty()) continue;
+    if (run.hung && run.crash && !run.crash->call.empty() && !request_.first_pass &&
+        !hangs_.try_emplace(place_of(run), run.in_flight).second) {
+      hung_like_others.push_back(&run);
+      continue;
+    }
+    const bool has_like = !request_.first_pass && is_in_map_command(run);
+    const SameCrashes* const same = has_like ? &same_crashes_[place_of(run)] : nullptr;
+    (same && same->confirmed + chosen[same]++ >= kSameCrashes ? like_others : first).push_back(&run);
+  }
+  confirm(first);
+  for (const WorkerRun* run : like_others) {
+    const SameCrashes& same = same_crashes_[place_of(*run)];
+    if (interrupted || same.others > 0 || same.confirmed < kSameCrashes)
+      rest.push_back(run);
+    else
+      records_.add(
+          run->in_flight, Verdict::kCrash,
+          fmt::format("{}; as in {} tests that were run again alone", describe(*run), same.confirmed), {},
+          run->crash);
+  }
+  for (const WorkerRun* run : hung_like_others) {
+    const std::string& representative = hangs_.at(place_of(*run));
+    if (interrupted || !hung_alone_.contains(representative)) {
+      rest.push_back(run);
+      continue;
+    }
+    const Verdict verdict = records_.find(representative)->verdict;
+    records_.add(
+        run->in_flight, verdict,
+        fmt::format("{}{}; as in {}, which was run again alone",
+                    verdict == Verdict::kNotObservable ? "pipeline: " : "", describe(*run), representative),
+        {}, run->crash);
+  }
+  confirm(rest);
+}
+
+// Runs each of these tests alone in a new process, with its cases traced to get the calls, and records it.
+void DeathConfirmation::confirm(const std::vector<const WorkerRun*>& dead) {
+  const auto jobs = static_cast<std::size_t>(request_.jobs);
+  for (std::size_t begin = 0; begin < dead.size(); begin += jobs) {
+    const std::size_t end = std::min(begin + jobs, dead.size());
+    std::vector<std::string> names;
+    for (std::size_t i = begin; i < end; ++i) names.push_back(dead[i]->in_flight);
+    progress_({"confirming", records_.size(), request_.tests.size(), names.front()});
+    const std::vector<WorkerRun> alone =
+        interrupted ? std::vector<WorkerRun>(names.size()) : processes_.run_alone(names, true);
+    for (std::size_t i = begin; i < end; ++i) record_as_alone(*dead[i], alone[i - begin]);
+  }
+}
+
+// True if the control of the case in which the test died alone, without evaluators, also ends the process.
+bool DeathConfirmation::dies_with_explicit_vertices(const std::string& test, const WorkerRun& alone) const {
+  const auto cases = alone.cases.find(test);
+  if (is_in_map_command(alone) || cases == alone.cases.end() || cases->second.empty()) return false;
+  const WorkerRun control = processes_.run_in_turn(
+      {{.kind = "test", .name = test, .cases = cases->second.size(), .runs_control = true}},
+      SuiteProcesses::Contexts::kFresh);
+  return !interrupted && !control.in_flight.empty();
+}
+
+void DeathConfirmation::count_crash(const WorkerRun& dead, const WorkerRun& alone) {
+  if (!is_in_map_command(dead)) return;
+  SameCrashes& same = same_crashes_[place_of(dead)];
+  ++(is_in_map_command(alone) && place_of(alone) == place_of(dead) ? same.confirmed : same.others);
+}
+
+// Records the test in which `dead` ended, given its run alone in a new process. If it passes there, its
+// history is searched for.
+void DeathConfirmation::record_as_alone(const WorkerRun& dead, const WorkerRun& alone) {
+  const std::string& test = dead.in_flight;
+  const Verdict verdict = verdict_of_death(dead);
+  const std::string how = describe(dead);
+  if (interrupted) {
+    records_.add(test, verdict, how + "; not confirmed, the run was interrupted", {}, dead.crash);
+    return;
+  }
+  if (alone.in_flight.empty() && alone.finished.empty()) {
+    records_.add(test, verdict, how + "; not confirmed, because no test began in a new process", {},
+                 dead.crash);
+    return;
+  }
+  const auto result = alone.records.find(test);
+  const bool has_record = result != alone.records.end();
+  if (dead.hung && dead.limits.seconds_per_test < request_.limits.seconds_per_test && has_record) {
+    records_.add(TestFinished{result->second});  // the test was only slow
+    return;
+  }
+  if (alone.hung) hung_alone_.insert(test);
+  count_crash(dead, alone);
+  if (!alone.in_flight.empty()) {
+    const std::string last_case = alone.last_case ? alone.last_case->identity : "";
+    if (alone.last_case && alone.last_case->is_control)
+      records_.add(test, Verdict::kNotObservable, fmt::format("pipeline: {} in '{}'", how, last_case));
+    else if (dies_with_explicit_vertices(test, alone))
+      records_.add(test, Verdict::kNotObservable,
+                   fmt::format("pipeline: {} in '{}', also with explicit vertices instead of evaluations",
+                               how, last_case));
+    else
+      records_.add(test, verdict, how + "; confirmed alone in a new process", alone.last_case, dead.crash);
+    return;
+  }
+  const bool fails_alone = has_record && result->second.verdict == Verdict::kFail;
+  TestRecord& record =
+      records_.add(test, verdict, how + (fails_alone ? "; fails alone" : "; passes alone"), {}, dead.crash);
+  histories_.add_history(record, dead.finished);
+  if (record.flake && has_record) {
+    record.again = {result->second.verdict, result->second.message};
+    record.flake = !fails_alone;
+  }
+}
+
+}  // namespace evalcts

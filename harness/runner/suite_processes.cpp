@@ -1,0 +1,119 @@
+// Implements SuiteProcesses: the options of the suite program, and pools of workers with these options.
+#include "suite_processes.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "request.h"
+
+namespace evalcts {
+namespace {
+
+constexpr std::uint64_t kMostBetweenTests = std::uint64_t{250} << 20;  // bytes of memory of a process
+constexpr double kPatienceAfterHang = 5;           // seconds for a test once another one has hung
+constexpr std::size_t kCrashesBeforeOmission = 3;  // tests that crash in a command
+
+}  // namespace
+
+SuiteProcesses::SuiteProcesses(const RunRequest& request, std::filesystem::path log)
+    : request_(request), log_(std::move(log)) {}
+
+std::vector<std::string> SuiteProcesses::command() const {
+  std::vector<std::string> command = suite_command(request_);
+  command.push_back("--die-with-parent");
+  return command;
+}
+
+std::vector<std::string> SuiteProcesses::command_for_tests() const {
+  std::vector<std::string> command = this->command();
+  command.insert(command.end(),
+                 {"--captures", captures_.empty() ? "none" : fmt::format("{}", fmt::join(captures_, ","))});
+  if (request_.first_pass) command.push_back("--reuse-context");
+  for (const std::string& call : omitted_commands_) command.insert(command.end(), {"--leave-out", call});
+  return command;
+}
+
+bool SuiteProcesses::uses_warm_context() const {
+  return !request_.first_pass && !request_.only_fresh_contexts && !dies_with_second_context_;
+}
+
+void SuiteProcesses::run_in_parallel(std::size_t jobs, const std::function<std::optional<Job>()>& next,
+                                     const EachEvent& each,
+                                     const std::function<void(const WorkerRun&)>& ended) {
+  const Pool pool{
+      .command =
+          [this] {
+            std::vector<std::string> command = command_for_tests();
+            // A process that has grown is replaced between tests, because a library may lose memory in each
+            // context, and a test of thorough depth may need more than half of the limit.
+            const std::uint64_t most = std::min(request_.limits.memory / 4, kMostBetweenTests);
+            command.insert(command.end(), {"--renew-above", std::to_string(most >> 20)});
+            if (uses_warm_context()) command.push_back("--warm");
+            return command;
+          },
+      .log = log_,
+      .limits = request_.limits,
+      .patience = [this] { return patience_; },
+      .workers = std::min(static_cast<std::size_t>(request_.first_pass ? 1 : request_.jobs), jobs),
+      .each = each,
+      .ended =
+          [&](const WorkerRun& run) {
+            learn_from(run);
+            ended(run);
+          }};
+  pool.run(next);
+}
+
+void SuiteProcesses::learn_from(const WorkerRun& run) {
+  // A library that cannot have two contexts may die when the warm context is made.
+  if (!run.complete && run.finished.empty() && run.in_flight.empty()) dies_with_second_context_ = true;
+  // Tests that hang often do so at one place, and each would take until the time limit.
+  if (run.hung) patience_ = std::min(patience_, kPatienceAfterHang);
+  if (run.in_flight.empty() || !run.crash || run.crash->call.empty()) return;
+  std::set<std::string>& tests = tests_that_crash_in_[run.crash->call];
+  tests.insert(run.in_flight);
+  if (tests.size() == kCrashesBeforeOmission && std::ranges::count(omitted_commands_, run.crash->call) == 0)
+    omitted_commands_.push_back(run.crash->call);
+}
+
+bool SuiteProcesses::may_survive_now(const WorkerRun& run) const {
+  return !run.in_flight.empty() && run.crash && std::ranges::count(omitted_commands_, run.crash->call) > 0 &&
+         std::ranges::count(run.command, run.crash->call) == 0;
+}
+
+std::vector<WorkerRun> SuiteProcesses::run_alone(const std::vector<std::string>& tests,
+                                                 bool traces_cases) const {
+  std::map<std::string, WorkerRun> runs;
+  std::size_t next = 0;
+  Pool{.command = [this] { return command_for_tests(); },
+       .log = log_,
+       .limits = request_.limits,
+       .workers = tests.size(),
+       .is_each_alone = true,
+       .ended =
+           [&](const WorkerRun& run) {
+             if (!run.in_flight.empty()) runs[run.in_flight] = run;
+             if (!run.finished.empty()) runs[run.finished.front()] = run;
+           }}
+      .run([&]() -> std::optional<Job> {
+        if (next == tests.size()) return std::nullopt;
+        return Job{.kind = "test", .name = tests[next++], .traces_cases = traces_cases};
+      });
+  std::vector<WorkerRun> all;
+  for (const std::string& test : tests) all.push_back(runs[test]);
+  return all;
+}
+
+WorkerRun SuiteProcesses::run_in_turn(const std::vector<Job>& jobs, Contexts contexts,
+                                      const Deadline& deadline) const {
+  std::vector<std::string> command = command_for_tests();
+  if (contexts == Contexts::kAsInParallel && uses_warm_context()) command.push_back("--warm");
+  Worker worker(command, log_, request_.limits);
+  for (const Job& job : jobs) worker.give(job);
+  worker.finish();
+  return worker.wait(deadline);
+}
+
+}  // namespace evalcts

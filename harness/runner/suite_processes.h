@@ -1,0 +1,56 @@
+// Starts the processes of the suite program that describe an implementation and run its tests. Their options
+// and time limits adapt to how earlier processes ended.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <evalcts/runner/runner.h>
+
+namespace evalcts {
+
+class SuiteProcesses {
+ public:
+  // `log`: the file for the output of all processes. `request` must outlive the object.
+  SuiteProcesses(const RunRequest& request, std::filesystem::path log);
+
+  // Makes processes that start from now on observe vertices by these captures.
+  void set_captures(std::vector<std::string> captures) { captures_ = std::move(captures); }
+
+  // Returns the suite program with the options of the implementation, for jobs other than tests.
+  std::vector<std::string> command() const;
+
+  // Runs the jobs that `next` returns, `jobs` of them, in parallel processes; in the second pass, in one. A
+  // process that ends or has grown is replaced. `each` and `ended`: see Pool.
+  void run_in_parallel(std::size_t jobs, const std::function<std::optional<Job>()>& next,
+                       const EachEvent& each, const std::function<void(const WorkerRun&)>& ended);
+  // Runs each test alone in a process of its own, in fresh contexts, all at the same time.
+  std::vector<WorkerRun> run_alone(const std::vector<std::string>& tests, bool traces_cases) const;
+  // Runs the jobs one after the other in one process, until `deadline`.
+  enum class Contexts { kFresh, kAsInParallel };
+  WorkerRun run_in_turn(const std::vector<Job>& jobs, Contexts contexts, const Deadline& deadline = {}) const;
+
+  // Returns the commands that tests omit if they are optional, because several tests crashed in them.
+  const std::vector<std::string>& omitted_commands() const { return omitted_commands_; }
+  // True if the test in flight crashed in a command that new processes omit, but its process did not.
+  bool may_survive_now(const WorkerRun& run) const;
+
+ private:
+  std::vector<std::string> command_for_tests() const;
+  // True if tests run in a warm context first. Those of run_alone() use fresh contexts only.
+  bool uses_warm_context() const;
+  void learn_from(const WorkerRun& run);
+
+  const RunRequest& request_;
+  const std::filesystem::path log_;
+  std::vector<std::string> captures_;
+  bool dies_with_second_context_ = false;               // set if a process died before its first test
+  double patience_ = request_.limits.seconds_per_test;  // of tests in processes that start now
+  std::map<std::string, std::set<std::string>> tests_that_crash_in_;  // by command
+  std::vector<std::string> omitted_commands_;
+};
+
+}  // namespace evalcts
