@@ -70,8 +70,9 @@ void query_grid(Test& t, gl::Case& c, bool two) {
 // Throws NotObservable if the implementation rejects queries of grids, for tests of other rules than those of
 // the queries.
 void require_queries(Test& t) {
-  for (const GLenum domain : {GL_MAP1_GRID_DOMAIN, GL_MAP2_GRID_DOMAIN})
-    if (!t.can_query_grid(domain)) throw NotObservable("queries of grids are rejected");
+  for (const GLenum name :
+       {GL_MAP1_GRID_DOMAIN, GL_MAP1_GRID_SEGMENTS, GL_MAP2_GRID_DOMAIN, GL_MAP2_GRID_SEGMENTS})
+    if (!t.can_query_grid(name)) throw NotObservable("queries of grids are rejected");
 }
 
 // Sets each of the grids after the commands `before`, and judges errors and the grid.

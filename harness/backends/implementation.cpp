@@ -171,7 +171,24 @@ std::unique_ptr<Implementation> open_implementation(const ImplementationOptions&
 
 namespace {
 
-void require_an_effect(const gl::Table& table, const std::string& library, const std::string& version) {
+// Returns true if the evaluator hands its vertices over and evaluates.
+bool emits_vertices(Context& context) {
+  if (!context.has_sink()) return false;
+  gl::Case c;
+  c.Map1f(GL_MAP1_VERTEX_4, 0.0f, 1.0f, 4, 1, std::vector<float>(256, 0.75f));
+  c.Enable(GL_MAP1_VERTEX_4);
+  c.Begin(GL_POINTS);
+  if (context.table().EvalCoord1f) c.EvalCoord1f(0.5f);
+  if (context.table().EvalCoord1d) c.EvalCoord1d(0.5);
+  c.End();
+  c.Disable(GL_MAP1_VERTEX_4);
+  context.play(c);
+  return std::ranges::any_of(context.take_emitted(),
+                             [](const ObservedPrimitive& primitive) { return !primitive.vertices.empty(); });
+}
+
+void require_an_effect(Context& context, const std::string& library, const ImplementationInfo& info) {
+  const gl::Table& table = context.table();
   int missing = 0;
   const gl::EntryPoint essential[] = {gl::EntryPoint::Map1f, gl::EntryPoint::Map1d,
                                       gl::EntryPoint::EvalCoord1f, gl::EntryPoint::GetMapfv};
@@ -181,7 +198,7 @@ void require_an_effect(const gl::Table& table, const std::string& library, const
         "{} has no evaluators: glMap1f, glMap1d, glEvalCoord1f and glGetMapfv are missing (GL_VERSION is "
         "'{}'). "
         "OpenGL ES has none; choose a desktop GL, or the library of a layer that adds them, with --library",
-        library, version));
+        library, info.version));
   if (missing > 0 || !table.GetError) return;  // an incomplete implementation is judged without a probe
 
   // Any answer is enough here, because the tests judge whether it is right. The memory is larger than the
@@ -191,12 +208,14 @@ void require_an_effect(const gl::Table& table, const std::string& library, const
   const gl::Ref error = probe.GetError();
   const gl::Ref coefficients = probe.GetMapfv(GL_MAP1_VERTEX_4, GL_COEFF, gl::out<GLfloat>(8));
   const gl::Trace trace = gl::play(probe, table);
-  if (trace.written(coefficients) == 0)
-    throw CannotStart(
-        fmt::format("evaluators have no effect in this context ({}): glMap1f gave {} and glGetMapfv "
-                    "writes nothing. A core profile has no evaluators; a compatibility context is "
-                    "needed.",
-                    version, gl::error_name(trace.error(error))));
+  if (trace.written(coefficients) == 0 && !emits_vertices(context))
+    throw CannotStart(fmt::format(
+        "evaluators have no effect in this context ({}): glMap1f gave {} and glGetMapfv writes nothing. {}",
+        info.version, gl::error_name(trace.error(error)),
+        info.at_least(3, 1)
+            ? "A core profile has no evaluators; a compatibility context is needed."
+            : "The library exports the commands, but they may be empty. If its evaluators work and only "
+              "glGetMapfv is empty, plug them in as a sink (docs/test-your-gl.md)."));
 }
 
 // Returns true if state survives its context, as in a layer with one state for all contexts, or without
@@ -294,11 +313,11 @@ ImplementationInfo inquire(Implementation& implementation) {
     if (const auto command = static_cast<gl::EntryPoint>(i); !gl::has(table, command))
       info.missing.insert(command);
   info.idle_capability = gl::find_idle_capability(table);
-  require_an_effect(table, info.library.empty() ? "the library" : info.library, info.version);
+  require_an_effect(*context, info.library.empty() ? "the library" : info.library, info);
   context.reset();
   info.shares_state = state_survives_context(implementation);
   info.rejected_queries = find_rejected_queries(implementation, kOtherQueries);
-  info.rejected_grid_queries = find_rejected_queries(implementation, kGridQueries);
+  info.rejected_grid_queries = find_unanswered_grid_queries(implementation);
   return info;
 }
 

@@ -2,6 +2,8 @@
 // them outside of Begin and End.
 #include <evalcts/backends/rejected_queries.h>
 
+#include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include <evalcts/backends/context_in_front.h>
@@ -65,6 +67,21 @@ class Filtered final : public ImplementationInFront {
   }
 };
 
+// Returns true if the query raises no error and writes a value.
+template <class Get>
+bool is_answered(const gl::Table& table, Get get, GLenum name) {
+  using Number = std::conditional_t<std::is_same_v<Get, decltype(table.GetFloatv)>, GLfloat, GLint>;
+  // A value that is written may be equal to the first filling, but not to both.
+  for (const Number filling : {Number{-4711}, Number{815}}) {
+    Number values[16];
+    std::ranges::fill(values, filling);
+    get(name, values);
+    if (!gl::take_errors(table).empty()) return false;
+    if (values[0] != filling) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::set<GLenum> find_rejected_queries(Implementation& implementation, std::span<const GLenum> names) {
@@ -79,6 +96,21 @@ std::set<GLenum> find_rejected_queries(Implementation& implementation, std::span
     if (!gl::take_errors(table).empty()) rejected.insert(name);
   }
   return rejected;
+}
+
+std::set<GLenum> find_unanswered_grid_queries(Implementation& implementation) {
+  const std::unique_ptr<Context> context = implementation.create_context();
+  const gl::Table& table = context->table();
+  if (!table.GetError) return {};
+  gl::take_errors(table);
+  std::set<GLenum> unanswered;
+  for (const GLenum name : kGridQueries) {
+    const bool is_domain = name == GL_MAP1_GRID_DOMAIN || name == GL_MAP2_GRID_DOMAIN;
+    if ((table.GetFloatv && !is_answered(table, table.GetFloatv, name)) ||
+        (table.GetIntegerv && !is_domain && !is_answered(table, table.GetIntegerv, name)))
+      unanswered.insert(name);
+  }
+  return unanswered;
 }
 
 std::unique_ptr<Implementation> without_queries(std::unique_ptr<Implementation> inner,

@@ -350,5 +350,20 @@ TEST(MissingCommands, RejectedQueriesOfGridsCountAsMissing) {
   EXPECT_EQ(record.unobserved, "GL_MAP1_GRID_DOMAIN (the query is rejected)");
 }
 
+// A query that only one form of Get answers is missing as well, because tests use several forms.
+TEST(MissingCommands, QueriesOfGridsWithoutAnswerCountAsMissing) {
+  const auto alter = [](gl::Table& table) {
+    table.GetIntegerv = [](GLenum name, GLint* values) {
+      if (name != GL_MAP2_GRID_SEGMENTS) Altered::original.GetIntegerv(name, values);
+    };
+  };
+  const TestRecord record = record_of(alter, {"EV-A"}, [](evalcts::Test& t) {
+    EXPECT_TRUE(t.can_query_grid(GL_MAP1_GRID_SEGMENTS));
+    EXPECT_FALSE(t.can_query_grid(GL_MAP2_GRID_SEGMENTS));
+    t.judge_vertices(curve(), kPosition);
+  });
+  EXPECT_EQ(record.verdict, Verdict::kPass) << record.message;
+}
+
 }  // namespace
 }  // namespace evalcts

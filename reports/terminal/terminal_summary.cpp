@@ -280,7 +280,7 @@ void write_crashes(Screen& screen, const RunResult& record, bool all) {
     calls.insert(test.left_out.begin(), test.left_out.end());
   }
   if (tests > 0)
-    screen.line(fmt::format("  {} run without what crashes: {}", count(tests, "test"),
+    screen.line(fmt::format("  {} run without commands that crash or are rejected: {}", count(tests, "test"),
                             join({calls.begin(), calls.end()}, ", ")),
                 Colour::kYellow);
 }
