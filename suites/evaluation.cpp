@@ -409,7 +409,9 @@ EVALCTS_TEST(
     t.fail(failure_of(c, what, message, expected, captured));
   };
   if (vertices.size() != count) {
-    fail("wrong number of vertices", std::to_string(count), std::to_string(vertices.size()));
+    t.fail(failure_of(c, "number of vertices",
+                      fmt::format("{} vertices came out, {} should have", vertices.size(), count),
+                      std::to_string(count), std::to_string(vertices.size())));
     return;
   }
   const Attributes compared = attribute_of(target) & seen.attributes;

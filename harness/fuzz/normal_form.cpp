@@ -183,7 +183,8 @@ Name of_evaluated_values(const std::string& kind, const Facts& facts) {
   const std::string others = words_without(facts, {"Map", "Enable", "evaluation", "MapGrid", "AUTO_NORMAL"});
   return {cause_from(on_grid ? "evaluated values" : "evaluated " + noun,
                      {command + grid, facts.automatic_normals ? "AUTO_NORMAL" : "", in_lists(facts), others}),
-          fmt::format("{}{}{}{} gives a wrong {}{}", command, grid, with, in_lists(facts), noun,
+          fmt::format("{}{}{}{} gives {}wrong {}{}", command, grid, with, in_lists(facts),
+                      noun == "texture coordinates" ? "" : "a ", noun,
                       others.empty() ? "" : fmt::format(" (with {})", others))};
 }
 

@@ -40,6 +40,7 @@ std::string kind_of(const std::string& named) {
 }
 
 std::string relation_of(double captured, double lowest, double highest) {
+  if (std::isnan(captured)) return "not a number";
   constexpr double kNear = 0.01;
   const double distance = std::max(captured - highest, lowest - captured);
   const double scale = std::max(1.0, std::min(std::abs(lowest), std::abs(highest)));

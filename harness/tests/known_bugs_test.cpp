@@ -68,7 +68,7 @@ TEST(Differences, HaveRelationsOfNumbersAndErrors) {
   EXPECT_EQ(relation_of(-9.9e-8, -3e-37, 3e-37), "near");
   EXPECT_EQ(relation_of(1002, 999.75, 1000.25), "near");
   EXPECT_EQ(relation_of(0, 0.99983, 1.00017), "far");
-  EXPECT_EQ(relation_of(std::nan(""), 0.5, 0.6), "far");
+  EXPECT_EQ(relation_of(std::nan(""), 0.5, 0.6), "not a number");
   EXPECT_EQ(relation_of_errors("GL_NO_ERROR", "GL_INVALID_VALUE"), "missing GL_INVALID_VALUE");
   EXPECT_EQ(relation_of_errors("GL_INVALID_VALUE", "GL_NO_ERROR"), "spurious GL_INVALID_VALUE");
   EXPECT_EQ(relation_of_errors("GL_INVALID_VALUE", "GL_INVALID_ENUM"),

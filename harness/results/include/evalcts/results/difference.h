@@ -46,7 +46,7 @@ std::optional<Difference> parse_difference(const std::string& text);
 std::string kind_of(const std::string& what);
 
 // Returns the relation of a captured number to the expected interval: "near" if it is at most 0.01 away, or
-// 1 % of a larger number; otherwise "far". Not a number is "far".
+// 1 % of a larger number; otherwise "far". The relation of NaN is "not a number".
 std::string relation_of(double captured, double lowest, double highest);
 // Returns the relation of two error codes: "missing GL_INVALID_VALUE", "spurious GL_INVALID_VALUE" or
 // "GL_INVALID_VALUE instead of GL_INVALID_ENUM".
