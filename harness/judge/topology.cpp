@@ -457,6 +457,31 @@ class MeshMatch {
 
 }  // namespace
 
+void take_triangles_of_meshes_for_quads(const Prediction& prediction, const Topology& topology,
+                                        Observation& observation) {
+  if (!prediction.has_meshes() || shape_of(observation).size() != topology.shape.size()) return;
+  std::vector<bool> is_of_mesh;  // for each vertex
+  for (const reference::Primitive& primitive : prediction.primitives)
+    is_of_mesh.insert(is_of_mesh.end(), primitive.vertices.size(), primitive.mesh != 0);
+  std::size_t vertex = 0, points = 0;  // `points`: number of captured points of the current entry
+  auto expected = topology.shape.begin();
+  for (ObservedPrimitive& primitive : observation.primitives) {
+    const std::size_t size = primitive.vertices.size();
+    if (size == 0) continue;
+    if (expected == topology.shape.end() || vertex >= topology.vertices.size()) return;
+    const auto [mode, count] = *expected;
+    if (mode == GL_QUAD_STRIP && primitive.mode == GL_TRIANGLE_STRIP && size == count &&
+        is_of_mesh[topology.vertices[vertex]])
+      primitive.mode = GL_QUAD_STRIP;
+    vertex += size;
+    // Points that follow each other are one entry of a shape.
+    points = mode == GL_POINTS ? points + size : count;
+    if (points < count) continue;
+    points = 0;
+    ++expected;
+  }
+}
+
 std::optional<Topology> match_meshes(const Prediction& prediction, const Topology& topology,
                                      const Observation& observation) {
   if (!prediction.has_meshes()) return {};
@@ -490,7 +515,10 @@ std::optional<Topology> match_quads(const Prediction& prediction, const Observat
   if (!quads || quads->empty()) return {};
   const std::vector<ObservedPrimitive>& seen = observation.primitives;
   // A strip that is captured unchanged is not a quad, even if it has four vertices.
-  if (std::ranges::count(seen, GL_QUAD_STRIP, &ObservedPrimitive::mode) > 0) return {};
+  const auto is_strip = [](const ObservedPrimitive& primitive) {
+    return primitive.mode == GL_QUAD_STRIP || primitive.mode == GL_TRIANGLE_STRIP;
+  };
+  if (std::ranges::any_of(seen, is_strip)) return {};
   const Distance distance(prediction, observation);
   Topology topology{shape_of(observation), {}};
   std::size_t next = 0;

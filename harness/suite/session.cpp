@@ -94,8 +94,8 @@ gl::Case explicit_specials() {
 
 // Runs the controls of a case that ends the process: explicit commands replace evaluation, and maps and grids
 // are left out. If the case draws no vertices, the first control omits evaluation instead. If it has
-// arguments that are not finite, another control draws such vertices. Throws NotObservable if the library
-// survives all controls.
+// arguments that are not finite, another control draws such vertices. The last control draws the primitives
+// from which topologies are learned. Throws NotObservable if the library survives all controls.
 void run_without_evaluators(const Subject& subject, const gl::Case& script) {
   std::vector<gl::Case> controls = gl::controls_without_evaluators(script);
   if (predict(script, subject.info.max_order()).vertex_count() == 0) {
@@ -105,7 +105,14 @@ void run_without_evaluators(const Subject& subject, const gl::Case& script) {
     controls.front() = gl::with_explicit_vertices(without);
   }
   if (has_specials(script)) controls.push_back(explicit_specials());
-  for (const gl::Case& control : controls) subject.implementation->create_context()->play(control);
+  if (const Prediction prediction = predict(script, subject.info.max_order()); prediction.vertex_count() > 0)
+    controls.push_back(explicit_primitives(prediction));
+  for (const gl::Case& control : controls) {
+    gl::Case supported = control.without_commands();  // a sink need not support all explicit commands
+    for (const gl::Command& command : control.commands())
+      if (subject.info.has(command.entry)) supported.add(command);
+    subject.implementation->create_context()->play(supported);
+  }
   throw NotObservable("the library survives the case with explicit vertices");
 }
 

@@ -82,6 +82,9 @@ gl::DeliveredCase Test::begin_case(const gl::Case& script) {
   if (subject_.reproduction) subject_.reproduction->begin_case(script);
   gl::DeliveredCase delivered = delivery_.apply(script);
   lists_used_ = lists_used_ || gl::uses_lists(delivered.script);
+  for (const gl::Command& command : delivered.script.commands())
+    if (command.entry == gl::EntryPoint::NewList)
+      list_modes_.insert(std::get<std::int64_t>(command.arguments[1]));
   may_end_outside_ = may_end_outside_ || may_end_outside(delivered.script);
   stack_in_lists_ = stack_in_lists_ || uses_attribute_stack_in_list(delivered.script);
   const auto has_high_order = [&](const gl::Command& command) {
@@ -112,7 +115,10 @@ CheckedTrace Test::play(const gl::Case& written) {
     const std::string captured = fmt::format("{}", fmt::join(names, ", "));
     if (script.is_control())
       throw NotObservable(fmt::format("pipeline: '{}' leaves {} behind", script.identity(), captured));
-    control_.require_no_such_error(script, left_over);
+    if (const std::optional<GLenum> error = control_.error_of_explicit_commands(script, left_over))
+      throw NotObservable(
+          fmt::format("pipeline: explicit commands instead of evaluations leave {} behind as well",
+                      gl::error_name(*error)));
     Failure failure;
     failure.case_identity = script.identity();
     failure.message = "spurious error: left behind after the last command: " + captured;
@@ -268,6 +274,7 @@ std::vector<Test::CapturedObservation> Test::observe_by_captures(const gl::Case&
     if (observations.empty() && subject_.reproduction) subject_.reproduction->begin_case(script);
     Observation observation =
         capture->observe(*subject_.implementation, script, {wanted, most_vertices, kinds});
+    if (!judges_order_of_meshes_) take_triangles_of_meshes_for_quads(prediction, topology, observation);
     if (std::optional<Topology> quads = match_quads(prediction, observation)) topology = *std::move(quads);
     if (!judges_order_of_meshes_)
       topology = with_meshes_in_own_order(prediction, std::move(topology), observation,
@@ -293,22 +300,27 @@ std::vector<Test::CapturedObservation> Test::observe_by_captures(const gl::Case&
 
 void Test::judge_emission(const gl::Case& script, const Prediction& prediction, Attributes required,
                           Thoroughness thoroughness, Attributes judged_attributes) {
+  if (prediction.error != GL_NO_ERROR && !gl().has(gl::EntryPoint::GetError))
+    throw NotSupported("glGetError is missing, without which rejected commands are not judged");
   // There is room for some surplus vertices, so that a message can state their number.
   const std::size_t room = most_vertices_of(prediction) + 8;
   const std::vector<CapturedObservation> observations =
       observe_by_captures(script, prediction, required, room);
   const auto& [capture, topology, observation] = observations.front();  // the other captures agree
-  if (observation.error_observed && observation.error != GL_NO_ERROR && observation.error != prediction.error)
-    control_.require_no_such_error(script, {observation.error});
+  const bool has_surplus_error =
+      observation.error_observed && observation.error != GL_NO_ERROR && observation.error != prediction.error;
+  const bool judges_errors =
+      !has_surplus_error || !control_.error_of_explicit_commands(script, {observation.error});
   JudgeOptions options = options_for(script, *capture, required);
   options.attributes = judged_attributes;
   if (thoroughness == Thoroughness::kFirstWrongVertex)
     options.most = 1;
   else if (prediction.vertex_count() <= kMostMeasured)
     options.measured = required;
+  if (!judges_errors) missing_.insert("errors (explicit commands raise them as well)");
   const auto judged = [&, &topology = topology](const Observation& seen) {
     Judgement judgement = evalcts::judge(prediction, topology, seen, options);
-    if (seen.error_observed && seen.error != prediction.error)
+    if (judges_errors && seen.error_observed && seen.error != prediction.error)
       judgement.mismatches.insert(judgement.mismatches.begin(), wrong_error(seen.error, prediction.error));
     return judgement;
   };
@@ -329,6 +341,11 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
         throw NotObservable(fmt::format("{} loses vertices whose position is beyond float: {}",
                                         capture->name(), mismatch.message));
   unobserved_ |= required & kAllAttributes & ~capture->shown_of(required);
+  is_order_wrong_ =
+      judges_order_of_meshes_ && !judgement.mismatches.empty() &&
+      evalcts::judge(prediction, with_meshes_in_own_order(prediction, topology, observation, options),
+                     observation, options)
+          .mismatches.empty();
   control_.set_observed(script, *capture, capture->shown());
   fail_each(
       script, *capture, {capture->shown(), room, kinds_of(prediction)}, observation, judgement.mismatches,
@@ -404,7 +421,7 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Captu
 Difference Test::difference_of(const Mismatch& mismatch) const {
   if (mismatch.kind == Mismatch::Kind::kError)
     return {Difference::kError, "", relation_of_errors(mismatch.captured, mismatch.expected)};
-  if (judges_order_of_meshes_ && mismatch.kind == Mismatch::Kind::kValue) return {Difference::kOrder, "", ""};
+  if (is_order_wrong_ && mismatch.kind == Mismatch::Kind::kValue) return {Difference::kOrder, "", ""};
   return mismatch.difference();
 }
 
@@ -443,6 +460,7 @@ void Test::fail(Failure failure, const std::function<std::vector<std::string>()>
   if (!subject_.reproduction) {
     if (stack_in_lists_) require_attribute_stack_in_lists();
     if (may_end_outside_ && failure.what == "glGetError") require_error_of_end();
+    if (failure.what == "glGetError") require_errors_in_lists();
   }
   for (const RequirementId& id : decided_) violate(id);
   violates_all_ = violates_all_ || decided_.empty();
@@ -474,6 +492,26 @@ void Test::require_error_of_end() const {
   const gl::Ref error = c.GetError();
   if (subject_.implementation->create_context()->play(c).error(error) != GL_INVALID_OPERATION)
     throw NotObservable("pipeline: End outside of a primitive does not raise its error before GetError");
+}
+
+void Test::require_errors_in_lists() const {
+  for (const std::int64_t mode : list_modes_) {
+    const bool executes = mode == GL_COMPILE_AND_EXECUTE;
+    if (!gl().has(gl::EntryPoint::MatrixMode) || (mode != GL_COMPILE && !executes)) continue;
+    gl::Case c(gl::control("MatrixMode of no matrix in a display list"));
+    c.NewList(1, static_cast<GLenum>(mode));
+    c.MatrixMode(GL_NONE);
+    c.EndList();
+    const gl::Ref compiled = c.GetError();
+    c.CallList(1);
+    const gl::Ref called = c.GetError();
+    const gl::Trace trace = subject_.implementation->create_context()->play(c);
+    if (trace.error(compiled) != (executes ? GL_INVALID_ENUM : GL_NO_ERROR) ||
+        trace.error(called) != GL_INVALID_ENUM)
+      throw NotObservable(
+          "pipeline: commands of other state in display lists do not raise their errors when they are due, "
+          "either");
+  }
 }
 
 void Test::violate(const RequirementId& id) {

@@ -128,6 +128,33 @@ TEST(MatchQuads, NeedsAsManyAsThereAre) {
   EXPECT_FALSE(match_quads(predicted(GL_TRIANGLES, 3), observed(GL_TRIANGLES, {{10, 11, 12}})));
 }
 
+TEST(MatchQuads, TakesNoStripForAQuad) {
+  EXPECT_FALSE(match_quads(predicted(GL_QUADS, 4), observed(GL_TRIANGLE_STRIP, {{10, 11, 13, 12}})));
+}
+
+// Sinks hand over the strips of a mesh unchanged.
+TEST(TrianglesOfMeshes, AreTakenForQuads) {
+  gl::Case c;
+  c.Map2f(GL_MAP2_VERTEX_3, 0.0f, 1.0f, 3, 2, 0.0f, 1.0f, 6, 2,
+          std::vector<float>{10, 1, 0, 11, 1, 0, 20, 1, 0, 21, 1, 0});
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.Begin(GL_QUAD_STRIP);
+  for (int i = 0; i < 4; ++i) c.Vertex2f(static_cast<float>(10 + i), 1);
+  c.End();
+  c.EvalMesh2(GL_FILL, 0, 1, 0, 1);
+  const Prediction prediction = predict(c, 8);
+  const auto topology = read_topology(prediction, observed(GL_QUAD_STRIP, {{0, 1, 2, 3}, {4, 5, 6, 7}}));
+  ASSERT_TRUE(topology);
+  Observation seen = observed(GL_QUAD_STRIP, {{10, 11, 12, 13}});
+  seen.primitives.push_back(observed(GL_TRIANGLE_STRIP, {{10, 20, 11, 21}}).primitives[0]);
+  EXPECT_FALSE(judge(prediction, *topology, seen, {}).mismatches.empty());
+  take_triangles_of_meshes_for_quads(prediction, *topology, seen);
+  EXPECT_TRUE(judge(prediction, *topology, seen, {}).mismatches.empty());
+  seen.primitives[0].mode = GL_TRIANGLE_STRIP;  // not of the mesh
+  take_triangles_of_meshes_for_quads(prediction, *topology, seen);
+  EXPECT_FALSE(judge(prediction, *topology, seen, {}).mismatches.empty());
+}
+
 // --- Meshes in another order -----------------------------------------------------------------------------
 
 // Returns a mesh of n x 1 segments, with vertex (i, j) at x = 10 + i + 10 j.

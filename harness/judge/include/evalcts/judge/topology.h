@@ -49,6 +49,11 @@ std::optional<Topology> read_topology(const Prediction& prediction, const Observ
 // (U-FEEDBACK-DECOMP). Returns nothing if the output is different.
 std::optional<Topology> match_quads(const Prediction& prediction, const Observation& observation);
 
+// Replaces TRIANGLE_STRIP by QUAD_STRIP where a sink hands over the quads of a mesh as triangles: the strips
+// have the same vertices in the same order.
+void take_triangles_of_meshes_for_quads(const Prediction& prediction, const Topology& topology,
+                                        Observation& observation);
+
 // Finds the topology of a case with EvalMesh2 by matching its captured output: each mesh has the points,
 // lines or polygons of `topology` in any order, and lines may have either direction. Drawing a mesh in
 // another order than the text prescribes is an error (EV-MESH2-POINT, EV-MESH2-LINE, EV-MESH2-FILL), but its

@@ -49,9 +49,10 @@ class ExplicitControl {
   // Returns the attributes that the controls, which have run, lose while positions and vertices are right.
   Attributes lost_in_controls() const;
 
-  // Must be called when the case leaves these errors behind. Throws NotObservable if it contains evaluations,
-  // and leaves one of the errors behind with explicit commands in their place as well.
-  void require_no_such_error(const gl::Case& script, const std::vector<GLenum>& errors) const;
+  // Must be called when the case leaves these errors behind. Returns the error that it leaves behind with
+  // explicit commands in place of its evaluations as well, if there is one.
+  std::optional<GLenum> error_of_explicit_commands(const gl::Case& script,
+                                                   const std::vector<GLenum>& errors) const;
 
   // Must be called when the observed case, if there is one, has failed in `what` ("color.R of vertex 3").
   // Throws NotObservable if the controls fail in the same attribute, in positions, or in the number of

@@ -167,6 +167,9 @@ class Test : public Conditions {
   void require_attribute_stack_in_lists() const;
   // Throws NotObservable if End outside of a primitive does not raise INVALID_OPERATION at once.
   void require_error_of_end() const;
+  // Throws NotObservable if MatrixMode of an invalid enumerant in a list, compiled as the lists of the test,
+  // does not raise INVALID_ENUM at each execution and only then.
+  void require_errors_in_lists() const;
 
   // Sets the violated requirements of a test that failed through display lists, by running it without a list
   // and in a list of the simplest kind. The requirement of the form of lists is violated only if both pass.
@@ -191,11 +194,13 @@ class Test : public Conditions {
                  const Prediction* prediction = nullptr, Attributes required = 0);
 
   bool judges_order_of_meshes_ = false;
+  bool is_order_wrong_ = false;  // true if the vertices of a mesh are right in another order
   std::vector<RequirementId> decided_;
   bool fails_in_warm_context_ = false;
   bool violates_all_ = false;             // a failure violates all requirements of the test
   std::optional<gl::Lists> other_lists_;  // replaces the form of lists of the delivery
   bool lists_used_ = false;
+  std::set<std::int64_t> list_modes_;  // second arguments of NewList
   bool may_end_outside_ = false;
   bool stack_in_lists_ = false;  // true if a case pushes or pops attributes in a list
   ExplicitControl control_;
