@@ -15,6 +15,10 @@ constexpr std::string_view kImplementation = "dropin";
 const Entries kVertices = Vertex2f | Vertex2d | Entries(Vertex3f) | Vertex3d | Vertex4f | Vertex4d |
                           Vertex2fv | Vertex3fv | Vertex4fv | Vertex2dv | Vertex3dv | Vertex4dv;
 
+void discard_errors(Call&) {
+  while (unmodified.GetError() != GL_NO_ERROR) continue;
+}
+
 // --- Explicit vertices are wrong as well -------------------------------------------------------------------
 
 VARIATION(EdgeFlagLost, "", "behind vertices, the query of EDGE_FLAG answers garbage",
@@ -42,6 +46,17 @@ VARIATION(RasterTextureLost, "",
           after(kVertices, set(kFlag, 1)), after(kPoints | kMeshes, set(kFlag, 0)),
           after(GetFloatv, kName == GL_CURRENT_RASTER_TEXTURE_COORDS && kFlag && !kInside,
                 answer({0, 0, 0, 0})));
+
+VARIATION(ErrorsOfListsLost, "", "the commands of a display list raise no errors",
+          before(EndList, set(kFlag, kListMode == GL_COMPILE_AND_EXECUTE)),
+          after(EndList, kFlag, discard_errors),
+          after(Entries(CallList) | CallLists, !kInside, discard_errors),
+          after(GetError, kListMode == GL_COMPILE_AND_EXECUTE, set(kResult, GL_NO_ERROR)));
+
+VARIATION(NormalOutsideOfPrimitives, "",
+          "Normal raises INVALID_OPERATION outside of Begin and End, and has no effect there",
+          instead(Normal3f | Normal3d | Entries(Normal3fv) | Normal3dv, !kInside && !kListMode,
+                  error_now(GL_INVALID_OPERATION)));
 
 VARIATION(AttributeStackNotInLists, "", "PushAttrib and PopAttrib are not compiled into lists",
           skip(PushAttrib | PopAttrib, kListMode));
