@@ -301,7 +301,7 @@ int run(const RunOptions& options, const std::string& shard) {
   const FolderLock lock = claim(output, options.command);
 
   stop_when_asked();
-  adopt_what_children_leave();
+  adopt_orphans();
   ProgressLine line(options.quiet);
   // Implementations run in parallel, each in its own processes. Summaries are printed in the requested order.
   std::vector<std::future<std::vector<RunResult>>> running;

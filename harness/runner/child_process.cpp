@@ -21,6 +21,7 @@
 #include <set>
 #include <stdexcept>
 #include <string_view>
+#include <thread>
 
 extern char** environ;
 
@@ -30,14 +31,19 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kPollSeconds = 0.02;  // interval of polling on kernels without pidfd_open (before 5.3)
+constexpr std::chrono::seconds kMostToEndOrphans(3);  // after SIGTERM
 
 // The children that a ChildProcess waits for.
 std::mutex children_mutex;
 std::set<pid_t> children_in_care;
 bool adopting = false;
 
-// Kills adopted orphans until no new ones appear. The caller must hold `children_mutex`.
-void kill_orphans() {
+// Ends adopted orphans until no new ones appear. Asks them first, because the guardian of an X server
+// (backends/x_server.cpp) has to end the server and to remove its socket. The caller must hold
+// `children_mutex`.
+void end_orphans() {
+  const auto deadline = Clock::now() + kMostToEndOrphans;
+  std::set<pid_t> asked;
   for (bool found = true; found;) {
     found = false;
     std::error_code error;
@@ -45,10 +51,12 @@ void kill_orphans() {
       std::ifstream file(task.path() / "children");
       for (pid_t child = 0; file >> child;) {
         if (children_in_care.contains(child)) continue;
-        ::kill(child, SIGKILL);
-        found = waitpid(child, nullptr, 0) == child || found;
+        const bool is_over = Clock::now() > deadline;
+        if (is_over || asked.insert(child).second) ::kill(child, is_over ? SIGKILL : SIGTERM);
+        found = waitpid(child, nullptr, is_over ? 0 : WNOHANG) >= 0 || found;
       }
     }
+    if (found) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }
 
@@ -85,7 +93,7 @@ std::uint64_t resident_memory(pid_t process) {
   return file ? resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
-void adopt_what_children_leave() {
+void adopt_orphans() {
   const std::lock_guard lock(children_mutex);
   adopting = prctl(PR_SET_CHILD_SUBREAPER, 1) == 0;
 }
@@ -152,19 +160,21 @@ std::optional<Ending> ChildProcess::wait(double seconds) {
        left = std::chrono::duration<double>(end - Clock::now()).count()) {
     if (output_) output_->take();
     if (left <= 0) return std::nullopt;
-    wait_for_news(left);
+    wait_for_activity(left);
   }
   reap();
   if (output_) output_->finish();
   return ending_;
 }
 
-std::vector<int> ChildProcess::news() const { return {descriptor_, output_ ? output_->reader() : -1}; }
+std::vector<int> ChildProcess::readable_descriptors() const {
+  return {descriptor_, output_ ? output_->reader() : -1};
+}
 
 // Waits until the process prints or ends, for at most `seconds`.
-void ChildProcess::wait_for_news(double seconds) const {
+void ChildProcess::wait_for_activity(double seconds) const {
   std::vector<pollfd> events;
-  for (const int descriptor : news()) events.push_back({descriptor, POLLIN, 0});
+  for (const int descriptor : readable_descriptors()) events.push_back({descriptor, POLLIN, 0});
   poll(events.data(), events.size(),
        static_cast<int>((descriptor_ < 0 ? std::min(seconds, kPollSeconds) : seconds) * 1000));
 }
@@ -182,7 +192,7 @@ void ChildProcess::reap() {
   waitpid(id_, &status, 0);
   children_in_care.erase(id_);
   ending_ = WIFSIGNALED(status) ? Ending{true, WTERMSIG(status)} : Ending{false, WEXITSTATUS(status)};
-  if (adopting) kill_orphans();
+  if (adopting) end_orphans();
 }
 
 void ChildProcess::kill() {

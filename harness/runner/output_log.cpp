@@ -80,7 +80,7 @@ void OutputLog::take_line(const std::string& line) {
     flush();
     kept_ = 0;
   }
-  if (beginning_.size() + line.size() <= kMostRemembered) beginning_ += line;
+  if (first_lines_.size() + line.size() <= kMostRemembered) first_lines_ += line;
   if (left_out_ > 0 || kept_ + line.size() > kMostPrinted) {
     left_out_ += line.size();
     return;

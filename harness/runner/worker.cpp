@@ -29,7 +29,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 namespace fs = std::filesystem;
 
-constexpr int kLookMilliseconds = 20;  // longest time between two checks of the limits
+constexpr int kMostMilliseconds = 20;  // longest time between two checks of the limits
 constexpr double kMostToEnd = 2;       // seconds that the process may take to exit after its last job
 constexpr int kMostEmptyStarts = 2;    // workers in turn that may end before their first job
 constexpr std::size_t kMostQuotedLines = 3;
@@ -151,7 +151,7 @@ void Worker::read_events(const EachEvent& each) {
   partial_.erase(0, begin);
 }
 
-bool Worker::look(const Deadline& deadline, const EachEvent& each) {
+bool Worker::update(const Deadline& deadline, const EachEvent& each) {
   write_jobs();
   const std::optional<Ending> ending = process_->wait(0);
   read_events(each);
@@ -188,7 +188,7 @@ void Worker::check_limits(const Deadline& deadline) {
 }
 
 const WorkerRun& Worker::wait(const Deadline& deadline, const EachEvent& each) {
-  while (!look(deadline, each)) wait_for_news({this});
+  while (!update(deadline, each)) wait_for_activity({this});
   return run_;
 }
 
@@ -214,14 +214,15 @@ void Worker::take(const Event& event) {
   }
 }
 
-void wait_for_news(const std::vector<const Worker*>& workers) {
+void wait_for_activity(const std::vector<const Worker*>& workers) {
   std::vector<pollfd> news;
   for (const Worker* worker : workers) {
     news.push_back({worker->events_, POLLIN, 0});
     if (!worker->unwritten_.empty()) news.push_back({worker->input_, POLLOUT, 0});
-    for (const int descriptor : worker->process_->news()) news.push_back({descriptor, POLLIN, 0});
+    for (const int descriptor : worker->process_->readable_descriptors())
+      news.push_back({descriptor, POLLIN, 0});
   }
-  poll(news.data(), news.size(), kLookMilliseconds);
+  poll(news.data(), news.size(), kMostMilliseconds);
 }
 
 bool Pool::run(const std::function<std::optional<Job>()>& next) const {
@@ -253,10 +254,10 @@ bool Pool::run(const std::function<std::optional<Job>()>& next) const {
   while (!running.empty()) {
     std::vector<const Worker*> all;
     for (const auto& worker : running) all.push_back(worker.get());
-    wait_for_news(all);
+    wait_for_activity(all);
     for (std::size_t i = 0; i < running.size();) {
       Worker& worker = *running[i];
-      if (!worker.look(deadline, each)) {
+      if (!worker.update(deadline, each)) {
         if (worker.is_idle()) supply(worker, next_job());
         ++i;
         continue;

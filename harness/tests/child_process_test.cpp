@@ -61,8 +61,8 @@ TEST(Worker, SurvivesAProcessThatDoesNotReadItsJobs) {
   do {
     worker.give({"test", "A.B"});
     ++jobs;
-    wait_for_news({&worker});
-  } while (!worker.look());
+    wait_for_activity({&worker});
+  } while (!worker.update());
   EXPECT_EQ(describe(worker.run().ending), "exit code 3");
   EXPECT_FALSE(worker.run().complete);
   EXPECT_EQ(worker.waiting().size(), jobs);

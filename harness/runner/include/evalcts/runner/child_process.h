@@ -27,8 +27,9 @@ std::string shell_line(const std::vector<std::string>& command);
 // Returns the resident memory of a process in bytes; 0 if it is not known.
 std::uint64_t resident_memory(pid_t process);
 
-// Makes this process adopt the orphans of its children, in any session, and kill them when a child ends.
-void adopt_what_children_leave();
+// Makes this process adopt the orphans of its children, in any session. When a child ends, they get SIGTERM,
+// and those that go on are killed after a few seconds.
+void adopt_orphans();
 
 struct CannotSpawn : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -54,19 +55,19 @@ class ChildProcess {
   std::optional<Ending> wait(double seconds);
   // Returns the descriptors, for poll(), that become readable when the process prints or ends. Negative ones
   // stand for nothing.
-  std::vector<int> news() const;
+  std::vector<int> readable_descriptors() const;
   void kill();
   // Sends SIGABRT to the process, which may report where it is before it ends.
   void abort();
 
   // Returns resident_memory() of the process.
   std::uint64_t memory() const { return resident_memory(id_); }
-  // Returns the first lines of limited output, see OutputLog::beginning.
-  std::string printed() const { return output_ ? output_->beginning() : std::string(); }
+  // Returns the first lines of limited output, see OutputLog::first_lines.
+  std::string printed() const { return output_ ? output_->first_lines() : std::string(); }
 
  private:
   bool has_ended() const;
-  void wait_for_news(double seconds) const;
+  void wait_for_activity(double seconds) const;
   void reap();
 
   pid_t id_ = -1;

@@ -36,7 +36,7 @@ class OutputLog {
   void finish();
 
   // Returns up to kMostRemembered bytes from the start of the output, in complete lines.
-  const std::string& beginning() const { return beginning_; }
+  const std::string& first_lines() const { return first_lines_; }
 
  private:
   void take_line(const std::string& line);
@@ -48,7 +48,7 @@ class OutputLog {
   // The output of the current test, which is written as a whole, because several processes share a log.
   std::string unwritten_;
   std::size_t kept_ = 0, left_out_ = 0;
-  std::string beginning_;
+  std::string first_lines_;
 };
 
 }  // namespace evalcts

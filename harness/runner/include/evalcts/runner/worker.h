@@ -74,14 +74,14 @@ class Worker {
   // Adds the new events to run() and calls `each` with each of them. Kills the process if a signal has
   // interrupted the run, or the deadline has passed. Returns true once the process has ended and all events
   // have been read.
-  bool look(const Deadline& deadline = {}, const EachEvent& each = {});
+  bool update(const Deadline& deadline = {}, const EachEvent& each = {});
   // Waits until the process has ended.
   const WorkerRun& wait(const Deadline& deadline = {}, const EachEvent& each = {});
 
   const WorkerRun& run() const { return run_; }
 
  private:
-  friend void wait_for_news(const std::vector<const Worker*>& workers);
+  friend void wait_for_activity(const std::vector<const Worker*>& workers);
   void take(const Event& event);
   void read_events(const EachEvent& each);
   void write_jobs();
@@ -102,7 +102,7 @@ class Worker {
 
 // Waits until one of the workers has an event or output, can take more input, or ends, or a fraction of a
 // second has passed.
-void wait_for_news(const std::vector<const Worker*>& workers);
+void wait_for_activity(const std::vector<const Worker*>& workers);
 
 // Several workers that share a list of jobs. A worker that ends before its time is replaced.
 struct Pool {
