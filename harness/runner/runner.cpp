@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <deque>
 #include <map>
 #include <optional>
 
@@ -118,7 +117,7 @@ class Run {
         records_.add(test.name, Verdict::kSkipped, *why).baseline_reason = *why;
     int fruitless = 0;
     while (!interrupted) {
-      std::deque<std::string> remaining;
+      std::vector<std::string> remaining;
       for (const ListedTest& test : request_.tests)
         if (!records_.find(test.name)) remaining.push_back(test.name);
       if (remaining.empty()) return;
@@ -138,16 +137,10 @@ class Run {
   // Runs the tests in parallel processes and adds their records. Returns the processes that have ended.
   // `in_flight` is cleared if an interruption killed the process, or if the test is to be run again without
   // the command in which it crashed.
-  std::vector<WorkerRun> run_in_parallel(std::deque<std::string> tests) {
+  std::vector<WorkerRun> run_in_parallel(const std::vector<std::string>& tests) {
     std::vector<WorkerRun> ended;
     processes_.run_in_parallel(
-        tests.size(),
-        [&]() -> std::optional<Job> {
-          if (tests.empty()) return std::nullopt;
-          Job job{.kind = "test", .name = tests.front()};
-          tests.pop_front();
-          return job;
-        },
+        tests,
         [&](const Event& event) {
           if (const auto* start = std::get_if<JobStarted>(&event))
             progress_({"test", records_.size(), request_.tests.size(), start->name});

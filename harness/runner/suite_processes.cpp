@@ -39,8 +39,7 @@ bool SuiteProcesses::uses_warm_context() const {
   return !request_.first_pass && !request_.only_fresh_contexts && !dies_with_second_context_;
 }
 
-void SuiteProcesses::run_in_parallel(std::size_t jobs, const std::function<std::optional<Job>()>& next,
-                                     const EachEvent& each,
+void SuiteProcesses::run_in_parallel(const std::vector<std::string>& tests, const EachEvent& each,
                                      const std::function<void(const WorkerRun&)>& ended) {
   const Pool pool{
       .command =
@@ -56,14 +55,18 @@ void SuiteProcesses::run_in_parallel(std::size_t jobs, const std::function<std::
       .log = log_,
       .limits = request_.limits,
       .patience = [this] { return patience_; },
-      .workers = std::min(static_cast<std::size_t>(request_.first_pass ? 1 : request_.jobs), jobs),
+      .workers = std::min(static_cast<std::size_t>(request_.first_pass ? 1 : request_.jobs), tests.size()),
       .each = each,
       .ended =
           [&](const WorkerRun& run) {
             learn_from(run);
             ended(run);
           }};
-  pool.run(next);
+  std::size_t next = 0;
+  pool.run([&]() -> std::optional<Job> {
+    if (next == tests.size()) return std::nullopt;
+    return Job{.kind = "test", .name = tests[next++]};
+  });
 }
 
 void SuiteProcesses::learn_from(const WorkerRun& run) {

@@ -23,10 +23,10 @@ class SuiteProcesses {
   // Returns the suite program with the options of the implementation, for jobs other than tests.
   std::vector<std::string> command() const;
 
-  // Runs the jobs that `next` returns, `jobs` of them, in parallel processes; in the second pass, in one. A
-  // process that ends or has grown is replaced. `each` and `ended`: see Pool.
-  void run_in_parallel(std::size_t jobs, const std::function<std::optional<Job>()>& next,
-                       const EachEvent& each, const std::function<void(const WorkerRun&)>& ended);
+  // Runs the tests in parallel processes, each of which takes the next free test; in the second pass, in one
+  // process. A process that ends or has grown is replaced. `each` and `ended`: see Pool.
+  void run_in_parallel(const std::vector<std::string>& tests, const EachEvent& each,
+                       const std::function<void(const WorkerRun&)>& ended);
   // Runs each test alone in a process of its own, in fresh contexts, all at the same time.
   std::vector<WorkerRun> run_alone(const std::vector<std::string>& tests, bool traces_cases) const;
   // Runs the jobs one after the other in one process, until `deadline`.
