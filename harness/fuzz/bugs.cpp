@@ -109,7 +109,7 @@ class BugSearch {
     for (const KnownBug& bug : known_bugs()) {
       if (!named.contains(&bug) || bug.programs.empty()) continue;
       if (!bug.dies()) {
-        to_prove.push_back({kProof + bug.id, bug.programs.front().difference, ""});
+        to_prove.push_back({bug.id, bug.programs.front().difference, "", 0, true});
         continue;
       }
       for (const KnownProgram& known : known_programs()) {
@@ -191,12 +191,11 @@ class BugSearch {
   }
 
   void take(Reduction reduction) {
-    const std::string test = reduction.test;
-    if (test.starts_with(kProof)) {
-      if (reduction.minimal) proofs_[test.substr(std::size(kProof) - 1)] = *std::move(reduction.minimal);
+    if (reduction.is_known_bug) {
+      if (reduction.minimal) proofs_[reduction.test] = *std::move(reduction.minimal);
       return;
     }
-    reductions_[test] = std::move(reduction);
+    reductions_[reduction.test] = reduction;
     progress_(reductions_.size(), total_);
   }
 
@@ -223,7 +222,7 @@ class BugSearch {
           ++next;
           return Job{.kind = "reduce", .name = failing.test, .data = to_text(failing)};
         }
-        take({failing.test, {}, kOutOfTime});
+        take({failing.test, {}, kOutOfTime, failing.is_known_bug});
       }
       return std::nullopt;
     });

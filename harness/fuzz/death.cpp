@@ -41,14 +41,14 @@ std::optional<Difference> death_of(const WorkerRun& run) {
 
 std::optional<Finding> reduce_death(const gl::Case& program, const Difference& death, const RunAlone& run,
                                     std::vector<Finding>& seen, int most, int max_eval_order) {
-  const Still dies = [&](const gl::Case& candidate) {
+  const InterestingnessTest dies = [&](const gl::Case& candidate) {
     if (!specify_if_defined(candidate, max_eval_order)) return false;
     const std::optional<Difference> of_candidate = run(candidate);
     return of_candidate && of_candidate->is_like(death);
   };
   // One place is one bug. Without a place, the commands tell.
   const auto is = [&](const gl::Case& known) {
-    return (!death.place.empty() || with_words_of(known, program)) &&
+    return (!death.place.empty() || with_stems_of(known, program)) &&
            specify_if_defined(known, max_eval_order) && run(known) == std::optional(death);
   };
   for (const KnownProgram& known : known_programs())
@@ -62,7 +62,7 @@ std::optional<Finding> reduce_death(const gl::Case& program, const Difference& d
   for (const gl::Case& form : forms_of(program))
     for (const Finding& earlier : seen)
       if (earlier.failure.difference.is_like(death))
-        if (const std::optional<gl::Case> reduced = with_words_of(earlier.program, form);
+        if (const std::optional<gl::Case> reduced = with_stems_of(earlier.program, form);
             reduced && dies(*reduced))
           return earlier;
   if (!dies(program)) return std::nullopt;

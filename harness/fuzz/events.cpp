@@ -111,14 +111,15 @@ std::string to_text(const FailingCase& failing) {
   return json{{"test", failing.test},
               {"difference", failing.difference.text()},
               {"commands", failing.commands},
-              {"seconds", failing.seconds}}
+              {"seconds", failing.seconds},
+              {"is_known_bug", failing.is_known_bug}}
       .dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 FailingCase parse_failing_case(const std::string& text) try {
   const json data = json::parse(text);
   return {data.at("test"), parse_difference(data.at("difference")).value_or(Difference()),
-          data.at("commands"), data.at("seconds")};
+          data.at("commands"), data.at("seconds"), data.at("is_known_bug")};
 } catch (const json::exception& error) {
   throw std::invalid_argument(error.what());
 }
@@ -126,7 +127,10 @@ FailingCase parse_failing_case(const std::string& text) try {
 std::string to_line(const ReductionEvent& event) {
   json data = {{"event", "reducing"}};
   if (const auto* reduction = std::get_if<Reduction>(&event)) {
-    data = {{"event", "reduction"}, {"test", reduction->test}, {"why_not", reduction->why_not}};
+    data = {{"event", "reduction"},
+            {"test", reduction->test},
+            {"why_not", reduction->why_not},
+            {"is_known_bug", reduction->is_known_bug}};
     if (reduction->minimal) data["finding"] = to_json(*reduction->minimal);
   }
   return data.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
@@ -136,7 +140,7 @@ std::optional<Reduction> parse_reduction(const std::string& line) {
   try {
     const json event = json::parse(line);
     if (event.at("event") != json("reduction")) return std::nullopt;
-    Reduction reduction{event.at("test"), {}, event.at("why_not")};
+    Reduction reduction{event.at("test"), {}, event.at("why_not"), event.at("is_known_bug")};
     if (event.contains("finding")) reduction.minimal = finding_from(event.at("finding"));
     return reduction;
   } catch (const json::exception&) {

@@ -119,7 +119,7 @@ gl::Case with_primitives(const gl::Case& program, Half half) {
   return changed;
 }
 
-gl::Case with_drawings_halved(gl::Case program, const std::function<bool(const gl::Case&)>& still) {
+gl::Case with_drawings_halved(gl::Case program, const InterestingnessTest& is_interesting) {
   for (bool again = true; again && vertices_of(program) > kMostVertices / 4;) {
     again = false;
     for (const gl::Case& half :
@@ -129,7 +129,7 @@ gl::Case with_drawings_halved(gl::Case program, const std::function<bool(const g
                       [](std::int64_t&begin, std::int64_t&end) { end = begin + (end - begin) / 2; }),
           with_ranges(program, false,
                       [](std::int64_t&begin, std::int64_t&end) { begin += (end - begin) / 2; })}) {
-      if (vertices_of(half) >= vertices_of(program) || !still(half)) continue;
+      if (vertices_of(half) >= vertices_of(program) || !is_interesting(half)) continue;
       program = half;
       again = true;
       break;
@@ -146,7 +146,7 @@ std::int64_t vertices_of(const gl::Case& program) {
   return vertices;
 }
 
-gl::Case excerpt_of(const gl::Case& program, const std::function<bool(const gl::Case&)>& still) {
+gl::Case excerpt_of(const gl::Case& program, const InterestingnessTest& is_interesting) {
   const std::vector<Drawing> drawings = drawings_of(program);
   const std::vector<std::pair<std::size_t, std::size_t>> windows = windows_of(drawings);
   // The tried windows are distributed evenly over the program.
@@ -154,7 +154,7 @@ gl::Case excerpt_of(const gl::Case& program, const std::function<bool(const gl::
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [begin, end] = windows[count == 1 ? 0 : i * (windows.size() - 1) / (count - 1)];
     const gl::Case part = with_drawings(program, drawings, begin, end);
-    if (still(part)) return with_drawings_halved(part, still);
+    if (is_interesting(part)) return with_drawings_halved(part, is_interesting);
   }
   return program;
 }

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 
 #include <evalcts/gl/case.h>
+#include "shrink.h"
 
 namespace evalcts::fuzz {
 
@@ -15,9 +15,9 @@ inline constexpr std::int64_t kMostVertices = 400;
 // of how often a display list calls it.
 std::int64_t vertices_of(const gl::Case& program);
 
-// Returns a part of the program for which still() returns true. The part has all commands of the program
+// Returns a part of the program that is interesting. The part has all commands of the program
 // except drawings outside of a window of about kMostVertices vertices. Its meshes are then halved as long as
-// still() returns true. Returns the whole program if still() returns false for all of at most 12 windows.
-gl::Case excerpt_of(const gl::Case& program, const std::function<bool(const gl::Case&)>& still);
+// they are interesting. Returns the whole program if none is interesting of at most 12 windows.
+gl::Case excerpt_of(const gl::Case& program, const InterestingnessTest& is_interesting);
 
 }  // namespace evalcts::fuzz

@@ -21,23 +21,23 @@ constexpr int kInShared = 5;  // attempts in the shared context for each attempt
 
 // Returns the stem of the command, by which programs are compared. Commands that set current values have one
 // stem, and so have those that enable or disable AUTO_NORMAL.
-std::string word_of(const gl::Command& command) {
+std::string comparison_stem(const gl::Command& command) {
   if ((command.entry == EntryPoint::Enable || command.entry == EntryPoint::Disable) &&
       gl::integer_of(command, 0) == GL_AUTO_NORMAL)
     return "AUTO_NORMAL";
   return gl::role_of(command.entry) == gl::Role::kCurrentValue ? "current value" : gl::stem_of(command.entry);
 }
 
-std::set<std::string> words_of(const gl::Case& program) {
-  std::set<std::string> words;
-  for (const gl::Command& command : program.commands()) words.insert(word_of(command));
-  return words;
+std::set<std::string> stems_of(const gl::Case& program) {
+  std::set<std::string> stems;
+  for (const gl::Command& command : program.commands()) stems.insert(comparison_stem(command));
+  return stems;
 }
 
-gl::Case without_word(const gl::Case& program, const std::string& word) {
+gl::Case without_stem(const gl::Case& program, const std::string& stem) {
   gl::Case without(program.identity());
   for (const gl::Command& command : program.commands())
-    if (word_of(command) != word) without.add(command);
+    if (comparison_stem(command) != stem) without.add(command);
   return without;
 }
 
@@ -64,15 +64,15 @@ bool keeps_to_grids(const gl::Case& program) {
   });
 }
 
-// Returns the program without all commands of each word, without the pairs of commands that only make sense
+// Returns the program without all commands of each stem, without the pairs of commands that only make sense
 // together, and without display lists. Maps stay, because evaluation without them uses the initial maps.
 std::vector<gl::Case> parts_of(const gl::Case& program) {
   std::vector<gl::Case> parts;
-  const std::set<std::string> words = words_of(program);
-  for (const std::string& word : words)
-    if (word != "Map1" && word != "Map2") parts.push_back(without_word(program, word));
+  const std::set<std::string> stems = stems_of(program);
+  for (const std::string& stem : stems)
+    if (stem != "Map1" && stem != "Map2") parts.push_back(without_stem(program, stem));
   for (const auto& [opening, closing] : {std::pair{"Begin", "End"}, {"PushAttrib", "PopAttrib"}})
-    if (words.contains(opening)) parts.push_back(without_word(without_word(program, opening), closing));
+    if (stems.contains(opening)) parts.push_back(without_stem(without_stem(program, opening), closing));
   if (gl::uses_lists(program)) parts.push_back(gl::without_lists(program));
   return parts;
 }
@@ -83,23 +83,23 @@ bool has_rejected_command(const Specified& specified) {
 
 }  // namespace
 
-std::optional<gl::Case> with_words_of(const gl::Case& minimal, const gl::Case& program) {
-  const std::set<std::string> words = words_of(minimal);
+std::optional<gl::Case> with_stems_of(const gl::Case& minimal, const gl::Case& program) {
+  const std::set<std::string> stems = stems_of(minimal);
   gl::Case reduced(program.identity());
   for (const gl::Command& command : program.commands())
-    if (words.contains(word_of(command))) reduced.add(command);
-  return words_of(reduced) == words ? std::optional(reduced) : std::nullopt;
+    if (stems.contains(comparison_stem(command))) reduced.add(command);
+  return stems_of(reduced) == stems ? std::optional(reduced) : std::nullopt;
 }
 
 bool is_explained_by(const gl::Case& minimal, const gl::Case& program, const Specified& specified,
-                     const Still& still) {
-  const std::set<std::string> words = words_of(minimal);
+                     const InterestingnessTest& is_interesting) {
+  const std::set<std::string> stems = stems_of(minimal);
   gl::Case accepted(program.identity());
   for (std::size_t i = 0; i < program.commands().size(); ++i)
-    if (words.contains("GetError") || specified.errors[i].empty()) accepted.add(program.commands()[i]);
-  const std::optional<gl::Case> reduced = with_words_of(minimal, accepted);
-  return reduced && still(*reduced) && std::ranges::none_of(words, [&](const std::string& word) {
-           return still(without_word(*reduced, word));
+    if (stems.contains("GetError") || specified.errors[i].empty()) accepted.add(program.commands()[i]);
+  const std::optional<gl::Case> reduced = with_stems_of(minimal, accepted);
+  return reduced && is_interesting(*reduced) && std::ranges::none_of(stems, [&](const std::string& stem) {
+           return is_interesting(without_stem(*reduced, stem));
          });
 }
 
@@ -201,7 +201,7 @@ const Finding* Reducer::explanation(const gl::Case& program, const Difference& d
                                     bool tries_shared) {
   const Judge judge = tries_shared ? in_shared() : fresh();
   const Alikeness alikeness(program);
-  const Still still = [&](const gl::Case& candidate) {
+  const InterestingnessTest is_interesting = [&](const gl::Case& candidate) {
     return alikeness.holds_for(candidate) && difference_of(candidate, difference, judge);
   };
   for (const gl::Case& form : forms_of(program)) {
@@ -209,7 +209,7 @@ const Finding* Reducer::explanation(const gl::Case& program, const Difference& d
     if (!specified) continue;
     for (Known& known : known_) {
       if ((known.was_run && !known.finding) || !known.difference.is_like(difference)) continue;
-      if (is_explained_by(known.program, form, *specified, still))
+      if (is_explained_by(known.program, form, *specified, is_interesting))
         if (const Finding* const finding = finding_of(known)) return finding;
     }
   }
@@ -262,7 +262,7 @@ std::optional<Finding> Reducer::reduce(const gl::Case& program, const Difference
     const Difference wanted = found ? difference.completed_by(found->failure.difference) : difference;
     for (const Known& known : known_)
       if (known.finding && known.difference.is_like(wanted))
-        if (const auto part = with_words_of(known.program, program); part && alikeness.holds_for(*part))
+        if (const auto part = with_stems_of(known.program, program); part && alikeness.holds_for(*part))
           if (find(*part, wanted)) return known.finding;
     excerpt_of(program, [&](const gl::Case& part) {
       std::optional<Finding> of_part = difference_of(part, wanted, fresh());
@@ -279,7 +279,7 @@ Finding Reducer::reduce(Finding finding) {
   const Alikeness alikeness(finding.program);
   Difference difference = finding.failure.difference;
   // A candidate that still shows the difference takes the place of the finding.
-  const Still still = [&](const gl::Case& candidate) {
+  const InterestingnessTest keep_if_interesting = [&](const gl::Case& candidate) {
     if (!alikeness.holds_for(candidate)) return false;
     std::optional<Finding> found = difference_of(candidate, difference, fresh());
     if (!found) return false;
@@ -287,7 +287,7 @@ Finding Reducer::reduce(Finding finding) {
     difference = difference.completed_by(finding.failure.difference);
     return true;
   };
-  const Still still_in_shared = [&](const gl::Case& candidate) {
+  const InterestingnessTest is_interesting_in_shared = [&](const gl::Case& candidate) {
     return alikeness.holds_for(candidate) &&
            difference_of(candidate, difference,
                          [&](const gl::Case& program, const Specified& specified, Outcomes outcomes,
@@ -307,21 +307,22 @@ Finding Reducer::reduce(Finding finding) {
   };
   smaller(finding.program);  // in case the library dies during the reduction
   // A difference that shows without display lists as well is no bug of lists.
-  if (gl::uses_lists(finding.program)) still(gl::without_lists(finding.program));
+  if (gl::uses_lists(finding.program)) keep_if_interesting(gl::without_lists(finding.program));
   // Most differences have a known cause. The shared context quickly shows which one it may be.
   const bool uses_shared = shared() && vertices_of(finding.program) <= kMostVertices;
   if (const Finding* const known = explanation(finding.program, difference, uses_shared)) {
     finding = *known;
     return finish();
   }
-  for (const std::string& word : words_of(finding.program)) still(without_word(finding.program, word));
+  for (const std::string& stem : stems_of(finding.program))
+    keep_if_interesting(without_stem(finding.program, stem));
   // The program is first shrunk in the shared context, where runs are cheap, so that few runs in fresh
   // contexts remain.
-  if (uses_shared && still_in_shared(finding.program))
-    still(shrink(finding.program, still_in_shared, kInShared * most_attempts_));
+  if (uses_shared && is_interesting_in_shared(finding.program))
+    keep_if_interesting(shrink(finding.program, is_interesting_in_shared, kInShared * most_attempts_));
   // Each run of a program that draws very much takes long, so it gets fewer attempts.
   const std::int64_t size = std::max<std::int64_t>(vertices_of(finding.program) / kMostVertices, 1);
-  shrink(gl::Case(finding.program), still,
+  shrink(gl::Case(finding.program), keep_if_interesting,
          most_attempts_ / static_cast<int>(std::min<std::int64_t>(size, most_attempts_)), smaller);
   // If a command that has to be rejected raises no error or a wrong one, this is closer to the cause than its
   // effects.

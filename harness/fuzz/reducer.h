@@ -9,21 +9,19 @@
 #include <evalcts/fuzz/finding.h>
 #include <evalcts/fuzz/known_programs.h>
 #include "shared_context.h"
+#include "shrink.h"
 
 namespace evalcts::fuzz {
 
-// Returns true if a candidate still shows the difference.
-using Still = std::function<bool(const gl::Case&)>;
-
 // Returns the commands of the program whose stems occur in the minimal program as well ("Map1", "EvalCoord1";
 // the form of the arguments does not count). Returns none if the program does not have all of these stems.
-std::optional<gl::Case> with_words_of(const gl::Case& minimal, const gl::Case& program);
+std::optional<gl::Case> with_stems_of(const gl::Case& minimal, const gl::Case& program);
 
 // Returns true if these commands still show the difference, and no longer do so without all commands of any
 // one stem: the program then has the bug of the minimal program. Commands that have to raise an error, which
 // `specified` tells, are left out unless the minimal program asks for errors.
 bool is_explained_by(const gl::Case& minimal, const gl::Case& program, const Specified& specified,
-                     const Still& still);
+                     const InterestingnessTest& is_interesting);
 
 // Keeps what may have bugs of its own out of the candidates of a reduction: a mesh or a point of the initial
 // grid, and calls of a list that is not defined.

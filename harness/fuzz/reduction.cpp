@@ -24,9 +24,10 @@ using Clock = std::chrono::steady_clock;
 constexpr int kMostAttempts = 150;  // maximum number of candidates for one program
 constexpr auto kReportReductionEvery = std::chrono::milliseconds(500);
 
-class CaseReducer {
+// Answers the jobs of the kind "reduce" of a worker.
+class ReductionJobs {
  public:
-  CaseReducer(const Subject& subject, std::function<void(const StillReducing&)> report)
+  ReductionJobs(const Subject& subject, std::function<void(const StillReducing&)> report)
       : subject_(subject),
         report_(std::move(report)),
         table_(subject.implementation->create_context()->table()),
@@ -35,13 +36,13 @@ class CaseReducer {
         reducer_(subject, shared_.get(), kMostAttempts,
                  {.alive = [this] { report_now_and_then(); }, .is_over = [this] { return is_over(); }}) {}
 
-  Reduction reduce(const FailingCase& failing) {
+  Reduction run(const FailingCase& failing) {
     seconds_ = failing.seconds;
     begin_ = Clock::now();
-    if (failing.test.starts_with(kProof)) {
-      const std::optional<Finding> proof = reducer_.prove(failing.test.substr(std::size(kProof) - 1));
-      if (!proof && is_over()) return not_reduced(failing, kOutOfTime);
-      return {failing.test, proof, proof ? "" : "its programs do not fail here as the register describes"};
+    if (failing.is_known_bug) {
+      const std::optional<Finding> proof = reducer_.prove(failing.test);
+      return {failing.test, proof, proof ? "" : "its programs do not fail here as the register describes",
+              true};
     }
     if (failing.commands.empty())
       return not_reduced(failing, "the test compares several cases, or its case has no plain form as data");
@@ -110,8 +111,8 @@ class CaseReducer {
 
 std::function<Reduction(const FailingCase&)> case_reducer(
     const Subject& subject, const std::function<void(const StillReducing&)>& report) {
-  const auto reducer = std::make_shared<CaseReducer>(subject, report);
-  return [reducer](const FailingCase& failing) { return reducer->reduce(failing); };
+  const auto jobs = std::make_shared<ReductionJobs>(subject, report);
+  return [jobs](const FailingCase& failing) { return jobs->run(failing); };
 }
 
 }  // namespace evalcts::fuzz

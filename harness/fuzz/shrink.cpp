@@ -124,9 +124,9 @@ gl::Case with_all(const gl::Case& program, Command (*plainer)(Command)) {
 
 class Shrinker {
  public:
-  Shrinker(gl::Case best, const std::function<bool(const gl::Case&)>& still, int most,
+  Shrinker(gl::Case best, const InterestingnessTest& is_interesting, int most,
            const std::function<void(const gl::Case&)>& smaller)
-      : best_(std::move(best)), still_(still), left_(most), smaller_(smaller) {}
+      : best_(std::move(best)), is_interesting_(is_interesting), left_(most), smaller_(smaller) {}
 
   gl::Case shrink() {
     for (bool again = true; again && left_ > 0;) {
@@ -148,7 +148,7 @@ class Shrinker {
     --left_;
     gl::Case candidate(best_.identity());
     for (Command& command : commands) candidate.add(std::move(command));
-    if (!still_(candidate)) return false;
+    if (!is_interesting_(candidate)) return false;
     best_ = std::move(candidate);
     if (smaller_) smaller_(best_);
     return true;
@@ -387,16 +387,16 @@ class Shrinker {
   }
 
   gl::Case best_;
-  const std::function<bool(const gl::Case&)>& still_;
+  const InterestingnessTest& is_interesting_;
   int left_;
   const std::function<void(const gl::Case&)>& smaller_;
 };
 
 }  // namespace
 
-gl::Case shrink(const gl::Case& program, const std::function<bool(const gl::Case&)>& still, int most,
+gl::Case shrink(const gl::Case& program, const InterestingnessTest& is_interesting, int most,
                 const std::function<void(const gl::Case&)>& smaller) {
-  return Shrinker(program, still, most, smaller).shrink();
+  return Shrinker(program, is_interesting, most, smaller).shrink();
 }
 
 std::vector<gl::Case> forms_of(const gl::Case& program) {

@@ -8,10 +8,13 @@
 
 namespace evalcts::fuzz {
 
-// Returns a smaller program for which still() returns true, as it must for `program`. Removes commands,
+// The interestingness test of delta debugging: returns true if a candidate still shows the difference.
+using InterestingnessTest = std::function<bool(const gl::Case&)>;
+
+// Returns a smaller program that is interesting, as `program` must be. Removes commands,
 // lowers orders and counts, and replaces values by 0, 1 and small integers, until no change succeeds or
-// still() has been called `most` times. Calls `smaller` with each smaller program.
-gl::Case shrink(const gl::Case& program, const std::function<bool(const gl::Case&)>& still, int most,
+// is_interesting() has been called `most` times. Calls `smaller` with each smaller program.
+gl::Case shrink(const gl::Case& program, const InterestingnessTest& is_interesting, int most,
                 const std::function<void(const gl::Case&)>& smaller = {});
 
 // Returns the program itself and two plainer forms, which are likely to have the same cause: with EvalCoordf

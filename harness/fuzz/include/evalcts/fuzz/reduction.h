@@ -12,19 +12,20 @@ namespace evalcts::fuzz {
 
 // The first failing case of a test, or a known bug that has to be proven.
 struct FailingCase {
-  std::string test;  // name of the test, or kProof and the ID of the bug
+  std::string test;  // the name of the test; the ID of the bug
   Difference difference;
   std::string commands;  // JSON text (gl/case_json.h); may be empty
   double seconds = 0;    // time limit; 0: none
+  bool is_known_bug = false;
 };
-inline constexpr char kProof[] = "known bug ";
 
 // The outcome of one reduction. For a known bug: its finding, if one of its programs fails here as the
 // register describes.
 struct Reduction {
-  std::string test;
+  std::string test;                // as in the FailingCase
   std::optional<Finding> minimal;  // none if the case could not be reduced
   std::string why_not;             // the reason in this case
+  bool is_known_bug = false;
 };
 
 struct StillReducing {};  // reported every half second, which distinguishes a slow case from a hang
