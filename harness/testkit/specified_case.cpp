@@ -193,8 +193,10 @@ gl::Ref Test::same_as(const Specified& specified, const gl::Case& script, gl::Re
   return {};
 }
 
-void Test::judge_answers(const gl::Case& script, const Specified& specified) {
-  CheckedTrace checked = play(script);
+void Test::judge_answers(const gl::Case& script, const gl::DeliveredCase& delivered,
+                         const Specified& specified) {
+  const std::uint64_t begun = cases_;
+  CheckedTrace checked = play(delivered);
   const gl::Trace& trace = checked.trace();
   // A Begin that is lost shows in missing errors, or in effects of commands that are legal outside of a
   // primitive; their error is then that of End.
@@ -258,6 +260,8 @@ void Test::judge_answers(const gl::Case& script, const Specified& specified) {
   }
   decided_.clear();
   snapshot_.clear();
+  // If controls have run, a later crash is that of the case again.
+  if (cases_ != begun && subject_.before_case) subject_.before_case(delivered.script);
   if (!fault_outside_evaluators_.empty() && checked.failures() == 0)
     throw NotObservable(fault_outside_evaluators_);
 }
@@ -275,22 +279,27 @@ Specified Test::specify_answers(const gl::Case& script) const {
 }
 
 void Test::judge(const gl::Case& script) {
-  judge_answers(script);
-  const Prediction prediction = predict(delivery_.apply(script).script, max_order());
-  if (prediction.vertex_count() == 0) return;
-  judge_emission(begin_case(script).script, prediction, kJudged, Thoroughness::kAllVertices);
+  const gl::DeliveredCase delivered = begin_case(script);
+  judge_answers(script, delivered, specify_answers(script));
+  const Prediction prediction = predict(delivered.script, max_order());
+  if (prediction.vertex_count() > 0)
+    judge_emission(delivered.script, prediction, kJudged, Thoroughness::kAllVertices);
 }
 
-void Test::judge_answers(const gl::Case& script) { judge_answers(script, specify_answers(script)); }
+void Test::judge_answers(const gl::Case& script) {
+  const gl::DeliveredCase delivered = begin_case(script);
+  judge_answers(script, delivered, specify_answers(script));
+}
 
 void Test::judge(const gl::Case& script, const Specified& specified, Outcomes outcomes,
                  Attributes attributes) {
-  if (outcomes == Outcomes::kAll || outcomes == Outcomes::kAnswers) judge_answers(script, specified);
+  if (!delivery_.name.empty()) throw std::logic_error("a prediction is of the case as it is delivered");
+  const gl::DeliveredCase delivered = begin_case(script);
+  if (outcomes == Outcomes::kAll || outcomes == Outcomes::kAnswers)
+    judge_answers(script, delivered, specified);
   if (outcomes == Outcomes::kAnswers) return;
   if (outcomes == Outcomes::kAll && specified.prediction.vertex_count() == 0) return;
   if (outcomes == Outcomes::kOrder) judge_order_of_meshes();
-  if (!delivery_.name.empty()) throw std::logic_error("a prediction is of the case as it is delivered");
-  begin_case(script);
   judge_emission(script, specified.prediction, kJudged, Thoroughness::kFirstWrongVertex, attributes);
 }
 

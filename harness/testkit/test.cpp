@@ -102,8 +102,9 @@ gl::DeliveredCase Test::begin_case(const gl::Case& script) {
   return delivered;
 }
 
-CheckedTrace Test::play(const gl::Case& written) {
-  const gl::DeliveredCase delivered = begin_case(written);
+CheckedTrace Test::play(const gl::Case& written) { return play(begin_case(written)); }
+
+CheckedTrace Test::play(const gl::DeliveredCase& delivered) {
   const gl::Case& script = delivered.script;
   const std::unique_ptr<Context> context = subject_.implementation->create_context();
   const gl::Trace trace = context->play(script);

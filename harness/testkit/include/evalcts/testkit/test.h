@@ -147,12 +147,13 @@ class Test : public Conditions {
   gl::DeliveredCase begin_case(const gl::Case& script);
   // Throws NotObservable or MissingEntryPoint unless the test can use contexts in several threads.
   void require_threads();
+  CheckedTrace play(const gl::DeliveredCase& delivered);
   // Runs the case with Enable(CULL_FACE), IsEnabled(LIGHTING) or GetIntegerv(MATRIX_MODE) in place of the
   // commands, queries by Is or Get that are rejected between Begin and End. Throws NotObservable if these
   // take effect or raise no error: the library has then lost the Begin, for example in a display list, or
   // raises no errors at all.
   void require_rejections_in_primitives(const gl::Case& script, const Specified& specified);
-  void judge_answers(const gl::Case& script, const Specified& specified);
+  void judge_answers(const gl::Case& script, const gl::DeliveredCase& delivered, const Specified& specified);
   void judge_answer(CheckedTrace& checked, const gl::Case& script, const Specified& specified, gl::Ref query);
   // Returns the first query of the snapshot with which this one must agree; -1 if there is none.
   gl::Ref same_as(const Specified& specified, const gl::Case& script, gl::Ref query) const;
