@@ -14,6 +14,7 @@
 
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/case_json.h>
+#include <evalcts/gl/roles.h>
 #include <evalcts/gl/tokens.h>
 #include <evalcts/judge/prediction.h>
 #include <evalcts/results/hash.h>
@@ -24,12 +25,12 @@
 namespace evalcts::vectors {
 namespace {
 
+using gl::EntryPoint;
 using gl::Scalar;
 
 // MAX_EVAL_ORDER of the executable specification. Cases with orders above 8, the minimum, have a flag.
 constexpr int kMaxEvalOrder = 64;
 
-std::string name_of(const gl::Command& command) { return std::string(gl::name_of(command.entry).substr(2)); }
 GLenum token(const gl::Value& value) { return static_cast<GLenum>(std::get<std::int64_t>(value)); }
 double real(const gl::Value& value) {
   const auto* const single = std::get_if<float>(&value);
@@ -38,11 +39,14 @@ double real(const gl::Value& value) {
 
 // --- Commands
 
+bool names_texture_unit(const gl::Command& command) {
+  return command.entry == EntryPoint::ActiveTexture || gl::stem_of(command.entry) == "MultiTexCoord";
+}
+
 // Returns the number of texture units that the commands use: one more than the largest that they name, at
 // least 1. Units 8 to 31 exist on some implementations only.
 int texture_units_of(const gl::Command& command) {
-  const std::string name = name_of(command);
-  if (name != "ActiveTexture" && !name.starts_with("MultiTexCoord")) return 1;
+  if (!names_texture_unit(command)) return 1;
   const GLenum unit = token(command.arguments[0]) - GL_TEXTURE0;
   return unit < 32 ? static_cast<int>(unit) + 1 : 1;
 }
@@ -84,7 +88,7 @@ Json call_of(const gl::Command& command) {
   } catch (const std::invalid_argument& problem) {
     throw HasNoForm(problem.what());
   }
-  if (command.entry == gl::EntryPoint::PushAttrib)
+  if (command.entry == EntryPoint::PushAttrib)
     call[1] = bits(static_cast<GLbitfield>(std::get<std::int64_t>(command.arguments[0])));
   return call;
 }
@@ -97,7 +101,7 @@ constexpr std::size_t kMostBytesOfCalls = 60'000;
 gl::Case with_form(const gl::Case& script) {
   gl::Case first_context;
   for (const gl::Command& command : script.commands()) {
-    if (name_of(command).ends_with("EVALCTS")) break;
+    if (gl::name_of(command.entry).ends_with("EVALCTS")) break;
     first_context.add(command);
   }
   const std::vector<bool> known = specified_commands(first_context, OtherState::kSkipped);
@@ -162,16 +166,11 @@ Json answers(const gl::Command& command, const std::vector<reference::PermittedV
 
 // --- The level, and the first version
 
-bool is_map(const gl::Command& command) {
-  const std::string name = name_of(command);
-  return name.starts_with("Map1") || name.starts_with("Map2");
-}
-
 // Returns true if a domain has the ends +0 and -0, which are equal as numbers.
 bool has_zeros_of_both_signs(const gl::Command& map) {
-  const std::size_t count = name_of(map).starts_with("Map2") ? 2 : 1;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double first = real(map.arguments[1 + 4 * i]), last = real(map.arguments[2 + 4 * i]);
+  for (int i = 0; i < gl::dimension_of(map.entry); ++i) {
+    const auto ends = static_cast<std::size_t>(1 + 4 * i);
+    const double first = real(map.arguments[ends]), last = real(map.arguments[ends + 1]);
     if (first == 0 && last == 0 && std::signbit(first) != std::signbit(last)) return true;
   }
   return false;
@@ -187,16 +186,15 @@ struct Shown {
 Shown shown_by(const gl::Case& script) {
   Shown shown;
   for (const gl::Command& command : script.commands()) {
-    const std::string name = name_of(command);
-    const GLenum cap = name == "Enable" ? token(command.arguments[0]) : 0;
-    shown.color =
-        shown.color || name.starts_with("Color") || cap == GL_MAP1_COLOR_4 || cap == GL_MAP2_COLOR_4;
-    shown.normal = shown.normal || name.starts_with("Normal") || cap == GL_AUTO_NORMAL ||
-                   cap == GL_MAP1_NORMAL || cap == GL_MAP2_NORMAL;
+    const std::string stem = gl::stem_of(command.entry);
+    const GLenum cap = command.entry == EntryPoint::Enable ? token(command.arguments[0]) : 0;
+    shown.color = shown.color || stem == "Color" || cap == GL_MAP1_COLOR_4 || cap == GL_MAP2_COLOR_4;
+    shown.normal = shown.normal || stem == "Normal" || cap == GL_AUTO_NORMAL || cap == GL_MAP1_NORMAL ||
+                   cap == GL_MAP2_NORMAL;
     const bool evaluates = (cap >= GL_MAP1_TEXTURE_COORD_1 && cap <= GL_MAP1_TEXTURE_COORD_4) ||
                            (cap >= GL_MAP2_TEXTURE_COORD_1 && cap <= GL_MAP2_TEXTURE_COORD_4);
-    if (evaluates || name.starts_with("TexCoord")) shown.texture_units = std::max(shown.texture_units, 1);
-    if (name.starts_with("MultiTexCoord"))
+    if (evaluates || stem == "TexCoord") shown.texture_units = std::max(shown.texture_units, 1);
+    if (stem == "MultiTexCoord")
       shown.texture_units = std::max(shown.texture_units, texture_units_of(command));
   }
   return shown;
@@ -207,18 +205,18 @@ Shown shown_by(const gl::Case& script) {
 class Standing {
  public:
   void see(const gl::Command& command, const std::vector<reference::PermittedValue>& permitted) {
-    const std::string name = name_of(command);
-    if (name == "ActiveTexture" || name.starts_with("MultiTexCoord")) need(13);
-    if (name.starts_with("Getn")) need(45);
-    if (name == "PushAttrib") {
+    const EntryPoint entry = command.entry;
+    if (names_texture_unit(command)) need(13);
+    if (gl::stem_of(entry) == "GetnMap") need(45);
+    if (entry == EntryPoint::PushAttrib) {
       const GLenum mask = token(command.arguments[0]);
       pushes_enables_ = pushes_enables_ || ((mask & GL_ENABLE_BIT) != 0 && (mask & GL_EVAL_BIT) == 0);
     }
-    if ((name == "Enable" || name == "Disable" || name == "IsEnabled") &&
+    if ((entry == EntryPoint::Enable || entry == EntryPoint::Disable || entry == EntryPoint::IsEnabled) &&
         token(command.arguments[0]) == GL_AUTO_NORMAL)
       names_automatic_normals_ = true;
     if (pushes_enables_ && names_automatic_normals_) need(11);
-    if (is_map(command) && has_zeros_of_both_signs(command)) level_ = "advisory";
+    if (gl::role_of(entry) == gl::Role::kMap && has_zeros_of_both_signs(command)) level_ = "advisory";
     for (const reference::PermittedValue& value : permitted) need(value.since);
   }
   void see(const reference::Vertex& vertex, int texture_units) {
@@ -373,12 +371,18 @@ Json summary(const Primitives& primitives, const Shown& shown, Standing& standin
   return {{"primitives", std::move(listed_runs)}, {"digest", digest.text()}, {"samples", std::move(samples)}};
 }
 
-bool may_emit(const gl::Command& command) {
-  const std::string name = name_of(command);
-  return name == "End" || name.starts_with("EvalMesh") || name.starts_with("CallList");
+bool calls_list(const gl::Command& command) {
+  return command.entry == EntryPoint::CallList || command.entry == EntryPoint::CallLists;
 }
 
-bool returns_a_flag(const gl::Command& command) { return name_of(command).starts_with("Is"); }
+bool may_emit(const gl::Command& command) {
+  return command.entry == EntryPoint::End || gl::role_of(command.entry) == gl::Role::kEvalMesh ||
+         calls_list(command);
+}
+
+bool returns_a_flag(const gl::Command& command) {
+  return command.entry == EntryPoint::IsEnabled || command.entry == EntryPoint::IsList;
+}
 bool writes(const gl::Command& command) {
   return !command.arguments.empty() && std::holds_alternative<gl::Output>(command.arguments.back());
 }
@@ -455,7 +459,7 @@ class PossibleEnds {
     due_ = {
         .error = std::ranges::any_of(specified.errors, [](const auto& errors) { return !errors.empty(); }),
         .vertex = specified.prediction.vertex_count() > 0,
-        .call = std::ranges::any_of(script.commands(), is_call)};
+        .call = std::ranges::any_of(script.commands(), calls_list)};
     for (int i = 0; i < count && !due_.error && !due_.vertex && !due_.call; ++i)
       due_.answer = due_.answer || shows_an_answer(script.commands()[static_cast<std::size_t>(i)]);
   }
@@ -464,12 +468,12 @@ class PossibleEnds {
   bool may_end_behind(std::size_t i) {
     const gl::Command& command = script_.commands()[i];
     const bool is_rejected = !specified_.errors[i].empty();
-    if (!is_rejected && command.entry == gl::EntryPoint::NewList) is_compiling_ = true;
-    if (!is_rejected && command.entry == gl::EntryPoint::EndList) is_compiling_ = false;
+    if (!is_rejected && command.entry == EntryPoint::NewList) is_compiling_ = true;
+    if (!is_rejected && command.entry == EntryPoint::EndList) is_compiling_ = false;
     seen_.error = seen_.error || is_rejected;
     for (; completed_ < specified_.completed[i]; ++completed_)
       seen_.vertex = seen_.vertex || !specified_.prediction.primitives[completed_].vertices.empty();
-    seen_.call = seen_.call || (!is_compiling_ && is_call(command));
+    seen_.call = seen_.call || (!is_compiling_ && calls_list(command));
     seen_.answer = seen_.answer || (!is_compiling_ && shows_an_answer(command));
     return !specified_.inside[i] && !is_compiling_ && seen_.error >= due_.error &&
            seen_.vertex >= due_.vertex && seen_.call >= due_.call && seen_.answer >= due_.answer &&
@@ -480,7 +484,6 @@ class PossibleEnds {
   struct Things {
     bool error = false, vertex = false, call = false, answer = false;
   };
-  static bool is_call(const gl::Command& command) { return name_of(command).starts_with("CallList"); }
   static bool shows_an_answer(const gl::Command& command) {
     return writes(command) || returns_a_flag(command) || may_emit(command);
   }
@@ -503,7 +506,7 @@ gl::Case cut_off(const gl::Case& whole, std::size_t most_bytes) {
   std::size_t kept = 0, most = std::numeric_limits<std::size_t>::max();
   try {
     for (std::size_t i = 0; i < script.commands().size(); ++i) {
-      if (script.commands()[i].entry != gl::EntryPoint::GetError) steps.add(i);
+      if (script.commands()[i].entry != EntryPoint::GetError) steps.add(i);
       if (kept > 0 && steps.bytes() > most) break;
       if (!possible.may_end_behind(i)) continue;
       if (kept == 0) most = std::max(most_bytes, steps.bytes() + kAtLeastMore);
@@ -521,7 +524,7 @@ Json sequence(const gl::Case& script) {
   const Specified specified = specify(script, kMaxEvalOrder);
   Steps steps(script, specified);
   for (std::size_t i = 0; i < script.commands().size(); ++i)
-    if (script.commands()[i].entry != gl::EntryPoint::GetError) steps.add(i);
+    if (script.commands()[i].entry != EntryPoint::GetError) steps.add(i);
   return std::move(steps).sequence();
 }
 
