@@ -46,11 +46,6 @@ class ReferenceContext final : public Context {
   ReferenceContext& operator=(const ReferenceContext&) = delete;
 
   const gl::Table& table() const override { return table_; }
-  void make_current() override { switch_to(0); }
-  void release() override {
-    of_the_case_ = nullptr;
-    CurrentSpecification::current = nullptr;
-  }
   bool has_sink() const override { return true; }
   std::vector<ObservedPrimitive> take_emitted() override {
     std::vector<ObservedPrimitive> primitives;
@@ -88,7 +83,6 @@ class Reference final : public Implementation {
   gl::Table table_ = [] {
     gl::Table table = bind_methods<CurrentSpecification, Specification>();
     table.OtherContextEVALCTS = &ReferenceContext::other;
-    table.MoveToThreadEVALCTS = [](GLuint) {};
     return table;
   }();
 };

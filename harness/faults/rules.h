@@ -153,7 +153,7 @@ inline const Value kOpenMode{[](Call&) { return tracked().primitive; }};
 inline const Value kUnit{[](Call&) { return tracked().unit; }};           // set by the last ActiveTexture
 inline const Value kListMode{[](Call&) { return tracked().list_mode; }};  // 0 if no list is open
 inline const Value kCompiling{[](Call&) { return tracked().list_mode == GL_COMPILE; }};
-inline const Value kThread{[](Call&) { return gettid(); }};  // getpid() is the first thread
+inline const Value kThread{[](Call&) { return gettid(); }};      // getpid() is the first thread
 inline const Value kKind{[](Call&) { return tracked().kind; }};  // the argument of ContextOfKindEVALCTS
 // The argument of the PushAttrib that the next PopAttrib undoes.
 inline const Value kLevelMask{[](Call&) { return tracked().masks.empty() ? 0 : tracked().masks.back(); }};

@@ -167,7 +167,7 @@ void* get_address(const char* command) {
 
 const evalcts_provider* evalcts_provider_open() {
   static const evalcts_provider kProvider = {
-      EVALCTS_PROVIDER_VERSION, create,       destroy,           get_address,
-      osmesa_provider::error,   make_current, create_color_index};
+      EVALCTS_PROVIDER_VERSION, create, destroy, get_address, osmesa_provider::error, make_current,
+      create_color_index,       nullptr};
   return &kProvider;
 }
