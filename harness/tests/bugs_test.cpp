@@ -352,11 +352,20 @@ TEST(Bugs, WhatIsNotReducedBelongsToTheBugOfTheBaseline) {
 
 TEST(Bugs, ThatExplicitVerticesShowAsWellAreNotFailures) {
   RunResult run;
-  for (const char* name : {"A.Shared", "B.OfBoth", "C.Known", "D.Own"})
-    run.tests.push_back({.name = name, .verdict = Verdict::kCrash});
-  run.bugs = {{.title = "End crashes", .outside_evaluators = true, .tests = {"A.Shared", "B.OfBoth"}},
-              {.title = "known", .outside_evaluators = true, .tests = {"C.Known"}, .known = "mesa-known"},
-              {.title = "EvalMesh1 crashes", .tests = {"B.OfBoth", "D.Own"}}};
+  for (const char* name : {"A.Shared", "B.OfBoth", "C.Known", "D.Own"}) {
+    run.tests.emplace_back().name = name;
+    run.tests.back().verdict = Verdict::kCrash;
+  }
+  const auto add = [&](const char* title, bool is_shared, std::vector<std::string> tests) {
+    Bug& bug = run.bugs.emplace_back();
+    bug.title = title;
+    bug.outside_evaluators = is_shared;
+    bug.tests = std::move(tests);
+  };
+  add("End crashes", true, {"A.Shared", "B.OfBoth"});
+  add("known", true, {"C.Known"});
+  run.bugs.back().known = "mesa-known";
+  add("EvalMesh1 crashes", false, {"B.OfBoth", "D.Own"});
   set_aside_shared_bugs(run);
   ASSERT_EQ(run.bugs.size(), 2u);
   EXPECT_EQ(run.bugs[0].title, "known");

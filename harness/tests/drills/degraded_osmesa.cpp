@@ -155,6 +155,7 @@ const evalcts_provider* evalcts_provider_open() {
                                              get_address,
                                              osmesa_provider::error,
                                              nullptr,
+                                             nullptr,
                                              nullptr};
   return &kProvider;
 }
