@@ -17,14 +17,19 @@ namespace {
 
 constexpr CurrentValues kCurrent = {{0.125f, 0.25f, 0.5f, 0.75f}, {0.6f, 0, -0.8f}};
 
-// Returns the commands without MultiTexCoord of units that the implementation does not have, which is
-// undefined (GL 1.3 2.7).
+// Returns the commands that choose texture units only if GL 1.3 has them, and MultiTexCoord only of units
+// that the implementation has, because others are undefined (GL 1.3 2.7).
 gl::Case with_units_of(const Test& t, const gl::Case& past) {
   gl::Case left = past.without_commands();
-  for (const gl::Command& command : past.commands())
-    if (gl::stem_of(command.entry) != "MultiTexCoord" ||
-        gl::integer_of(command, 0) < GL_TEXTURE0 + t.texture_units())
-      left.add(command);
+  for (const gl::Command& command : past.commands()) {
+    const std::string stem = gl::stem_of(command.entry);
+    const bool is_of_units = stem == "MultiTexCoord" || stem == "ActiveTexture";
+    if (is_of_units &&
+        (!t.gl().at_least(1, 3) ||
+         (stem == "MultiTexCoord" && gl::integer_of(command, 0) >= GL_TEXTURE0 + t.texture_units())))
+      continue;
+    left.add(command);
+  }
   return left;
 }
 

@@ -244,8 +244,9 @@ const Part& drawn_once(const std::string& name, const std::function<Part()>& dra
 }
 
 void set_up_texture(gl::Case& c) {
-  c.BindTexture(GL_TEXTURE_2D, 1);
-  c.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, std::vector<GLubyte>(4, 255));
+  constexpr GLint kComponents = 4;  // GL 1.0 has neither names of internal formats nor texture objects
+  c.TexImage2D(GL_TEXTURE_2D, 0, kComponents, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+               std::vector<GLubyte>(4, 255));
   c.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   c.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   c.Enable(GL_TEXTURE_2D);

@@ -205,6 +205,9 @@ CaptureRecord Session::prove(const std::string& name) {
     try {
       capture->prove(*implementation_, subject_.info);
       result.shows = evalcts::describe(capture->attributes());
+      if (const Attributes inexact = capture->inexact_attributes())
+        result.shows = (capture->attributes() ? result.shows + ", and inexactly " : "inexactly ") +
+                       evalcts::describe(inexact);
     } catch (const NotObservable& exception) {
       result.available = false;
       result.reason = exception.what();

@@ -101,8 +101,8 @@ class Test : public Conditions {
   RecordedVaryings record_varyings(const gl::Case& script, const VaryingShader& shader,
                                    std::size_t most_vertices);
 
-  // Plays the case many times, all in one context or each in a new one. Returns the memory that each time
-  // keeps, in bytes: the median growth of the resident memory of the process over several rounds.
+  // Plays the case 48 times, all in one context or each in a new one. Returns the memory that each time
+  // keeps, in bytes: the median growth of the resident memory of the process over the last five of six rounds.
   double kept_memory(const gl::Case& script, bool in_new_contexts);
 
   // Runs `body` in a new thread, until it ends. All contexts of its cases are created there. Throws
