@@ -26,11 +26,11 @@ FAULT(EvaluationsAreCounted, "EV-CTX-UNBOUNDED", "EvalCoord does nothing from th
       before(kEvalCoords, set(kCount, kCount + 1)), skip(kEvalCoords, kCount > 100000));
 FAULT(MapsInLateListsAreLost, "EV-CTX-UNBOUNDED", "maps are not compiled into lists from the 257th on",
       before(NewList, set(kCount, kCount + 1)), skip(kMaps, kListMode&& kCount > 256));
-FAULT(MapsAreKept, "EV-CTX-UNBOUNDED", "each Map1 and Map2 keeps 256 bytes of memory for good",
-      after(kMaps, [](Call&) {
-        static std::vector<std::unique_ptr<std::array<char, 256>>> kept;
-        kept.push_back(std::make_unique<std::array<char, 256>>());
-      }));
+QUALITY_FAULT(MapsAreKept, "EV-CTX-UNBOUNDED", "each Map1 and Map2 keeps 256 bytes of memory for good",
+              after(kMaps, [](Call&) {
+                static std::vector<std::unique_ptr<std::array<char, 256>>> kept;
+                kept.push_back(std::make_unique<std::array<char, 256>>());
+              }));
 FAULT(MapsAreCounted, "EV-CTX-UNBOUNDED", "Map1 and Map2 do nothing from the thousandth call on",
       before(kMaps, set(kCount, kCount + 1)), skip(kMaps, kCount > 1000));
 FAULT(UpperEndAvoided, "EV-MAP1-ZEROPOW", "u2 is evaluated just below, at 0.999, so that 0^0 is never needed",

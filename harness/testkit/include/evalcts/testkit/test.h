@@ -102,7 +102,8 @@ class Test : public Conditions {
                                    std::size_t most_vertices);
 
   // Plays the case 48 times, all in one context or each in a new one. Returns the memory that each time
-  // keeps, in bytes: the median growth of the resident memory of the process over the last five of six rounds.
+  // keeps, in bytes: the median growth over the last five of six rounds of the memory that malloc has given
+  // out, or of the resident memory of the process if that grows more.
   double kept_memory(const gl::Case& script, bool in_new_contexts);
 
   // Runs `body` in a new thread, until it ends. All contexts of its cases are created there. Throws
