@@ -1,5 +1,5 @@
-// An implementation with injected mistakes, for tests in this process: `production` with some entry points
-// replaced.
+// An implementation with injected mistakes, for tests in this process: `production` or another one with some
+// entry points replaced.
 #pragma once
 
 #include <memory>
@@ -12,8 +12,9 @@ namespace evalcts {
 
 class Altered final : public Implementation {
  public:
-  // `alter` replaces entry points of the table of each new context; it may be null.
-  explicit Altered(void (*alter)(gl::Table&)) : alter_(alter) {}
+  // `alter` replaces entry points of the table of each new context; it may be null. Throws CannotStart.
+  explicit Altered(void (*alter)(gl::Table&), const std::string& implementation = "production")
+      : inner_(open_implementation({.name = implementation})), alter_(alter) {}
   std::string name() const override { return "altered"; }
   std::unique_ptr<Context> create_context() override {
     return std::make_unique<AlteredContext>(inner_->create_context(), alter_);
@@ -31,7 +32,7 @@ class Altered final : public Implementation {
     }
   };
 
-  std::unique_ptr<Implementation> inner_ = open_implementation({.name = "production"});
+  std::unique_ptr<Implementation> inner_;
   void (*alter_)(gl::Table&);
 };
 

@@ -1,9 +1,9 @@
-// Tests the choice among the captures of an implementation.
+// Tests captures on altered libraries, and the choice among the captures of an implementation.
 #include <gtest/gtest.h>
 
 #include <initializer_list>
 
-#include <evalcts/backends/context_in_front.h>
+#include "altered.h"
 #include "synthetic_capture.h"
 
 namespace evalcts {
@@ -137,46 +137,35 @@ TEST_F(CapturesTest, NamesChooseWhichMayBeUsed) {
   EXPECT_EQ(Captures(implementation_, info_).size(), all_captures().size());
 }
 
-// OSMesa with a feedback mode that divides s, t and r by q, as that of Mesa up to 7 does.
-class DividesByLast final : public Implementation {
- public:
-  std::string name() const override { return "divides by q"; }
-  std::unique_ptr<Context> create_context() override {
-    return std::make_unique<DividingContext>(inner_->create_context());
+// Returns OSMesa with some entry points replaced; null if there is no OSMesa.
+std::unique_ptr<Altered> altered_osmesa(void (*alter)(gl::Table&)) {
+  try {
+    return std::make_unique<Altered>(alter, "osmesa");
+  } catch (const CannotStart&) {
+    return nullptr;
   }
+}
 
- private:
-  class DividingContext final : public ContextInFront {
-   public:
-    explicit DividingContext(std::unique_ptr<Context> inner) : ContextInFront(std::move(inner)) {
-      original = table_;
-      table_.FeedbackBuffer = [](GLsizei size, GLenum type, GLfloat* buffer) {
-        written = buffer;
-        original.FeedbackBuffer(size, type, buffer);
-      };
-      table_.RenderMode = [](GLenum mode) {
-        const GLint count = original.RenderMode(mode);
-        if (mode == GL_RENDER)
-          for (GLint i = 0; i + 12 < count; i += 13)  // points only
-            for (GLint k = i + 9; k < i + 12; ++k)
-              if (written[i + 12] != 0) written[k] /= written[i + 12];
-        return count;
-      };
-    }
+// A feedback mode that divides s, t and r by q, as that of Mesa up to 7 does.
+void divide_by_last(gl::Table& table) {
+  static GLfloat* written = nullptr;
+  table.FeedbackBuffer = [](GLsizei size, GLenum type, GLfloat* buffer) {
+    written = buffer;
+    Altered::original.FeedbackBuffer(size, type, buffer);
   };
-  static inline gl::Table original;
-  static inline GLfloat* written = nullptr;
-
-  std::unique_ptr<Implementation> inner_ = open_implementation({.name = "osmesa"});
-};
+  table.RenderMode = [](GLenum mode) {
+    const GLint count = Altered::original.RenderMode(mode);
+    if (mode == GL_RENDER)
+      for (GLint i = 0; i + 12 < count; i += 13)  // points only
+        for (GLint k = i + 9; k < i + 12; ++k)
+          if (written[i + 12] != 0) written[k] /= written[i + 12];
+    return count;
+  };
+}
 
 TEST_F(CapturesTest, TheFeedbackBufferShowsAllThoughItDividesByTheLastCoordinate) {
-  std::unique_ptr<DividesByLast> divides;
-  try {
-    divides = std::make_unique<DividesByLast>();
-  } catch (const CannotStart& error) {
-    GTEST_SKIP() << error.what();
-  }
+  const std::unique_ptr<Altered> divides = altered_osmesa(divide_by_last);
+  if (!divides) GTEST_SKIP() << "no OSMesa here";
   const std::unique_ptr<Capture> capture = make_feedback_buffer();
   capture->prove(*divides, info_);
   constexpr Attributes kAll = kPosition | kColor | kNormal | kTextureCoordinate0;
@@ -193,6 +182,62 @@ TEST_F(CapturesTest, TheFeedbackBufferShowsAllThoughItDividesByTheLastCoordinate
   EXPECT_EQ(vertex.position, (std::array{4.0f, 5.0f, 6.0f, 3.0f}));
   // q would need a pass of its own, so an observation of colours alone does not claim to show it.
   EXPECT_EQ(capture->observe(*divides, c, {kColor, 1}).attributes & kTextureCoordinate0, 0u);
+}
+
+gl::Case point_with_normal(float x, float y, float z) {
+  gl::Case c;
+  c.Begin(GL_POINTS);
+  c.Normal3f(x, y, z);
+  c.Vertex3f(0, 0, 0);
+  c.End();
+  return c;
+}
+
+TEST_F(CapturesTest, TheFeedbackBufferShowsNormalsByLightIfThereIsNoNormalMap) {
+  const std::unique_ptr<Altered> without_normal_map = altered_osmesa([](gl::Table& table) {
+    table.TexGeni = [](GLenum coordinate, GLenum name, GLint mode) {
+      if (mode != GL_NORMAL_MAP) Altered::original.TexGeni(coordinate, name, mode);
+    };
+  });
+  if (!without_normal_map) GTEST_SKIP() << "no OSMesa here";
+  const std::unique_ptr<Capture> capture = make_feedback_buffer();
+  capture->prove(*without_normal_map, info_);
+  EXPECT_TRUE(capture->attributes() & kNormal);
+  const auto normal_of = [&](const gl::Case& c) {
+    return capture->observe(*without_normal_map, c, {kNormal, 1}).primitives.at(0).vertices.at(0).normal;
+  };
+  for (const std::array<float, 3>& normal : {std::array{0.1f, -0.25f, 0.0f}, std::array{-3.0f, 1e6f, 1e-5f}})
+    EXPECT_EQ(normal_of(point_with_normal(normal[0], normal[1], normal[2])), normal);
+  // Larger values are clamped, and a case that lights its vertices would be misread.
+  EXPECT_THROW(normal_of(point_with_normal(0, 0x1p40f, 0)), NotObservable);
+  gl::Case lit;
+  lit.Disable(GL_LIGHT0);
+  lit.append(point_with_normal(1, 0, 0));
+  EXPECT_THROW(normal_of(lit), NotObservable);
+}
+
+TEST_F(CapturesTest, PixelsShowColorsWithoutShaders) {
+  const std::unique_ptr<Altered> without_shaders =
+      altered_osmesa([](gl::Table& table) { table.CreateProgram = nullptr; });
+  if (!without_shaders) GTEST_SKIP() << "no OSMesa here";
+  const std::unique_ptr<Capture> capture = make_pixels();
+  capture->prove(*without_shaders, info_);
+  EXPECT_EQ(capture->attributes(), 0u);
+  EXPECT_EQ(capture->inexact_attributes(), kColor);
+
+  constexpr std::size_t kPoints = 200;  // more than fit into one picture
+  gl::Case c;
+  c.Begin(GL_POINTS);
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    c.Color4f(static_cast<float>(i) / 255, 1, 0, 0.5f);
+    c.Vertex3f(static_cast<float>(i), -9, 5);
+  }
+  c.End();
+  const Observation seen = capture->observe(*without_shaders, c, {kColor, kPoints});
+  ASSERT_EQ(seen.vertex_count(), kPoints);
+  EXPECT_TRUE(seen.color_error > 0 && seen.color_error < 0.01) << seen.color_error;
+  for (std::size_t i = 0; i < kPoints; ++i)
+    EXPECT_EQ(seen.primitives.at(0).vertices[i].color[0], static_cast<float>(i) / 255.0f) << i;
 }
 
 }  // namespace
