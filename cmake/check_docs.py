@@ -39,6 +39,7 @@ NOT_RUN = {
     "CI services": "needs the environment of a CI service",
     "release": "makes a commit and a tag",
     "virgl": "needs a server, and takes twenty minutes",
+    "gl4es": "needs a build of gl4es",
 }
 # Examples of docs/help that are not run: patterns of their beginnings, and keys of NOT_RUN.
 NOT_RUN_EXAMPLES = {

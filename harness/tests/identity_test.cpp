@@ -149,12 +149,12 @@ TEST(Identity, AnEffectOfACommandThatIsNotRejectedIsItsMissingError) {
 }
 
 // A mesh that is drawn as strips of triangles is not said to have another order only.
-TEST(Identity, AFilledMeshOfStripsDrawsOtherPrimitives) {
+TEST(Identity, AFilledMeshOfLinesDrawsOtherPrimitives) {
   Altered altered([](gl::Table& table) {
     table.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
       if (mode != GL_FILL) return Altered::original.EvalMesh2(mode, i1, i2, j1, j2);
       for (GLint j = j1; j < j2; ++j) {
-        Altered::original.Begin(GL_TRIANGLE_STRIP);
+        Altered::original.Begin(GL_LINE_STRIP);
         for (GLint i = i1; i <= i2; ++i) {
           Altered::original.EvalPoint2(i, j);
           Altered::original.EvalPoint2(i, j + 1);

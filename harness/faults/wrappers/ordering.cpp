@@ -16,8 +16,9 @@ FAULT(BadMeshModeLeavesPrimitiveOpen, "EV-BE-MESHNOTINSIDE",
       after(EvalMesh2, !kIsMode2, call(Begin, {GL_POINTS})));
 FAULT(EmptyLineMeshLeavesStripOpen, "EV-BE-MESHNOTINSIDE", "an empty LINE of EvalMesh1 leaves its strip open",
       after(EvalMesh1, kMode == GL_LINE && kI1 > kI2, call(Begin, {GL_LINE_STRIP})));
-FAULT(ColorWaitsForEnd, "EV-BE-ORDER", "Color4f outside of primitives takes effect after the next primitive",
-      instead(Color4f, !kInside, {drop(), hold()}), after(End, release()));
+FAULT(ColorWaitsForEnd, "EV-BE-ORDER",
+      "if curves are enabled, Color4f outside of primitives takes effect after the next primitive",
+      instead(Color4f, !kInside && maps_vertices(1), {drop(), hold()}), after(End, release()));
 FAULT(GridWaitsForMesh, "EV-BE-ORDER/2-D", "MapGrid2f after a mesh takes effect after the next mesh",
       instead(MapGrid2f, kFlag, {drop(), hold()}), after(EvalMesh2, {set(kFlag, 1), release()}));
 
