@@ -135,19 +135,21 @@ EVALCTS_TEST_PAIR(Numeric.StartIsFirstPoint, Numeric.StartIsCorner, kQuality,
       }
   const Attributes shown = t.shown_exactly(kUnit0);
   const Observation seen = t.observe(c, shown, expected.size() + 8);
-  std::vector<ObservedVertex> got = vertices_of(seen, expected.size());
-  const auto skip_wrong_values = [](auto& values, const auto& right) {  // other tests report them
-    for (std::size_t k = 0; k < right.size(); ++k)
-      if (!(std::abs(values[k] - right[k]) <= 0.01f * std::max(1.0f, std::abs(right[k]))))
-        values[k] = right[k];
-  };
-  for (std::size_t i = 0; i < got.size(); ++i) {
-    skip_wrong_values(got[i].position, expected[i].position);
-    skip_wrong_values(got[i].color, expected[i].color);
-    skip_wrong_values(got[i].normal, expected[i].normal);
-    skip_wrong_values(got[i].texture_coordinate[0], expected[i].texture_coordinate[0]);
-  }
+  const std::vector<ObservedVertex> got = vertices_of(seen, expected.size());
   const Attributes compared = seen.clamped_colors ? shown & ~static_cast<Attributes>(kColor) : shown;
+  const auto require_near = [&](Attribute attribute, const auto& values, const auto& right) {
+    const auto is_near = [](float a, float b) {
+      return std::abs(a - b) <= 0.01f * std::max(1.0f, std::abs(b));
+    };
+    if ((compared & attribute) && !std::ranges::equal(values, right, is_near))
+      throw NotObservable("values at the start of a domain are wrong altogether, which other tests report");
+  };
+  for (std::size_t i = 0; i < std::min(got.size(), expected.size()); ++i) {
+    require_near(kPosition, got[i].position, expected[i].position);
+    require_near(kColor, got[i].color, expected[i].color);
+    require_near(kNormal, got[i].normal, expected[i].normal);
+    require_near(kTextureCoordinate0, got[i].texture_coordinate[0], expected[i].texture_coordinate[0]);
+  }
   expect_same(t, c, expected, got, compared, "the first control point is",
               [](std::size_t i) { return fmt::format("vertex {}", i); });
 };

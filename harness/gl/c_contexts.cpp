@@ -270,8 +270,9 @@ static float emitted[MOST_VERTICES * VALUES];
 static size_t emitted_vertices;
 
 static void emit(const float *position, const float *color, const float *normal, const float *texcoord, size_t units) {
-  float *const values = emitted + VALUES * emitted_vertices;
-  if (emitted_vertices++ >= MOST_VERTICES) return;
+  const size_t number = emitted_vertices++;
+  if (number >= MOST_VERTICES) return;
+  float *const values = emitted + VALUES * number;
   if (position) memcpy(values, position, 4 * sizeof(float));
   if (color) memcpy(values + 4, color, 4 * sizeof(float));
   if (normal) memcpy(values + 8, normal, 3 * sizeof(float));

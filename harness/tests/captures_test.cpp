@@ -137,13 +137,13 @@ TEST_F(CapturesTest, NamesChooseWhichMayBeUsed) {
   EXPECT_EQ(Captures(implementation_, info_).size(), all_captures().size());
 }
 
-// Returns OSMesa with some entry points replaced; null if there is no OSMesa.
-std::unique_ptr<Altered> altered_osmesa(void (*alter)(gl::Table&)) {
-  try {
-    return std::make_unique<Altered>(alter, "osmesa");
-  } catch (const CannotStart&) {
-    return nullptr;
-  }
+// Returns OSMesa, or else EGL, with some entry points replaced; null if neither starts.
+std::unique_ptr<Altered> altered_gl(void (*alter)(gl::Table&)) {
+  for (const char* implementation : {"osmesa", "egl"}) try {
+      return std::make_unique<Altered>(alter, implementation);
+    } catch (const CannotStart&) {
+    }
+  return nullptr;
 }
 
 // A feedback mode that divides s, t and r by q, as that of Mesa up to 7 does.
@@ -164,8 +164,8 @@ void divide_by_last(gl::Table& table) {
 }
 
 TEST_F(CapturesTest, TheFeedbackBufferShowsAllThoughItDividesByTheLastCoordinate) {
-  const std::unique_ptr<Altered> divides = altered_osmesa(divide_by_last);
-  if (!divides) GTEST_SKIP() << "no OSMesa here";
+  const std::unique_ptr<Altered> divides = altered_gl(divide_by_last);
+  if (!divides) GTEST_SKIP() << "neither OSMesa nor EGL here";
   const std::unique_ptr<Capture> capture = make_feedback_buffer();
   capture->prove(*divides, info_);
   constexpr Attributes kAll = kPosition | kColor | kNormal | kTextureCoordinate0;
@@ -194,12 +194,12 @@ gl::Case point_with_normal(float x, float y, float z) {
 }
 
 TEST_F(CapturesTest, TheFeedbackBufferShowsNormalsByLightIfThereIsNoNormalMap) {
-  const std::unique_ptr<Altered> without_normal_map = altered_osmesa([](gl::Table& table) {
+  const std::unique_ptr<Altered> without_normal_map = altered_gl([](gl::Table& table) {
     table.TexGeni = [](GLenum coordinate, GLenum name, GLint mode) {
       if (mode != GL_NORMAL_MAP) Altered::original.TexGeni(coordinate, name, mode);
     };
   });
-  if (!without_normal_map) GTEST_SKIP() << "no OSMesa here";
+  if (!without_normal_map) GTEST_SKIP() << "neither OSMesa nor EGL here";
   const std::unique_ptr<Capture> capture = make_feedback_buffer();
   capture->prove(*without_normal_map, info_);
   EXPECT_TRUE(capture->attributes() & kNormal);
@@ -218,8 +218,8 @@ TEST_F(CapturesTest, TheFeedbackBufferShowsNormalsByLightIfThereIsNoNormalMap) {
 
 TEST_F(CapturesTest, PixelsShowColorsWithoutShaders) {
   const std::unique_ptr<Altered> without_shaders =
-      altered_osmesa([](gl::Table& table) { table.CreateProgram = nullptr; });
-  if (!without_shaders) GTEST_SKIP() << "no OSMesa here";
+      altered_gl([](gl::Table& table) { table.CreateProgram = nullptr; });
+  if (!without_shaders) GTEST_SKIP() << "neither OSMesa nor EGL here";
   const std::unique_ptr<Capture> capture = make_pixels();
   capture->prove(*without_shaders, info_);
   EXPECT_EQ(capture->attributes(), 0u);

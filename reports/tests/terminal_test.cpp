@@ -220,6 +220,11 @@ TEST(Terminal, SaysForWhichTargetsTheLibraryIsAccurate) {
   record["tests"] =
       json::array({test("Points.SameBits/MAP2_VERTEX_4", "EV-POINT-LIKEMESH", "quality", "pass")});
   EXPECT_FALSE(contains(terminal_of(record, nullptr, false, false), "quality:"));
+  json memory = test("Contexts.MemoryOfMaps", "EV-CTX-UNBOUNDED/1-D", "quality", "quality-warning");
+  memory["message"] = "memory grows by 256 bytes with each Map1f";
+  record["tests"] = json::array({memory});
+  EXPECT_TRUE(contains(terminal_of(record, nullptr, false, false),
+                       "\nquality: memory grows by 256 bytes with each Map1f\n"));
 }
 
 TEST(Terminal, TellsFlakesApart) {
