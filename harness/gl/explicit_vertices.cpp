@@ -15,10 +15,14 @@
 namespace evalcts::gl {
 namespace {
 
-// Issues an explicit vertex whose position depends on the number.
-void vertex(Case& c, int number, Arguments arguments = Arguments::kScalars) {
+// Issues an explicit vertex of three or four components whose position depends on the number.
+void vertex(Case& c, int number, int components = 3, Arguments arguments = Arguments::kScalars) {
   const float x = 0.0625f * static_cast<float>(number % 16), y = 0.03125f * static_cast<float>(number % 32);
-  arguments == Arguments::kArray ? c.Vertex3fv(std::vector<float>{x, y, 0.25f}) : c.Vertex3f(x, y, 0.25f);
+  const bool in_array = arguments == Arguments::kArray;
+  if (components == 4)
+    in_array ? c.Vertex4fv(std::vector<float>{x, y, 0.25f, 1}) : c.Vertex4f(x, y, 0.25f, 1);
+  else
+    in_array ? c.Vertex3fv(std::vector<float>{x, y, 0.25f}) : c.Vertex3f(x, y, 0.25f);
 }
 
 constexpr std::int64_t kMostIndices = 16;
@@ -42,12 +46,16 @@ class EnabledMaps {
   }
 
   // Issues the attributes of the enabled maps of the dimension, with values that depend on the number.
-  // Returns true if one of the maps generates vertices.
-  bool issue_attributes(Case& c, int dimension, int number, Arguments arguments) const {
+  // Returns the number of components of the vertices that the maps generate; 0 if they generate none.
+  int issue_attributes(Case& c, int dimension, int number, Arguments arguments) const {
     const auto is_enabled = [&](GLenum of_one, GLenum of_two) {
       return caps_.contains(dimension == 1 ? of_one : of_two);
     };
     const bool in_array = arguments == Arguments::kArray;
+    const int components = is_enabled(GL_MAP1_VERTEX_4, GL_MAP2_VERTEX_4)   ? 4
+                           : is_enabled(GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_3) ? 3
+                                                                            : 0;
+    if (in_array && components == 0) return 0;
     // Different values for consecutive vertices: a pipeline may give all vertices the values of the last one.
     const float change = 0.0625f * static_cast<float>(number % 8);
     const std::vector<float> color = {0.25f + change, 0.5f, 0.75f - change, 1},
@@ -69,7 +77,7 @@ class EnabledMaps {
     } else if (is_enabled(GL_MAP1_TEXTURE_COORD_1, GL_MAP2_TEXTURE_COORD_1)) {
       in_array ? c.TexCoord1fv(texture) : c.TexCoord1f(s);
     }
-    return is_enabled(GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_3) || is_enabled(GL_MAP1_VERTEX_4, GL_MAP2_VERTEX_4);
+    return components;
   }
 
  private:
@@ -222,8 +230,8 @@ Case with_explicit_commands(const Case& script, IdleCapability idle, Arguments a
   return with_replaced(
       script, idle, [&](const Command& command) { maps.follow(command); },
       [&](Case& c, const Command& command, int number) {
-        if (maps.issue_attributes(c, dimension_of(command.entry), number, arguments))
-          vertex(c, number, arguments);
+        if (const int components = maps.issue_attributes(c, dimension_of(command.entry), number, arguments))
+          vertex(c, number, components, arguments);
       },
       [](Case& c, const Command& mesh, int number) { MeshOfVertices(c, number, mesh, GL_TRIANGLE_STRIP); });
 }

@@ -107,6 +107,8 @@ void CheckedTrace::expect_error_of(gl::Ref raises, gl::Ref get_error, const std:
   const GLenum got = trace_.error(get_error);
   if (std::find(allowed.begin(), allowed.end(), got) != allowed.end()) return;
   require_answer(raises);
+  if (got != GL_NO_ERROR)
+    test_.require_no_error_of_explicit_commands(delivered_.script, as_delivered(get_error), got);
   std::string expected;
   for (const GLenum error : allowed) expected += (expected.empty() ? "" : " or ") + gl::error_name(error);
   const std::string captured = gl::error_name(got);

@@ -63,11 +63,10 @@ void ExplicitControl::require_explicit_vertices(const std::string& what) {
                         found->message);
 }
 
-std::optional<GLenum> ExplicitControl::error_of_explicit_commands(const gl::Case& script,
-                                                                  const std::vector<GLenum>& errors) const {
-  const auto evaluates = [](const gl::Command& command) { return gl::is_evaluation(command.entry); };
-  if (subject_.reproduction || std::ranges::none_of(script.commands(), evaluates)) return std::nullopt;
-  for (const gl::Case& control : {gl::with_explicit_vertices(script), gl::with_explicit_commands(script)}) {
+std::optional<GLenum> ExplicitControl::error_of_controls(const std::vector<gl::Case>& controls,
+                                                         const std::vector<GLenum>& errors) const {
+  if (subject_.reproduction) return std::nullopt;
+  for (const gl::Case& control : controls) {
     try {
       const gl::Trace trace = subject_.implementation->create_context()->play(control);
       for (const GLenum error : trace.left_over_errors())
@@ -77,6 +76,11 @@ std::optional<GLenum> ExplicitControl::error_of_explicit_commands(const gl::Case
     }
   }
   return std::nullopt;
+}
+
+std::optional<GLenum> ExplicitControl::error_of_explicit_commands(const gl::Case& script,
+                                                                  const std::vector<GLenum>& errors) const {
+  return error_of_controls({gl::with_explicit_vertices(script), gl::with_explicit_commands(script)}, errors);
 }
 
 void ExplicitControl::run_controls(const std::function<bool(Implementation&)>& fails) {

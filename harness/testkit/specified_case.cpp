@@ -158,6 +158,14 @@ void Test::judge_answer(CheckedTrace& checked, const gl::Case& script, const Spe
   checked.expect_permitted(query, accepted(permitted, tolerance), expected);
 }
 
+void Test::require_no_error_of_explicit_commands(const gl::Case& script, gl::Ref get_error, GLenum answered) {
+  gl::Case before = script.without_commands();
+  for (int i = 0; i < get_error.index; ++i) before.add(script.commands()[static_cast<std::size_t>(i)]);
+  if (control_.error_of_controls(gl::controls_without_evaluators(before), {answered}))
+    throw NotObservable(fmt::format("pipeline: explicit commands instead of evaluations raise {} as well",
+                                    gl::error_name(answered)));
+}
+
 std::string Test::fault_of_explicit_answer(const gl::Case& script, gl::Ref query) {
   const gl::Command& asked = script.commands()[static_cast<std::size_t>(query.index)];
   if (subject_.is_warm || subject_.reproduction || gl::role_of(asked.entry) != gl::Role::kGet) return {};
@@ -215,30 +223,12 @@ void Test::judge_answers(const gl::Case& script, const gl::DeliveredCase& delive
       require_rejections_in_primitives(script, specified);
       break;
     }
-  // An error that GetError answers is not that of an evaluator command if the commands before GetError raise
-  // it as well with explicit commands in place of the evaluations, or without evaluator commands.
-  const auto require_no_error_of_explicit_commands = [&](std::size_t get_error, GLenum answered) {
-    gl::Case before = script.without_commands();
-    for (std::size_t i = 0; i < get_error; ++i) before.add(script.commands()[i]);
-    bool is_raised = control_.error_of_explicit_commands(before, {answered}).has_value();
-    const bool has_other_commands = !gl().declaration && !subject_.reproduction;
-    for (const gl::Case& control : gl::controls_without_evaluators(before))
-      if (has_other_commands && !is_raised)
-        is_raised =
-            std::ranges::count(subject_.implementation->create_context()->play(control).left_over_errors(),
-                               answered) > 0;
-    if (is_raised)
-      throw NotObservable(fmt::format("pipeline: explicit commands instead of evaluations raise {} as well",
-                                      gl::error_name(answered)));
-  };
   bool errors_are_right = true;
   fault_outside_evaluators_.clear();
   for (std::size_t i = 0; i < script.commands().size(); ++i) {
     const gl::Ref command{static_cast<int>(i)};
     if (!specified.known[i]) continue;
     if (!specified.error_answers[i].empty()) {
-      if (specified.error_answers[i].front() == GL_NO_ERROR && trace.error(command) != GL_NO_ERROR)
-        require_no_error_of_explicit_commands(i, trace.error(command));
       blame(follows_compiled_command(script, i) ? Observed::kCompilingError : Observed::kError);
       const std::size_t failures = checked.failures();
       checked.expect_error_of(raising_command(specified, command), command, specified.error_answers[i]);

@@ -276,7 +276,8 @@ TEST_F(ExplicitControlTest, ErrorThatExplicitVerticesRaiseAsWellIsNotThatOfEvalu
   gl::Case nothing_evaluated("a primitive");
   nothing_evaluated.Begin(GL_POINTS);
   nothing_evaluated.End();
-  EXPECT_EQ(control_.error_of_explicit_commands(nothing_evaluated, {GL_INVALID_OPERATION}), std::nullopt);
+  EXPECT_EQ(control_.error_of_explicit_commands(nothing_evaluated, {GL_INVALID_OPERATION}),
+            GL_INVALID_OPERATION);
 }
 
 TEST_F(ExplicitControlTest, LostAttributesAreThoseOfExplicitVertices) {

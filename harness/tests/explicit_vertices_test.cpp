@@ -150,11 +150,15 @@ TEST(ExplicitCommands, GiveTheAttributesOfTheEnabledMaps) {
   c.Begin(GL_POINTS);
   c.EvalCoord1f(0.5f);
   c.EvalPoint2(1, 2);
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.Enable(GL_MAP2_VERTEX_4);
+  c.EvalPoint2(1, 2);
   c.End();
   EXPECT_EQ(names_of(with_explicit_commands(c)),
-            (Lines{"Begin", "Color4f", "Vertex3f", "Normal3f", "TexCoord2f", "End"}));
+            (Lines{"Begin", "Color4f", "Vertex3f", "Normal3f", "TexCoord2f", "Normal3f", "TexCoord2f",
+                   "Vertex4f", "End"}));
   EXPECT_EQ(names_of(with_explicit_commands(c, {}, Arguments::kArray)),
-            (Lines{"Begin", "Color4fv", "Vertex3fv", "Normal3fv", "TexCoord2fv", "End"}));
+            (Lines{"Begin", "Color4fv", "Vertex3fv", "Normal3fv", "TexCoord2fv", "Vertex4fv", "End"}));
 }
 
 TEST(ExplicitCommands, ConsecutiveVerticesHaveDifferentAttributes) {

@@ -53,6 +53,11 @@ VARIATION(ErrorsOfListsLost, "", "the commands of a display list raise no errors
           after(Entries(CallList) | CallLists, !kInside, discard_errors),
           after(GetError, kListMode == GL_COMPILE_AND_EXECUTE, set(kResult, GL_NO_ERROR)));
 
+VARIATION(NormalOutsideOfPrimitives, "",
+          "Normal raises INVALID_OPERATION outside of Begin and End, and has no effect there",
+          instead(Normal3f | Normal3d | Entries(Normal3fv) | Normal3dv, !kInside && !kListMode,
+                  error_now(GL_INVALID_OPERATION)));
+
 VARIATION(AttributeStackNotInLists, "", "PushAttrib and PopAttrib are not compiled into lists",
           skip(PushAttrib | PopAttrib, kListMode));
 

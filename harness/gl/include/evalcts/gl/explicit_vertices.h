@@ -16,15 +16,16 @@ namespace evalcts::gl {
 // supported by every layer.
 using IdleCapability = std::optional<GLenum>;
 // Returns the first capability without effect on vertices that the library accepts; none if it accepts none.
-// With the initial LogicOp and PolygonOffset, these capabilities have no effect at all. A layer over OpenGL
-// ES may support only the last.
+// With the initial LogicOp and PolygonOffset, these capabilities have no effect at all.
 IdleCapability find_idle_capability(const Table& table);
 
 // Returns the case with each EvalCoord and EvalPoint replaced by a Vertex3f, and each EvalMesh outside of
 // Begin and End by the primitives of its definition (GL 1.0 5.1), with at most 16 vertices in each direction.
 Case with_explicit_vertices(const Case& script, IdleCapability idle = {});
 
-// The form of the commands: Color4f or Color4fv. In a defective pipeline, only one of them may work.
+// The form of the commands. kScalars: Color4f and so on, for each evaluation. kArray: Color4fv, and nothing
+// for an evaluation that generates no vertex, as libraries in front of a GL do. In a defective pipeline, only
+// one of them may work.
 enum class Arguments { kScalars, kArray };
 
 // Returns the case with each evaluation replaced by the commands into which many implementations translate

@@ -125,6 +125,10 @@ class Test : public Conditions {
   // True if a failure has a plot already: one is enough for a test.
   bool has_plot() const;
 
+  // Throws NotObservable if the commands before GetError raise the error that it answered with explicit
+  // commands in place of the evaluations as well, or without commands of evaluators.
+  void require_no_error_of_explicit_commands(const gl::Case& script, gl::Ref get_error, GLenum answered);
+
   // Runs the test; called by the runner.
   void run(const std::function<void(Test&)>& body);
 
