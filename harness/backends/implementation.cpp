@@ -312,10 +312,8 @@ ImplementationInfo inquire(Implementation& implementation) {
   for (std::size_t i = 0; i < gl::kEntryPointCount; ++i)
     if (const auto command = static_cast<gl::EntryPoint>(i); !gl::has(table, command))
       info.missing.insert(command);
-  // A library in front of another GL may keep changes of maps to itself.
-  const bool is_in_front =
-      !implementation.library_below().empty() || !implementation.context_library().empty();
-  if (!is_in_front) info.idle_capability = gl::find_idle_capability(table);
+  info.idle_capability = gl::find_idle_capability(table);
+  info.is_in_front = !implementation.library_below().empty() || !implementation.context_library().empty();
   require_an_effect(*context, info.library.empty() ? "the library" : info.library, info);
   context.reset();
   info.shares_state = state_survives_context(implementation);

@@ -46,16 +46,11 @@ class EnabledMaps {
   }
 
   // Issues the attributes of the enabled maps of the dimension, with values that depend on the number.
-  // Returns the number of components of the vertices that the maps generate; 0 if they generate none.
-  int issue_attributes(Case& c, int dimension, int number, Arguments arguments) const {
+  void issue_attributes(Case& c, int dimension, int number, Arguments arguments) const {
     const auto is_enabled = [&](GLenum of_one, GLenum of_two) {
       return caps_.contains(dimension == 1 ? of_one : of_two);
     };
     const bool in_array = arguments == Arguments::kArray;
-    const int components = is_enabled(GL_MAP1_VERTEX_4, GL_MAP2_VERTEX_4)   ? 4
-                           : is_enabled(GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_3) ? 3
-                                                                            : 0;
-    if (in_array && components == 0) return 0;
     // Different values for consecutive vertices: a pipeline may give all vertices the values of the last one.
     const float change = 0.0625f * static_cast<float>(number % 8);
     const std::vector<float> color = {0.25f + change, 0.5f, 0.75f - change, 1},
@@ -77,7 +72,13 @@ class EnabledMaps {
     } else if (is_enabled(GL_MAP1_TEXTURE_COORD_1, GL_MAP2_TEXTURE_COORD_1)) {
       in_array ? c.TexCoord1fv(texture) : c.TexCoord1f(s);
     }
-    return components;
+  }
+
+  // Returns the number of components of the vertices that the enabled maps of the dimension generate; 0 if
+  // they generate none.
+  int vertex_components(int dimension) const {
+    if (caps_.contains(dimension == 1 ? GL_MAP1_VERTEX_4 : GL_MAP2_VERTEX_4)) return 4;
+    return caps_.contains(dimension == 1 ? GL_MAP1_VERTEX_3 : GL_MAP2_VERTEX_3) ? 3 : 0;
   }
 
  private:
@@ -227,13 +228,20 @@ Case with_explicit_vertices(const Case& script, IdleCapability idle) {
 
 Case with_explicit_commands(const Case& script, IdleCapability idle, Arguments arguments) {
   EnabledMaps maps;
+  const auto is_left_out = [&](const Command& command) {
+    return arguments == Arguments::kArray && maps.vertex_components(dimension_of(command.entry)) == 0;
+  };
   return with_replaced(
       script, idle, [&](const Command& command) { maps.follow(command); },
       [&](Case& c, const Command& command, int number) {
-        if (const int components = maps.issue_attributes(c, dimension_of(command.entry), number, arguments))
-          vertex(c, number, components, arguments);
+        if (is_left_out(command)) return;
+        const int dimension = dimension_of(command.entry), components = maps.vertex_components(dimension);
+        maps.issue_attributes(c, dimension, number, arguments);
+        if (components > 0) vertex(c, number, components, arguments);
       },
-      [](Case& c, const Command& mesh, int number) { MeshOfVertices(c, number, mesh, GL_TRIANGLE_STRIP); });
+      [&](Case& c, const Command& mesh, int number) {
+        if (!is_left_out(mesh)) MeshOfVertices(c, number, mesh, GL_TRIANGLE_STRIP);
+      });
 }
 
 Case with_calls_of_no_list(const Case& script) {

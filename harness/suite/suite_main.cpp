@@ -151,7 +151,9 @@ std::string with_names_taken_literally(const std::string& filter) {
 }
 
 // Runs the tests of the depth, and those whose exact names are in the filter, among which GoogleTest chooses.
-int run_google_tests(Session& session, Depth depth, const std::string& filter) {
+int run_google_tests(Session& session, Depth depth) {
+  const std::string filter = testing::GTEST_FLAG(filter);
+  testing::GTEST_FLAG(filter) = with_names_taken_literally(filter);
   for (const TestInfo& info : all_tests())
     if (is_selected(listed(info), depth, filter))
       testing::RegisterTest(info.suite.c_str(), info.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
@@ -167,9 +169,7 @@ int run_google_tests(Session& session, Depth depth, const std::string& filter) {
 class JobLoop {
  public:
   JobLoop(const Options& options, EventFile& events, Session& session)
-      : options_(options), events_(events), session_(session) {
-    for (const TestInfo& info : all_tests()) tests_[info.full_name()] = &info;
-  }
+      : options_(options), events_(events), session_(session) {}
 
   // Runs the jobs of standard input. Returns the exit code.
   int run() {
@@ -212,6 +212,8 @@ class JobLoop {
     } else if (job.kind == "prove") {
       report(session_.prove(job.name));
     } else if (job.kind == "test") {
+      if (tests_.empty())  // most processes run no test
+        for (const TestInfo& info : all_tests()) tests_[info.full_name()] = &info;
       const auto found = tests_.find(job.name);
       if (found == tests_.end()) throw std::runtime_error("unknown test '" + job.name + "'");
       std::cout << "[ RUN      ] " << job.name << std::endl;  // the log keeps a limited part of each test
@@ -246,8 +248,6 @@ class JobLoop {
 
 int run(int argc, char** argv, const Wrapping& wrapping) {
   testing::InitGoogleTest(&argc, argv);
-  const std::string filter = testing::GTEST_FLAG(filter);
-  testing::GTEST_FLAG(filter) = with_names_taken_literally(filter);
   static Options options;
   parse(argc, argv, options);
   if (options.die_with_parent) {
@@ -262,7 +262,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
     events.write(to_line(event));
   };
   static Session& session = *new Session(options.session, wrapping, report);
-  if (options.worker.empty()) return run_google_tests(session, options.session.depth, filter);
+  if (options.worker.empty()) return run_google_tests(session, options.session.depth);
   static JobLoop& jobs = *new JobLoop(options, events, session);
   return jobs.run();
 }

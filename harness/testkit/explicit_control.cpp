@@ -86,13 +86,19 @@ std::optional<GLenum> ExplicitControl::error_of_explicit_commands(const gl::Case
 void ExplicitControl::run_controls(const std::function<bool(Implementation&)>& fails) {
   const std::optional<Observed> observed = std::exchange(observed_, std::nullopt);
   if (!observed) return;
-  const gl::IdleCapability idle = subject_.info.idle_capability;
-  std::vector<gl::Case> controls = {gl::with_explicit_vertices(observed->script, idle),
-                                    gl::with_explicit_commands(observed->script, idle)};
   // Each array has mappings of its own, and a process has about 65,000 mappings at most.
   constexpr std::size_t kMostCommands = 2048;
-  if (observed->script.commands().size() <= kMostCommands)
-    controls.push_back(gl::with_explicit_commands(observed->script, idle, gl::Arguments::kArray));
+  const bool has_arrays = observed->script.commands().size() <= kMostCommands;
+  std::vector<gl::Case> controls;
+  const auto add_controls = [&](gl::IdleCapability idle) {
+    controls.push_back(gl::with_explicit_vertices(observed->script, idle));
+    controls.push_back(gl::with_explicit_commands(observed->script, idle));
+    if (has_arrays)
+      controls.push_back(gl::with_explicit_commands(observed->script, idle, gl::Arguments::kArray));
+  };
+  add_controls(subject_.info.idle_capability);
+  // A library in front of another GL may keep commands of maps to itself, which changes no state below.
+  if (subject_.info.is_in_front) add_controls({});
   const auto wrong_on = [&](Implementation& implementation) {
     std::vector<Mismatch> wrong;
     for (const gl::Case& control : controls) {

@@ -95,7 +95,7 @@ TestInfo delivered(const Registered& test, const gl::Delivery& delivery) {
     info.requirements = in_two_dimensions(info.requirements);
   }
   if (info.uses_lists) info.requirements.emplace_back(requirement_of(delivery.lists));
-  info.body = [body = info.body, delivery](Test& t) {
+  info.body = [&body = test.info.body, &delivery](Test& t) {  // the registry keeps both
     t.deliver_by(delivery);
     body(t);
   };
@@ -172,9 +172,14 @@ const std::vector<TestInfo>& all_tests() {
   static const std::vector<TestInfo> kSorted = [] {
     std::vector<TestInfo> tests;
     for (const Registered& test : registry()) add(test, tests);
-    std::ranges::sort(tests, {}, [](const TestInfo& info) { return std::tie(info.suite, info.name); });
-    add_missing_pairs(tests);
-    return tests;
+    std::vector<TestInfo*> order;
+    for (TestInfo& info : tests) order.push_back(&info);
+    std::ranges::sort(order, {}, [](const TestInfo* info) { return std::tie(info->suite, info->name); });
+    std::vector<TestInfo> sorted;
+    sorted.reserve(order.size());
+    for (TestInfo* info : order) sorted.push_back(std::move(*info));
+    add_missing_pairs(sorted);
+    return sorted;
   }();
   return kSorted;
 }

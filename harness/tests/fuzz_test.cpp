@@ -1,4 +1,5 @@
 // Tests random programs: how they are made, judged, reduced and stored.
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <evalcts/fuzz/events.h>
@@ -519,6 +520,13 @@ TEST_F(FuzzCommand, ProductionHoldsOut) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "fuzz-production-1.json"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "fuzz-production-1.c"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "fuzz-production-old-1.json"));
+}
+
+// llvmpipe below loses vertices behind primitives without vertices, with explicit vertices as well.
+TEST_F(FuzzCommand, TheDropInLibraryHoldsOut) {
+  if (!dlopen("libOSMesa.so.8", RTLD_LAZY)) GTEST_SKIP() << "no OSMesa";
+  const Outcome outcome = fuzz({"--implementation", "dropin", "--programs", "400"});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
 }
 
 // Programs for a sink contain only commands and targets that it declares.

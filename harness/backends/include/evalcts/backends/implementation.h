@@ -133,6 +133,7 @@ struct ImplementationInfo {
   std::set<std::string> extensions;
   std::set<GLenum> rejected_queries, rejected_grid_queries;  // see rejected_queries.h
   std::optional<GLenum> idle_capability;                     // see gl::find_idle_capability()
+  bool is_in_front = false;                                  // in front of another GL, whose contexts it uses
   bool shares_state = false;               // state that one context sets is visible in the next one
   std::set<gl::EntryPoint> missing;        // the commands that it does not have
   std::optional<Declaration> declaration;  // set for an implementation that is not a GL

@@ -24,8 +24,8 @@ IdleCapability find_idle_capability(const Table& table);
 Case with_explicit_vertices(const Case& script, IdleCapability idle = {});
 
 // The form of the commands. kScalars: Color4f and so on, for each evaluation. kArray: Color4fv, and nothing
-// for an evaluation that generates no vertex, as libraries in front of a GL do. In a defective pipeline, only
-// one of them may work.
+// for an evaluation or a mesh that generates no vertices, as libraries in front of a GL do. In a defective
+// pipeline, only one of them may work.
 enum class Arguments { kScalars, kArray };
 
 // Returns the case with each evaluation replaced by the commands into which many implementations translate
