@@ -49,7 +49,7 @@ std::vector<vectors::SuiteCase> cases_of_suite() {
     if (test.level != Level::kMust || test.from != Depth::kQuick || is_chosen(test.name, kSuitesOfValues))
       continue;
     names.push_back(test.name);
-    for (const RequirementId& each : test.requirements) requirements[test.name].push_back(each.id);
+    for (const RequirementId& each : test.requirements) requirements[test.name].emplace_back(each.id);
   }
   std::vector<vectors::SuiteCase> cases;
   std::string running, failing;

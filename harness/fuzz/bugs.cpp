@@ -318,7 +318,7 @@ std::string requirement_of(const std::string& of_program, const std::vector<cons
   std::map<std::string, std::size_t> times;
   for (const TestRecord* test : tests)
     if (const std::vector<RequirementId> violated = violated_by(*test); !violated.empty())
-      ++times[violated.front().id];
+      ++times[std::string(violated.front().id)];
   if (times.empty()) return of_program;
   return std::ranges::max_element(times, {}, [](const auto& each) { return each.second; })->first;
 }
@@ -402,7 +402,7 @@ Bug bug_from(const Group& group) {
     bug.known = known->id;
     bug.outside_evaluators = bug.outside_evaluators || known->outside_evaluators;
     bug.known_in = known->affects.text();
-    bug.id = id_of(known->requirements.front().id, known->id);
+    bug.id = id_of(std::string(known->requirements.front().id), known->id);
     bug.title = known->title;
     bug.requirements = known->requirements;
     bug.clause = known->clause;
@@ -414,14 +414,14 @@ Bug bug_from(const Group& group) {
 
 std::string likeness_of(const TestRecord& test) {
   const std::vector<RequirementId> violated = violated_by(test);
-  const std::string requirement = violated.empty() ? "" : violated.front().id;
+  const std::string_view requirement = violated.empty() ? "" : violated.front().id;
   std::string what = is_death(test.verdict) ? std::string(text_of(test.verdict).word) : "";
   if (what.empty() && !test.failures.empty()) {
     const Failure& failure = test.failures.front();
     what =
         failure.difference.kind.empty() ? failure.what : failure.difference.kind + failure.difference.place;
   }
-  return fmt::format("{}; {}; {}", family_of(test.name), without_digits(requirement), what);
+  return fmt::format("{}; {}; {}", family_of(test.name), without_digits(std::string(requirement)), what);
 }
 
 std::vector<std::string> readable_calls(const gl::Case& program) {

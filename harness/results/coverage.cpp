@@ -31,8 +31,8 @@ const char* name_of(Coverage::State state) {
 }
 
 std::vector<Coverage> coverage_of(const Catalogue& catalogue, const std::vector<ListedTest>& tests) {
-  std::map<std::string, std::set<std::string>> halves;
-  std::map<std::string, std::vector<std::string>> names;
+  std::map<std::string_view, std::set<std::string>> halves;
+  std::map<std::string_view, std::vector<std::string>> names;
   for (const ListedTest& test : tests)
     for (const RequirementId& named : test.requirements) {
       for (const std::string& half : halves_of(named)) halves[named.id].insert(half);
@@ -84,7 +84,7 @@ std::vector<std::string> lint(const Catalogue& catalogue, const std::vector<List
     for (const RequirementId& named : requirements) {
       if (!catalogue.find(named))
         problems.push_back(fmt::format("{} names {}, which does not exist", name, named.text()));
-      for (const std::string& half : halves_of(named)) decided[named.id + "/" + half] = name;
+      for (const std::string& half : halves_of(named)) decided[fmt::format("{}/{}", named.id, half)] = name;
     }
   }
   for (const Requirement& requirement : catalogue.requirements)

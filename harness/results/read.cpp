@@ -246,12 +246,17 @@ auto parse_object(const std::string& text, Read read) -> decltype(read(json())) 
 
 std::vector<ListedTest> read_listed_tests(const JsonObject& in) {
   std::vector<ListedTest> tests;
-  in.each_object("tests", [&](const JsonObject& test) {
-    tests.push_back({test.text("name"), read_requirements(test),
-                     test.word("level", level_named).value_or(Level::kMust),
-                     test.word("from", [](const std::string& word) { return depth_named(word); })
-                         .value_or(Depth::kQuick)});
+  in.each_object("groups", [&](const JsonObject& group) {
+    const ListedTest properties{"", read_requirements(group),
+                                group.word("level", level_named).value_or(Level::kMust),
+                                group.word("from", [](const std::string& word) { return depth_named(word); })
+                                    .value_or(Depth::kQuick)};
+    for (std::string& name : group.texts("names")) {
+      tests.push_back(properties);
+      tests.back().name = std::move(name);
+    }
   });
+  std::ranges::sort(tests, {}, &ListedTest::name);
   return tests;
 }
 

@@ -3,6 +3,9 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <map>
+#include <string_view>
+#include <tuple>
 
 #include <evalcts/results/json.h>
 #include <evalcts/results/serialization.h>
@@ -260,7 +263,19 @@ std::string to_line(const Event& event) {
       return {{"event", "result"}, {"record", to_json(result.record)}};
     }
     json operator()(const TestsListed& listing) const {
-      return {{"event", "tests"}, {"tests", to_json(listing.tests)}};
+      // Many tests have the same properties, so the names are in groups.
+      std::map<std::tuple<std::vector<RequirementId>, Level, Depth>, std::vector<std::string_view>> groups;
+      for (const ListedTest& test : listing.tests)
+        groups[{test.requirements, test.level, test.from}].push_back(test.name);
+      json out = json::array();
+      for (const auto& [properties, names] : groups) {
+        const auto& [requirements, level, from] = properties;
+        out.push_back({{"requirements", texts_of(requirements)},
+                       {"level", name_of(level)},
+                       {"from", name_of(from)},
+                       {"names", names}});
+      }
+      return {{"event", "tests"}, {"groups", std::move(out)}};
     }
     json operator()(const Description& description) const {
       return {{"event", "description"},

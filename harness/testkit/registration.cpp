@@ -171,6 +171,9 @@ Registration lift_suite(const char* of_one, const char* of_two) {
 const std::vector<TestInfo>& all_tests() {
   static const std::vector<TestInfo> kSorted = [] {
     std::vector<TestInfo> tests;
+    std::size_t count = 0;
+    for (const Registered& test : registry()) count += std::max<std::size_t>(test.deliveries->size(), 1);
+    tests.reserve(count);
     for (const Registered& test : registry()) add(test, tests);
     std::vector<TestInfo*> order;
     for (TestInfo& info : tests) order.push_back(&info);

@@ -92,7 +92,8 @@ def check_variation(suite, variation, depth, seed, folder):
                    stdout=subprocess.DEVNULL, check=True)
     listed = next(event for event in map(json.loads, listing.read_text().splitlines()) if event["event"] == "tests")
     order = ("quick", "full", "thorough")
-    tests = [test["name"] for test in listed["tests"] if order.index(test["from"]) <= order.index(depth)]
+    tests = sorted(name for group in listed["groups"] if order.index(group["from"]) <= order.index(depth)
+                   for name in group["names"])
     shuffled = random.Random(seed).sample(tests, len(tests))
     runs = {}
     for what, options, names in (("warm", ["--warm"], tests), ("shuffled", ["--warm"], shuffled), ("fresh", [], tests)):

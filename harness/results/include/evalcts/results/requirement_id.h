@@ -11,8 +11,8 @@ namespace evalcts {
 // The ID of a requirement ("EV-MAP1-COPY"), or of the half of it that is about one-dimensional or
 // two-dimensional maps ("EV-API-ENTRY/1-D").
 struct RequirementId {
-  std::string id;
-  int dimension = 0;  // 1 or 2 for one half; 0 for the whole requirement
+  std::string_view id;  // kept until the process ends
+  int dimension = 0;    // 1 or 2 for one half; 0 for the whole requirement
 
   RequirementId() = default;
   // Reads what text() writes.
