@@ -22,8 +22,8 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr const char* kFewTests =
-    "InitialState.*:GetnMap.*:Map1Values.Ends/*/EvalCoord1f:Map1Errors.StrideBelowK/"
-    "*_f:-InitialState.MeshesOver*";
+    "InitialState.O*:InitialState.Grid*:GetnMap.*:Map1Values.Ends/MAP1_*_4/EvalCoord1f:"
+    "Map1Errors.StrideBelowK/*_f";
 
 class GlLibrary : public ProgramTest {
  protected:
@@ -31,7 +31,7 @@ class GlLibrary : public ProgramTest {
 
   Outcome run(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "run");
-    for (const char* more : {"--depth", "thorough", "--filter", kFewTests, "--output", folder_.c_str()})
+    for (const char* more : {"--depth", "quick", "--filter", kFewTests, "--output", folder_.c_str()})
       arguments.emplace_back(more);
     return evalcts(arguments);
   }
@@ -48,7 +48,7 @@ class GlLibrary : public ProgramTest {
     EXPECT_EQ(outcome.code, 0) << outcome.text;
     const json result = results(name);
     ASSERT_EQ(as_text(result["status"]), "complete") << outcome.text;
-    EXPECT_GT(result["summary"].value("pass", 0), 20) << outcome.text;
+    EXPECT_GT(result["summary"].value("pass", 0), 10) << outcome.text;
     EXPECT_EQ(result["summary"].size(), 1u) << result["summary"];
     for (const json& capture : result["implementation"]["captures"])
       EXPECT_EQ(capture["available"], as_text(capture["name"]) != "Sink") << capture;
@@ -440,14 +440,12 @@ TEST_F(GlLibrary, MapsOfVertexAttributes) {
   for (const auto& [fault, tests] : wrong) {
     SCOPED_TRACE(fault);
     setenv("EVALCTS_DRILL", fault.c_str(), 1);
-    evalcts({"run", "--context", NV_VERTEX_PROGRAM_PROVIDER, "--name", "attributes", "--output",
-             folder_.string(), "--filter", "NvVertexProgram.*"});
     std::set<std::string> failed;
     std::size_t passed = 0;
-    const json result = results("attributes");
-    for (const json& test : result["tests"]) {
-      if (as_text(test["verdict"]) == "pass") ++passed;
-      if (as_text(test["verdict"]) == "fail") failed.insert(test["name"].get<std::string>().substr(16));
+    for (const auto& [name, verdict] :
+         verdicts({"--context", NV_VERTEX_PROGRAM_PROVIDER}, "NvVertexProgram.*")) {
+      if (verdict == "pass") ++passed;
+      if (verdict == "fail") failed.insert(name.substr(16));
     }
     EXPECT_EQ(failed, tests);
     EXPECT_EQ(passed + failed.size(), 13u);
@@ -465,13 +463,9 @@ TEST_F(GlLibrary, IndexMapsInColorIndexContexts) {
   for (const auto& [how, verdict] : drills) {
     SCOPED_TRACE(how);
     setenv("EVALCTS_DRILL", how, 1);
-    evalcts({"run", "--context", COLOR_INDEX_PROVIDER, "--name", "indices", "--output", folder_.string(),
-             "--filter", "Attributes.IndexInColorIndexMode*"});
-    std::map<std::string, int> verdicts;
-    const json result = results("indices");
-    for (const json& test : result["tests"]) ++verdicts[std::string(as_text(test["verdict"]))];
-    EXPECT_EQ(verdicts.size(), 1u) << json(verdicts);
-    EXPECT_GT(verdicts[verdict], 0) << json(verdicts);
+    const auto all = verdicts({"--context", COLOR_INDEX_PROVIDER}, "Attributes.IndexInColorIndexMode*");
+    EXPECT_FALSE(all.empty());
+    for (const auto& [name, found] : all) EXPECT_EQ(found, verdict) << name;
   }
   unsetenv("EVALCTS_DRILL");
 }
@@ -484,13 +478,15 @@ TEST_F(GlLibrary, DegradedLibrariesAreJudgedToTheEnd) {
     setenv("EVALCTS_DRILL", how, 1);
     const Outcome outcome = evalcts(
         {"run", "--context", DEGRADED_PROVIDER, "--name", "degraded", "--output", folder_.string(), "--depth",
-         "thorough", "--bug-seconds", "2", "--filter",
-         "InitialState.*:Api.EntryPoint2/Map2d:Map1Errors.OrderTooHigh/*_f:Precedence.*/EvalCoord1f"});
-    EXPECT_EQ(outcome.code, 1) << outcome.text;
+         "quick", "--filter",
+         "InitialState.O*:InitialState.Grid*:Api.EntryPoint2/Map2d:Map1Errors.OrderTooHigh/MAP1_VERTEX_3_f:"
+         "Precedence.AllSubsets/*"});
+    // If explicit vertices raise errors as well, evaluators are not at fault.
+    EXPECT_EQ(outcome.code, how == std::string("noisy") ? 2 : 1) << outcome.text;
     const json result = results("degraded");
     EXPECT_EQ(as_text(result["status"]), "complete") << outcome.text;
     EXPECT_FALSE(result["summary"].contains("internal-error")) << result["summary"];
-    EXPECT_GT(result["tests"].size(), 30u);
+    EXPECT_GT(result["tests"].size(), 10u);
     EXPECT_EQ(result["summary"].contains("crash"), how == std::string("crashes")) << result["summary"];
   }
   unsetenv("EVALCTS_DRILL");
@@ -609,7 +605,7 @@ TEST_F(GlxLibrary, Indirect) {
   const json result = results("glx-indirect");
   ASSERT_EQ(as_text(result["status"]), "complete") << outcome.text;
   EXPECT_TRUE(result["implementation"]["version"].get<std::string>().starts_with("1.")) << outcome.text;
-  EXPECT_GT(result["summary"].value("pass", 0), 20) << outcome.text;
+  EXPECT_GT(result["summary"].value("pass", 0), 10) << outcome.text;
   for (const json& capture : result["implementation"]["captures"]) {
     const bool are_pixels = as_text(capture["name"]) == "Pixels";
     EXPECT_EQ(capture["available"], are_pixels || as_text(capture["name"]) == "FeedbackBuffer") << capture;

@@ -6,6 +6,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -48,6 +50,26 @@ class ProgramTest : public testing::Test {
       arguments.emplace_back("--no-bugs");
     arguments.insert(arguments.begin(), EVALCTS_PROGRAM);
     return start(arguments);
+  }
+
+  // Runs tests with the suite program, which takes a fraction of the time of `evalcts run`. Returns the
+  // verdict of each: "pass", "fail", or why it was not judged ("not-observable").
+  std::map<std::string, std::string> verdicts(const std::vector<std::string>& options,
+                                              const std::string& filter) {
+    std::vector<std::string> command = {EVALCTS_PROGRAM + std::string("-suite"), "--gtest_filter=" + filter};
+    command.insert(command.end(), options.begin(), options.end());
+    std::istringstream lines(start(command).text);
+    std::map<std::string, std::string> all;
+    std::string why;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("[") && !line.ends_with(" ms)")) continue;
+      const auto name = [&] { return line.substr(13, line.find_first_of(" ,", 13) - 13); };
+      if (line.starts_with("[       OK ] ")) all[name()] = "pass";
+      if (line.starts_with("[  FAILED  ] ")) all[name()] = "fail";
+      if (line.starts_with("[  SKIPPED ] ")) all[name()] = why;
+      if (!line.empty()) why = line.substr(0, line.find(':'));
+    }
+    return all;
   }
 
   // Return the content of a file in the folder.

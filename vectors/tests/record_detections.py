@@ -68,7 +68,8 @@ class Suite:
             subprocess.run([self.program, "--worker", events], input=b'{"job": "list", "name": "list"}\n', check=True)
             listing = next(event for event in map(json.loads, events.read_text().splitlines())
                            if event["event"] == "tests")
-        return {test["name"]: set(test["requirements"]) for test in listing["tests"] if depth in (None, test["from"])}
+        return {name: set(group["requirements"]) for group in listing["groups"] if depth in (None, group["from"])
+                for name in group["names"]}
 
     def run(self, wrong, tests):
         """Runs tests with a wrong evaluator or state machine ("": the correct one) until one fails.

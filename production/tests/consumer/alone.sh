@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Configures production/ alone: by the commands of its README, and as a part of projects that include it by
-# add_subdirectory and by FetchContent. Compilation takes a fraction of the time for one instruction set and without
-# optimization; the projects that include it compile the sources in groups, and the README's commands each file by itself.
+# add_subdirectory, which use the static library, and by FetchContent, which use the shared one. Compilation takes a fraction of
+# the time for one instruction set and without optimization; the projects that include it compile the sources in groups, and
+# the README's commands each file by itself.
 # alone.sh ROOT WORK
 set -euo pipefail
 root=$1 work=$2
@@ -29,26 +30,24 @@ cat >"$work/program.c" <<'END'
 #include <glevaluator.h>
 int main(void) { return glevGetTargetName(0) == 0; }
 END
-embed() { # name, commands of CMake that make the library known
+embed() { # name, library, commands of CMake that make the library known
   mkdir -p "$work/$1"
   cat >"$work/$1/CMakeLists.txt" <<END
 cmake_minimum_required(VERSION 3.21)
 project(consumer C CXX)
-$2
-foreach(library glevaluator glevaluator_shared)
-  add_executable(with_\${library} ../program.c)
-  target_link_libraries(with_\${library} PRIVATE glevaluator::\${library})
-endforeach()
-install(TARGETS with_glevaluator)
+$3
+add_executable(program ../program.c)
+target_link_libraries(program PRIVATE glevaluator::$2)
+install(TARGETS program)
 END
   quietly cmake -S "$work/$1" -B "$work/$1/build" -DCMAKE_UNITY_BUILD=ON
-  quietly cmake --build "$work/$1/build"
-  for library in glevaluator glevaluator_shared; do "$work/$1/build/with_$library" || fail "$1: $library does not work"; done
+  quietly cmake --build "$work/$1/build" --target program
+  "$work/$1/build/program" || fail "$1: $2 does not work"
   quietly cmake --install "$work/$1/build" --prefix "$work/$1/installed"
-  [[ $(find "$work/$1/installed" -type f -printf '%f ') == "with_glevaluator " ]] || fail "$1: installs more than its own"
+  [[ $(find "$work/$1/installed" -type f -printf '%f ') == "program " ]] || fail "$1: installs more than its own"
   [[ ! -f $work/$1/build/CTestTestfile.cmake ]] || fail "$1: has tests"
 }
-embed subdirectory "add_subdirectory($root/production glevaluator)"
-embed fetched "include(FetchContent)
+embed subdirectory glevaluator "add_subdirectory($root/production glevaluator)"
+embed fetched glevaluator_shared "include(FetchContent)
 FetchContent_Declare(glevaluator SOURCE_DIR $root SOURCE_SUBDIR production)
 FetchContent_MakeAvailable(glevaluator)"
