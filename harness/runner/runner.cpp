@@ -83,8 +83,7 @@ class Run {
     Pool{.command = [this] { return processes_.command(); },
          .log = log,
          .limits = limits,
-         .workers = description->captures.size(),
-         .is_each_alone = true,
+         .workers = std::min<std::size_t>(description->captures.size(), request_.jobs),
          .each =
              [&](const Event& event) {
                if (const auto* proof = std::get_if<CaptureRecord>(&event)) proofs[proof->name] = *proof;
