@@ -43,6 +43,7 @@ int carry_out(const std::function<int()>& command, Call& call) {
   try {
     call.shard = shard_of_environment();
     forget_googletest();
+    allocate_in_huge_pages();
     return command();
   } catch (const CannotStart& error) {
     return complain(error, kWrongUse);

@@ -1,5 +1,5 @@
-// Converts GTEST_SHARD_INDEX and GTEST_TOTAL_SHARDS to the form of --shard, and removes GoogleTest's
-// variables from the environment.
+// Converts GTEST_SHARD_INDEX and GTEST_TOTAL_SHARDS to the form of --shard, and prepares the environment of
+// the programs that evalcts starts.
 #include "environment.h"
 
 #include <fmt/format.h>
@@ -47,5 +47,7 @@ void forget_googletest() {
       names.push_back(text.substr(0, text.find('=')));
   for (const std::string& name : names) unsetenv(name.c_str());
 }
+
+void allocate_in_huge_pages() { setenv("GLIBC_TUNABLES", "glibc.malloc.hugetlb=1", 0); }
 
 }  // namespace evalcts::cli

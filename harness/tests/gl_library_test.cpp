@@ -605,7 +605,7 @@ TEST_F(GlxLibrary, Indirect) {
   const json result = results("glx-indirect");
   ASSERT_EQ(as_text(result["status"]), "complete") << outcome.text;
   EXPECT_TRUE(result["implementation"]["version"].get<std::string>().starts_with("1.")) << outcome.text;
-  EXPECT_GT(result["summary"].value("pass", 0), 10) << outcome.text;
+  EXPECT_GT(result["summary"].value("pass", 0), 4) << outcome.text;  // GetnMap is not in the protocol
   for (const json& capture : result["implementation"]["captures"]) {
     const bool are_pixels = as_text(capture["name"]) == "Pixels";
     EXPECT_EQ(capture["available"], are_pixels || as_text(capture["name"]) == "FeedbackBuffer") << capture;
