@@ -213,6 +213,10 @@ void write_head(Screen& screen, const RunResult& record) {
   }
   if (!parts.empty()) head += ": " + join(parts, ", ");
   screen.line(head, Colour::kBold);
+  if (implementation.kind == "production")
+    screen.line("  this project's own evaluator: it shows that the tests can pass", Colour::kFaint);
+  if (implementation.kind == "reference")
+    screen.line("  the executable specification: the tests agree with it, so they can pass", Colour::kFaint);
   if (!implementation.note.empty()) screen.whole_line("note: " + implementation.note, Colour::kYellow);
 
   std::vector<std::string> counts;

@@ -296,7 +296,9 @@ TEST(Terminal, HostileTextDoesNotReachTheTerminal) {
 
 TEST(Terminal, NothingUnexpected) {
   EXPECT_EQ(terminal_of(read_sample("results-reference.json"), nullptr, false, false),
-            "reference: evalcts, exact arithmetic, 0.1.0\n3 tests: 3 pass\n\nNo failures\n");
+            "reference: evalcts, exact arithmetic, 0.1.0\n"
+            "  the executable specification: the tests agree with it, so they can pass\n"
+            "3 tests: 3 pass\n\nNo failures\n");
 }
 
 TEST(Terminal, NotStarted) {

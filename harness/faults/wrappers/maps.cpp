@@ -22,15 +22,26 @@ Value transpose() {
   return change_points([](Net& net) { net = net.transposed(); });
 }
 
+// Keeps memory until the process ends.
+template <std::size_t bytes>
+void keep_memory(Call&) {
+  static std::vector<std::unique_ptr<std::array<char, bytes>>> kept;
+  kept.push_back(std::make_unique<std::array<char, bytes>>());
+}
+
 FAULT(EvaluationsAreCounted, "EV-CTX-UNBOUNDED", "EvalCoord does nothing from the hundred-thousandth call on",
       before(kEvalCoords, set(kCount, kCount + 1)), skip(kEvalCoords, kCount > 100000));
 FAULT(MapsInLateListsAreLost, "EV-CTX-UNBOUNDED", "maps are not compiled into lists from the 257th on",
       before(NewList, set(kCount, kCount + 1)), skip(kMaps, kListMode&& kCount > 256));
 QUALITY_FAULT(MapsAreKept, "EV-CTX-UNBOUNDED", "each Map1 and Map2 keeps 256 bytes of memory for good",
-              after(kMaps, [](Call&) {
-                static std::vector<std::unique_ptr<std::array<char, 256>>> kept;
-                kept.push_back(std::make_unique<std::array<char, 256>>());
-              }));
+              after(kMaps, keep_memory<256>));
+QUALITY_FAULT(ListsWithMapsAreKept, "EV-CTX-UNBOUNDED",
+              "each list with a map keeps 256 bytes of memory for good",
+              before(kMaps, kListMode, set(kFlag, 1)), after(EndList, kFlag, keep_memory<256>),
+              after(EndList, set(kFlag, 0)));
+QUALITY_FAULT(ContextsWithMapsAreKept, "EV-CTX-UNBOUNDED",
+              "each context with a map keeps 16 KiB of memory for good",
+              before(kMaps, !kFlag, keep_memory<16384>), before(kMaps, set(kFlag, 1)));
 FAULT(MapsAreCounted, "EV-CTX-UNBOUNDED", "Map1 and Map2 do nothing from the thousandth call on",
       before(kMaps, set(kCount, kCount + 1)), skip(kMaps, kCount > 1000));
 FAULT(UpperEndAvoided, "EV-MAP1-ZEROPOW", "u2 is evaluated just below, at 0.999, so that 0^0 is never needed",
