@@ -36,9 +36,8 @@ FAULT(MapsInLateListsAreLost, "EV-CTX-UNBOUNDED", "maps are not compiled into li
 QUALITY_FAULT(MapsAreKept, "EV-CTX-UNBOUNDED", "each Map1 and Map2 keeps 256 bytes of memory for good",
               after(kMaps, keep_memory<256>));
 QUALITY_FAULT(ListsWithMapsAreKept, "EV-CTX-UNBOUNDED",
-              "each list with a map keeps 256 bytes of memory for good",
-              before(kMaps, kListMode, set(kFlag, 1)), after(EndList, kFlag, keep_memory<256>),
-              after(EndList, set(kFlag, 0)));
+              "each list with a map keeps 256 bytes of memory for good", before(NewList, set(kFlag, 0)),
+              before(kMaps, kListMode, set(kFlag, 1)), after(EndList, kFlag, keep_memory<256>));
 QUALITY_FAULT(ContextsWithMapsAreKept, "EV-CTX-UNBOUNDED",
               "each context with a map keeps 16 KiB of memory for good",
               before(kMaps, !kFlag, keep_memory<16384>), before(kMaps, set(kFlag, 1)));
