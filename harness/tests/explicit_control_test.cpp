@@ -278,6 +278,10 @@ TEST_F(ExplicitControlTest, ErrorThatExplicitVerticesRaiseAsWellIsNotThatOfEvalu
   nothing_evaluated.End();
   EXPECT_EQ(control_.error_of_explicit_commands(nothing_evaluated, {GL_INVALID_OPERATION}),
             GL_INVALID_OPERATION);
+  gl::Case only_evaluators("a map without a primitive");
+  only_evaluators.Enable(GL_MAP1_VERTEX_3);
+  only_evaluators.Disable(GL_MAP1_VERTEX_3);
+  EXPECT_EQ(control_.error_of_explicit_commands(only_evaluators, {GL_INVALID_OPERATION}), std::nullopt);
 }
 
 TEST_F(ExplicitControlTest, LostAttributesAreThoseOfExplicitVertices) {

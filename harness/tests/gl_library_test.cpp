@@ -593,7 +593,9 @@ TEST_F(GlxLibrary, Direct) {
   if (!available("glx")) GTEST_SKIP() << "no GLX or no Xvfb here";
   expect_judged(run({"--implementation", "glx"}), "glx");
   setenv("DISPLAY", ":54321", 1);  // no server has this display
-  EXPECT_EQ(verdicts({"--library", "libGL.so.1"}, "Map1Errors.StrideBelowK/MAP1_COLOR_4_f").size(), 1u);
+  const std::string test = "Map1Errors.StrideBelowK/MAP1_COLOR_4_f";
+  const std::map<std::string, std::string> passes = {{test, "pass"}};
+  EXPECT_EQ(verdicts({"--library", "libGL.so.1"}, test), passes);
   unsetenv("DISPLAY");
 }
 
@@ -603,7 +605,10 @@ TEST_F(GlxLibrary, Indirect) {
   const json result = results("glx-indirect");
   ASSERT_EQ(as_text(result["status"]), "complete") << outcome.text;
   EXPECT_TRUE(result["implementation"]["version"].get<std::string>().starts_with("1.")) << outcome.text;
-  EXPECT_GT(result["summary"].value("pass", 0), 4) << outcome.text;  // GetnMap is not in the protocol
+  EXPECT_GT(result["summary"].value("pass", 0), 4) << outcome.text;
+  const std::set<std::string> allowed = {"pass", "not-supported"};  // GetnMap is not in the protocol
+  for (const auto& [verdict, tests] : result["summary"].items())
+    EXPECT_TRUE(allowed.contains(verdict)) << outcome.text;
   for (const json& capture : result["implementation"]["captures"]) {
     const bool are_pixels = as_text(capture["name"]) == "Pixels";
     EXPECT_EQ(capture["available"], are_pixels || as_text(capture["name"]) == "FeedbackBuffer") << capture;

@@ -36,6 +36,11 @@ embed() { # name, library, commands of CMake that make the library known
 cmake_minimum_required(VERSION 3.21)
 project(consumer C CXX)
 $3
+foreach(library glevaluator glevaluator_shared)
+  if(NOT TARGET glevaluator::\${library})
+    message(FATAL_ERROR "there is no glevaluator::\${library}")
+  endif()
+endforeach()
 add_executable(program ../program.c)
 target_link_libraries(program PRIVATE glevaluator::$2)
 install(TARGETS program)
