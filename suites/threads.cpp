@@ -1,5 +1,6 @@
 // Section 21 of the requirements, in several threads: contexts of their own, at once, and a context that
 // moves.
+#include <evalcts/gl/explicit_vertices.h>
 #include <evalcts/testkit/registration.h>
 
 #include "dimensions.h"
@@ -71,7 +72,8 @@ EVALCTS_TEST_PAIR(Contexts.MovedToThread, Contexts.MovedToThread2, kMust,
   t.judge(c);
 };
 
-// The judged context is that of the first thread, and then that of a second one.
+// The judged context is that of the first thread, and then that of a second one. Libraries that die when two
+// threads draw explicit vertices do so in the control.
 EVALCTS_TEST_PAIR(Contexts.BesideThread, Contexts.BesideThread2, kMust,
                   decide("EV-CTX-THREAD/1-D", "EV-CTX-THREAD/2-D"))
 (Test& t, bool two) {
@@ -80,10 +82,15 @@ EVALCTS_TEST_PAIR(Contexts.BesideThread, Contexts.BesideThread2, kMust,
   const gl::Case other = drawing(t, two, "another thread evaluates", kRepetitions);
   const gl::Case first = drawing(t, two, "the first thread, while a second one evaluates", kRepetitions);
   const gl::Case second = drawing(t, two, "a second thread, while a third one evaluates", kRepetitions);
+  const auto repeat = [&](const auto& body) {
+    for (int i = 0; i < times; ++i) body();
+  };
+  const gl::Case explicit_vertices = gl::with_explicit_vertices(other);
+  gl::Case control(gl::control("explicit vertices, while another thread draws some"));
+  for (const gl::Command& command : explicit_vertices.commands()) control.add(command);
+  t.run_beside(explicit_vertices, [&] { repeat([&] { t.play(control); }); });
   const auto judge_beside = [&](const gl::Case& c) {
-    t.run_beside(other, [&] {
-      for (int i = 0; i < times; ++i) t.judge(c);
-    });
+    t.run_beside(other, [&] { repeat([&] { t.judge(c); }); });
   };
   judge_beside(first);
   t.run_in_thread([&] { judge_beside(second); });

@@ -41,7 +41,7 @@ struct RunOptions {
   std::string filter;  // selects among the tests of the depth; empty: all of them
   std::string depth = "full";
   std::uint32_t seed = 1;
-  double seconds_per_test = 60;
+  double seconds_per_test = Limits().seconds_per_test;
   std::uint64_t mebibytes = 4096;  // memory limit of each process
   int retries = 1;
   std::optional<int> jobs;  // processes for each implementation
@@ -374,7 +374,7 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
                  "number of values and variants that each test tries (default: full)")
       ->check(CLI::IsMember({"quick", "full", "thorough"}));
   app.add_option("--seed", options->seed, "seed of the random tests (default: 1)")->check(number_from_zero);
-  app.add_option("--timeout", options->seconds_per_test, "time limit for each test, in seconds (default: 60)")
+  app.add_option("--timeout", options->seconds_per_test, "time limit for each test, in seconds (default: 45)")
       ->check(positive_number);
   app.add_option("--memory", options->mebibytes,
                  "memory limit for each process that runs tests, in MiB (default: 4096)")

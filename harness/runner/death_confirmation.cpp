@@ -10,6 +10,7 @@ namespace evalcts {
 namespace {
 
 constexpr std::size_t kSameCrashes = 3;  // confirmed crashes after which others like them are not confirmed
+constexpr double kSlow = 0.1;  // part of the time in which a test gave no answer that it needs alone
 
 std::string place_of(const WorkerRun& run) { return run.crash->call + "\n" + run.crash->group(); }
 
@@ -84,7 +85,7 @@ bool DeathConfirmation::dies_with_explicit_vertices(const std::string& test, con
   if (is_in_map_command(alone) || cases == alone.cases.end() || cases->second.empty()) return false;
   const WorkerRun control = processes_.run_in_turn(
       {{.kind = "test", .name = test, .cases = cases->second.size(), .runs_control = true}},
-      SuiteProcesses::Contexts::kFresh);
+      SuiteProcesses::Like::kAlone);
   return !interrupted && !control.in_flight.empty();
 }
 
@@ -99,7 +100,7 @@ void DeathConfirmation::count_crash(const WorkerRun& dead, const WorkerRun& alon
 void DeathConfirmation::record_as_alone(const WorkerRun& dead, const WorkerRun& alone) {
   const std::string& test = dead.in_flight;
   const Verdict verdict = verdict_of_death(dead);
-  const std::string how = describe(dead);
+  const std::string how = describe(dead.hung && alone.hung ? alone : dead);  // alone it had the whole limit
   if (interrupted) {
     records_.add(test, verdict, how + "; not confirmed, the run was interrupted", {}, dead.crash);
     return;
@@ -111,7 +112,9 @@ void DeathConfirmation::record_as_alone(const WorkerRun& dead, const WorkerRun& 
   }
   const auto result = alone.records.find(test);
   const bool has_record = result != alone.records.end();
-  if (dead.hung && dead.limits.seconds_per_test < request_.limits.seconds_per_test && has_record) {
+  const double patience = dead.limits.seconds_per_test;
+  if (dead.hung && patience < request_.limits.seconds_per_test && has_record &&
+      result->second.seconds.value_or(0) > kSlow * patience) {
     records_.add(TestFinished{result->second});  // the test was only slow
     return;
   }

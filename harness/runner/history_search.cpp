@@ -61,7 +61,7 @@ bool HistorySearch::fails_in_first_pass(const TestRecord& record) const {
 // Returns true if the test fails again when it runs after these jobs; empty if time runs out first.
 std::optional<bool> HistorySearch::happens_again(const TestRecord& record, std::vector<Job> jobs) const {
   jobs.push_back({.kind = "test", .name = record.name});
-  const WorkerRun run = processes_.run_in_turn(jobs, SuiteProcesses::Contexts::kAsInParallel, deadline_);
+  const WorkerRun run = processes_.run_in_turn(jobs, SuiteProcesses::Like::kInParallel, deadline_);
   if (run.cut_short || interrupted) return std::nullopt;
   if (is_death(record.verdict)) return run.in_flight == record.name;
   const auto again = run.records.find(record.name);
@@ -75,7 +75,7 @@ History::Quality HistorySearch::add_history(TestRecord& record,
   searched_.insert(record.name);
   double seconds = std::min(kMostSeconds, seconds_left_);
   if (record.verdict == Verdict::kTimeout)
-    seconds += 4 * request_.limits.seconds_per_test;  // each repetition takes until the time limit
+    seconds += 4 * processes_.patience();  // each repetition takes as long
   deadline_ = begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   const std::optional<bool> alone = happens_again(record, {});
   History history;
@@ -92,7 +92,9 @@ History::Quality HistorySearch::add_history(TestRecord& record,
                                  return happens_again(record, std::move(jobs));
                                });
   }
-  if (history.tests.size() == 1) record.history_case = case_of_history(record, history.tests[0]);
+  // The search for the case would wait for each hang.
+  if (history.tests.size() == 1 && record.verdict != Verdict::kTimeout)
+    record.history_case = case_of_history(record, history.tests[0]);
   seconds_left_ = std::max(seconds_left_ - std::chrono::duration<double>(Clock::now() - begin).count(), 0.0);
   if (!history.tests.empty()) guess_ = history.tests;
   record.message = message_with_history(history, record.history_case, predecessors.size(), record.message);
@@ -108,7 +110,7 @@ History::Quality HistorySearch::add_history(TestRecord& record,
 std::string HistorySearch::case_of_history(const TestRecord& record, const std::string& test) const {
   const WorkerRun traced = processes_.run_in_turn(
       {{.kind = "test", .name = test, .traces_cases = true}, {.kind = "test", .name = record.name}},
-      SuiteProcesses::Contexts::kFresh, deadline_);
+      SuiteProcesses::Like::kAlone, deadline_);
   const auto cases = traced.cases.find(test);
   if (traced.cut_short || interrupted || cases == traced.cases.end()) return {};
   const auto enough = least(cases->second.size(), [&](std::size_t count) {

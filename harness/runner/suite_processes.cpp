@@ -15,10 +15,14 @@ constexpr std::uint64_t kMostBetweenTests = std::uint64_t{250} << 20;  // bytes 
 constexpr double kPatienceAfterHang = 5;           // seconds for a test once another one has hung
 constexpr std::size_t kCrashesBeforeOmission = 3;  // tests that crash in a command
 
+// A test that exceeds this time runs again alone with the whole limit. With the default limit, a hang and its
+// confirmation take a minute.
+double first_patience(double limit) { return std::min(limit, std::max(limit / 3, kPatienceAfterHang)); }
+
 }  // namespace
 
 SuiteProcesses::SuiteProcesses(const RunRequest& request, std::filesystem::path log)
-    : request_(request), log_(std::move(log)) {}
+    : request_(request), log_(std::move(log)), patience_(first_patience(request.limits.seconds_per_test)) {}
 
 std::vector<std::string> SuiteProcesses::command() const {
   std::vector<std::string> command = suite_command(request_);
@@ -109,11 +113,15 @@ std::vector<WorkerRun> SuiteProcesses::run_alone(const std::vector<std::string>&
   return all;
 }
 
-WorkerRun SuiteProcesses::run_in_turn(const std::vector<Job>& jobs, Contexts contexts,
+WorkerRun SuiteProcesses::run_in_turn(const std::vector<Job>& jobs, Like like,
                                       const Deadline& deadline) const {
   std::vector<std::string> command = command_for_tests();
-  if (contexts == Contexts::kAsInParallel && uses_warm_context()) command.push_back("--warm");
-  Worker worker(command, log_, request_.limits);
+  Limits limits = request_.limits;
+  if (like == Like::kInParallel) {
+    limits.seconds_per_test = patience_;
+    if (uses_warm_context()) command.push_back("--warm");
+  }
+  Worker worker(command, log_, limits);
   for (const Job& job : jobs) worker.give(job);
   worker.finish();
   return worker.wait(deadline);

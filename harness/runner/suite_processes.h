@@ -29,12 +29,15 @@ class SuiteProcesses {
                        const std::function<void(const WorkerRun&)>& ended);
   // Runs each test alone in a process of its own, in fresh contexts, all at the same time.
   std::vector<WorkerRun> run_alone(const std::vector<std::string>& tests, bool traces_cases) const;
-  // Runs the jobs one after the other in one process, until `deadline`.
-  enum class Contexts { kFresh, kAsInParallel };
-  WorkerRun run_in_turn(const std::vector<Job>& jobs, Contexts contexts, const Deadline& deadline = {}) const;
+  // Runs the jobs one after the other in one process, until `deadline`: in fresh contexts with all of the
+  // time limit, or with the options and the patience of processes that run tests in parallel.
+  enum class Like { kAlone, kInParallel };
+  WorkerRun run_in_turn(const std::vector<Job>& jobs, Like like, const Deadline& deadline = {}) const;
 
   // Returns the commands that tests omit if they are optional, because several tests crashed in them.
   const std::vector<std::string>& omitted_commands() const { return omitted_commands_; }
+  // Returns the seconds after which a test that runs in parallel from now on counts as hung.
+  double patience() const { return patience_; }
   // True if the test in flight crashed in a command that new processes omit, but its process did not.
   bool may_survive_now(const WorkerRun& run) const;
 
@@ -47,8 +50,8 @@ class SuiteProcesses {
   const RunRequest& request_;
   const std::filesystem::path log_;
   std::vector<std::string> captures_;
-  bool dies_with_second_context_ = false;               // set if a process died before its first test
-  double patience_ = request_.limits.seconds_per_test;  // of tests in processes that start now
+  bool dies_with_second_context_ = false;  // set if a process died before its first test
+  double patience_;
   std::map<std::string, std::set<std::string>> tests_that_crash_in_;  // by command
   std::vector<std::string> omitted_commands_;
 };

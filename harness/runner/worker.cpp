@@ -74,7 +74,7 @@ std::string quoted(const std::string& printed, const fs::path& log) {
 
 std::string describe(const WorkerRun& run) {
   if (run.over_memory) return fmt::format("it used more than {} MiB of memory", run.limits.memory >> 20);
-  std::string text = run.hung ? fmt::format("no answer within {} seconds", run.limits.seconds_per_test)
+  std::string text = run.hung ? fmt::format("no answer within {:.3g} seconds", run.limits.seconds_per_test)
                               : "the process ended with " + describe(run.ending);
   if (!run.crash) return text;
   if (!run.crash->call.empty())

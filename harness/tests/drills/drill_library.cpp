@@ -9,6 +9,7 @@
 // tests make.
 //   a name in misbehaviours.h: happens at the trigger
 //   "second": crashes at the trigger if a map of order 7 was defined before in this process
+//   "second-hang": as "second", but hangs
 //   "both": crashes at the trigger, and hangs at the same call of Map1d
 //   "now-and-then": after the trigger, GetMapiv returns an order of INDEX that is too large by one, but only
 //     in the first process, which creates EVALCTS_DRILL_FILE
@@ -72,6 +73,7 @@ using misbehaviours::crash;
 
 [[maybe_unused]] void misbehave() {
   if (is_drill("both") || (is_drill("second") && seven_was_seen)) crash();
+  if (is_drill("second-hang") && seven_was_seen) misbehaviours::hang();
   if ((is_drill("now-and-then") || is_drill("varying")) && is_first_time()) odd_answers = true;
   if (is_drill("crash-now-and-then") && is_first_time()) crash();
   if (const char* const wanted = std::getenv("EVALCTS_DRILL")) misbehaviours::misbehave(wanted);

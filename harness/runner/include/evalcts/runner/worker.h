@@ -20,7 +20,7 @@ namespace evalcts {
 // Time and memory beyond which a library is assumed never to stop. They are far more than any GL needs
 // for a test.
 struct Limits {
-  double seconds_per_test = 60;
+  double seconds_per_test = 45;
   std::uint64_t memory = std::uint64_t{4096} << 20;  // resident memory of a process, in bytes
 };
 
