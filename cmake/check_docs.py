@@ -38,12 +38,14 @@ NOT_RUN = {
     "vectors write": "takes 20 seconds: the test vectors.VectorsCommand.WritesTheShippedFiles runs it",
     "CI services": "needs the environment of a CI service",
     "release": "makes a commit and a tag",
+    "bisection": "needs the repository of a library: the test harness.CommandLine.ChecksDecideABisection does the same",
     "virgl": "needs a server, and takes twenty minutes",
     "gl4es": "needs a build of gl4es",
 }
 # Examples of docs/help that are not run: patterns of their beginnings, and keys of NOT_RUN.
 NOT_RUN_EXAMPLES = {
     "evalcts faults": "faults",
+    "(git bisect|evalcts check)": "bisection",
     "evalcts (reproduce|bugs)": "last run",
     "evalcts vectors lint$": "vectors.lint",
     "evalcts vectors write": "vectors write",

@@ -4,7 +4,7 @@
 # compares the texts with the program; the target help_texts rewrites them.
 set(help_folder ${PROJECT_SOURCE_DIR}/docs/help)
 set(write_help sh ${CMAKE_CURRENT_LIST_DIR}/write-help.sh $<TARGET_FILE:evalcts>)
-add_custom_target(help_texts COMMAND ${write_help} ${help_folder} DEPENDS evalcts VERBATIM)
+add_custom_target(help_texts COMMAND ${write_help} ${help_folder} DEPENDS evalcts evalcts-lab VERBATIM)
 
 set(help_now ${CMAKE_CURRENT_BINARY_DIR}/help)
 add_test(NAME help.write COMMAND ${write_help} ${help_now})
@@ -40,7 +40,7 @@ foreach(text ${help_texts})
        FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
   set(page ${manual_folder}/${name}.1)
   set(include ${PROJECT_SOURCE_DIR}/packaging/evalcts.h2m)
-  add_custom_command(OUTPUT ${page} DEPENDS evalcts ${text} ${include}
+  add_custom_command(OUTPUT ${page} DEPENDS evalcts evalcts-lab ${text} ${include}
     COMMAND ${EVALCTS_HELP2MAN} --no-info --include=${include} --name=${description} "--source=evalcts ${PROJECT_VERSION}"
             --version-string=${PROJECT_VERSION} --output=${page} ${manual_folder}/${name} VERBATIM)
   list(APPEND manual_pages ${page})

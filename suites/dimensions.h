@@ -13,7 +13,8 @@
 #pragma once
 
 #include <concepts>
-#include <string_view>
+#include <functional>
+#include <string>
 
 #include <evalcts/testkit/registration.h>
 
@@ -27,59 +28,48 @@ struct Decided {
 };
 constexpr Decided decide(const char* one, const char* two) { return {one, two}; }
 
-template <class One, class Two>
+template <class... P>
 class PairDeclaration {
  public:
-  PairDeclaration(One one, Two two) : one_(std::move(one)), two_(std::move(two)) {}
+  PairDeclaration(TestDeclaration<P...> one, TestDeclaration<P...> two)
+      : one_(std::move(one)), two_(std::move(two)) {}
 
-  template <class Body>
-  Registration operator<<(Body body) const {
-    one_ << [body](Test& t, const auto&... parameters) { body(t, false, parameters...); };
-    return two_ << [body](Test& t, const auto&... parameters) { body(t, true, parameters...); };
+  Registration operator<<(const std::function<void(Test&, bool, const P&...)>& body) const {
+    one_ << [body](Test& t, const P&... parameters) { body(t, false, parameters...); };
+    return two_ << [body](Test& t, const P&... parameters) { body(t, true, parameters...); };
   }
 
  private:
-  One one_;
-  Two two_;
+  TestDeclaration<P...> one_, two_;
 };
 
-// Returns the test info of "Suite.Name", without requirements.
-inline TestInfo test_info(std::string_view full_name, Level level) {
-  const std::size_t dot = full_name.find('.');
-  return {std::string(full_name.substr(0, dot)), std::string(full_name.substr(dot + 1)), {}, level, nullptr};
+// The arguments of EVALCTS_TEST_PAIR after the level, for one of the two tests.
+template <class Part>
+const Part& part_of(bool /*two*/, const Part& part) {
+  return part;
 }
-
-template <class... P>
-auto declare_pair(TestInfo one, TestInfo two, const Parameters<P...>& parameters) {
-  return PairDeclaration(declare(std::move(one), parameters), declare(std::move(two), parameters));
-}
+inline const char* part_of(bool two, const Decided& decided) { return two ? decided.two : decided.one; }
 template <std::invocable<bool> Function>
-auto declare_pair(TestInfo one, TestInfo two, const Function& parameters_of) {
-  return PairDeclaration(declare(std::move(one), parameters_of(false)),
-                         declare(std::move(two), parameters_of(true)));
+auto part_of(bool two, const Function& parameters_of) {
+  return parameters_of(two);
 }
-template <class... More>
-auto declare_pair(TestInfo one, TestInfo two, const Decided& decided, const More&... more) {
-  if (decided.one) one.requirements.emplace_back(decided.one);
-  if (decided.two) two.requirements.emplace_back(decided.two);
-  return declare_pair(std::move(one), std::move(two), more...);
-}
-template <class... More>
-auto declare_pair(TestInfo one, TestInfo two, const char* requirement, const More&... more) {
-  return declare_pair(std::move(one), std::move(two), Decided{requirement, requirement}, more...);
-}
-inline auto declare_pair(TestInfo one, TestInfo two) {
-  return declare_pair(std::move(one), std::move(two), Parameters<>());
+template <class... Parts>
+auto declare_pair(const char* one, const char* two, Level level, Parts... parts) {
+  const auto declare_one_of = [&](bool second) {
+    const std::string full_name = second ? two : one;
+    const std::size_t dot = full_name.find('.');
+    return declare(full_name.substr(0, dot).c_str(), full_name.c_str() + dot + 1, level,
+                   part_of(second, parts)...);
+  };
+  return PairDeclaration(declare_one_of(false), declare_one_of(true));
 }
 
 #define EVALCTS_JOIN_EXPANDED(a, b) a##b
 #define EVALCTS_JOIN(a, b) EVALCTS_JOIN_EXPANDED(a, b)
 // Usage: EVALCTS_TEST_PAIR(Suite.One, Suite.Two, level, decide("ID", "ID")..., parameters)
 //        (Test& t, bool two, const P& parameter...) { body };
-#define EVALCTS_TEST_PAIR(one, two, level, ...)                                                 \
-  [[maybe_unused]] static const ::evalcts::Registration EVALCTS_JOIN(pair_, __COUNTER__) =      \
-      ::evalcts::declare_pair(::evalcts::test_info(#one, ::evalcts::Level::level),              \
-                              ::evalcts::test_info(#two, ::evalcts::Level::level), __VA_ARGS__) \
-      << []
+#define EVALCTS_TEST_PAIR(one, two, level, ...)                                            \
+  [[maybe_unused]] static const ::evalcts::Registration EVALCTS_JOIN(pair_, __COUNTER__) = \
+      ::evalcts::declare_pair(#one, #two, ::evalcts::Level::level, __VA_ARGS__) << []
 
 }  // namespace evalcts

@@ -9,7 +9,8 @@ namespace {
 [[maybe_unused]] const bool kRegistered = [] {
   for (const fuzz::KnownProgram& known : fuzz::known_programs()) {
     if (known.record.name.empty()) continue;
-    declare({"Findings", known.record.name, {known.record.requirement}, Level::kMust, nullptr})
+    TestDeclaration({"Findings", known.record.name, {known.record.requirement}, Level::kMust, nullptr},
+                    Parameters<>())
         << [&known](Test& t) {
              t.prefer_fresh_contexts();  // many programs depend on the initial maps and grids
              t.judge(known.program);

@@ -503,7 +503,9 @@ void expect_picture(Test& t, const RealProgram& program) {
 [[maybe_unused]] const bool kRegistered = [] {
   for (const RealProgram& program : kPrograms) {
     const auto add = [&](const std::string& test, void (*body)(Test&, const RealProgram&)) {
-      declare({"RealPrograms", test + "/" + program.name, program.requirements, Level::kMust, nullptr})
+      TestDeclaration(
+          {"RealPrograms", test + "/" + program.name, program.requirements, Level::kMust, nullptr},
+          Parameters<>())
           << [&program, body](Test& t) { body(t, program); };
     };
     add("Vertices", expect_vertices);

@@ -6,14 +6,14 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include <evalcts/cli/command.h>
+#include <evalcts/cli/places.h>
+#include <evalcts/cli/terminal.h>
 #include <evalcts/fuzz/bugs.h>
 #include <evalcts/gl/case_json.h>
 #include <evalcts/results/known_bugs.h>
 #include <evalcts/results/requirements.h>
-#include "command.h"
-#include "places.h"
 #include "result_files.h"
-#include "terminal.h"
 
 namespace evalcts::cli {
 namespace {

@@ -10,21 +10,17 @@
 #include <limits>
 
 #include <evalcts/backends/implementation.h>
+#include <evalcts/cli/command.h>
+#include <evalcts/cli/places.h>
 #include <evalcts/results/baseline.h>
 #include <evalcts/results/conclusion.h>
 #include <evalcts/results/files.h>
-#include "command.h"
 #include "environment.h"
 #include "help.h"
 
 namespace evalcts::cli {
 
 namespace {
-
-// All commands, in the order of the help.
-constexpr const Command* kCommands[] = {
-    &kRunCommand,    &kBugsCommand,   &kListCommand, &kCoverageCommand, &kExplainCommand, &kReproduceCommand,
-    &kReportCommand, &kFaultsCommand, &kFuzzCommand, &kRoundingCommand, &kUlpCommand,     &kVectorsCommand};
 
 Call call_of(int argc, char** argv) {
   // If the launcher script started this program, messages must show the launcher's name.
@@ -108,7 +104,14 @@ bool warn_if_mostly_unobserved(const std::string& implementation, std::uint64_t 
   return true;
 }
 
-int command_line(int argc, char** argv, bool only_parse) {
+int command_line(int argc, char** argv, const std::vector<Command>& commands, bool only_parse) {
+  const auto named = std::ranges::find(commands, std::string_view(argc > 1 ? argv[1] : ""),
+                                       [](const Command& command) { return std::string_view(command.name); });
+  if (named != commands.end() && !named->define) {
+    become("evalcts-lab");
+    return wrong_use(
+        fmt::format("'{}' needs the program evalcts-lab, which is not beside this one", named->name));
+  }
   CLI::App app{"evalcts: conformance test suite and reference oracle for OpenGL evaluators", "evalcts"};
   app.formatter(help_formatter());
   app.footer(
@@ -120,10 +123,11 @@ int command_line(int argc, char** argv, bool only_parse) {
   app.require_subcommand(1);
   Call call = call_of(argc, argv);
   std::function<int()> chosen;
-  for (const Command* command : kCommands) {
-    CLI::App* const part = app.add_subcommand(command->name, command->description);
-    part->footer(std::string("Examples:\n") + command->examples);
-    part->parse_complete_callback([&chosen, action = command->define(*part, call)] { chosen = action; });
+  for (const Command& command : commands) {
+    CLI::App* const part = app.add_subcommand(command.name, command.description);
+    if (!command.define) continue;
+    part->footer(std::string("Examples:\n") + command.examples);
+    part->parse_complete_callback([&chosen, action = command.define(*part, call)] { chosen = action; });
   }
   try {
     app.parse(argc, argv);

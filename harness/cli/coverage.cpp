@@ -7,10 +7,10 @@
 #include <iostream>
 #include <map>
 
+#include <evalcts/cli/command.h>
+#include <evalcts/cli/places.h>
 #include <evalcts/results/coverage.h>
 #include <evalcts/runner/worker.h>
-#include "command.h"
-#include "places.h"
 #include "wrap.h"
 
 namespace evalcts::cli {

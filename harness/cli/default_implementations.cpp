@@ -1,14 +1,14 @@
 // Determines the implementations that are judged if the user names none, and the reason why one does not
 // start.
-#include "default_implementations.h"
+#include <evalcts/cli/default_implementations.h>
 
 #include <fmt/format.h>
 
 #include <iostream>
 
 #include <evalcts/backends/implementation.h>
+#include <evalcts/cli/places.h>
 #include <evalcts/runner/worker.h>
-#include "places.h"
 
 namespace evalcts::cli {
 

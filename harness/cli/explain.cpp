@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <iostream>
 
+#include <evalcts/cli/command.h>
+#include <evalcts/cli/places.h>
+#include <evalcts/cli/specified_run.h>
+#include <evalcts/cli/terminal.h>
 #include <evalcts/results/coverage.h>
 #include <evalcts/runner/worker.h>
-#include "command.h"
 #include "help.h"
-#include "places.h"
-#include "specified_run.h"
-#include "terminal.h"
 #include "wrap.h"
 
 namespace evalcts::cli {

@@ -3,15 +3,15 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include <evalcts/cli/command.h>
+#include <evalcts/cli/places.h>
+#include <evalcts/cli/terminal.h>
 #include <evalcts/faults/trial.h>
 #include <evalcts/results/coverage.h>
 #include <evalcts/results/files.h>
 #include <evalcts/results/filter.h>
 #include <evalcts/runner/interruption.h>
 #include <evalcts/runner/worker.h>
-#include "command.h"
-#include "places.h"
-#include "terminal.h"
 
 namespace evalcts::cli {
 namespace {

@@ -8,12 +8,12 @@
 #include <memory>
 
 #include <evalcts/backends/implementation.h>
+#include <evalcts/cli/command.h>
+#include <evalcts/cli/places.h>
+#include <evalcts/cli/terminal.h>
 #include <evalcts/fuzz/search.h>
 #include <evalcts/results/text.h>
 #include <evalcts/runner/interruption.h>
-#include "command.h"
-#include "places.h"
-#include "terminal.h"
 
 namespace evalcts::cli {
 namespace {

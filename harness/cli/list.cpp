@@ -7,16 +7,16 @@
 #include <iostream>
 
 #include <evalcts/backends/implementation.h>
+#include <evalcts/cli/command.h>
+#include <evalcts/cli/default_implementations.h>
+#include <evalcts/cli/places.h>
 #include <evalcts/faults/trial.h>
 #include <evalcts/results/json.h>
 #include <evalcts/results/known_bugs.h>
 #include <evalcts/results/requirements.h>
 #include <evalcts/results/serialization.h>
 #include <evalcts/runner/worker.h>
-#include "command.h"
-#include "default_implementations.h"
 #include "help.h"
-#include "places.h"
 
 namespace evalcts::cli {
 namespace {

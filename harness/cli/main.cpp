@@ -1,4 +1,10 @@
 // The program evalcts.
 #include <evalcts/cli/command_line.h>
 
-int main(int argc, char** argv) { return evalcts::cli::command_line(argc, argv); }
+int main(int argc, char** argv) {
+  using namespace evalcts::cli;
+  return command_line(
+      argc, argv,
+      {kRunCommand, kBugsCommand, kListCommand, kCoverageCommand, kExplainCommand, kReproduceCommand,
+       kReportCommand, kCheckCommand, kFaultsCommand, kFuzzCommand, kRounding, kUlp, kVectors});
+}

@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <fstream>
+#include <vector>
+
 #include <evalcts/backends/implementation.h>
+#include <evalcts/cli/places.h>
 #include <evalcts/results/text.h>
-#include "places.h"
 
 namespace evalcts::cli {
 
@@ -28,6 +31,16 @@ Places places() {
           .vectors = data / "vectors",
           .production_headers = {},
           .production_library = {}};
+}
+
+void become(const std::string& program) {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::vector<std::string> arguments;
+  for (std::string argument; std::getline(file, argument, '\0');) arguments.push_back(argument);
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  execv((fs::read_symlink("/proc/self/exe").parent_path() / program).c_str(), pointers.data());
 }
 
 FolderLock claim(const fs::path& output, const std::string& command) {

@@ -5,12 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include <evalcts/cli/command.h>
+#include <evalcts/cli/places.h>
+#include <evalcts/cli/terminal.h>
 #include <evalcts/results/files.h>
-#include "command.h"
 #include "pages.h"
-#include "places.h"
 #include "result_files.h"
-#include "terminal.h"
 
 namespace evalcts::cli {
 namespace {

@@ -7,15 +7,15 @@
 #include <list>
 #include <optional>
 
+#include <evalcts/cli/command.h>
+#include <evalcts/cli/places.h>
+#include <evalcts/cli/specified_run.h>
 #include <evalcts/results/files.h>
 #include <evalcts/results/requirements.h>
 #include <evalcts/results/serialization.h>
 #include <evalcts/results/text.h>
 #include <evalcts/runner/worker.h>
-#include "command.h"
-#include "places.h"
 #include "recorded.h"
-#include "specified_run.h"
 #include "wrap.h"
 
 namespace evalcts::cli {

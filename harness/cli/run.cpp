@@ -12,6 +12,10 @@
 #include <iostream>
 #include <random>
 
+#include <evalcts/cli/command.h>
+#include <evalcts/cli/default_implementations.h>
+#include <evalcts/cli/places.h>
+#include <evalcts/cli/terminal.h>
 #include <evalcts/fuzz/bugs.h>
 #include <evalcts/results/baseline.h>
 #include <evalcts/results/conclusion.h>
@@ -22,13 +26,9 @@
 #include <evalcts/runner/child_process.h>
 #include <evalcts/runner/runner.h>
 #include <evalcts/runner/worker.h>
-#include "command.h"
-#include "default_implementations.h"
 #include "environment.h"
 #include "pages.h"
-#include "places.h"
 #include "recorded.h"
-#include "terminal.h"
 
 namespace evalcts::cli {
 namespace {

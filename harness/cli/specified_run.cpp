@@ -1,12 +1,12 @@
 // Starts the suite program with the executable specification as the implementation.
-#include "specified_run.h"
+#include <evalcts/cli/specified_run.h>
 
 #include <unistd.h>
 
 #include <stdexcept>
 
+#include <evalcts/cli/places.h>
 #include <evalcts/runner/worker.h>
-#include "places.h"
 
 namespace evalcts::cli {
 

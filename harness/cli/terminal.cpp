@@ -1,6 +1,6 @@
 // Implements the signal handlers, the number of parallel processes and the progress line of long-running
 // commands.
-#include "terminal.h"
+#include <evalcts/cli/terminal.h>
 
 #include <fmt/format.h>
 #include <sched.h>

@@ -20,6 +20,17 @@ std::size_t size_of(Scalar type) {
   return 1;
 }
 
+Ref Case::begin_command(EntryPoint entry, std::size_t count_of_arguments) {
+  commands_.push_back({entry, {}});
+  commands_.back().arguments.reserve(count_of_arguments);
+  return {static_cast<int>(commands_.size()) - 1};
+}
+
+void Case::add_argument(std::int64_t argument) { commands_.back().arguments.emplace_back(argument); }
+void Case::add_argument(float argument) { commands_.back().arguments.emplace_back(argument); }
+void Case::add_argument(double argument) { commands_.back().arguments.emplace_back(argument); }
+void Case::add_argument(Value argument) { commands_.back().arguments.push_back(std::move(argument)); }
+
 int Case::append(const Case& other) {
   const int shift = static_cast<int>(commands_.size());
   for (Command command : other.commands_) {

@@ -150,6 +150,10 @@ std::string parameter_name(GLenum token, int dimension) {
   return name.starts_with("GL_") ? name.substr(3) : name;
 }
 
+TestInfo test_info(const char* suite, const char* name, Level level) {
+  return {suite, name, {}, level, nullptr};
+}
+
 Registration register_tests(const TestInfo& info, const std::vector<gl::Delivery>& deliveries,
                             std::vector<Variant> variants) {
   const auto shared = std::make_shared<const std::vector<gl::Delivery>>(deliveries);

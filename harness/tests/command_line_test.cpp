@@ -589,6 +589,71 @@ TEST_F(CommandLine, SmallestSinkPassesAndItsWrongTwinFails) {
             "fail");
 }
 
+TEST_F(CommandLine, ChecksSayByTheirExitCodeWhatIsWrong) {
+  const auto check = [&](const std::string& name, const std::string& library) {
+    return evalcts({"check", name, "--library", library});
+  };
+  for (const std::string name :
+       {"EV-MAP1-ZEROPOW", "Map1Values.Ends", "Map1Values.Ends/MAP1_VERTEX_3/EvalCoord1f"}) {
+    const Outcome good = check(name, SMALLEST_SINK);
+    EXPECT_EQ(good.code, 0) << good.text;
+    EXPECT_TRUE(contains(good.text, "good: ")) << good.text;
+    const Outcome bad = check(name, WRONG_SINK);
+    EXPECT_EQ(bad.code, 1) << bad.text;
+    EXPECT_TRUE(contains(bad.text, "bad: Map1Values.")) << bad.text;
+  }
+  // A failure that violates another requirement does not count.
+  EXPECT_EQ(check("EV-MAP1-STRIDE", WRONG_SINK).code, 0);
+  // The programs of a known bug, which the sink passes as far as it has their commands.
+  EXPECT_EQ(evalcts({"check", "mesa-point-end", "--implementation", "production"}).code, 0);
+  for (const auto& [name, library, why] :
+       {std::tuple("Meshes.Nonsense", SMALLEST_SINK,
+                   "is not a known bug, a requirement or a test that can be run"),
+        {"EV-MAP1-ZEROPOW", "/no/such/library.so", "no such file"},
+        {"Mesh2.FlatShading", SMALLEST_SINK, "Mesh2.FlatShading"}}) {
+    const Outcome unknown = check(name, library);
+    EXPECT_EQ(unknown.code, 125) << unknown.text;
+    EXPECT_TRUE(unknown.text.starts_with("cannot be judged: ") && contains(unknown.text, why))
+        << unknown.text;
+  }
+}
+
+// The fourth of eight commits reads control points with the wrong stride, and the third and fifth do not
+// compile.
+TEST_F(CommandLine, ChecksDecideABisection) {
+  if (start({"/usr/bin/env", "git", "--version"}).code != 0) GTEST_SKIP() << "git is not installed";
+  const std::string source = read_file(SMALLEST_SINK_SOURCE), right = "p[i / 3 * stride + i % 3]";
+  ASSERT_NE(source.find(right), std::string::npos);
+  setenv("GIT_CONFIG_GLOBAL", "/dev/null", 1);
+  const auto git = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"/usr/bin/env", "git", "-C", folder_.string(), "-c",
+                                         "user.name=test", "-c", "user.email=test@localhost"});
+    return start(arguments);
+  };
+  ASSERT_EQ(git({"init", "--quiet"}).code, 0);
+  for (int commit = 1; commit <= 8; ++commit) {
+    std::string text = source + "/* " + std::to_string(commit) + " */\n";
+    if (commit >= 4) text.replace(text.find(right), right.size(), "p[i]");
+    if (commit == 3 || commit == 5) text += "does not compile\n";
+    std::ofstream(folder_ / "sink.c") << text;
+    git({"add", "sink.c"});
+    ASSERT_EQ(git({"commit", "--quiet", "--message", "commit " + std::to_string(commit)}).code, 0);
+  }
+  git({"bisect", "start", "HEAD", "HEAD~7"});
+  const std::string build =
+      "cc " CC_OPTIONS "-shared -fPIC -I" PLUGIN_HEADERS " -o libsink.so sink.c || exit 125; ";
+  const Outcome found = git({"bisect", "run", "sh", "-c",
+                             build + EVALCTS_PROGRAM + " check EV-MAP1-STRIDE --library ./libsink.so"});
+  // Since the third commit cannot be judged, it may be the first bad one as well.
+  EXPECT_TRUE(contains(found.text, "The first bad commit could be any of")) << found.text;
+  EXPECT_TRUE(contains(found.text, "good: ") && contains(found.text, "bad: ")) << found.text;
+  const std::string end = found.text.substr(found.text.find("The first bad commit could be any of"));
+  for (const int commit : {3, 4})
+    EXPECT_TRUE(
+        contains(end, git({"rev-parse", fmt::format("refs/heads/master~{}", 8 - commit)}).text.substr(0, 40)))
+        << end;
+}
+
 TEST_F(CommandLine, NamedImplementationsThatStartAreStillJudged) {
   const Outcome outcome = evalcts({"run", "--implementation", "reference", "--filter", "InitialState.Grid1",
                                    "--output", folder_.string()});

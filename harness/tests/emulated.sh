@@ -13,13 +13,14 @@ ln -f "$programs/evalcts" "$folder/evalcts"
 printf '#!/bin/sh\nexec %s "%s" "$@"\n' "${emulator[*]}" "$programs/evalcts-suite" >"$folder/evalcts-suite"
 chmod +x "$folder/evalcts-suite"
 evalcts() { "${emulator[@]}" "$folder/evalcts" "$@"; }
+lab() { "${emulator[@]}" "$programs/evalcts-lab" "$@"; }
 
 expected=$(sed -n 's/^\(digest [0-9a-f]* of 10000000 results, seed 1: \).*/\1/p' docs/accuracy.md)
 [[ $expected ]] || fail "docs/accuracy.md has no digest"
 for processor in max cortex-a53; do
-  found=$(QEMU_CPU=$processor evalcts ulp --digest --implementation production)
+  found=$(QEMU_CPU=$processor lab ulp --digest --implementation production)
   echo "$processor: $found"
   [[ $found == "$expected"* ]] || fail "docs/accuracy.md has another digest: $expected"
 done
-evalcts rounding --samples 2000 --exact 20
+lab rounding --samples 2000 --exact 20
 evalcts run --implementation production --depth quick --strict --output "$folder/results"

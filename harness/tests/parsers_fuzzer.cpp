@@ -25,6 +25,7 @@
 #include <evalcts/vectors/pipe.h>
 #include "accuracy/checkpoint_json.h"
 #include "cli/recorded.h"
+#include "lab/lab.h"
 
 namespace evalcts {
 namespace {
@@ -178,7 +179,12 @@ void read_command_line(const std::string& text) {
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
-  const int code = cli::command_line(static_cast<int>(arguments.size()), pointers.data(), true);
+  using namespace cli;
+  const int code = command_line(static_cast<int>(arguments.size()), pointers.data(),
+                                {kRunCommand, kBugsCommand, kListCommand, kCoverageCommand, kExplainCommand,
+                                 kReproduceCommand, kReportCommand, kCheckCommand, kFaultsCommand,
+                                 kFuzzCommand, kRoundingCommand, kUlpCommand, kVectorsCommand},
+                                true);
   if (!quiet || (code != 0 && code != 2) || (code == 2 && words.str().empty())) std::abort();
 }
 

@@ -14,7 +14,7 @@
 #include <evalcts/accuracy/exact_line.h>
 #include <evalcts/accuracy/table.h>
 #include <evalcts/gl/tokens.h>
-#include <evalcts/results/json_schema.h>
+#include <evalcts/vectors/json_schema.h>
 #include "program.h"
 
 namespace evalcts::accuracy {

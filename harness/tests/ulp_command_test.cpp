@@ -6,7 +6,7 @@
 #include <regex>
 #include <thread>
 
-#include <evalcts/results/json_schema.h>
+#include <evalcts/vectors/json_schema.h>
 #include "drill.h"
 
 namespace evalcts {

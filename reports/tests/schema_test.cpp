@@ -1,7 +1,7 @@
 // Tests that the schema and the reader agree: the samples are valid, and what read_run_result rejects is not.
 #include <gtest/gtest.h>
 
-#include <evalcts/results/json_schema.h>
+#include <evalcts/vectors/json_schema.h>
 #include "samples.h"
 
 namespace evalcts::reports {

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include <evalcts/results/json_schema.h>
+#include <evalcts/vectors/json_schema.h>
 #include <evalcts/vectors/lint.h>
 #include "schema_text.h"
 

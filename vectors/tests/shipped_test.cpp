@@ -11,7 +11,7 @@
 
 #include <evalcts/results/hash.h>
 #include <evalcts/results/json.h>
-#include <evalcts/results/json_schema.h>
+#include <evalcts/vectors/json_schema.h>
 #include <evalcts/vectors/lint.h>
 #include <evalcts/vectors/write.h>
 

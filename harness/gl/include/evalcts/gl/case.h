@@ -141,10 +141,10 @@ class Case {
   // One method for each GL command: c.Map1f(target, u1, u2, stride, order, points). Arguments are
   // vectors, spans, array(...) or nullptr for pointers that a command reads, out<T>(count) for pointers that
   // it writes, and Ref or ResultOf for results of earlier commands.
-#define GL_ENTRY(name, kinds)                                                                      \
-  template <class... Arguments>                                                                    \
-  Ref name(Arguments&&... arguments) {                                                             \
-    return record<decltype(Table::name)>(EntryPoint::name, std::forward<Arguments>(arguments)...); \
+#define GL_ENTRY(name, kinds)                                                                   \
+  template <class... Arguments>                                                                 \
+  Ref name(const Arguments&... arguments) {                                                     \
+    return record(EntryPoint::name, static_cast<decltype(Table::name)>(nullptr), arguments...); \
   }
 #include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
@@ -166,16 +166,16 @@ class Case {
   bool empty() const { return commands_.empty(); }
 
  private:
-  template <class Parameter, class Argument>
-  static Value value(Argument&& argument) {
-    using A = std::decay_t<Argument>;
+  // Returns an integer, a float, a double or a Value.
+  template <class Parameter, class A>
+  static auto value(const A& argument) {
     if constexpr (std::is_same_v<A, Ref>) {
-      return ResultOf{argument.index, -1};
+      return Value(ResultOf{argument.index, -1});
     } else if constexpr (std::is_same_v<A, ResultOf> || std::is_same_v<A, Input> ||
                          std::is_same_v<A, Strings> || std::is_same_v<A, std::nullptr_t>) {
-      return Value(std::forward<Argument>(argument));
+      return Value(argument);
     } else if constexpr (std::is_pointer_v<Parameter>) {
-      return pointer(std::forward<Argument>(argument));
+      return pointer(argument);
     } else if constexpr (std::is_same_v<Parameter, float>) {
       return static_cast<float>(argument);
     } else if constexpr (std::is_same_v<Parameter, double>) {
@@ -197,19 +197,20 @@ class Case {
     return array(values);
   }
 
-  template <class Function, class... Arguments>
-  Ref record(EntryPoint entry, Arguments&&... arguments) {
-    return record_as(entry, static_cast<Function>(nullptr), std::forward<Arguments>(arguments)...);
-  }
   template <class Result, class... Parameters, class... Arguments>
-  Ref record_as(EntryPoint entry, Result (*)(Parameters...), Arguments&&... arguments) {
+  Ref record(EntryPoint entry, Result (*)(Parameters...), const Arguments&... arguments) {
     static_assert(sizeof...(Parameters) == sizeof...(Arguments),
                   "wrong number of arguments for this command");
-    Command command{entry, {}};
-    command.arguments.reserve(sizeof...(Arguments));
-    (command.arguments.push_back(value<Parameters>(std::forward<Arguments>(arguments))), ...);
-    return add(std::move(command));
+    const Ref command = begin_command(entry, sizeof...(Arguments));
+    (add_argument(value<Parameters>(arguments)), ...);
+    return command;
   }
+  // Not inline, because tests have thousands of commands.
+  Ref begin_command(EntryPoint entry, std::size_t count_of_arguments);
+  void add_argument(std::int64_t argument);
+  void add_argument(float argument);
+  void add_argument(double argument);
+  void add_argument(Value argument);
 
   Identity identity_;
   std::vector<Command> commands_;

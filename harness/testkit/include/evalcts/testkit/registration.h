@@ -131,14 +131,18 @@ Registration lift_suite(const char* of_one, const char* of_two);
   [[maybe_unused]] static const ::evalcts::Registration of_one##_lifted = \
       ::evalcts::lift_suite(#of_one, #of_two)
 
+// Returns the info of a test without requirements.
+TestInfo test_info(const char* suite, const char* name, Level level);
+
 template <class... P>
 class TestDeclaration {
  public:
+  using Body = std::function<void(Test&, const P&...)>;
+
   TestDeclaration(TestInfo info, Parameters<P...> parameters)
       : info_(std::move(info)), parameters_(std::move(parameters)) {}
 
-  template <class Body>
-  Registration operator<<(Body body) const {
+  Registration operator<<(const Body& body) const {
     std::vector<Variant> variants;
     for (const auto& combination : parameters_.combinations()) {
       Variant& variant = variants.emplace_back();
@@ -160,24 +164,33 @@ class TestDeclaration {
   Parameters<P...> parameters_;
 };
 
-// Takes the arguments of EVALCTS_TEST after the level: requirement IDs, optionally followed by parameters.
-template <class... P>
-TestDeclaration<P...> declare(TestInfo info, const Parameters<P...>& parameters) {
-  return {std::move(info), parameters};
+// The arguments of EVALCTS_TEST after the level: requirement IDs, optionally followed by parameters.
+inline void add_requirement(TestInfo& info, const char* requirement_or_null) {
+  if (requirement_or_null) info.requirements.emplace_back(requirement_or_null);
 }
-inline TestDeclaration<> declare(TestInfo info) { return {std::move(info), Parameters<>()}; }
+template <class... P>
+void add_requirement(TestInfo& /*info*/, const Parameters<P...>& /*parameters*/) {}
+inline Parameters<> parameters_in() { return {}; }
+template <class... P>
+Parameters<P...> parameters_in(const Parameters<P...>& parameters) {
+  return parameters;
+}
 template <class... More>
-auto declare(TestInfo info, const char* requirement, const More&... more) {
-  info.requirements.emplace_back(requirement);
-  return declare(std::move(info), more...);
+auto parameters_in(const char* /*requirement*/, const More&... more) {
+  return parameters_in(more...);
+}
+// By value, so that literals of different lengths share an instantiation.
+template <class... Parts>
+auto declare(const char* suite, const char* name, Level level, Parts... parts) {
+  TestInfo info = test_info(suite, name, level);
+  (add_requirement(info, parts), ...);
+  return TestDeclaration(std::move(info), parameters_in(parts...));
 }
 
 // Defines and registers tests:
 // EVALCTS_TEST(suite, name, level, "ID"..., parameters)(Test& t, const P& parameter...) { body };
-#define EVALCTS_TEST(suite, name, level, ...)                                                      \
-  [[maybe_unused]] static const ::evalcts::Registration suite##_##name =                           \
-      ::evalcts::declare(::evalcts::TestInfo{#suite, #name, {}, ::evalcts::Level::level, nullptr}, \
-                         __VA_ARGS__)                                                              \
-      << []
+#define EVALCTS_TEST(suite, name, level, ...)                            \
+  [[maybe_unused]] static const ::evalcts::Registration suite##_##name = \
+      ::evalcts::declare(#suite, #name, ::evalcts::Level::level, __VA_ARGS__) << []
 
 }  // namespace evalcts

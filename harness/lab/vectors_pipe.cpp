@@ -5,11 +5,11 @@
 #include <fstream>
 #include <iostream>
 
+#include <evalcts/cli/command.h>
+#include <evalcts/cli/places.h>
 #include <evalcts/vectors/lint.h>
 #include <evalcts/vectors/pipe.h>
 #include <evalcts/vectors/write.h>
-#include "command.h"
-#include "places.h"
 #include "vectors.h"
 
 namespace evalcts::cli {

@@ -4,12 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
+#include <evalcts/cli/places.h>
+#include <evalcts/cli/terminal.h>
 #include <evalcts/results/filter.h>
 #include <evalcts/rounding/check.h>
 #include <evalcts/runner/interruption.h>
-#include "command.h"
-#include "places.h"
-#include "terminal.h"
+#include "lab.h"
 
 namespace evalcts::cli {
 namespace {
@@ -97,11 +97,9 @@ std::function<int()> define_rounding(CLI::App& app, const Call&) {
 
 }  // namespace
 
-const Command kRoundingCommand = {
-    "rounding",
-    "check that production rounds correctly: random maps and arguments, compared bit for bit with the oracle",
-    R"(  $ evalcts rounding
+const Command kRoundingCommand = {kRounding.name, kRounding.description,
+                                  R"(  $ evalcts rounding
   $ evalcts rounding --filter 'curve/4/*' --samples 1000000)",
-    define_rounding};
+                                  define_rounding};
 
 }  // namespace evalcts::cli

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <evalcts/backends/implementation.h>
-#include "command.h"
+#include <evalcts/cli/command.h>
 
 namespace evalcts::cli {
 

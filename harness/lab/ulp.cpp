@@ -25,6 +25,9 @@
 #include <evalcts/accuracy/report.h>
 #include <evalcts/accuracy/search.h>
 #include <evalcts/accuracy/table.h>
+#include <evalcts/cli/default_implementations.h>
+#include <evalcts/cli/places.h>
+#include <evalcts/cli/terminal.h>
 #include <evalcts/results/event_file.h>
 #include <evalcts/results/files.h>
 #include <evalcts/results/filter.h>
@@ -34,9 +37,7 @@
 #include <evalcts/runner/child_process.h>
 #include <evalcts/runner/interruption.h>
 #include <evalcts/runner/worker.h>
-#include "default_implementations.h"
-#include "places.h"
-#include "terminal.h"
+#include "lab.h"
 #include "ulp.h"
 
 namespace evalcts::cli {
@@ -679,11 +680,10 @@ std::function<int()> define_ulp(CLI::App& app, const Call& call) {
 
 }  // namespace
 
-const Command kUlpCommand = {
-    "ulp", "measure the errors of implementations in ULP, and relative to the condition of the problem",
-    R"(  $ evalcts ulp --implementation osmesa --filter 'curve/4/*'
+const Command kUlpCommand = {kUlp.name, kUlp.description,
+                             R"(  $ evalcts ulp --implementation osmesa --filter 'curve/4/*'
   $ evalcts ulp --implementation osmesa --orders 2 --points=0.25,0.75 --at 0.375
   $ evalcts ulp --sweep --implementation production --orders 2 --points=0.25,0.75 --to 0x1p-4)",
-    define_ulp};
+                             define_ulp};
 
 }  // namespace evalcts::cli

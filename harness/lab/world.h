@@ -1,5 +1,5 @@
-// The processes, started by mpirun, that share one sweep. Only the program evalcts-mpi supports them; it is
-// built if MPI is installed, and is otherwise the same as evalcts.
+// The processes, started by mpirun, that share one sweep. Only the program evalcts-lab-mpi supports them; it
+// is built if MPI is installed, and is otherwise the same as evalcts-lab.
 #pragma once
 
 #include <atomic>
@@ -30,7 +30,7 @@ class World {
 };
 
 // Joins the processes of mpirun, which are left when the object is destroyed. Throws CannotStart. Null in
-// evalcts; evalcts-mpi sets it.
+// evalcts-lab; evalcts-lab-mpi sets it.
 extern std::unique_ptr<World> (*join_world)();
 
 // Returns the number of processes that mpirun or srun started, according to environment variables;

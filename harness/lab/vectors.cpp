@@ -8,15 +8,15 @@
 #include <map>
 #include <sstream>
 
+#include <evalcts/cli/places.h>
+#include <evalcts/cli/specified_run.h>
 #include <evalcts/gl/case_json.h>
 #include <evalcts/results/filter.h>
 #include <evalcts/results/requirements.h>
 #include <evalcts/runner/worker.h>
 #include <evalcts/vectors/lint.h>
 #include <evalcts/vectors/write.h>
-#include "command.h"
-#include "places.h"
-#include "specified_run.h"
+#include "lab.h"
 #include "vectors.h"
 
 namespace evalcts::cli {
@@ -176,7 +176,7 @@ std::function<int()> define_vectors(CLI::App& app, const Call&) {
 }  // namespace
 
 const Command kVectorsCommand = {
-    "vectors", "write and check golden vectors, and judge the answers of other programs by them",
+    kVectors.name, kVectors.description,
     R"(  $ evalcts vectors emit --kind grid | ./mine | evalcts vectors check --kind grid
   $ evalcts vectors emit --seed 7 --count 100000 | ./mine | evalcts vectors check --seed 7 --count 100000
   $ evalcts vectors lint mine.json)",

@@ -19,6 +19,9 @@ struct Places {
 };
 Places places();
 
+// Replaces this program by another one in its folder, with the same arguments. Returns only if that fails.
+void become(const std::string& program);
+
 // Creates the output folder if it does not exist, and locks it while the result lives. Throws CannotStart if
 // the folder is not writable or another command has locked it.
 FolderLock claim(const std::filesystem::path& output, const std::string& command);

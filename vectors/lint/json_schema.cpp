@@ -1,5 +1,5 @@
 // Implements JsonSchema with valijson.
-#include <evalcts/results/json_schema.h>
+#include <evalcts/vectors/json_schema.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Declares the commands of evalcts, such as `evalcts fuzz`, and helpers for them. Each command has its own
 // file with a definition
 //   const Command kFuzzCommand = {"fuzz", "random programs ...", R"(  $ evalcts fuzz ...)", define_fuzz};
-// A new command is also declared below and added to kCommands in command_line.cpp.
+// A new command is also declared below and added to the list in main.cpp.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -30,13 +30,26 @@ struct Command {
   const char* description;
   const char* examples;  // for the help, one per line; may be empty
   // Adds the options of the command to `app`. Returns the action of the command, which is called after the
-  // options have been parsed and returns an exit code. `call` lives until the action ends.
+  // options have been parsed and returns an exit code. `call` lives until the action ends. Null: the program
+  // evalcts-lab has the command.
   std::function<int()> (*define)(CLI::App& app, const Call& call);
 };
 
 extern const Command kRunCommand, kBugsCommand, kListCommand, kCoverageCommand, kExplainCommand,
-    kReproduceCommand, kReportCommand, kFaultsCommand, kFuzzCommand, kRoundingCommand, kUlpCommand,
-    kVectorsCommand;
+    kReproduceCommand, kReportCommand, kCheckCommand, kFaultsCommand, kFuzzCommand;
+
+// Commands of evalcts-lab, a program of its own because most users do not need it. In evalcts they have no
+// definition.
+inline constexpr Command kRounding = {
+    "rounding",
+    "check that production rounds correctly: random maps and arguments, compared bit for bit with the oracle",
+    "", nullptr};
+inline constexpr Command kUlp = {
+    "ulp", "measure the errors of implementations in ULP, and relative to the condition of the problem", "",
+    nullptr};
+inline constexpr Command kVectors = {
+    "vectors", "write and check golden vectors, and judge the answers of other programs by them", "",
+    nullptr};
 
 // Options of several commands.
 

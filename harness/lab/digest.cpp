@@ -4,10 +4,10 @@
 #include <iostream>
 
 #include <evalcts/accuracy/digest.h>
+#include <evalcts/cli/terminal.h>
 #include <evalcts/results/files.h>
 #include <evalcts/results/text.h>
 #include <evalcts/runner/interruption.h>
-#include "terminal.h"
 #include "ulp.h"
 
 namespace evalcts::cli {

@@ -18,6 +18,8 @@
 
 #include <evalcts/accuracy/checkpoint.h>
 #include <evalcts/accuracy/table.h>
+#include <evalcts/cli/places.h>
+#include <evalcts/cli/terminal.h>
 #include <evalcts/gl/hexadecimal.h>
 #include <evalcts/gl/tokens.h>
 #include <evalcts/results/files.h>
@@ -25,8 +27,6 @@
 #include <evalcts/results/text.h>
 #include <evalcts/runner/child_process.h>
 #include <evalcts/runner/interruption.h>
-#include "places.h"
-#include "terminal.h"
 #include "ulp.h"
 #include "world.h"
 
@@ -141,24 +141,6 @@ std::variant<accuracy::SweptMap, std::string> map_of(const UlpOptions& options) 
   map.other = map.along_v ? *options.fixed_u : options.fixed_v.value_or(0);
   if (!std::isfinite(map.other)) return "--u and --v must be finite floats";
   return map;
-}
-
-// Replaces this program, which does not support several processes, by evalcts-mpi. Returns an error message
-// if this fails.
-std::string become_mpi_program() {
-  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "evalcts-mpi";
-  if (!fs::exists(program))
-    return "mpirun started several processes, but this evalcts was built without MPI: install libopenmpi-dev "
-           "and "
-           "openmpi-bin, and rebuild it";
-  std::ifstream file("/proc/self/cmdline", std::ios::binary);
-  std::vector<std::string> arguments;
-  for (std::string argument; std::getline(file, argument, '\0');) arguments.push_back(argument);
-  std::vector<char*> pointers;
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  pointers.push_back(nullptr);
-  execv(program.c_str(), pointers.data());
-  return "cannot start " + program.string();
 }
 
 int number_in(const char* variable) {
@@ -287,8 +269,11 @@ int sweep_here(const UlpOptions& options, const accuracy::SweepTask& task, int j
 
 int sweep(const UlpOptions& options) {
   if (join_world == nullptr && processes_of_environment() > 1) {
-    const std::string why_not = become_mpi_program();
-    return wrong_use(why_not);
+    become("evalcts-lab-mpi");
+    return wrong_use(
+        "mpirun started several processes, but this evalcts was built without MPI: install libopenmpi-dev "
+        "and "
+        "openmpi-bin, and rebuild it");
   }
   std::unique_ptr<World> world;
   // Only rank 0 prints an error message.
