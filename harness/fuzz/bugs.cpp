@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <optional>
-#include <regex>
 #include <set>
 #include <tuple>
 
@@ -424,16 +423,32 @@ std::string likeness_of(const TestRecord& test) {
   return fmt::format("{}; {}; {}", family_of(test.name), without_digits(std::string(requirement)), what);
 }
 
+namespace {
+
+// Returns the end of the hexadecimal floating-point number at "0x", with its suffix; `begin` if there is
+// none.
+std::size_t end_of_number(const std::string& text, std::size_t begin) {
+  std::size_t end = text.find_first_not_of("0123456789abcdef.", begin + 2);
+  if (end == std::string::npos || text[end] != 'p') return begin;
+  end = text.find_first_not_of("0123456789", text.find_first_not_of("+-", end + 1));
+  return end == std::string::npos ? text.size() : end + (text[end] == 'f');
+}
+
+}  // namespace
+
 std::vector<std::string> readable_calls(const gl::Case& program) {
-  static const std::regex kHexadecimal("-?0x[0-9a-f.]+p[+-]?[0-9]+f?");
   std::vector<std::string> lines;
   for (const std::string& line : gl::all_calls(program, kMostCalls)) {
     std::string readable;
-    auto from = line.cbegin();
-    for (std::sregex_iterator it(line.begin(), line.end(), kHexadecimal), end; it != end; ++it) {
-      readable.append(from, (*it)[0].first);
-      from = (*it)[0].second;
-      const std::string text = it->str();
+    std::size_t copied = 0;
+    for (std::size_t begin = line.find("0x"); begin != std::string::npos;
+         begin = line.find("0x", begin + 2)) {
+      const std::size_t end = end_of_number(line, begin);
+      if (end == begin) continue;
+      const std::size_t sign = begin > 0 && line[begin - 1] == '-' ? 1 : 0;
+      const std::string text = line.substr(begin - sign, end - begin + sign);
+      readable.append(line, copied, begin - sign - copied);
+      copied = end;
       const bool single = text.back() == 'f';
       const double value = std::strtod(text.c_str(), nullptr);
       // A decimal with at most six decimal places that is exact is shown without its hexadecimal form.
@@ -447,7 +462,7 @@ std::vector<std::string> readable_calls(const gl::Case& program) {
             fmt::format("{} /* {} */", text,
                         single ? fmt::format("{}", static_cast<float>(value)) : fmt::format("{}", value));
     }
-    readable.append(from, line.cend());
+    readable.append(line, copied);
     lines.push_back(std::move(readable));
   }
   return lines;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -72,7 +73,11 @@ std::vector<BaselineFiles::Pattern> read_patterns(const fs::path& path) {
   if (!fs::exists(path)) return patterns;
   for (const Line& line : entry_lines(path, [](const Line&) {})) {
     try {
-      patterns.push_back({line.text, std::regex(line.text), line.reason});
+      patterns.push_back({line.text,
+                          [expression = std::regex(line.text)](const std::string& test) {
+                            return std::regex_search(test, expression);
+                          },
+                          line.reason});
     } catch (const std::regex_error& error) {
       throw line.bad(fmt::format("'{}' is not a regular expression: {}", line.text, error.what()));
     }
@@ -167,7 +172,7 @@ const std::vector<BaselineFiles::Pattern>& none() {
 std::optional<std::string> first_match(const std::vector<BaselineFiles::Pattern>& patterns,
                                        const std::string& test) {
   for (const BaselineFiles::Pattern& pattern : patterns)
-    if (std::regex_search(test, pattern.expression)) return pattern.reason;
+    if (pattern.matches(test)) return pattern.reason;
   return std::nullopt;
 }
 
@@ -442,9 +447,7 @@ std::vector<std::string> Baseline::stale_entries(const std::vector<ListedTest>& 
   }
   for (const auto& [patterns, kind] : {std::pair{&files_->skips, "skips"}, {&files_->flakes, "flakes"}})
     for (const BaselineFiles::Pattern& pattern : *patterns)
-      if (std::ranges::none_of(all, [&expression = pattern.expression](const ListedTest& test) {
-            return std::regex_search(test.name, expression);
-          }))
+      if (std::ranges::none_of(all, [&](const ListedTest& test) { return pattern.matches(test.name); }))
         stale.insert(fmt::format("{} (in the {})", pattern.text, kind));
   return {stale.begin(), stale.end()};
 }
