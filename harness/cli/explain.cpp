@@ -1,16 +1,23 @@
-// `evalcts explain`: describes a requirement, an ambiguous passage, a test or a verdict.
+// `evalcts explain`: describes a requirement, an ambiguous passage, a known bug, a test or a verdict, or
+// searches for words.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <iostream>
+#include <sstream>
 
 #include <evalcts/cli/command.h>
 #include <evalcts/cli/places.h>
 #include <evalcts/cli/specified_run.h>
 #include <evalcts/cli/terminal.h>
+#include <evalcts/fuzz/bugs.h>
+#include <evalcts/gl/case_json.h>
 #include <evalcts/results/coverage.h>
+#include <evalcts/results/documents.h>
+#include <evalcts/results/known_bugs.h>
 #include <evalcts/runner/worker.h>
 #include "help.h"
 #include "wrap.h"
@@ -28,11 +35,17 @@ void labelled(const std::string& label, const std::string& text) {
   if (!text.empty()) paragraph(label + ": " + text);
 }
 
+void print_documents(const std::string& source) {
+  for (const Document& document : documents_in(source))
+    std::cout << fmt::format("    {}: {}\n", document.name, document.address);
+}
+
 void explain_requirement(const Requirement& requirement) {
   std::cout << requirement.id << "\n";
   paragraph(requirement.text);
   labelled("Section", requirement.section);
   labelled("Source", requirement.source);
+  print_documents(requirement.source);
   labelled("Since", requirement.since);
   labelled("How it shows", requirement.observation);
   labelled("What it concerns", requirement.severity);
@@ -47,6 +60,29 @@ void explain_requirement(const Requirement& requirement) {
     paragraph("Tests: " + state);
     for (const std::string& test : covered.tests) std::cout << "    " << test << "\n";
   }
+  for (const KnownBug& bug : known_bugs())
+    if (std::ranges::any_of(bug.requirements,
+                            [&](const RequirementId& id) { return id.id == requirement.id; }))
+      paragraph(fmt::format("Broken in {}: {} ({})", bug.affects.text(), bug.title, bug.id));
+}
+
+void explain_bug(const KnownBug& bug) {
+  std::cout << fmt::format("{}: a known bug of {}\n", bug.id, bug.affects.text());
+  paragraph(bug.title);
+  labelled("Violates", fmt::format("{}", fmt::join(texts_of(bug.requirements), ", ")));
+  labelled("Clause", bug.clause);
+  print_documents(bug.clause);
+  if (!bug.programs.empty()) {
+    paragraph("Minimal program:");
+    for (const std::string& call : fuzz::readable_calls(gl::parse_case(bug.programs.front().commands)))
+      std::cout << "    " << call << "\n";
+  }
+  labelled("Expected", bug.expected);
+  labelled("Instead", bug.captured);
+  labelled(bug.suspected ? "Suspected cause" : "Cause", bug.cause);
+  labelled("Real programs", bug.real_programs);
+  labelled("Verified", bug.verified);
+  paragraph(fmt::format("'evalcts check {}' says whether a library has it.", bug.id));
 }
 
 // Prints a passage that is ambiguous or leaves something undefined, with its accepted readings and their
@@ -127,21 +163,126 @@ void explain_test(const ListedTest& test) {
   explain_cases(run_of(test.name));
 }
 
-// Returns "; did you mean NAME?" for the name that is most similar to the word. For the name of a test
-// function, returns the number of its tests and an example.
+// Returns "; did you mean NAME?" for the name that is most similar to the word.
 std::string suggestion_for(const std::string& word, const std::vector<ListedTest>& tests) {
-  const auto is_meant = [&](const ListedTest& test) { return test.name.starts_with(word + "/"); };
-  if (const auto first = std::ranges::find_if(tests, is_meant); first != tests.end())
-    return fmt::format("; it has {} tests, such as {}", std::ranges::count_if(tests, is_meant), first->name);
   std::vector<std::string> names;
   for (const Requirement& requirement : catalogue().requirements) names.push_back(requirement.id);
   for (const Ambiguity* const entry : catalogue().interpretations()) names.push_back(entry->id);
+  for (const KnownBug& bug : known_bugs()) names.push_back(bug.id);
   for (const ListedTest& test : tests) names.push_back(test.name);
   const std::string meant = nearest(word, names);
   return meant.empty() ? "; see 'evalcts list'" : "; did you mean " + meant + "?";
 }
 
-int explain(const std::string& name) {
+std::string lower(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+// Returns the words in lower case, without the prefixes of commands and tokens, which requirements do not
+// use.
+std::vector<std::string> search_words(const std::vector<std::string>& typed) {
+  std::vector<std::string> words;
+  for (std::string each : typed) {
+    if (each.starts_with("EV-")) {
+      each.erase(0, 3);
+      std::ranges::replace(each, '-', ' ');
+    }
+    std::istringstream stream(each);
+    for (std::string word; stream >> word;) {
+      if (word.starts_with("GL_"))
+        word.erase(0, 3);
+      else if (word.starts_with("gl") && word.size() > 2 && std::isupper(static_cast<unsigned char>(word[2])))
+        word.erase(0, 2);
+      words.push_back(lower(word));
+    }
+  }
+  return words;
+}
+
+// True if each of the words begins in the text at the beginning of a word, or behind the u or v of "uorder".
+bool has_all(const std::string& text, const std::vector<std::string>& words) {
+  const std::string in_lower_case = lower(text);
+  const auto is_beginning = [&](std::size_t at) {
+    return at == 0 || std::isalnum(static_cast<unsigned char>(in_lower_case[at - 1])) == 0;
+  };
+  const auto is_behind_direction = [&](std::size_t at) {
+    return at > 0 && (in_lower_case[at - 1] == 'u' || in_lower_case[at - 1] == 'v') && is_beginning(at - 1);
+  };
+  return std::ranges::all_of(words, [&](const std::string& word) {
+    std::size_t at = in_lower_case.find(word);
+    while (at != std::string::npos && !is_beginning(at) && !is_behind_direction(at))
+      at = in_lower_case.find(word, at + 1);
+    return at != std::string::npos;
+  });
+}
+
+// Prints what the words occur in. Returns false if there is nothing.
+bool search(const std::vector<std::string>& words, const std::vector<ListedTest>& tests) {
+  constexpr std::size_t kMostListed = 30;
+  std::vector<const Requirement*> found;
+  // Requirements with the words in their ID or rule come first.
+  for (const bool in_the_rule : {true, false})
+    for (const Requirement& each : catalogue().requirements) {
+      const std::string rule = each.id + " " + each.text;
+      const bool is_in_rule = has_all(rule, words);
+      if (is_in_rule == in_the_rule &&
+          (is_in_rule ||
+           has_all(fmt::format("{} {} {} {}", rule, each.section, each.source, each.observation), words)))
+        found.push_back(&each);
+    }
+  std::vector<const KnownBug*> bugs;
+  for (const KnownBug& bug : known_bugs())
+    if (has_all(fmt::format("{} {} {} {}", bug.id, bug.title, bug.cause, bug.affects.text()), words))
+      bugs.push_back(&bug);
+  std::vector<std::string> functions;  // test functions with the number of their tests
+  for (auto test = tests.begin(); test != tests.end();) {
+    const std::string function = test->name.substr(0, test->name.find('/'));
+    const auto begin = test;
+    std::size_t matching_tests = 0;
+    for (; test != tests.end() && test->name.substr(0, test->name.find('/')) == function; ++test)
+      matching_tests += has_all(test->name, words);
+    if (matching_tests == 1)
+      functions.push_back(
+          std::find_if(begin, test, [&](const ListedTest& each) { return has_all(each.name, words); })->name);
+    if (matching_tests > 1)
+      functions.push_back(fmt::format("{}: {} tests, such as {}", function, matching_tests,
+                                      std::find_if(begin, test, [&](const ListedTest& each) {
+                                        return has_all(each.name, words);
+                                      })->name));
+  }
+  if (found.size() == 1 && bugs.empty()) {
+    explain_requirement(*found.front());
+    return true;
+  }
+  const auto list = [&](const char* heading, const auto& all, const auto& line_of) {
+    if (all.empty()) return;
+    std::cout << fmt::format("{} ({}):\n", heading, all.size());
+    for (std::size_t i = 0; i < std::min(all.size(), kMostListed); ++i) paragraph(line_of(all[i]));
+    if (all.size() > kMostListed)
+      paragraph(fmt::format("and {} more; another word makes them fewer", all.size() - kMostListed));
+  };
+  list("Requirements", found, [](const Requirement* each) {
+    return fmt::format("{}: {} [{}]", each->id, each->text, each->source);
+  });
+  list("Known bugs", bugs, [](const KnownBug* bug) {
+    return fmt::format("{}: {} [{}]", bug->id, bug->title, bug->affects.text());
+  });
+  list("Tests", functions, [](const std::string& function) { return function; });
+  return !found.empty() || !bugs.empty() || !functions.empty();
+}
+
+// Returns the requirement in the ID of a bug of a run, "EV-COORD-CURRENT-a6d4"; null if it is none.
+const Requirement* requirement_of_bug(const std::string& id) {
+  const std::size_t dash = id.rfind('-');
+  const bool has_hash = dash != std::string::npos && id.size() == dash + 5 &&
+                        id.find_first_not_of("0123456789abcdef", dash + 1) == std::string::npos;
+  return has_hash ? catalogue().find(id.substr(0, dash)) : nullptr;
+}
+
+int explain(const std::vector<std::string>& words) {
+  const std::string name = fmt::format("{}", fmt::join(words, " "));
   // For a half, "ID/1-D", the whole requirement is explained.
   if (const Requirement* const requirement = catalogue().find(name)) {
     explain_requirement(*requirement);
@@ -149,6 +290,17 @@ int explain(const std::string& name) {
   }
   if (const Ambiguity* const entry = catalogue().find_ambiguity(name)) {
     explain_ambiguity(*entry);
+    return kNothingUnexpected;
+  }
+  if (const KnownBug* const bug = find_known_bug(name)) {
+    explain_bug(*bug);
+    return kNothingUnexpected;
+  }
+  if (const Requirement* const requirement = requirement_of_bug(name)) {
+    paragraph(
+        fmt::format("{} is a bug of a run: 'evalcts bugs' lists those of the last one. It violates:", name),
+        0);
+    explain_requirement(*requirement);
     return kNothingUnexpected;
   }
   const std::vector<ListedTest> tests = list_tests(places().suite_program);
@@ -161,23 +313,30 @@ int explain(const std::string& name) {
     std::cout << fmt::format("{}: {}\n", name, text_of(*verdict).meaning);
     return kNothingUnexpected;
   }
-  return wrong_use(fmt::format("'{}' is not a requirement, interpretation, test or verdict{}", name,
-                               suggestion_for(name, tests)));
+  if (search(search_words(words), tests)) return kNothingUnexpected;
+  return wrong_use(fmt::format("nothing is called '{}' or contains it{}", name, suggestion_for(name, tests)));
 }
 
 std::function<int()> define_explain(CLI::App& app, const Call&) {
-  const auto name = std::make_shared<std::string>();
-  app.add_option("name", *name, "ID of a requirement, or name of an interpretation, test or verdict")
+  const auto words = std::make_shared<std::vector<std::string>>();
+  app.add_option("name", *words,
+                 "ID of a requirement, known bug or bug of a run, name of an interpretation, test or "
+                 "verdict, or words "
+                 "to search for, such as a GL command or token")
       ->required();
-  return [name] { return explain(*name); };
+  return [words] { return explain(*words); };
 }
 
 }  // namespace
 
-const Command kExplainCommand = {"explain", "explain a requirement, interpretation, test or verdict",
-                                 R"(  $ evalcts explain EV-MAP1-COPY
+const Command kExplainCommand = {
+    "explain",
+    "explain a requirement, interpretation, bug, test or verdict, or find those about a command or word",
+    R"(  $ evalcts explain EV-MAP1-COPY
   $ evalcts explain Map1State.CopyOnCall/UNMAPPED
+  $ evalcts explain mesa-point-end
+  $ evalcts explain glMap2 stride
   $ evalcts explain not-observable)",
-                                 define_explain};
+    define_explain};
 
 }  // namespace evalcts::cli

@@ -72,6 +72,25 @@ TEST_F(CommandLine, ListsAndExplains) {
   EXPECT_TRUE(contains(evalcts({"explain", "EV-MAP1-COPPY"}).text, "did you mean EV-MAP1-COPY?"));
   EXPECT_TRUE(
       contains(evalcts({"explain", "Map1State.CopyOnCall"}).text, " tests, such as Map1State.CopyOnCall/"));
+  // Words are searched for; an ID that does not exist stands for its words.
+  for (const auto& [words, found] :
+       {std::pair(std::vector<std::string>{"glMap2", "vorder"}, "EV-MAP2-ERR-VORDER: "),
+        {{"GL_COEFF"}, "EV-GETMAP-COEFF"},
+        {{"EV-MAP2-ERR-STRIDE"}, "EV-MAP2-ERR-USTRIDE: "},
+        {{"saturate"}, "(mesa-getmap-saturation)"}}) {
+    std::vector<std::string> arguments = words;
+    arguments.insert(arguments.begin(), "explain");
+    const Outcome search = evalcts(arguments);
+    EXPECT_EQ(search.code, 0) << search.text;
+    EXPECT_TRUE(contains(search.text, found)) << found << " in " << search.text;
+  }
+  EXPECT_EQ(evalcts({"explain", "nothing contains this"}).code, 2);
+  const std::string bug = evalcts({"explain", "mesa-point-end"}).text;
+  for (const char* const part : {"a known bug of Mesa", "    glMapGrid1f(", "Cause: ", "glspec"})
+    EXPECT_TRUE(contains(bug, part)) << part << " in " << bug;
+  EXPECT_TRUE(contains(evalcts({"explain", "EV-COORD-CURRENT-a6d4"}).text,
+                       "EV-COORD-CURRENT-a6d4 is a bug of a run"));
+  EXPECT_TRUE(contains(evalcts({"explain", "EV-MAP1-COPY"}).text, "OpenGL-Refpages/gl2.1/xhtml/glMap1.xml"));
   EXPECT_TRUE(contains(evalcts({"list", "tets"}).text, "did you mean tests?"));
   EXPECT_EQ(evalcts({"explain", "not-observable"}).code, 0);
   EXPECT_TRUE(contains(evalcts({"explain", "C-MESH1-LINES"}).text, "Taken here: LINE_STRIP."));

@@ -1,6 +1,7 @@
 // Tests the coverage of requirements, the catalogue's reasons for undecidable ones, and the wrapping of its
 // text and its abbreviations.
 #include <evalcts/results/coverage.h>
+#include <evalcts/results/documents.h>
 
 #include <gtest/gtest.h>
 
@@ -87,6 +88,34 @@ TEST(Wrap, BreaksBetweenWords) {
   EXPECT_EQ(cli::wrapped("abcdefghij klm", 5, "  "), "abcdefghij\n  klm");
   EXPECT_EQ(cli::wrapped("§§§ §§§", 7, ""), "§§§ §§§");
   EXPECT_EQ(cli::wrapped("", 10, "  "), "");
+}
+
+// --- documents ---------------------------------------------------------------------------------------------
+
+TEST(Documents, AreFoundInSources) {
+  const auto names = [](const std::string& source) {
+    std::vector<std::string> all;
+    for (const Document& document : documents_in(source)) all.push_back(document.name);
+    return all;
+  };
+  using Strings = std::vector<std::string>;
+  EXPECT_EQ(names("GL 1.0-4.6c §5.1/§21.1; glMap2 page; fglMap2 page"),
+            (Strings{"OpenGL 1.0", "OpenGL 4.6", "the reference page of glMap2"}));
+  EXPECT_EQ(names("GL 2.1 5.1, glEvalPoint and glMapGrid pages; GL 2.1 §2.5"),
+            (Strings{"OpenGL 2.1", "the reference page of glEvalPoint", "the reference page of glMapGrid"}));
+  EXPECT_EQ(names("NV_evaluators errors (second entry); GLX protocol §2.3.5; gl.xml"),
+            (Strings{"GL_NV_evaluators", "the GLX protocol", "gl.xml"}));
+  EXPECT_EQ(names("(from memory)"), Strings());
+  const auto address = [](const std::string& source) { return documents_in(source).at(0).address; };
+  EXPECT_TRUE(address("GL 1.2.1 F.2.13").ends_with("/glspec121.pdf"));
+  EXPECT_TRUE(address("GL 3.1c").ends_with("/glspec31undep.pdf"));
+  EXPECT_TRUE(address("GL 4.3c+").ends_with("/glspec43.compatibility.pdf"));
+  EXPECT_TRUE(address("NV_evaluators").ends_with("/extensions/NV/NV_evaluators.txt"));
+  // Nearly all sources name a document.
+  std::size_t without = 0;
+  for (const Requirement& requirement : catalogue().requirements)
+    without += documents_in(requirement.source).empty();
+  EXPECT_LT(without, 12u);
 }
 
 }  // namespace

@@ -213,6 +213,8 @@ void write_head(Screen& screen, const RunResult& record) {
   }
   if (!parts.empty()) head += ": " + join(parts, ", ");
   screen.line(head, Colour::kBold);
+  if (!implementation.files.empty())
+    screen.whole_line("loaded: " + join(implementation.files, ", "), Colour::kFaint);
   if (implementation.kind == "production")
     screen.line("  this project's own evaluator: it shows that the tests can pass", Colour::kFaint);
   if (implementation.kind == "reference")

@@ -42,7 +42,8 @@ TEST(Terminal, NoteOnTheImplementation) {
       " end";
   record["implementation"]["note"] = note;
   record["implementation"]["files"] = {"/build/libEGL_mesa.so.0"};
-  EXPECT_EQ(lines_of(terminal_of(record, nullptr, false, false))[1], "note: " + note);
+  EXPECT_EQ(lines_of(terminal_of(record, nullptr, false, false))[1], "loaded: /build/libEGL_mesa.so.0");
+  EXPECT_EQ(lines_of(terminal_of(record, nullptr, false, false))[2], "note: " + note);
   EXPECT_NE(html_of({record}, nullptr).find(note), std::string::npos);
   EXPECT_NE(html_of({record}, nullptr).find("/build/libEGL_mesa.so.0"), std::string::npos);
   EXPECT_NE(markdown_of({record}).find("**note**: `" + note), std::string::npos);

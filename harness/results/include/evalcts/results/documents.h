@@ -1,0 +1,21 @@
+// The documents that the sources of requirements name.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace evalcts {
+
+struct Document {
+  std::string name;     // "OpenGL 2.1", "the reference page of glMap1", "GL_NV_evaluators"
+  std::string address;  // in the registry of Khronos
+
+  bool operator==(const Document&) const = default;
+};
+
+// Returns the documents that a source such as "GL 1.0-2.1 §5.1; glMap1 page; NV_evaluators errors" names,
+// each once, in their order: of a range of versions the first and the last one. Versions from 3.1 on are
+// those of the compatibility profile.
+std::vector<Document> documents_in(const std::string& source);
+
+}  // namespace evalcts
