@@ -13,6 +13,7 @@
 #include <evalcts/gl/case_json.h>
 #include <evalcts/results/known_bugs.h>
 #include <evalcts/results/requirements.h>
+#include "issue.h"
 #include "result_files.h"
 
 namespace evalcts::cli {
@@ -22,18 +23,47 @@ struct BugsOptions {
   std::vector<std::string> results;  // files and folders; empty: the default folder
   bool verbose = false;
   bool known = false;
+  std::string issue;  // ID of the bug for which an issue is written; empty: none
 };
+
+std::vector<std::string> calls_of(const std::string& commands) {
+  return commands.empty() ? std::vector<std::string>() : fuzz::readable_calls(gl::parse_case(commands));
+}
 
 // Returns the text of docs/known-bugs.md.
 std::string known_bugs_page() {
   std::vector<std::string> programs;
   for (const KnownBug& bug : known_bugs())
-    programs.push_back(
-        bug.programs.empty()
-            ? ""
-            : fmt::format("{}", fmt::join(fuzz::readable_calls(gl::parse_case(bug.programs.front().commands)),
-                                          "\n")));
+    programs.push_back(bug.programs.empty()
+                           ? ""
+                           : fmt::format("{}", fmt::join(calls_of(bug.programs.front().commands), "\n")));
   return known_bugs_as_markdown(known_bugs(), programs);
+}
+
+// Prints an issue for a bug of the results, or of the register if they do not have it.
+int print_issue(const std::string& id, const std::vector<RunResult>& results) {
+  const KnownBug* known = find_known_bug(id);
+  const RunResult* run = nullptr;
+  const Bug* found = nullptr;
+  for (const RunResult& result : results)
+    for (const Bug& bug : result.bugs)
+      if (!found && (bug.id == id || (known && bug.known == id))) {
+        run = &result;
+        found = &bug;
+      }
+  if (found && !known) known = find_known_bug(found->known);
+  if (!found && !known)
+    return wrong_use(
+        fmt::format("no bug is called '{}'; 'evalcts bugs' lists those of the last run, and 'evalcts list "
+                    "bugs' the known ones",
+                    id));
+  std::vector<std::string> calls;
+  if (known && !known->programs.empty())
+    calls = calls_of(known->programs.front().commands);
+  else if (found)
+    calls = found->failure.calls;
+  std::cout << issue_text(run, found, known, calls);
+  return kNothingUnexpected;
 }
 
 int bugs(const BugsOptions& options) {
@@ -44,6 +74,15 @@ int bugs(const BugsOptions& options) {
   try {
     const std::vector<std::string> wanted =
         options.results.empty() ? std::vector{places().output.string()} : options.results;
+    if (!options.issue.empty()) {
+      std::vector<RunResult> results;
+      try {
+        results = read_results(wanted, false);
+      } catch (const CannotReadResults&) {
+        if (!find_known_bug(options.issue)) throw;  // a known bug needs no run
+      }
+      return print_issue(options.issue, results);
+    }
     for (const RunResult& result : read_results(wanted, false))
       std::cout << reports::bug_list(result, catalogue(), shows_colour(), options.verbose) << "\n";
   } catch (const CannotReadResults& error) {
@@ -63,6 +102,9 @@ std::function<int()> define_bugs(CLI::App& app, const Call&) {
   app.add_flag("--verbose", options->verbose, "list every test that a bug explains");
   app.add_flag("--known", options->known,
                "print the known bugs of all implementations as Markdown, instead of the bugs of a run");
+  app.add_option(
+      "--issue", options->issue,
+      "print an issue in Markdown for this bug of the results or of the register, ready for a bug tracker");
   return [options] { return bugs(*options); };
 }
 
@@ -71,7 +113,8 @@ std::function<int()> define_bugs(CLI::App& app, const Call&) {
 const Command kBugsCommand = {
     "bugs", "list the distinct bugs behind the failing tests of a run, most important first",
     R"(  $ evalcts bugs
-  $ evalcts bugs results-osmesa.json --verbose)",
+  $ evalcts bugs results-osmesa.json --verbose
+  $ evalcts bugs --issue mesa-point-end)",
     define_bugs};
 
 }  // namespace evalcts::cli

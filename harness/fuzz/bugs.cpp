@@ -455,8 +455,10 @@ std::vector<std::string> readable_calls(const gl::Case& program) {
       const double scaled = value * 1e6;
       const bool exact =
           std::abs(scaled) < 1e15 && scaled == std::trunc(scaled) && std::fma(value, 1e6, -scaled) == 0;
+      std::string decimal = fmt::format("{}", value);
+      if (decimal.find('.') == std::string::npos) decimal += ".0";  // C does not take "3f"
       if (exact)
-        readable += fmt::format("{}{}", value, single ? "f" : "");
+        readable += decimal + (single ? "f" : "");
       else
         readable +=
             fmt::format("{} /* {} */", text,

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include <evalcts/results/json.h>
+#include "cli/issue.h"
 #include "drill.h"
 
 namespace evalcts {
@@ -606,6 +607,60 @@ TEST_F(CommandLine, SmallestSinkPassesAndItsWrongTwinFails) {
   EXPECT_EQ(wrong.code, 1) << wrong.text;
   EXPECT_EQ(as_text(test_named(results("wrong"), "Map1Values.Ends/MAP1_VERTEX_3/EvalCoord1f")["verdict"]),
             "fail");
+}
+
+TEST_F(CommandLine, IssuesCanBeFiled) {
+  // A known bug, without a run.
+  const std::string known = evalcts({"bugs", "--issue", "mesa-getmap-saturation", folder_.string()}).text;
+  EXPECT_EQ(known.find("# OpenGL evaluators: GetMapiv answers the lower 32 bits"), 0u) << known;
+  for (const char* const part :
+       {"Affected: Mesa 20.3 to ",
+        "```c\nglMap1f(GL_MAP1_INDEX, 0.0f, 1.0f, 1, 1, (GLfloat[]){3000000000.0f});\n",
+        "* Expected: 2147483647\n* Observed: -1294967296", "> GetMapiv of a value beyond the int range",
+        "glspec21.pdf)", "## Cause", "## Effect on real programs\n\nPrograms that",
+        "evalcts check mesa-getmap-saturation"})
+    EXPECT_TRUE(contains(known, part)) << part << " in " << known;
+  EXPECT_EQ(evalcts({"bugs", "--issue", "mesa-nothing", folder_.string()}).code, 2);
+  // A new bug of a run.
+  reduces_failures_ = true;
+  drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f"});
+  const json bugs = results("drill")["bugs"];
+  ASSERT_EQ(bugs.size(), 1u);
+  const Outcome outcome = evalcts({"bugs", "--issue", bugs[0]["id"].get<std::string>(), folder_.string()});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  for (const char* const part :
+       {"\nObserved with: ", "glMap1f(GL_MAP1_VERTEX_3, ",
+        "* Expected: ", "## Rule\n\n> INVALID_VALUE if stride < k.", "1 of its tests", "evalcts reproduce "})
+    EXPECT_TRUE(contains(outcome.text, part)) << part << " in " << outcome.text;
+}
+
+TEST(Issue, ShortensPrograms) {
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(
+      cli::short_program({"glColor3f(0x1.99999ap-4f /* 0.1 */, -0x1.8p+1f, 0x1p-1f);", "glEnable(0x821E);"}),
+      (Lines{"glColor3f(0.1f, -3.0f, 0.5f);", "glEnable(0x821E);"}));
+  Lines many = {"glBegin(GL_LINES);"};
+  for (int i = 0; i < 10000; ++i) {
+    many.emplace_back("glEvalCoord1d(0x1p-2);");
+    many.emplace_back("glVertex2i(1, 2);");
+  }
+  many.emplace_back("glEnd();");
+  EXPECT_EQ(cli::short_program(many),
+            (Lines{"glBegin(GL_LINES);", "for (int i = 0; i < 10000; ++i) {", "  glEvalCoord1d(0.25);",
+                   "  glVertex2i(1, 2);", "}", "glEnd();"}));
+  Lines different;
+  for (int i = 0; i < 100; ++i) different.push_back(std::to_string(i));
+  const Lines cut = cli::short_program(different);
+  EXPECT_EQ(cut.size(), 25u);
+  EXPECT_EQ(cut[12], "/* 76 more lines, which the attached program has */");
+}
+
+TEST(Issue, SaysNumbersPlainly) {
+  EXPECT_EQ(cli::in_plain_numbers("[-3.01718326e-37, 3.01718326e-37]"), "0");
+  EXPECT_EQ(cli::in_plain_numbers("[0.49998, 0.50002]"), "0.5 +- 2e-05");
+  EXPECT_EQ(cli::in_plain_numbers("[-0.001, 0.001]"), "0 +- 0.001");
+  EXPECT_EQ(cli::in_plain_numbers("[0.25, 0.25]"), "0.25");
+  EXPECT_EQ(cli::in_plain_numbers("GL_INVALID_VALUE"), "GL_INVALID_VALUE");
 }
 
 TEST_F(CommandLine, ChecksSayByTheirExitCodeWhatIsWrong) {
