@@ -9,8 +9,6 @@
 #include <evalcts/cli/command.h>
 #include <evalcts/cli/places.h>
 #include <evalcts/cli/terminal.h>
-#include <evalcts/fuzz/bugs.h>
-#include <evalcts/gl/case_json.h>
 #include <evalcts/results/known_bugs.h>
 #include <evalcts/results/requirements.h>
 #include "issue.h"
@@ -26,17 +24,11 @@ struct BugsOptions {
   std::string issue;  // ID of the bug for which an issue is written; empty: none
 };
 
-std::vector<std::string> calls_of(const std::string& commands) {
-  return commands.empty() ? std::vector<std::string>() : fuzz::readable_calls(gl::parse_case(commands));
-}
-
 // Returns the text of docs/known-bugs.md.
 std::string known_bugs_page() {
   std::vector<std::string> programs;
   for (const KnownBug& bug : known_bugs())
-    programs.push_back(bug.programs.empty()
-                           ? ""
-                           : fmt::format("{}", fmt::join(calls_of(bug.programs.front().commands), "\n")));
+    programs.push_back(fmt::format("{}", fmt::join(program_of(bug), "\n")));
   return known_bugs_as_markdown(known_bugs(), programs);
 }
 
@@ -57,11 +49,8 @@ int print_issue(const std::string& id, const std::vector<RunResult>& results) {
         fmt::format("no bug is called '{}'; 'evalcts bugs' lists those of the last run, and 'evalcts list "
                     "bugs' the known ones",
                     id));
-  std::vector<std::string> calls;
-  if (known && !known->programs.empty())
-    calls = calls_of(known->programs.front().commands);
-  else if (found)
-    calls = found->failure.calls;
+  std::vector<std::string> calls = known ? program_of(*known) : std::vector<std::string>();
+  if (calls.empty() && found && found->is_reduced()) calls = found->failure.calls;
   std::cout << issue_text(run, found, known, calls);
   return kNothingUnexpected;
 }

@@ -13,13 +13,12 @@
 #include <evalcts/cli/places.h>
 #include <evalcts/cli/specified_run.h>
 #include <evalcts/cli/terminal.h>
-#include <evalcts/fuzz/bugs.h>
-#include <evalcts/gl/case_json.h>
 #include <evalcts/results/coverage.h>
 #include <evalcts/results/documents.h>
 #include <evalcts/results/known_bugs.h>
 #include <evalcts/runner/worker.h>
 #include "help.h"
+#include "issue.h"
 #include "wrap.h"
 
 namespace evalcts::cli {
@@ -72,11 +71,9 @@ void explain_bug(const KnownBug& bug) {
   labelled("Violates", fmt::format("{}", fmt::join(texts_of(bug.requirements), ", ")));
   labelled("Clause", bug.clause);
   print_documents(bug.clause);
-  if (!bug.programs.empty()) {
-    paragraph("Minimal program:");
-    for (const std::string& call : fuzz::readable_calls(gl::parse_case(bug.programs.front().commands)))
-      std::cout << "    " << call << "\n";
-  }
+  const std::vector<std::string> program = program_of(bug);
+  if (!program.empty()) paragraph("Program:");
+  for (const std::string& line : program) std::cout << "    " << line << "\n";
   labelled("Expected", bug.expected);
   labelled("Instead", bug.captured);
   labelled(bug.suspected ? "Suspected cause" : "Cause", bug.cause);

@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include <evalcts/fuzz/bugs.h>
+#include <evalcts/gl/case_json.h>
 #include <evalcts/results/documents.h>
 #include <evalcts/results/requirements.h>
 
@@ -62,6 +64,11 @@ std::size_t rounds_at(const std::vector<std::string>& lines, std::size_t begin, 
 }
 
 }  // namespace
+
+std::vector<std::string> program_of(const KnownBug& bug) {
+  return bug.programs.empty() ? bug.example
+                              : fuzz::readable_calls(gl::parse_case(bug.programs.front().commands));
+}
 
 std::vector<std::string> short_program(const std::vector<std::string>& calls) {
   std::vector<std::string> lines, out;

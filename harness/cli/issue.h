@@ -10,6 +10,9 @@
 
 namespace evalcts::cli {
 
+// Returns the program of a known bug as C: its first program, or its example; empty if it has neither.
+std::vector<std::string> program_of(const KnownBug& bug);
+
 // Returns the lines of a program with equal neighbours as loops, with decimal numbers only, and with the
 // middle of what is still long left out.
 std::vector<std::string> short_program(const std::vector<std::string>& calls);

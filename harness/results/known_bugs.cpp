@@ -50,6 +50,7 @@ KnownBug read_known_bug(const JsonObject& in) {
   out.suspected = in.boolean("suspected");
   out.real_programs = in.text("real_programs");
   out.verified = in.text("verified");
+  out.example = in.texts("example");
   FailingTests of_programs;
   in.each_object("programs", [&](const JsonObject& program) {
     BugProgram& added = out.programs.emplace_back();

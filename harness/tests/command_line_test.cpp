@@ -634,6 +634,21 @@ TEST_F(CommandLine, IssuesCanBeFiled) {
     EXPECT_TRUE(contains(outcome.text, part)) << part << " in " << outcome.text;
 }
 
+// The examples of known bugs are C, as far as a compiler can tell.
+TEST_F(CommandLine, ExamplesOfKnownBugsCompile) {
+  std::string text = "#define GL_GLEXT_PROTOTYPES\n#include <GL/gl.h>\n#include <GL/glext.h>\n";
+  int examples = 0;
+  for (const KnownBug& bug : known_bugs()) {
+    if (bug.example.empty()) continue;
+    text += fmt::format("void example_{}(void) {{\n{}\n}}\n", ++examples, fmt::join(bug.example, "\n"));
+  }
+  EXPECT_GE(examples, 4);
+  std::ofstream(folder_ / "examples.c") << text;
+  const Outcome outcome = start({"/usr/bin/env", "cc", "-std=c11", "-Werror=implicit-function-declaration",
+                                 "-fsyntax-only", (folder_ / "examples.c").string()});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+}
+
 TEST(Issue, ShortensPrograms) {
   using Lines = std::vector<std::string>;
   EXPECT_EQ(

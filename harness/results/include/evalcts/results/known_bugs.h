@@ -55,6 +55,9 @@ struct KnownBug {
   std::string verified;             // the way in which the bug was verified
   // Reports show the first program. Empty if JSON cannot express one.
   std::vector<BugProgram> programs;
+  // Lines of C in a function, with a GL that is current, which show a bug without a program. Verified by
+  // hand.
+  std::vector<std::string> example;
   std::vector<FailingTests> tests;  // Findings.NAME of `programs` included
 
   // True if the library crashes or hangs in the programs.
