@@ -40,7 +40,9 @@ int report(const ReportOptions& options) {
   }
   const FolderLock lock = claim(output, "evalcts report");
   for (const RunResult& result : results)
-    std::cout << reports::terminal_summary(result, catalogue(), shows_colour(), false) << "\n";
+    std::cout << reports::terminal_summary(result, catalogue(), shows_colour(), false, 0,
+                                           screen_of(STDOUT_FILENO).columns)
+              << "\n";
   if (!before.empty()) std::cout << changes.text << "\n";
   try {
     write_pages(output, results, before);

@@ -110,7 +110,8 @@ std::optional<Candidate> find_bug(const std::list<RunResult>& runs, const std::s
   for (const RunResult& run : runs)
     for (const Bug& bug : run.bugs)
       if (run.pass == Pass::kFreshContexts &&
-          (wanted == bug.id || wanted == run.implementation.name + ":" + bug.id))
+          (wanted == bug.id || wanted == run.implementation.name + ":" + bug.id ||
+           (!bug.known.empty() && wanted == bug.known)))
         found.emplace_back(&run, &bug);
   if (found.empty()) return std::nullopt;
   if (found.size() > 1) {

@@ -331,9 +331,10 @@ int run(const RunOptions& options, const std::string& shard) {
         applied = apply_baseline(result, options, request, all_tests);
       write_atomically(output / fmt::format("results-{}.json", label), to_text(result));
       write_atomically(output / fmt::format("junit-{}.xml", label), reports::junit(result));
+      const ScreenSize screen = screen_of(STDOUT_FILENO);
       line.print(options.quiet ? reports::terminal_line(result, shows_colour())
                                : reports::terminal_summary(result, catalogue(), shows_colour(),
-                                                           options.verbose, screen_of(STDOUT_FILENO).lines) +
+                                                           options.verbose, screen.lines, screen.columns) +
                                      "\n");
       if (const std::size_t unused = applied.unused_signatures.size())
         std::cerr << fmt::format("evalcts: baseline {}: {} no entry and {} ignored: {}\n", result.baseline,

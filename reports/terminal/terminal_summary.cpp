@@ -1,5 +1,5 @@
-// Writes the summary of a run for a terminal: distinct bugs, unexpected results and counts, cut to the size
-// of the screen.
+// Writes the summary of a run for a terminal: distinct bugs, unexpected results and counts, as many as fit on
+// the screen.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,13 +14,12 @@
 namespace evalcts::reports {
 namespace {
 
-constexpr std::size_t kColumns = 100;
+constexpr std::size_t kMostRows = 4;    // of the screen, for one line of the text
 constexpr std::size_t kMostInFull = 8;  // failures, without --verbose
 constexpr std::size_t kMostBugs = 24;
 constexpr std::size_t kMostCrashGroups = 4;
 constexpr std::size_t kLinesInFull = 8;  // lines of the screen for a failure, with commands of two lines each
 constexpr std::size_t kLinesAtEnd = 7;   // lines of the screen after the failures, with the prompt
-constexpr std::size_t kMostOfSource = 24;  // columns of a requirement's source
 
 enum class Colour { kNone, kRed, kYellow, kGreen, kFaint, kBold };
 
@@ -30,28 +29,47 @@ Colour colour_of(Verdict verdict) {
   return verdict == Verdict::kPass ? Colour::kGreen : Colour::kFaint;
 }
 
-// Text for the screen without control characters; lines are cut if `cut_lines` is set. Colours are added to
-// whole lines after these are cut.
+// Returns the number of bytes of the first `columns` characters.
+std::size_t bytes_of(const std::string& text, std::size_t columns) {
+  std::size_t bytes = 0;
+  for (; bytes < text.size(); ++bytes)
+    if ((static_cast<unsigned char>(text[bytes]) & 0xC0) != 0x80 && columns-- == 0) break;
+  return bytes;
+}
+
+// Text for the screen without control characters. Lines longer than the screen are broken between words; a
+// very long one is cut after kMostRows rows. `columns`: 0 if there is no screen; then lines are whole.
 class Screen {
  public:
-  Screen(bool colour, bool cut_lines) : colour_(colour), cut_lines_(cut_lines) {}
+  Screen(bool colour, std::size_t columns) : colour_(colour), columns_(columns) {}
 
-  void line(const std::string& text, Colour colour = Colour::kNone) {
-    const std::string shown = cut_lines_ ? cut(one_line(text), kColumns) : one_line(text);
-    out_ += paint(shown, colour) + "\n";
+  // `indent`: of further rows; 0: two more than that of the text.
+  void line(const std::string& text, Colour colour = Colour::kNone, std::size_t indent = 0) {
+    std::string rest = one_line(text);
+    const std::string margin(indent ? indent : std::min(rest.find_first_not_of(' '), rest.size()) + 2, ' ');
+    for (std::size_t rows = 1; columns_ > 0 && bytes_of(rest, columns_) < rest.size(); ++rows) {
+      if (rows == kMostRows) {
+        rest = cut(rest, columns_);
+        break;
+      }
+      const std::size_t space = rest.rfind(' ', bytes_of(rest, columns_));
+      const bool has_space = space != std::string::npos && space > margin.size();
+      const std::size_t end = has_space ? space : bytes_of(rest, columns_);
+      out_ += paint(rest.substr(0, end), colour) + "\n";
+      rest = margin + rest.substr(end + has_space);
+    }
+    out_ += paint(rest, colour) + "\n";
   }
   // Adds a line that is never cut: a command, which has to work when it is copied.
   void uncut(const std::string& text, Colour colour = Colour::kNone) {
     out_ += paint(one_line(text), colour) + "\n";
   }
-  // Adds a line that is never cut, because its end says what to do.
-  void whole_line(const std::string& text, Colour colour) { out_ += paint(one_line(text), colour) + "\n"; }
   // Adds "head: part, part" on as many lines as all parts need.
   void list(const std::string& head, const std::vector<std::string>& parts) {
     std::string pending = head;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::string next = (i == 0 ? ": " : ", ") + parts[i];
-      if (pending.size() + next.size() < kColumns) {
+      if (columns_ == 0 || pending.size() + next.size() < columns_) {
         pending += next;
       } else {
         line(pending + ",");
@@ -69,7 +87,8 @@ class Screen {
     return fmt::format("\x1b[{}m{}\x1b[0m", kCodes[static_cast<int>(colour)], text);
   }
 
-  bool colour_, cut_lines_;
+  bool colour_;
+  std::size_t columns_;
   std::string out_;
 };
 
@@ -124,11 +143,8 @@ std::string demand(const TestRecord& test, const Catalogue& catalogue) {
   if (blamed.size() > 1) others = fmt::format(" (and {} more)", blamed.size() - 1);
   const Requirement* requirement = catalogue.find(id);
   if (!requirement) return join(texts_of(blamed), ", ");
-  const std::string source =
-      requirement->source.empty() ? "" : " [" + cut(requirement->source, kMostOfSource) + "]";
-  const std::string head = "  why: " + id + others + ": ";
-  const std::size_t used = std::min(head.size() + source.size(), kColumns - 3);
-  return id + others + ": " + cut(one_line(requirement->text), kColumns - used) + source;
+  return id + others + ": " + requirement->text +
+         (requirement->source.empty() ? "" : " [" + requirement->source + "]");
 }
 
 // Returns the failing tests that the bug explains and that the baseline does not expect.
@@ -144,19 +160,17 @@ std::vector<const TestRecord*> unexpected_of(const Bug& bug, const RunResult& re
 // all its failures, two more lines: the difference, and the command that writes a C program.
 void write_bug(Screen& screen, const Bug& bug, std::size_t number, const RunResult& record) {
   const std::vector<const TestRecord*> unexpected = unexpected_of(bug, record);
-  screen.line(fmt::format("{:>2}. {}{}", number, bug.title,
-                          bug.known_in.empty() ? "" : fmt::format(" (known in {})", bug.known_in)),
-              unexpected.empty() ? Colour::kNone : colour_of(bug.verdict));
+  constexpr std::size_t kIndent = 4;  // of the title
+  screen.line(fmt::format("{:>2}. {}", number, bug.title),
+              unexpected.empty() ? Colour::kNone : colour_of(bug.verdict), kIndent);
   std::string weight = fmt::format("    {}, {}: {}", text_of(bug.verdict).word, name_of(bug.level),
                                    count(bug.tests.size(), "test"));
   if (!unexpected.empty()) weight += fmt::format(" ({} unexpected)", unexpected.size());
   if (bug.breaks_real_programs) weight += ", real programs draw wrong";
   if (bug.outside_evaluators) weight += ", explicit vertices show it as well";
   if (!bug.is_reduced()) weight += ", not reduced";
-  weight += "; " + bug.id;
-  constexpr std::size_t kLeast = 12;  // columns that the clause needs, with its brackets
-  if (!bug.clause.empty() && weight.size() + kLeast < kColumns)
-    weight += " [" + cut(one_line(bug.clause), kColumns - weight.size() - 3) + "]";
+  weight += "; " + (bug.known.empty() ? bug.id : bug.known);
+  if (!bug.clause.empty()) weight += " [" + bug.clause + "]";
   screen.line(weight, Colour::kFaint);
   if (unexpected.empty()) return;
   const TestRecord& first = *unexpected.front();
@@ -171,8 +185,12 @@ void write_bugs(Screen& screen, const RunResult& record, std::size_t most) {
   std::size_t explained = 0;
   for (const Bug& bug : record.bugs) explained += bug.tests.size();
   screen.line("");
-  screen.line(fmt::format("{} behind {}, most important first", count(record.bugs.size(), "distinct bug"),
-                          count(explained, "failing test")),
+  const auto known = std::ranges::count_if(record.bugs, [](const Bug& bug) { return !bug.known.empty(); });
+  screen.line(fmt::format("{} behind {}, most important first; {}", count(record.bugs.size(), "distinct bug"),
+                          count(explained, "failing test"),
+                          known == std::ssize(record.bugs) ? "all are known"
+                          : known == 0                     ? "none is known"
+                                                           : fmt::format("{} known", known)),
               Colour::kBold);
   for (std::size_t i = 0; i < record.bugs.size() && i < most; ++i)
     write_bug(screen, record.bugs[i], i + 1, record);
@@ -214,12 +232,12 @@ void write_head(Screen& screen, const RunResult& record) {
   if (!parts.empty()) head += ": " + join(parts, ", ");
   screen.line(head, Colour::kBold);
   if (!implementation.files.empty())
-    screen.whole_line("loaded: " + join(implementation.files, ", "), Colour::kFaint);
+    screen.line("loaded: " + join(implementation.files, ", "), Colour::kFaint);
   if (implementation.kind == "production")
     screen.line("  this project's own evaluator: it shows that the tests can pass", Colour::kFaint);
   if (implementation.kind == "reference")
     screen.line("  the executable specification: the tests agree with it, so they can pass", Colour::kFaint);
-  if (!implementation.note.empty()) screen.whole_line("note: " + implementation.note, Colour::kYellow);
+  if (!implementation.note.empty()) screen.line("note: " + implementation.note, Colour::kYellow);
 
   std::vector<std::string> counts;
   for (std::size_t i = 0; i < kVerdicts; ++i) {
@@ -238,7 +256,7 @@ void write_head(Screen& screen, const RunResult& record) {
   for (const TestRecord& test : record.tests)
     if (test.verdict == Verdict::kNotObservable && test.flake) unstable.push_back(test.name);
   if (!unstable.empty())
-    screen.whole_line(
+    screen.line(
         fmt::format("note: {} {} unstable: {} failed, and not when {} run again ({}{})",
                     count(unstable.size(), "test"), unstable.size() == 1 ? "is" : "are",
                     unstable.size() == 1 ? "it" : "they", unstable.size() == 1 ? "it was" : "they were",
@@ -258,14 +276,14 @@ void write_why_unobserved(Screen& screen, const RunResult& record) {
     }
   if (kPart * tests < record.total() || tests == 0) return;
   const auto most = std::ranges::max_element(reasons, {}, [](const auto& reason) { return reason.second; });
-  screen.whole_line(fmt::format("note: {} of {} tests were not observed, {} of them because: {}", tests,
-                                record.total(), most->second, most->first),
-                    Colour::kYellow);
+  screen.line(fmt::format("note: {} of {} tests were not observed, {} of them because: {}", tests,
+                          record.total(), most->second, most->first),
+              Colour::kYellow);
   for (const CaptureRecord& capture : record.implementation.captures)
     if (!capture.available)
-      screen.whole_line(fmt::format("  {} does not work: {}", capture.name, capture.reason), Colour::kYellow);
-  screen.whole_line("  docs/test-your-gl.md says what helps; --verbose lists all that was not judged",
-                    Colour::kYellow);
+      screen.line(fmt::format("  {} does not work: {}", capture.name, capture.reason), Colour::kYellow);
+  screen.line("  docs/test-your-gl.md says what helps; --verbose lists all that was not judged",
+              Colour::kYellow);
 }
 
 // Writes one line for all crashes or hangs at the same place, and one about the commands that other tests
@@ -323,35 +341,35 @@ void write_captures(Screen& screen, const RunResult& record) {
 // Names the baseline whose failures were expected, and the options that change it.
 void write_baseline(Screen& screen, const RunResult& record) {
   if (!record.baseline.empty())
-    screen.whole_line(
+    screen.line(
         fmt::format("baseline: {} (--baseline DIR adds failures that you know, none expects no failure)",
                     record.baseline),
         Colour::kFaint);
   else if (record.unexpected_count() > 0)
-    screen.whole_line("baseline: none; --baseline DIR --write-baseline records these failures as known",
-                      Colour::kFaint);
+    screen.line("baseline: none; --baseline DIR --write-baseline records these failures as known",
+                Colour::kFaint);
 }
 
 void write_conclusion(Screen& screen, const RunResult& record, const std::string& head = {}) {
   const Conclusion conclusion = conclusion_of(record);
   const bool is_green =
       record.is_complete() && !is_mostly_unobserved(conclusion.observed, conclusion.supported);
-  screen.whole_line(head + conclusion.text, !conclusion.problems.empty() ? Colour::kRed
-                                            : is_green                   ? Colour::kGreen
-                                                                         : Colour::kYellow);
+  screen.line(head + conclusion.text, !conclusion.problems.empty() ? Colour::kRed
+                                      : is_green                   ? Colour::kGreen
+                                                                   : Colour::kYellow);
 }
 
 }  // namespace
 
 std::string terminal_line(const RunResult& record, bool colour) {
-  Screen screen(colour, true);
+  Screen screen(colour, 0);
   write_conclusion(screen, record, record.heading("(unnamed)") + ": ");
   return screen.text();
 }
 
 std::string terminal_summary(const RunResult& record, const Catalogue& catalogue, bool colour, bool verbose,
-                             std::size_t lines) {
-  Screen screen(colour, !verbose);
+                             std::size_t lines, std::size_t columns) {
+  Screen screen(colour, columns);
   write_head(screen, record);
   write_why_unobserved(screen, record);
   write_crashes(screen, record, verbose);
@@ -405,12 +423,12 @@ std::string terminal_summary(const RunResult& record, const Catalogue& catalogue
   screen.line("");
   if (left)
     screen.line("and " + count(left, "unexpected result") + " more; --verbose and index.html show all");
-  if (!record.bugs_note.empty()) screen.whole_line("note: " + record.bugs_note, Colour::kFaint);
+  if (!record.bugs_note.empty()) screen.line("note: " + record.bugs_note, Colour::kFaint);
   if (record.confirmed_by_group)
     screen.line("so many failed that " + count(record.confirmed_by_group, "unexpected failure") +
                 " had another of the same kind run again instead");
   for (const std::string& quality : quality_in_words(record))
-    screen.whole_line("quality: " + quality, Colour::kFaint);
+    screen.line("quality: " + quality, Colour::kFaint);
   write_baseline(screen, record);
   write_conclusion(screen, record);
   return screen.text();

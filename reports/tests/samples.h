@@ -130,8 +130,8 @@ inline std::string html_of(const std::vector<nlohmann::json>& results, const nlo
 }
 inline std::string junit_of(const nlohmann::json& result) { return junit(read_run_result(result)); }
 inline std::string terminal_of(const nlohmann::json& result, const nlohmann::json& catalogue, bool colour,
-                               bool verbose, std::size_t lines = 0) {
-  return terminal_summary(read_run_result(result), catalogue_of(catalogue), colour, verbose, lines);
+                               bool verbose, std::size_t lines = 0, std::size_t columns = 0) {
+  return terminal_summary(read_run_result(result), catalogue_of(catalogue), colour, verbose, lines, columns);
 }
 inline std::string terminal_line_of(const nlohmann::json& result, bool colour) {
   return terminal_line(read_run_result(result), colour);

@@ -71,14 +71,14 @@ std::string junit(const RunResult& result);
 // were not looked for, or with `verbose`, it has each unexpected failure in five lines: the test and its
 // case; the expected and the captured value; the requirement; the command that runs only this test; the
 // commands that open it in a debugger and write it as a C program. The worst are first, but one of each
-// requirement comes before the second of any. Without `verbose` there are at most 8 failures, on lines of 100
-// columns; commands are never cut. With `verbose` there are all unexpected failures with all their recorded
-// cases, the failures that the baseline expects (one line each), and the tests that were not judged, with the
-// reasons. catalogue: as for html. colour: true to add ANSI colour sequences; the words are the same.
-// lines: height of the screen, on which fewer than 8 failures may fit; 0: unknown. The text ends with a
+// requirement comes before the second of any. Without `verbose` there are at most 8 failures. With `verbose`
+// there are all unexpected failures with all their recorded cases, the failures that the baseline expects
+// (one line each), and the tests that were not judged, with the reasons. catalogue: as for html. colour: true
+// to add ANSI colour sequences; the words are the same. lines, columns: size of the screen, on which fewer
+// than 8 failures may fit, and at which lines except commands are broken; 0: unknown. The text ends with a
 // newline.
 std::string terminal_summary(const RunResult& result, const Catalogue& catalogue, bool colour, bool verbose,
-                             std::size_t lines = 0);
+                             std::size_t lines = 0, std::size_t columns = 0);
 
 // Returns the distinct bugs of a run for a terminal, most important first: each with its requirements, the
 // expected and the captured value, its minimal program as C, and at most 5 of the tests that it explains
