@@ -58,8 +58,9 @@ struct RunOptions {
   std::string shard;                         // "K/N"; empty: all
   std::optional<std::uint32_t> shuffle;      // seed of the order in which the tests run
   bool quiet = false, verbose = false;
-  std::string command;  // the typed command
-  std::string program;  // evalcts as the user typed it
+  std::string annotations;  // "github" or "gitlab"; empty: none
+  std::string command;      // the typed command
+  std::string program;      // evalcts as the user typed it
 
   bool names_implementations() const {
     return !implementations.empty() || !library.empty() || !context.empty();
@@ -276,6 +277,16 @@ AppliedBaseline apply_baseline(RunResult& result, const RunOptions& options, con
   return applied;
 }
 
+// Returns the file of the repository to which annotations belong: the baseline of the user, or else the
+// library.
+std::string file_of_annotations(const RunOptions& options) {
+  if (!options.baseline.empty() && options.baseline != "none") {
+    const ChosenFiles files = files_of(options.baseline);
+    return (files.name.empty() ? files.folder : files.folder / (files.name + "-fails.txt")).string();
+  }
+  return options.library.empty() ? "evalcts" : options.library;
+}
+
 int run(const RunOptions& options, const std::string& shard) {
   if (const std::string wrong = wrong_options(options); !wrong.empty()) return wrong_use(wrong);
   RunRequest request = request_of(options, shard);
@@ -347,6 +358,10 @@ int run(const RunOptions& options, const std::string& shard) {
     }
   }
   write_pages(output, results, {});
+  if (options.annotations == "github") std::cout << reports::github_annotations(results);
+  if (options.annotations == "gitlab")
+    write_atomically(output / "code-quality.json",
+                     reports::gitlab_code_quality(results, file_of_annotations(options)));
   if (!options.quiet) std::cout << fmt::format("Report: {}\n", (output / "index.html").string());
   if (interrupted)
     code = std::max(code, wrong_use("interrupted; the results so far are in the output folder"));
@@ -415,6 +430,11 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
   app.add_option(
       "--shuffle", options->shuffle,
       "run the tests in a random order with this seed; GoogleTest keeps the tests of a suite together");
+  app.add_option(
+         "--annotations", options->annotations,
+         "also report new failures in the form of a CI service: github prints annotations, gitlab writes "
+         "code-quality.json")
+      ->check(CLI::IsMember({"github", "gitlab"}));
   CLI::Option* verbose = app.add_flag("--verbose", options->verbose,
                                       "list all failing tests and everything that was not judged");
   app.add_flag("--quiet", options->quiet, "print one line per implementation")->excludes(verbose);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include "evalcts/reports.h"
@@ -329,6 +330,42 @@ TEST(Terminal, ReasonIsNeverCut) {
 TEST(Terminal, EmptyRecordIsNotGreen) {
   EXPECT_EQ(terminal_of(json::object(), nullptr, false, false),
             "(unnamed)\n0 tests\n\nNo failures so far; not complete: status unknown\n");
+}
+
+// --- annotations -------------------------------------------------------------------------------------------
+
+TEST(Annotations, AreOfNewFailuresOnly) {
+  const std::vector<RunResult> results = {read_run_result(read_sample("results-osmesa.json"))};
+  const std::string github = github_annotations(results);
+  EXPECT_EQ(std::ranges::count(github, '\n'), 4) << github;
+  EXPECT_TRUE(
+      contains(github,
+               "::error title=osmesa%3A EvalMesh2 behind CallList crashes::EV-MESH2-FILL-1a2b (crash, 1 new "
+               "failing test). crash: expected no crash, got signal 11"))
+      << github;
+  EXPECT_FALSE(contains(github, "Map1 with a stride below")) << github;  // known
+  EXPECT_TRUE(contains(github, "::error title=osmesa%3A Map2Values.Rational::internal-error: ")) << github;
+  const json gitlab = json::parse(gitlab_code_quality(results, "ci/library-fails.txt"));
+  ASSERT_EQ(gitlab.size(), 4u);
+  EXPECT_EQ(as_text(gitlab[0]["check_name"]), "osmesa:EV-MESH2-FILL-1a2b");
+  EXPECT_EQ(as_text(gitlab[0]["severity"]), "critical");
+  EXPECT_EQ(as_text(gitlab[0]["location"]["path"]), "ci/library-fails.txt");
+  std::set<std::string> fingerprints;
+  for (const json& each : gitlab) fingerprints.insert(each["fingerprint"].get<std::string>());
+  EXPECT_EQ(fingerprints.size(), 4u);
+  EXPECT_EQ(github_annotations({}), "");
+  EXPECT_EQ(gitlab_code_quality({}, "x"), "[]\n");
+}
+
+TEST(Annotations, AreFewAndCannotBecomeCommands) {
+  const std::string github = github_annotations({read_run_result(large_record())});
+  EXPECT_EQ(std::ranges::count(github, '\n'), 10) << github;
+  EXPECT_TRUE(contains(github, "::error title=evalcts::191 more are in the summary\n")) << github;
+  json record = large_record();
+  record["tests"][0]["message"] = "one\n::error::two %";
+  record["tests"][0].erase("failures");
+  const std::string escaped = github_annotations({read_run_result(record)});
+  EXPECT_TRUE(contains(escaped, "one%0A::error::two %25")) << escaped;
 }
 
 }  // namespace

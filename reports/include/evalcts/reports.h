@@ -67,6 +67,13 @@ std::vector<RunResult> merge_shards(const std::vector<RunResult>& results);
 // so that it does not look complete; a run that never started is one skipped testcase.
 std::string junit(const RunResult& result);
 
+// Returns the new failures, one for each bug, as error annotations: commands of GitHub's workflows, at most
+// ten, which GitHub shows beside the log. Empty if there is none.
+std::string github_annotations(const std::vector<RunResult>& results);
+// Returns the same as a report of GitLab's code quality, at the first line of the file, a path in the
+// repository.
+std::string gitlab_code_quality(const std::vector<RunResult>& results, const std::string& file);
+
 // Returns the text to read first after a run: counts, then the distinct bugs, most important first. If bugs
 // were not looked for, or with `verbose`, it has each unexpected failure in five lines: the test and its
 // case; the expected and the captured value; the requirement; the command that runs only this test; the
