@@ -1,12 +1,11 @@
 # A room is a folder with a library of the project. Its public headers are in include/, mostly as <evalcts/NAME/...>, and
 # its private headers are next to its sources. docs/architecture.md says which room may use which; the test `rooms` compares
 # it with the rooms that are declared here and with the includes of the sources.
-#   evalcts_room(NAME [HOT|COLD] SOURCES file... USES room... LINK public-library... PRIVATE_LINK library...)
-# makes the library evalcts_NAME. It is compiled with evalcts_options if it is HOT, evalcts_cold_options if it is COLD, and
-# otherwise evalcts_light_options: most time of a run is spent in the library under test, in the oracle and in the evaluator. A
-# HOT room cannot reuse the precompiled header of another one.
+#   evalcts_room(NAME [HOT] SOURCES file... USES room... LINK public-library... PRIVATE_LINK library...)
+# makes the library evalcts_NAME. It is compiled with evalcts_light_options unless it is HOT: most time of a run is spent in
+# the library under test, in the oracle and in the evaluator. A HOT room cannot reuse the precompiled header of another one.
 function(evalcts_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 ROOM "HOT;COLD" "" "SOURCES;USES;LINK;PRIVATE_LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 ROOM "HOT" "" "SOURCES;USES;LINK;PRIVATE_LINK")
   add_library(evalcts_${name} STATIC ${ROOM_SOURCES})
   target_include_directories(evalcts_${name} PUBLIC include PRIVATE .)
   foreach(used ${ROOM_USES})
@@ -16,7 +15,7 @@ function(evalcts_room name)
     endif()
   endforeach()
   target_link_libraries(evalcts_${name} PUBLIC ${ROOM_LINK} PRIVATE ${ROOM_PRIVATE_LINK}
-                        $<IF:$<BOOL:${ROOM_HOT}>,evalcts_options,$<IF:$<BOOL:${ROOM_COLD}>,evalcts_cold_options,evalcts_light_options>>)
+                        $<IF:$<BOOL:${ROOM_HOT}>,evalcts_options,evalcts_light_options>)
   evalcts_declare_room(${name} ${ROOM_USES})
 endfunction()
 

@@ -82,8 +82,9 @@ Question question_of(const std::string& name, const std::vector<ListedTest>& all
   return {{named}, {}};
 }
 
+// A failure that does not happen again decides nothing.
 bool violates(const TestRecord& test, const std::optional<RequirementId>& requirement) {
-  if (!is_failure(test.verdict)) return false;
+  if (!is_failure(test.verdict) || test.flake) return false;
   return !requirement || std::ranges::any_of(test.blamed(), [&](const RequirementId& id) {
     return id.decides(*requirement);
   });

@@ -272,8 +272,7 @@ int sweep(const UlpOptions& options) {
     become("evalcts-lab-mpi");
     return wrong_use(
         "mpirun started several processes, but this evalcts was built without MPI: install libopenmpi-dev "
-        "and "
-        "openmpi-bin, and rebuild it");
+        "and openmpi-bin, and rebuild it");
   }
   std::unique_ptr<World> world;
   // Only rank 0 prints an error message.

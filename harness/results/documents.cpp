@@ -23,12 +23,12 @@ std::string version_at(const std::string& text) {
   return text.substr(0, 3);
 }
 
-Document specification(const std::string& version) {
+Document specification(const std::string& version, bool core) {
   std::string file = "glspec" + version.substr(0, 1) + version.substr(2);
   if (version == "1.2") file += "1";
   if (version == "3.1") file += "undep";
 
-  if (version >= "3.2") file += ".compatibility";
+  if (version >= "3.2") file += core ? ".core" : ".compatibility";
   return {"OpenGL " + version, kSpecifications + file + ".pdf"};
 }
 
@@ -72,10 +72,11 @@ std::vector<Document> documents_in(const std::string& source) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string next = i + 1 < words.size() ? words[i + 1] : "";
     if (words[i] == "GL" && !version_at(next).empty()) {
-      add(specification(version_at(next)));
+      const bool core = i + 2 < words.size() && words[i + 2] == "core";
+      add(specification(version_at(next), core));
       const std::size_t dash = next.find('-');
       if (dash != std::string::npos && !version_at(next.substr(dash + 1)).empty())
-        add(specification(version_at(next.substr(dash + 1))));
+        add(specification(version_at(next.substr(dash + 1)), core));
     } else if (const auto document = named_by(words[i], next)) {
       add(*document);
     }

@@ -110,6 +110,7 @@ TEST(Documents, AreFoundInSources) {
   EXPECT_TRUE(address("GL 1.2.1 F.2.13").ends_with("/glspec121.pdf"));
   EXPECT_TRUE(address("GL 3.1c").ends_with("/glspec31undep.pdf"));
   EXPECT_TRUE(address("GL 4.3c+").ends_with("/glspec43.compatibility.pdf"));
+  EXPECT_TRUE(address("GL 4.6 core 22.1").ends_with("/glspec46.core.pdf"));
   EXPECT_TRUE(address("NV_evaluators").ends_with("/extensions/NV/NV_evaluators.txt"));
   // Nearly all sources name a document.
   std::size_t without = 0;

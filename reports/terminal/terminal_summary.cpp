@@ -14,7 +14,8 @@
 namespace evalcts::reports {
 namespace {
 
-constexpr std::size_t kMostRows = 4;    // of the screen, for one line of the text
+constexpr std::size_t kMostRows = 4;  // of the screen, for one line of the text, without --verbose
+constexpr std::size_t kAllRows = std::string::npos;
 constexpr std::size_t kMostInFull = 8;  // failures, without --verbose
 constexpr std::size_t kMostBugs = 24;
 constexpr std::size_t kMostCrashGroups = 4;
@@ -37,29 +38,19 @@ std::size_t bytes_of(const std::string& text, std::size_t columns) {
   return bytes;
 }
 
-// Text for the screen without control characters. Lines longer than the screen are broken between words; a
-// very long one is cut after kMostRows rows. `columns`: 0 if there is no screen; then lines are whole.
+// Text for the screen without control characters. Lines longer than the screen are broken between words, and
+// cut after `most_rows` rows. `columns`: 0 if there is no screen; then lines are whole.
 class Screen {
  public:
-  Screen(bool colour, std::size_t columns) : colour_(colour), columns_(columns) {}
+  Screen(bool colour, std::size_t columns, std::size_t most_rows)
+      : colour_(colour), columns_(columns), most_rows_(most_rows) {}
 
   // `indent`: of further rows; 0: two more than that of the text.
   void line(const std::string& text, Colour colour = Colour::kNone, std::size_t indent = 0) {
-    std::string rest = one_line(text);
-    const std::string margin(indent ? indent : std::min(rest.find_first_not_of(' '), rest.size()) + 2, ' ');
-    for (std::size_t rows = 1; columns_ > 0 && bytes_of(rest, columns_) < rest.size(); ++rows) {
-      if (rows == kMostRows) {
-        rest = cut(rest, columns_);
-        break;
-      }
-      const std::size_t space = rest.rfind(' ', bytes_of(rest, columns_));
-      const bool has_space = space != std::string::npos && space > margin.size();
-      const std::size_t end = has_space ? space : bytes_of(rest, columns_);
-      out_ += paint(rest.substr(0, end), colour) + "\n";
-      rest = margin + rest.substr(end + has_space);
-    }
-    out_ += paint(rest, colour) + "\n";
+    add(text, colour, indent, most_rows_);
   }
+  // Adds a line of which all is shown, because its end says what to do.
+  void whole_line(const std::string& text, Colour colour) { add(text, colour, 0, kAllRows); }
   // Adds a line that is never cut: a command, which has to work when it is copied.
   void uncut(const std::string& text, Colour colour = Colour::kNone) {
     out_ += paint(one_line(text), colour) + "\n";
@@ -87,8 +78,25 @@ class Screen {
     return fmt::format("\x1b[{}m{}\x1b[0m", kCodes[static_cast<int>(colour)], text);
   }
 
+  void add(const std::string& text, Colour colour, std::size_t indent, std::size_t most_rows) {
+    std::string rest = one_line(text);
+    const std::string margin(indent ? indent : std::min(rest.find_first_not_of(' '), rest.size()) + 2, ' ');
+    for (std::size_t rows = 1; columns_ > 0 && bytes_of(rest, columns_) < rest.size(); ++rows) {
+      if (rows == most_rows) {
+        rest = cut(rest, columns_);
+        break;
+      }
+      const std::size_t space = rest.rfind(' ', bytes_of(rest, columns_));
+      const bool has_space = space != std::string::npos && space > margin.size();
+      const std::size_t end = has_space ? space : bytes_of(rest, columns_);
+      out_ += paint(rest.substr(0, end), colour) + "\n";
+      rest = margin + rest.substr(end + has_space);
+    }
+    out_ += paint(rest, colour) + "\n";
+  }
+
   bool colour_;
-  std::size_t columns_;
+  std::size_t columns_, most_rows_;
   std::string out_;
 };
 
@@ -232,12 +240,12 @@ void write_head(Screen& screen, const RunResult& record) {
   if (!parts.empty()) head += ": " + join(parts, ", ");
   screen.line(head, Colour::kBold);
   if (!implementation.files.empty())
-    screen.line("loaded: " + join(implementation.files, ", "), Colour::kFaint);
+    screen.whole_line("loaded: " + join(implementation.files, ", "), Colour::kFaint);
   if (implementation.kind == "production")
     screen.line("  this project's own evaluator: it shows that the tests can pass", Colour::kFaint);
   if (implementation.kind == "reference")
     screen.line("  the executable specification: the tests agree with it, so they can pass", Colour::kFaint);
-  if (!implementation.note.empty()) screen.line("note: " + implementation.note, Colour::kYellow);
+  if (!implementation.note.empty()) screen.whole_line("note: " + implementation.note, Colour::kYellow);
 
   std::vector<std::string> counts;
   for (std::size_t i = 0; i < kVerdicts; ++i) {
@@ -256,7 +264,7 @@ void write_head(Screen& screen, const RunResult& record) {
   for (const TestRecord& test : record.tests)
     if (test.verdict == Verdict::kNotObservable && test.flake) unstable.push_back(test.name);
   if (!unstable.empty())
-    screen.line(
+    screen.whole_line(
         fmt::format("note: {} {} unstable: {} failed, and not when {} run again ({}{})",
                     count(unstable.size(), "test"), unstable.size() == 1 ? "is" : "are",
                     unstable.size() == 1 ? "it" : "they", unstable.size() == 1 ? "it was" : "they were",
@@ -276,14 +284,14 @@ void write_why_unobserved(Screen& screen, const RunResult& record) {
     }
   if (kPart * tests < record.total() || tests == 0) return;
   const auto most = std::ranges::max_element(reasons, {}, [](const auto& reason) { return reason.second; });
-  screen.line(fmt::format("note: {} of {} tests were not observed, {} of them because: {}", tests,
-                          record.total(), most->second, most->first),
-              Colour::kYellow);
+  screen.whole_line(fmt::format("note: {} of {} tests were not observed, {} of them because: {}", tests,
+                                record.total(), most->second, most->first),
+                    Colour::kYellow);
   for (const CaptureRecord& capture : record.implementation.captures)
     if (!capture.available)
-      screen.line(fmt::format("  {} does not work: {}", capture.name, capture.reason), Colour::kYellow);
-  screen.line("  docs/test-your-gl.md says what helps; --verbose lists all that was not judged",
-              Colour::kYellow);
+      screen.whole_line(fmt::format("  {} does not work: {}", capture.name, capture.reason), Colour::kYellow);
+  screen.whole_line("  docs/test-your-gl.md says what helps; --verbose lists all that was not judged",
+                    Colour::kYellow);
 }
 
 // Writes one line for all crashes or hangs at the same place, and one about the commands that other tests
@@ -341,35 +349,35 @@ void write_captures(Screen& screen, const RunResult& record) {
 // Names the baseline whose failures were expected, and the options that change it.
 void write_baseline(Screen& screen, const RunResult& record) {
   if (!record.baseline.empty())
-    screen.line(
+    screen.whole_line(
         fmt::format("baseline: {} (--baseline DIR adds failures that you know, none expects no failure)",
                     record.baseline),
         Colour::kFaint);
   else if (record.unexpected_count() > 0)
-    screen.line("baseline: none; --baseline DIR --write-baseline records these failures as known",
-                Colour::kFaint);
+    screen.whole_line("baseline: none; --baseline DIR --write-baseline records these failures as known",
+                      Colour::kFaint);
 }
 
 void write_conclusion(Screen& screen, const RunResult& record, const std::string& head = {}) {
   const Conclusion conclusion = conclusion_of(record);
   const bool is_green =
       record.is_complete() && !is_mostly_unobserved(conclusion.observed, conclusion.supported);
-  screen.line(head + conclusion.text, !conclusion.problems.empty() ? Colour::kRed
-                                      : is_green                   ? Colour::kGreen
-                                                                   : Colour::kYellow);
+  screen.whole_line(head + conclusion.text, !conclusion.problems.empty() ? Colour::kRed
+                                            : is_green                   ? Colour::kGreen
+                                                                         : Colour::kYellow);
 }
 
 }  // namespace
 
 std::string terminal_line(const RunResult& record, bool colour) {
-  Screen screen(colour, 0);
+  Screen screen(colour, 0, kAllRows);
   write_conclusion(screen, record, record.heading("(unnamed)") + ": ");
   return screen.text();
 }
 
 std::string terminal_summary(const RunResult& record, const Catalogue& catalogue, bool colour, bool verbose,
                              std::size_t lines, std::size_t columns) {
-  Screen screen(colour, columns);
+  Screen screen(colour, columns, verbose ? kAllRows : kMostRows);
   write_head(screen, record);
   write_why_unobserved(screen, record);
   write_crashes(screen, record, verbose);
@@ -423,12 +431,12 @@ std::string terminal_summary(const RunResult& record, const Catalogue& catalogue
   screen.line("");
   if (left)
     screen.line("and " + count(left, "unexpected result") + " more; --verbose and index.html show all");
-  if (!record.bugs_note.empty()) screen.line("note: " + record.bugs_note, Colour::kFaint);
+  if (!record.bugs_note.empty()) screen.whole_line("note: " + record.bugs_note, Colour::kFaint);
   if (record.confirmed_by_group)
     screen.line("so many failed that " + count(record.confirmed_by_group, "unexpected failure") +
                 " had another of the same kind run again instead");
   for (const std::string& quality : quality_in_words(record))
-    screen.line("quality: " + quality, Colour::kFaint);
+    screen.whole_line("quality: " + quality, Colour::kFaint);
   write_baseline(screen, record);
   write_conclusion(screen, record);
   return screen.text();

@@ -163,10 +163,14 @@ TEST(Terminal, SaysEnough) {
       }
       EXPECT_EQ(words, whole) << columns;
     }
-  const std::string long_text(3000, 'x');
+  // Notes are never cut, and nothing is with --verbose.
   json one = large_record();
-  one["implementation"]["files"] = {long_text};
-  EXPECT_TRUE(contains(terminal_of(one, nullptr, false, false), long_text));
+  one["implementation"]["note"] = std::string(3000, '~');
+  EXPECT_EQ(std::ranges::count(terminal_of(one, nullptr, false, false, 0, 80), '~'), 3000);
+  one = large_record();
+  one["tests"][0]["failures"][0]["expected"] = std::string(3000, '~');
+  EXPECT_GE(std::ranges::count(terminal_of(one, nullptr, false, true, 0, 80), '~'), 3000);
+  EXPECT_LT(std::ranges::count(terminal_of(one, nullptr, false, false, 0, 80), '~'), 400);
   const std::string text = terminal_of(large_record(), nullptr, false, false);
   for (int i = 0; i < 8; ++i) EXPECT_TRUE(contains(text, "  why: EV-" + std::to_string(i) + "\n")) << i;
   EXPECT_TRUE(contains(text, "and 192 unexpected results more; --verbose and index.html show all\n"));

@@ -15,7 +15,7 @@ struct Document {
 
 // Returns the documents that a source such as "GL 1.0-2.1 §5.1; glMap1 page; NV_evaluators errors" names,
 // each once, in their order: of a range of versions the first and the last one. Versions from 3.1 on are
-// those of the compatibility profile.
+// those of the compatibility profile, unless the source says "core".
 std::vector<Document> documents_in(const std::string& source);
 
 }  // namespace evalcts
