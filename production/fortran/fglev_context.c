@@ -1,8 +1,9 @@
-/* Contexts of Fortran programs: making, making current, sinks, destruction. fglev.inc documents the
- * routines. */
+/* Contexts of Fortran programs: making, making current, sinks, destruction; names of results. fglev.inc
+ * documents the routines. */
 #include "fglev_context.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 typedef void begin_procedure(const int* mode);
 typedef void vertex_procedure(const float* position, const float* color, const float* normal,
@@ -20,6 +21,14 @@ typedef struct fortran_context {
 static _Thread_local fortran_context* current;
 
 glev_context* fglev_current(void) { return current ? current->context : NULL; }
+
+/* A CHARACTER function of Fortran: its first arguments are the memory of its value and the length of that. */
+void fglevgetresultstring_(char* text, size_t length, const int* code) {
+  const char* const name = glevGetResultString((glev_result)*code);
+  const size_t size = strlen(name);
+  memset(text, ' ', length);
+  memcpy(text, name, size < length ? size : length);
+}
 
 int fglevcreatecontext_(fortran_context** handle) {
   glev_result result = GLEV_ERROR_OUT_OF_MEMORY;

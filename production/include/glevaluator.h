@@ -23,9 +23,12 @@
  *     A component of a control point does not affect the other components.
  *   - Later versions may extend structures. Programs that were compiled with an earlier header keep working:
  *       - A structure that begins with `size` may get more members at its end. Set `size` to sizeof the
- *         structure. The library reads `size` bytes and treats the members beyond as zero, which selects the
- *         behaviour of the library before it had them. A structure that is larger than that of the library is
- *         accepted if the bytes beyond are zero; otherwise it is an INVALID_ARGUMENT.
+ *         structure, as in `glev_sink sink = {.size = sizeof sink, .vertex = print}`; members that are not
+ *         mentioned are zero, which is their default. The library reads `size` bytes and treats the members
+ *         beyond as zero, which selects the behaviour of the library before it had them. A structure that is
+ *         larger than that of the library is accepted if the bytes beyond are zero. Every function that gets
+ *         another size, such as 0 because it was not set, returns GLEV_ERROR_STRUCTURE_SIZE, also for
+ *         structures that others point to.
  *       - Such a structure is passed by pointer and is never a member or an array element of another one.
  *       - glev_input and glev_attribute_output have no `size` and never change.
  *       - The `size` of the glev_vertex that a sink gets is that of the library; members beyond do not exist.
@@ -188,14 +191,19 @@ typedef struct glev_plan glev_plan;
 
 typedef enum glev_result {
   GLEV_SUCCESS = 0,
-  GLEV_ERROR_INVALID_ARGUMENT = 1, /* a null pointer, or a wrong size, token, stride or count */
+  GLEV_ERROR_INVALID_ARGUMENT = 1, /* a null pointer, or a wrong token, stride or count */
   GLEV_ERROR_UNSUPPORTED = 2,      /* valid, but not supported by this version */
   GLEV_ERROR_OUT_OF_MEMORY = 3,
   GLEV_ERROR_IN_PRIMITIVE = 4,     /* not allowed between Begin and End */
   GLEV_ERROR_NO_MAP = 5,           /* the plan has no map for a requested attribute */
   GLEV_ERROR_BUFFER_TOO_SMALL = 6, /* `count` elements do not fit into the given bytes */
-  GLEV_ERROR_OVERLAP = 7           /* two outputs, or an output and the input, share bytes */
+  GLEV_ERROR_OVERLAP = 7,          /* two outputs, or an output and the input, share bytes */
+  GLEV_ERROR_STRUCTURE_SIZE = 8    /* the member `size` of a structure is wrong, such as 0: it was not set */
 } glev_result;
+
+/* Returns the name of a result, such as "GLEV_ERROR_STRUCTURE_SIZE", or "unknown result" for any other
+ * number. The string has static lifetime. */
+GLEV_API const char* glevGetResultString(glev_result result);
 
 /* ---- Memory ---- */
 
@@ -226,7 +234,7 @@ GLEV_API const char* glevGetTargetName(size_t index);
  * disabled, of order 1 over (0,1) with GL's initial control point, AUTO_NORMAL off, grids of one segment over
  * (0,1), current colour (1,1,1,1), index 1, normal (0,0,1), texture coordinates (0,0,0,1), edge flag TRUE.
  * info: null selects the defaults. *context is null on failure.
- * Returns SUCCESS, INVALID_ARGUMENT (also for an unknown target) or OUT_OF_MEMORY. */
+ * Returns SUCCESS, INVALID_ARGUMENT (also for an unknown target), STRUCTURE_SIZE or OUT_OF_MEMORY. */
 GLEV_API glev_result glevCreateContext(const glev_context_info* info, glev_context** context);
 
 /* Frees the context; null is ignored. Its plans remain valid. Must not be called from a callback of its sink.
@@ -259,7 +267,7 @@ typedef struct glev_sink {
 } glev_sink;
 
 /* Copies the sink. Null (the initial state) means that there is no sink and vertices are discarded.
- * Returns SUCCESS, INVALID_ARGUMENT, or IN_PRIMITIVE between Begin and End. */
+ * Returns SUCCESS, STRUCTURE_SIZE, or IN_PRIMITIVE between Begin and End. */
 GLEV_API glev_result glevSetSink(glev_context* context, const glev_sink* sink);
 
 /* ---- Errors ---- */
@@ -268,6 +276,10 @@ GLEV_API glev_result glevSetSink(glev_context* context, const glev_sink* sink);
  * End, returns 0 and records INVALID_OPERATION. A command that records an error has no other effect. Errors
  * that depend on arguments alone have precedence over those that depend on state. */
 GLEV_API glev_enum glevGetError(glev_context* context);
+
+/* Returns the name of an error that glevGetError returned, such as "GLEV_INVALID_ENUM", or "unknown error"
+ * for any other number. The string has static lifetime. */
+GLEV_API const char* glevGetErrorString(glev_enum error);
 
 /* ---- Maps (GL §21.1) ---- */
 
@@ -625,7 +637,8 @@ typedef struct glev_plan_info {
 
 /* Takes a snapshot of the context; legal between Begin and End, too. *plan is null on failure. If the state
  * has not changed since the last call, returns the same plan with one more reference.
- * Returns SUCCESS, INVALID_ARGUMENT, UNSUPPORTED (dimension is neither 1 nor 2) or OUT_OF_MEMORY. */
+ * Returns SUCCESS, INVALID_ARGUMENT, STRUCTURE_SIZE, UNSUPPORTED (dimension is neither 1 nor 2) or
+ * OUT_OF_MEMORY. */
 GLEV_API glev_result glevCreatePlan(glev_context* context, const glev_plan_info* info, glev_plan** plan);
 
 GLEV_API void glevRetainPlan(glev_plan* plan);
@@ -723,7 +736,8 @@ typedef struct glev_batch {
  * arguments are checked before anything is written. If count is 0, nothing is read or written, and all data
  * may be null. A batch without outputs is legal, writes nothing, and is checked like any other.
  * Returns SUCCESS or
- * INVALID_ARGUMENT: a null pointer, a wrong size, type, stride, precision or number of components.
+ * INVALID_ARGUMENT: a null pointer, a wrong type, stride, precision or number of components.
+ * STRUCTURE_SIZE: the size of the batch or of an output.
  * NO_MAP: an output for an attribute without a map.
  * BUFFER_TOO_SMALL: a data_size.
  * OVERLAP: bytes of an output belong to another output or to an input as well. Interleaving in one block is
@@ -746,8 +760,9 @@ typedef struct glev_mesh {
 
 /* Returns the bytes of scratch memory that glevEvaluateMesh needs for the columns i1 to i2 of this mesh. The
  * result is positive for every legal mesh, even without points. It is 0 if glevEvaluateMesh would return
- * INVALID_ARGUMENT because the plan or the mesh is null, the size or the precision is wrong, or j1 or j2 is
- * not 0 in one dimension. The outputs, output_count, scratch and scratch_size of the mesh are ignored. */
+ * INVALID_ARGUMENT because the plan or the mesh is null, the precision is wrong, or j1 or j2 is not 0 in one
+ * dimension, or STRUCTURE_SIZE because of the mesh. The outputs, output_count, scratch and scratch_size of
+ * the mesh are ignored. */
 GLEV_API size_t glevGetMeshScratchSize(const glev_plan* plan, const glev_mesh* mesh);
 
 /* Evaluates the maps of a plan at points of its grid. Values, checks and results are those of glevEvaluate;
@@ -843,9 +858,10 @@ typedef struct glev_patch_grid {
  * written, and points, arguments, data and scratch may be null; points of SCATTERED without patches are an
  * INVALID_ARGUMENT.
  * Returns SUCCESS or
- * INVALID_ARGUMENT: a null pointer; a wrong size, type, order, number of components, stride of an output,
- *   domain, kind, precision, number of segments or target; a member that must be zero; a patch number that
- *   is not below count; two outputs of one attribute.
+ * INVALID_ARGUMENT: a null pointer; a wrong type, order, number of components, stride of an output, domain,
+ *   kind, precision, number of segments or target; a member that must be zero; a patch number that is not
+ *   below count; two outputs of one attribute.
+ * STRUCTURE_SIZE: the size of the patches, the grid or an output.
  * NO_MAP: NORMAL of fewer than 3 components, COLOR and TEXCOORD.
  * BUFFER_TOO_SMALL: points_size, a data_size or scratch_size.
  * OVERLAP: bytes of an output belong to another output, the scratch, the control points or the arguments as
@@ -856,7 +872,8 @@ GLEV_API glev_result glevEvaluatePatches(const glev_patches* patches, const glev
 
 /* Returns the bytes of scratch memory that glevEvaluatePatches needs for these patches and this grid. They do
  * not depend on the outputs and the number of patches. Returns 0 if glevEvaluatePatches would return
- * INVALID_ARGUMENT because of `patches` or `grid`; points, data and data_size may still be missing. */
+ * INVALID_ARGUMENT or STRUCTURE_SIZE because of `patches` or `grid`; points, data and data_size may still be
+ * missing. */
 GLEV_API size_t glevGetPatchScratchSize(const glev_patches* patches, const glev_patch_grid* grid);
 
 /* One map for a plan without a context: the state that Map1 or Map2, MapGrid and Enable set.
@@ -878,7 +895,8 @@ typedef struct glev_map_info {
 
 /* Makes a plan of one map, with one reference. It has the results of a plan of a context with this map. *plan
  * is null on failure.
- * Returns SUCCESS, INVALID_ARGUMENT, BUFFER_TOO_SMALL (points_size) or OUT_OF_MEMORY. */
+ * Returns SUCCESS, INVALID_ARGUMENT, STRUCTURE_SIZE (of the info, the map or the allocator), BUFFER_TOO_SMALL
+ * (points_size) or OUT_OF_MEMORY. */
 GLEV_API glev_result glevCreatePlanFromMap(const glev_map_info* info, glev_plan** plan);
 
 /* ---- Indices ---- */
@@ -938,9 +956,10 @@ GLEV_API size_t glevGetIndexScratchSize(const glev_indices* indices);
 
 /* Writes the indices without gaps. Data, vertices and scratch must not overlap; this is not checked.
  * Returns SUCCESS or
- * INVALID_ARGUMENT: a null pointer; a wrong size, mode, type, winding or edge_segments; fewer than 3
- *   columns or rows with edge_segments; a vertex whose number the type cannot hold; vertex_bytes that are
- *   0 or more than vertex_stride; 2^32 vertices or more to share.
+ * INVALID_ARGUMENT: a null pointer; a wrong mode, type, winding or edge_segments; fewer than 3 columns or
+ *   rows with edge_segments; a vertex whose number the type cannot hold; vertex_bytes that are 0 or more
+ *   than vertex_stride; 2^32 vertices or more to share.
+ * STRUCTURE_SIZE: the size of the structure.
  * BUFFER_TOO_SMALL: data_size, vertices_size or scratch_size. */
 GLEV_API glev_result glevGetIndices(const glev_indices* indices);
 

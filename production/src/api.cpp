@@ -11,6 +11,7 @@
 #include "command.h"
 #include "context.h"
 #include "environment.h"
+#include "outputs.h"
 #include "structures.h"
 
 using glev::widen;
@@ -78,6 +79,40 @@ void issue_tex_coord(glev_context* context, glev_enum texture, const Real* v) {
 
 }  // namespace
 
+// ---- Names of results and errors
+
+const char* glevGetResultString(glev_result result) {
+  switch (glev::number_of(result)) {
+#define GLEV_CASE(name) \
+  case name:            \
+    return #name
+    GLEV_CASE(GLEV_SUCCESS);
+    GLEV_CASE(GLEV_ERROR_INVALID_ARGUMENT);
+    GLEV_CASE(GLEV_ERROR_UNSUPPORTED);
+    GLEV_CASE(GLEV_ERROR_OUT_OF_MEMORY);
+    GLEV_CASE(GLEV_ERROR_IN_PRIMITIVE);
+    GLEV_CASE(GLEV_ERROR_NO_MAP);
+    GLEV_CASE(GLEV_ERROR_BUFFER_TOO_SMALL);
+    GLEV_CASE(GLEV_ERROR_OVERLAP);
+    GLEV_CASE(GLEV_ERROR_STRUCTURE_SIZE);
+  }
+  return "unknown result";
+}
+
+const char* glevGetErrorString(glev_enum error) {
+  switch (error) {
+    GLEV_CASE(GLEV_NO_ERROR);
+    GLEV_CASE(GLEV_INVALID_ENUM);
+    GLEV_CASE(GLEV_INVALID_VALUE);
+    GLEV_CASE(GLEV_INVALID_OPERATION);
+    GLEV_CASE(GLEV_STACK_OVERFLOW);
+    GLEV_CASE(GLEV_STACK_UNDERFLOW);
+    GLEV_CASE(GLEV_OUT_OF_MEMORY);
+#undef GLEV_CASE
+  }
+  return "unknown error";
+}
+
 // ---- Contexts, sink, errors
 
 const char* glevGetTargetName(size_t index) {
@@ -89,9 +124,10 @@ glev_result glevCreateContext(const glev_context_info* given, glev_context** con
   if (context == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
   *context = nullptr;
   glev_context_info info{};
-  if (given != nullptr && !glev::read_struct(given, &info)) return GLEV_ERROR_INVALID_ARGUMENT;
+  glev_result result = given != nullptr ? glev::read_struct(given, &info) : GLEV_SUCCESS;
   glev::Allocator allocator;
-  if (!glev::read_allocator(info.allocator, &allocator)) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (result == GLEV_SUCCESS) result = glev::read_allocator(info.allocator, &allocator);
+  if (result != GLEV_SUCCESS) return result;
   const glev::Kernels* kernels = glev::find_kernels(info.target);
   if (kernels == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
   void* memory = allocator.allocate(sizeof(glev_context), alignof(glev_context));
@@ -474,7 +510,8 @@ glev_result glevCreatePlan(glev_context* context, const glev_plan_info* given, g
   if (plan == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
   *plan = nullptr;
   glev_plan_info info;
-  if (!glev::read_struct(given, &info)) return GLEV_ERROR_INVALID_ARGUMENT;
+  const glev_result result = glev::read_struct(given, &info);
+  if (result != GLEV_SUCCESS) return result;
   if (info.dimension != 1 && info.dimension != 2) return GLEV_ERROR_UNSUPPORTED;
   glev_plan* current = context->current_plan(static_cast<int>(info.dimension));
   if (current == nullptr) return GLEV_ERROR_OUT_OF_MEMORY;

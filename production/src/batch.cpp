@@ -158,11 +158,14 @@ std::size_t count_of(glev_int i1, glev_int i2) {
   return i1 > i2 ? 0 : static_cast<std::size_t>(static_cast<std::int64_t>(i2) - i1 + 1);
 }
 
-// Copies the mesh. Returns false if it is invalid, apart from its outputs and scratch memory.
-bool read_mesh(const glev_plan* plan, const glev_mesh* given, glev_mesh* mesh) {
-  if (plan == nullptr || !glev::read_struct(given, mesh) || !glev::is_precision(mesh->precision))
-    return false;
-  return plan->dimension() == 2 || (mesh->j1 == 0 && mesh->j2 == 0);
+// Copies the mesh. Returns an error if it is invalid, apart from its outputs and scratch memory.
+glev_result read_mesh(const glev_plan* plan, const glev_mesh* given, glev_mesh* mesh) {
+  if (plan == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
+  const glev_result result = glev::read_struct(given, mesh);
+  if (result != GLEV_SUCCESS) return result;
+  const bool is_valid =
+      glev::is_precision(mesh->precision) && (plan->dimension() == 2 || (mesh->j1 == 0 && mesh->j2 == 0));
+  return is_valid ? GLEV_SUCCESS : GLEV_ERROR_INVALID_ARGUMENT;
 }
 
 // Returns true if both are wanted, and each normal directly follows its vertex, both as three floats.
@@ -248,8 +251,10 @@ void evaluate_range(const glev_plan& plan, const MeshRange& range, bool fast, co
 
 glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
   glev_batch room;
-  const glev_batch* const view = glev::view_struct(given, &room);
-  if (plan == nullptr || view == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
+  const glev_batch* view;
+  if (plan == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
+  glev_result result = glev::view_struct(given, &room, &view);
+  if (result != GLEV_SUCCESS) return result;
   const glev_batch& batch = *view;
   if (batch.type != GLEV_FLOAT && batch.type != GLEV_DOUBLE) return GLEV_ERROR_INVALID_ARGUMENT;
   if (!glev::is_precision(batch.precision)) return GLEV_ERROR_INVALID_ARGUMENT;
@@ -259,7 +264,7 @@ glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
   if (!has_v && (batch.v.data != nullptr || batch.v.data_size != 0 || batch.v.stride != 0))
     return GLEV_ERROR_INVALID_ARGUMENT;
   Outputs outputs;
-  const glev_result result =
+  result =
       glev::read_outputs(components_of(*plan), batch.outputs, batch.output_count, {batch.count}, &outputs);
   if (result != GLEV_SUCCESS || batch.count == 0) return result;
 
@@ -275,8 +280,8 @@ glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
     inputs[1] = stream_of(batch.v);
     if (!inputs[1].fits_into(batch.v.data_size)) return GLEV_ERROR_BUFFER_TOO_SMALL;
   }
-  const glev_result memory = glev::check_memory(outputs, inputs);
-  if (memory != GLEV_SUCCESS) return memory;
+  result = glev::check_memory(outputs, inputs);
+  if (result != GLEV_SUCCESS) return result;
 
   const auto input_of = [&](const Stream& stream) {
     return glev::Input{stream.begin, stream.stride, is_double};
@@ -289,26 +294,28 @@ glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
 
 size_t glevGetMeshScratchSize(const glev_plan* plan, const glev_mesh* given) {
   glev_mesh mesh;
-  return read_mesh(plan, given, &mesh) ? glev::scratch_of(*plan, count_of(mesh.i1, mesh.i2)) : 0;
+  if (read_mesh(plan, given, &mesh) != GLEV_SUCCESS) return 0;
+  return glev::scratch_of(*plan, count_of(mesh.i1, mesh.i2));
 }
 
 glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
   glev_mesh mesh;
-  if (!read_mesh(plan, given, &mesh)) return GLEV_ERROR_INVALID_ARGUMENT;
+  glev_result result = read_mesh(plan, given, &mesh);
+  if (result != GLEV_SUCCESS) return result;
   const bool has_rows = plan->dimension() == 2;
   const std::size_t columns = count_of(mesh.i1, mesh.i2), rows = count_of(mesh.j1, mesh.j2);
   if (mesh.scratch == nullptr && mesh.scratch_size != 0) return GLEV_ERROR_INVALID_ARGUMENT;
   Outputs outputs;
-  const glev_result result = glev::read_outputs(components_of(*plan), mesh.outputs, mesh.output_count,
-                                                {columns, rows, 1, has_rows}, &outputs);
+  result = glev::read_outputs(components_of(*plan), mesh.outputs, mesh.output_count,
+                              {columns, rows, 1, has_rows}, &outputs);
   if (result != GLEV_SUCCESS || columns == 0 || rows == 0) return result;
 
   if (mesh.scratch_size < glev::scratch_of(*plan, columns)) return GLEV_ERROR_BUFFER_TOO_SMALL;
   auto* const scratch = static_cast<std::byte*>(mesh.scratch);
   const Stream claimed = glev::claim(mesh.scratch, mesh.scratch_size);
   const std::array<Stream, 1> others = {claimed};
-  const glev_result memory = glev::check_memory(outputs, others);
-  if (memory != GLEV_SUCCESS) return memory;
+  result = glev::check_memory(outputs, others);
+  if (result != GLEV_SUCCESS) return result;
 
   const glev::MeshRange range = {plan->grid(0), plan->grid(1), mesh.i1, mesh.j1, columns, rows};
   glev::evaluate_range(*plan, range, mesh.precision == GLEV_FAST, outputs, scratch);

@@ -502,7 +502,8 @@ void glev_context::vertex(const std::array<float, 4>& position) {
 
 glev_result glev_context::set_sink(const glev_sink* sink) {
   glev_sink copy{};
-  if (sink != nullptr && !glev::read_struct(sink, &copy)) return GLEV_ERROR_INVALID_ARGUMENT;
+  const glev_result result = sink != nullptr ? glev::read_struct(sink, &copy) : GLEV_SUCCESS;
+  if (result != GLEV_SUCCESS) return result;
   if (in_primitive_) return GLEV_ERROR_IN_PRIMITIVE;
   sink_ = copy;
   return GLEV_SUCCESS;

@@ -62,26 +62,31 @@ struct Strips {
   std::size_t steps, count;
 };
 
-// Copies the structure and counts vertices and indices. Returns false if it is invalid, apart from the sizes
-// and pointers of memory.
-bool read_indices(const glev_indices* given, glev_indices* indices, std::size_t* vertices,
-                  std::size_t* count) {
-  if (!glev::read_struct(given, indices) || index_bytes(indices->type) == 0) return false;
+// Copies the structure and counts vertices and indices. Returns an error if it is invalid, apart from the
+// sizes and pointers of memory.
+glev_result read_indices(const glev_indices* given, glev_indices* indices, std::size_t* vertices,
+                         std::size_t* count) {
+  const glev_result result = glev::read_struct(given, indices);
+  if (result != GLEV_SUCCESS) return result;
+  if (index_bytes(indices->type) == 0) return GLEV_ERROR_INVALID_ARGUMENT;
   const glev_enum mode = indices->mode, winding = indices->winding;
   const bool has_strips = mode == GLEV_TRIANGLE_STRIP;
-  if (mode != GLEV_POINT && mode != GLEV_LINE && mode != GLEV_FILL && !has_strips) return false;
-  if (winding != 0 && winding != GLEV_CW && winding != GLEV_CCW) return false;
+  if (mode != GLEV_POINT && mode != GLEV_LINE && mode != GLEV_FILL && !has_strips)
+    return GLEV_ERROR_INVALID_ARGUMENT;
+  if (winding != 0 && winding != GLEV_CW && winding != GLEV_CCW) return GLEV_ERROR_INVALID_ARGUMENT;
   if (indices->patches == 0) indices->patches = 1;
   const std::size_t columns = indices->columns, rows = indices->rows, first = indices->first;
   std::size_t own;
-  if (!count_vertices(*indices, &own) || !multiply(own, indices->patches, vertices)) return false;
+  if (!count_vertices(*indices, &own) || !multiply(own, indices->patches, vertices))
+    return GLEV_ERROR_INVALID_ARGUMENT;
   const bool shares = indices->vertices != nullptr;
-  if (shares && (indices->vertex_bytes == 0 || indices->vertex_bytes > indices->vertex_stride)) return false;
+  if (shares && (indices->vertex_bytes == 0 || indices->vertex_bytes > indices->vertex_stride))
+    return GLEV_ERROR_INVALID_ARGUMENT;
   *count = 0;
-  if (*vertices == 0) return true;
+  if (*vertices == 0) return GLEV_SUCCESS;
   const std::size_t largest = largest_index(indices->type) - (has_strips ? 1 : 0);
-  if (*vertices - 1 > largest || first > largest - (*vertices - 1)) return false;
-  if (shares && *vertices >= std::uint64_t{1} << 32) return false;
+  if (*vertices - 1 > largest || first > largest - (*vertices - 1)) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (shares && *vertices >= std::uint64_t{1} << 32) return GLEV_ERROR_INVALID_ARGUMENT;
   // With fewer than 2^32 vertices, nothing overflows below.
   if (mode == GLEV_POINT) *count = own;
   if (mode == GLEV_LINE) *count = 2 * (own - rows) + (rows > 1 ? 2 * (own - columns) : 0);
@@ -92,7 +97,7 @@ bool read_indices(const glev_indices* given, glev_indices* indices, std::size_t*
   if (has_strips) *count = strips.count * (2 * strips.steps + 1);
   *count *= indices->patches;
   if (has_strips && *count != 0) --*count;  // no restart at the end
-  return true;
+  return GLEV_SUCCESS;
 }
 
 // ---- Vertices of equal bits
@@ -270,13 +275,14 @@ class IndexWriter {
 size_t glevGetIndexCount(const glev_indices* given) {
   glev_indices indices;
   std::size_t vertices, count;
-  return read_indices(given, &indices, &vertices, &count) ? count : 0;
+  return read_indices(given, &indices, &vertices, &count) == GLEV_SUCCESS ? count : 0;
 }
 
 size_t glevGetIndexScratchSize(const glev_indices* given) {
   glev_indices indices;
   std::size_t vertices, count;
-  if (!read_indices(given, &indices, &vertices, &count) || count == 0 || indices.vertices == nullptr)
+  if (read_indices(given, &indices, &vertices, &count) != GLEV_SUCCESS || count == 0 ||
+      indices.vertices == nullptr)
     return 0;
   return scratch_for(vertices);
 }
@@ -284,7 +290,8 @@ size_t glevGetIndexScratchSize(const glev_indices* given) {
 glev_result glevGetIndices(const glev_indices* given) {
   glev_indices indices;
   std::size_t vertices, count;
-  if (!read_indices(given, &indices, &vertices, &count)) return GLEV_ERROR_INVALID_ARGUMENT;
+  const glev_result result = read_indices(given, &indices, &vertices, &count);
+  if (result != GLEV_SUCCESS) return result;
   if (count == 0) return GLEV_SUCCESS;
   const bool shares = indices.vertices != nullptr;
   if (indices.data == nullptr || (shares && indices.scratch == nullptr)) return GLEV_ERROR_INVALID_ARGUMENT;

@@ -174,8 +174,9 @@ struct Shape {
 inline glev_result read_output(const glev_output* given, const Shape& shape, std::size_t map_components,
                                std::size_t most_components, Output* output) {
   glev_output room;
-  const glev_output* const view = view_struct(given, &room);
-  if (view == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
+  const glev_output* view;
+  const glev_result result = view_struct(given, &room, &view);
+  if (result != GLEV_SUCCESS) return result;
   const glev_output& copy = *view;
   if (map_components == 0) return GLEV_ERROR_NO_MAP;
   if (copy.components < map_components || copy.components > most_components)

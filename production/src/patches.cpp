@@ -35,18 +35,20 @@ std::array<glev::Domain, 2> domain_of(const glev_patches& patches) {
   return {{{patches.u1, patches.u2}, {patches.v1, patches.v2}}};
 }
 
-// Copies the structure, and replaces domains of zeros by 0 to 1. Returns false if a member is invalid, apart
-// from the control points.
-bool read_patches(const glev_patches* given, glev_patches* patches) {
-  if (!glev::read_struct(given, patches)) return false;
-  if (patches->components < 1 || patches->components > 4) return false;
-  if (patches->type != GLEV_FLOAT && patches->type != GLEV_DOUBLE) return false;
+// Copies the structure, and replaces domains of zeros by 0 to 1. Returns an error if a member is invalid,
+// apart from the control points.
+glev_result read_patches(const glev_patches* given, glev_patches* patches) {
+  const glev_result result = glev::read_struct(given, patches);
+  if (result != GLEV_SUCCESS) return result;
+  if (patches->components < 1 || patches->components > 4) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (patches->type != GLEV_FLOAT && patches->type != GLEV_DOUBLE) return GLEV_ERROR_INVALID_ARGUMENT;
   for (const int order : order_of(*patches)) {
-    if (order < 1 || order > glev::kMaxOrder) return false;
+    if (order < 1 || order > glev::kMaxOrder) return GLEV_ERROR_INVALID_ARGUMENT;
   }
   if (patches->u1 == 0 && patches->u2 == 0) patches->u2 = 1;
   if (patches->v1 == 0 && patches->v2 == 0) patches->v2 = 1;
-  return patches->u1 != patches->u2 && patches->v1 != patches->v2;
+  const bool is_valid = patches->u1 != patches->u2 && patches->v1 != patches->v2;
+  return is_valid ? GLEV_SUCCESS : GLEV_ERROR_INVALID_ARGUMENT;
 }
 
 // Computes the layout of the control points, with columns along v and rows along u.
@@ -108,28 +110,35 @@ bool is_absent(const glev_input& input) {
   return input.data == nullptr && input.data_size == 0 && input.stride == 0;
 }
 
-// Copies the grid and finds its kernels. Returns false if a member is invalid, apart from pointers and sizes.
-bool read_grid(const glev_patch_grid* given, const glev_patches& patches, glev_patch_grid* grid,
-               const glev::Kernels** kernels) {
-  if (!glev::read_struct(given, grid) || !glev::is_precision(grid->precision)) return false;
-  *kernels = glev::find_kernels(grid->target);
-  if (*kernels == nullptr) return false;
-  const unsigned kind = glev::number_of(grid->kind);
+// Returns true if the members of the grid are valid, apart from pointers and sizes.
+bool is_valid(const glev_patch_grid& grid, const glev_patches& patches) {
+  if (!glev::is_precision(grid.precision)) return false;
+  const unsigned kind = glev::number_of(grid.kind);
   const bool has_edges = kind == GLEV_GRID_EDGES;
-  for (const glev_int segments : grid->edge_segments) {
+  for (const glev_int segments : grid.edge_segments) {
     if (has_edges ? segments < 1 : segments != 0) return false;
   }
   if (kind == GLEV_GRID_UNIFORM || has_edges) {
     const glev_int least = has_edges ? 2 : 0;
-    return grid->u_segments >= least && grid->v_segments >= least && grid->u_count == 0 &&
-           grid->v_count == 0 && grid->type == 0 && is_absent(grid->u) && is_absent(grid->v) &&
-           is_absent(grid->patch);
+    return grid.u_segments >= least && grid.v_segments >= least && grid.u_count == 0 && grid.v_count == 0 &&
+           grid.type == 0 && is_absent(grid.u) && is_absent(grid.v) && is_absent(grid.patch);
   }
-  if (grid->u_segments != 0 || grid->v_segments != 0) return false;
-  if (grid->type != GLEV_FLOAT && grid->type != GLEV_DOUBLE) return false;
+  if (grid.u_segments != 0 || grid.v_segments != 0) return false;
+  if (grid.type != GLEV_FLOAT && grid.type != GLEV_DOUBLE) return false;
   if (kind == GLEV_GRID_LISTS)
-    return is_absent(grid->patch) && (grid->v_count != 0 || is_absent(grid->v) || patches.vorder > 1);
-  return kind == GLEV_GRID_SCATTERED && grid->v_count == 0;
+    return is_absent(grid.patch) && (grid.v_count != 0 || is_absent(grid.v) || patches.vorder > 1);
+  return kind == GLEV_GRID_SCATTERED && grid.v_count == 0;
+}
+
+// Copies the patches and the grid, and finds the kernels. Returns an error if a member is invalid, apart from
+// pointers and sizes.
+glev_result read_arguments(const glev_patches* given_patches, const glev_patch_grid* given_grid,
+                           glev_patches* patches, glev_patch_grid* grid, const glev::Kernels** kernels) {
+  glev_result result = read_patches(given_patches, patches);
+  if (result == GLEV_SUCCESS) result = glev::read_struct(given_grid, grid);
+  if (result != GLEV_SUCCESS) return result;
+  *kernels = glev::find_kernels(grid->target);
+  return *kernels != nullptr && is_valid(*grid, *patches) ? GLEV_SUCCESS : GLEV_ERROR_INVALID_ARGUMENT;
 }
 
 bool is_scattered(const glev_patch_grid& grid) { return grid.kind == GLEV_GRID_SCATTERED; }
@@ -497,7 +506,7 @@ size_t glevGetPatchScratchSize(const glev_patches* given_patches, const glev_pat
   glev_patches patches;
   glev_patch_grid grid;
   const glev::Kernels* kernels;
-  if (!read_patches(given_patches, &patches) || !read_grid(given_grid, patches, &grid, &kernels)) return 0;
+  if (read_arguments(given_patches, given_grid, &patches, &grid, &kernels) != GLEV_SUCCESS) return 0;
   return scratch_for(patches, grid, kernels);
 }
 
@@ -507,13 +516,13 @@ glev_result glevEvaluatePatches(const glev_patches* given_patches, const glev_pa
   glev_patches patches;
   glev_patch_grid grid;
   const glev::Kernels* kernels;
-  if (!read_patches(given_patches, &patches) || !read_grid(given_grid, patches, &grid, &kernels))
-    return GLEV_ERROR_INVALID_ARGUMENT;
+  glev_result result = read_arguments(given_patches, given_grid, &patches, &grid, &kernels);
+  if (result != GLEV_SUCCESS) return result;
   if (scratch == nullptr && scratch_size != 0) return GLEV_ERROR_INVALID_ARGUMENT;
   const glev::Shape shape = shape_of(patches, grid);
   Outputs outputs;
-  glev_result result = glev::read_outputs([&](unsigned o) { return components_of(patches, o); },
-                                          given_outputs, output_count, shape, &outputs);
+  result = glev::read_outputs([&](unsigned o) { return components_of(patches, o); }, given_outputs,
+                              output_count, shape, &outputs);
   if (result != GLEV_SUCCESS || shape.is_empty()) return result;
 
   Inputs inputs;
@@ -545,8 +554,10 @@ glev_result glevCreatePlanFromMap(const glev_map_info* given, glev_plan** plan) 
   *plan = nullptr;
   glev_map_info info;
   glev_patches patches;
-  if (!glev::read_struct(given, &info) || !read_patches(info.map, &patches) || patches.count != 1)
-    return GLEV_ERROR_INVALID_ARGUMENT;
+  glev_result result = glev::read_struct(given, &info);
+  if (result == GLEV_SUCCESS) result = read_patches(info.map, &patches);
+  if (result != GLEV_SUCCESS) return result;
+  if (patches.count != 1) return GLEV_ERROR_INVALID_ARGUMENT;
   const glev::Target target = glev::find_target(info.target);
   if (!target || info.target == GLEV_MAP1_INDEX || info.target == GLEV_MAP2_INDEX)
     return GLEV_ERROR_INVALID_ARGUMENT;
@@ -558,10 +569,10 @@ glev_result glevCreatePlanFromMap(const glev_map_info* given, glev_plan** plan) 
     return GLEV_ERROR_INVALID_ARGUMENT;
   glev::Allocator allocator;
   const glev::Kernels* kernels = glev::find_kernels(info.instruction_set);
-  if (kernels == nullptr || !glev::read_allocator(info.allocator, &allocator))
-    return GLEV_ERROR_INVALID_ARGUMENT;
+  if (kernels == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
   Stream points{};
-  const glev_result result = locate_points(patches, &points);
+  result = glev::read_allocator(info.allocator, &allocator);
+  if (result == GLEV_SUCCESS) result = locate_points(patches, &points);
   if (result != GLEV_SUCCESS) return result;
 
   const glev::DefaultEnvironment environment;

@@ -96,7 +96,8 @@ class Misuse : public ContextTest {
   float arguments_[kPoints] = {0, 0.25F, 0.5F, 0.75F, 1};
 };
 
-constexpr glev_result kInvalid = GLEV_ERROR_INVALID_ARGUMENT, kTooSmall = GLEV_ERROR_BUFFER_TOO_SMALL;
+constexpr glev_result kInvalid = GLEV_ERROR_INVALID_ARGUMENT, kTooSmall = GLEV_ERROR_BUFFER_TOO_SMALL,
+                      kWrongSize = GLEV_ERROR_STRUCTURE_SIZE;
 
 TEST_F(Misuse, WhatWouldDoDoes) {
   expect_both(GLEV_SUCCESS, "nothing", [](Call&) {});
@@ -129,8 +130,8 @@ TEST_F(Misuse, OfOutputs) {
     expect_batch(expected, 2, what, [&](Call& call) { spoil(call.tangent); });
     expect_mesh(expected, 2, what, [&](Call& call) { spoil(call.tangent); });
   };
-  change(kInvalid, "size 0", [](glev_output& output) { output.size = 0; });
-  change(kInvalid, "size below that of the first version",
+  change(kWrongSize, "size 0", [](glev_output& output) { output.size = 0; });
+  change(kWrongSize, "size below that of the first version",
          [](glev_output& output) { output.size = offsetof(glev_output, patch_stride) - 1; });
   change(kInvalid, "no data", [](glev_output& output) { output.data = nullptr; });
   change(kInvalid, "no components", [](glev_output& output) { output.components = 0; });
@@ -192,8 +193,8 @@ TEST_F(Misuse, OfBatches) {
     const auto change = [&](glev_result expected, const char* what, auto spoil) {
       expect_batch(expected, dimension, what, [&](Call& call) { spoil(call.batch); });
     };
-    change(kInvalid, "size 0", [](glev_batch& batch) { batch.size = 0; });
-    change(kInvalid, "size - 1", [](glev_batch& batch) { --batch.size; });
+    change(kWrongSize, "size 0", [](glev_batch& batch) { batch.size = 0; });
+    change(kWrongSize, "size - 1", [](glev_batch& batch) { --batch.size; });
     for (glev_enum type : {glev_enum{0}, glev_enum{GLEV_INT}, glev_enum{1}})
       change(kInvalid, "type", [&](glev_batch& batch) { batch.type = type; });
     for (int precision : {2, -1, INT_MAX}) {
@@ -228,8 +229,8 @@ TEST_F(Misuse, OfMeshes) {
     const auto change = [&](glev_result expected, const char* what, auto spoil) {
       expect_mesh(expected, dimension, what, [&](Call& call) { spoil(call.mesh); });
     };
-    change(kInvalid, "size 0", [](glev_mesh& mesh) { mesh.size = 0; });
-    change(kInvalid, "size - 1", [](glev_mesh& mesh) { --mesh.size; });
+    change(kWrongSize, "size 0", [](glev_mesh& mesh) { mesh.size = 0; });
+    change(kWrongSize, "size - 1", [](glev_mesh& mesh) { --mesh.size; });
     change(kInvalid, "precision", [](glev_mesh& mesh) {
       const int other = 2;
       std::memcpy(&mesh.precision, &other, sizeof other);
@@ -325,10 +326,10 @@ TEST_F(Misuse, LaterVersionsMayBeLargerIfTheRestIsZero) {
   EXPECT_EQ(glevEvaluateMesh(plan, &later.mesh), GLEV_SUCCESS);
   memory = Memory(kNoRoom);
   output.rest[4] = 1;
-  EXPECT_EQ(glevEvaluateMesh(plan, &later.mesh), kInvalid);
+  EXPECT_EQ(glevEvaluateMesh(plan, &later.mesh), kWrongSize);
   output.rest[4] = 0;
   later.rest[0] = 1;
-  EXPECT_EQ(glevEvaluateMesh(plan, &later.mesh), kInvalid);
+  EXPECT_EQ(glevEvaluateMesh(plan, &later.mesh), kWrongSize);
   EXPECT_TRUE(memory.is_untouched());
 }
 

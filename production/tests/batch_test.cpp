@@ -221,17 +221,18 @@ TEST_F(Batch, MisuseIsRefusedAndNothingWritten) {
   const Outputs outputs(batch, {{GLEV_ATTRIBUTE_VERTEX, &good}});
   EXPECT_EQ(glevEvaluate(nullptr, &batch), GLEV_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(glevEvaluate(plan_, nullptr), GLEV_ERROR_INVALID_ARGUMENT);
-  const auto with = [&](auto change) {
+  const auto with = [&](auto change, glev_result expected = GLEV_ERROR_INVALID_ARGUMENT) {
     glev_output vertex = good;
     glev_batch changed = batch;
     const Outputs changed_outputs(changed, {{GLEV_ATTRIBUTE_VERTEX, &vertex}});
     change(changed, vertex);
-    expect_misuse(GLEV_ERROR_INVALID_ARGUMENT, changed);
+    expect_misuse(expected, changed);
   };
-  with([](glev_batch& b, glev_output&) { b.size = sizeof b - 1; });
+  with([](glev_batch& b, glev_output&) { b.size = sizeof b - 1; }, GLEV_ERROR_STRUCTURE_SIZE);
   with([](glev_batch& b, glev_output&) { b.u.data = nullptr; });
   with([](glev_batch& b, glev_output&) { b.type = 0x1404; });
-  with([](glev_batch&, glev_output& v) { v.size = offsetof(glev_output, patch_stride) - 1; });
+  with([](glev_batch&, glev_output& v) { v.size = offsetof(glev_output, patch_stride) - 1; },
+       GLEV_ERROR_STRUCTURE_SIZE);
   with([](glev_batch&, glev_output& v) { v.data = nullptr; });
   with([](glev_batch&, glev_output& v) { v.components = 0; });
   with([](glev_batch&, glev_output& v) { v.components = 2; });

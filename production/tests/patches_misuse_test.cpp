@@ -9,7 +9,8 @@
 namespace glev_tests {
 namespace {
 
-constexpr glev_result kRejected = GLEV_ERROR_INVALID_ARGUMENT, kShort = GLEV_ERROR_BUFFER_TOO_SMALL;
+constexpr glev_result kRejected = GLEV_ERROR_INVALID_ARGUMENT, kShort = GLEV_ERROR_BUFFER_TOO_SMALL,
+                      kWrongSize = GLEV_ERROR_STRUCTURE_SIZE;
 
 constexpr std::size_t kPatches = 3;
 
@@ -91,16 +92,17 @@ class PatchMisuse : public ::testing::Test {
     for (glev_grid_kind kind : kAllKinds) expect(expected, kind, what, change);
   }
   // Expects a rejection because of the patches or the grid, for which the scratch size is 0, too.
-  void expect_none(glev_grid_kind kind, const char* what, const Change& change) {
-    expect(kRejected, kind, what, change);
+  void expect_none(glev_grid_kind kind, const char* what, const Change& change,
+                   glev_result expected = kRejected) {
+    expect(expected, kind, what, change);
     Memory memory(2048), scratch(1 << 16);
     Call call;
     fill(call, kind, memory, scratch);
     change(call);
     EXPECT_EQ(glevGetPatchScratchSize(call.patches_at, call.grid_at), 0u) << what << ", kind " << kind;
   }
-  void expect_none(const char* what, const Change& change) {
-    for (glev_grid_kind kind : kAllKinds) expect_none(kind, what, change);
+  void expect_none(const char* what, const Change& change, glev_result expected = kRejected) {
+    for (glev_grid_kind kind : kAllKinds) expect_none(kind, what, change, expected);
   }
 
   float control_[kPatches * kOrder * kOrder * 3];
@@ -122,8 +124,10 @@ TEST_F(PatchMisuse, LegalCallsSucceed) {
 
 TEST_F(PatchMisuse, OfPatches) {
   expect_none("null", [](Call& call) { call.patches_at = nullptr; });
-  expect_none("size 0", [](Call& call) { call.patches.size = 0; });
-  expect_none("size - 1", [](Call& call) { --call.patches.size; });
+  expect_none(
+      "size 0", [](Call& call) { call.patches.size = 0; }, kWrongSize);
+  expect_none(
+      "size - 1", [](Call& call) { --call.patches.size; }, kWrongSize);
   for (std::size_t components : {std::size_t{0}, std::size_t{5}, SIZE_MAX})
     expect_none("components", [&](Call& call) { call.patches.components = components; });
   for (int order : {0, -1, 65, INT_MAX, INT_MIN}) {
@@ -171,9 +175,11 @@ TEST_F(PatchMisuse, OfControlPoints) {
 
 TEST_F(PatchMisuse, OfGrids) {
   expect_none("null", [](Call& call) { call.grid_at = nullptr; });
-  expect_none("size 0", [](Call& call) { call.grid.size = 0; });
-  expect_none("size of an earlier version - 1",
-              [](Call& call) { call.grid.size = offsetof(glev_patch_grid, edge_segments) - 1; });
+  expect_none(
+      "size 0", [](Call& call) { call.grid.size = 0; }, kWrongSize);
+  expect_none(
+      "size of an earlier version - 1",
+      [](Call& call) { call.grid.size = offsetof(glev_patch_grid, edge_segments) - 1; }, kWrongSize);
   for (int number : {4, -1, INT_MAX}) {
     expect_none("kind", [&](Call& call) { std::memcpy(&call.grid.kind, &number, sizeof number); });
     expect_none("precision", [&](Call& call) { std::memcpy(&call.grid.precision, &number, sizeof number); });
@@ -277,7 +283,7 @@ TEST_F(PatchMisuse, OfOutputs) {
   });
   for (std::size_t components : {std::size_t{0}, std::size_t{2}, std::size_t{5}, SIZE_MAX})
     expect_all(kRejected, "components", [&](Call& call) { call.vertex.components = components; });
-  expect_all(kRejected, "size", [](Call& call) { call.vertex.size = 8; });
+  expect_all(kWrongSize, "size", [](Call& call) { call.vertex.size = 8; });
   expect_all(kRejected, "no data", [](Call& call) { call.vertex.data = nullptr; });
   expect_all(kRejected, "type", [](Call& call) { call.vertex.type = GLEV_INT; });
   for (std::size_t stride : {0, 11})
@@ -491,8 +497,9 @@ TEST_F(PlanFromMap, MisuseIsRejected) {
   glev_plan* plan;
   EXPECT_EQ(glevCreatePlanFromMap(nullptr, &plan), kRejected);
   EXPECT_EQ(plan, nullptr);
-  expect(kRejected, "size", [&] { info_.size = 8; });
-  expect(kRejected, "size - 1", [&] { --info_.size; });
+  expect(kWrongSize, "size", [&] { info_.size = 8; });
+  expect(kWrongSize, "size - 1", [&] { --info_.size; });
+  expect(kWrongSize, "size of the map", [&] { patches_.size = 0; });
   for (glev_enum target :
        {0, GLEV_MAP1_INDEX, GLEV_MAP2_INDEX, GLEV_MAP2_COLOR_4 - 1, GLEV_MAP2_VERTEX_4 + 1})
     expect(kRejected, "target", [&] { info_.target = target; });
@@ -516,6 +523,8 @@ TEST_F(PlanFromMap, MisuseIsRejected) {
   expect(kRejected, "instruction set", [&] { info_.instruction_set = "no such machine"; });
   const glev_allocator none = {sizeof none, nullptr, nullptr, nullptr};
   expect(kRejected, "allocator", [&] { info_.allocator = &none; });
+  const glev_allocator no_size = {};
+  expect(kWrongSize, "size of the allocator", [&] { info_.allocator = &no_size; });
 }
 
 TEST_F(PlanFromMap, MemoryComesFromItsAllocator) {

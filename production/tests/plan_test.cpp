@@ -135,7 +135,7 @@ TEST_F(PlanTest, MisuseOfCreate) {
     EXPECT_EQ(plan, nullptr);
   }
   const glev_plan_info small = {sizeof(glev_plan_info) - 1, 1};
-  EXPECT_EQ(glevCreatePlan(gl, &small, &plan), GLEV_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(glevCreatePlan(gl, &small, &plan), GLEV_ERROR_STRUCTURE_SIZE);
 }
 
 TEST_F(PlanTest, ManyThreadsEvaluateOnePlan) {
@@ -289,9 +289,9 @@ TEST_F(MemoryTest, MisuseOfCreateContext) {
   EXPECT_EQ(glevCreateContext(&info, &other), GLEV_ERROR_INVALID_ARGUMENT);
   bad = ledger_.make_allocator();
   bad.size = 8;
-  EXPECT_EQ(glevCreateContext(&info, &other), GLEV_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(glevCreateContext(&info, &other), GLEV_ERROR_STRUCTURE_SIZE);
   const glev_context_info small = {sizeof(glev_context_info) - 1, nullptr, nullptr};
-  EXPECT_EQ(glevCreateContext(&small, &other), GLEV_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(glevCreateContext(&small, &other), GLEV_ERROR_STRUCTURE_SIZE);
   glevDestroyContext(nullptr);
 }
 

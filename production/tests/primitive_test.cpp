@@ -233,12 +233,12 @@ TEST_F(PrimitiveTest, SizesOfStructures) {
   larger.sink.size = sizeof(Larger);
   EXPECT_EQ(glevSetSink(gl, &larger.sink), GLEV_SUCCESS);
   larger.later = &larger;
-  EXPECT_EQ(glevSetSink(gl, &larger.sink), GLEV_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(glevSetSink(gl, &larger.sink), GLEV_ERROR_STRUCTURE_SIZE);
   glev_sink smaller = recording.make_sink();
   smaller.size = sizeof(glev_sink) - 1;
-  EXPECT_EQ(glevSetSink(gl, &smaller), GLEV_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(glevSetSink(gl, &smaller), GLEV_ERROR_STRUCTURE_SIZE);
   smaller.size = 0;
-  EXPECT_EQ(glevSetSink(gl, &smaller), GLEV_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(glevSetSink(gl, &smaller), GLEV_ERROR_STRUCTURE_SIZE);
   one_vertex([&] { glevVertex3f(gl, 1, 2, 3); });  // the previous sink is still set
 }
 

@@ -28,6 +28,10 @@ C     routines, and calls without a context.
       CALL CHECK('SetSink in a primitive', fglevSetSink(PRIMBE, PRIMVX,
      &  PRIMEN) .EQ. GLEV_ERROR_IN_PRIMITIVE)
       CALL fglEnd
+      CALL CHECK('name of a result', fglevGetResultString(
+     &  GLEV_ERROR_IN_PRIMITIVE) .EQ. 'GLEV_ERROR_IN_PRIMITIVE')
+      CALL CHECK('no name', fglevGetResultString(-1) .EQ.
+     &  'unknown result')
       CALL CALLS
 
 C     Each context has its own state and errors.

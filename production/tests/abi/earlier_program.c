@@ -245,9 +245,9 @@ int main(void) {
   CHECK(memcmp(results, again, sizeof results) == 0);
   glevReleasePlan(of_map);
 
-  /* A structure that is smaller than in any version is invalid. */
+  /* A structure that is smaller than in any version is rejected. */
   --batch.it.size;
-  CHECK(glevEvaluate(plan, &batch.it) == GLEV_ERROR_INVALID_ARGUMENT);
+  CHECK(glevEvaluate(plan, &batch.it) == GLEV_ERROR_STRUCTURE_SIZE);
   glevReleasePlan(plan);
   glevDestroyContext(gl);
   return EXIT_SUCCESS;
