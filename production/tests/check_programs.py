@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compiles and runs the C programs of a page, and compares what they print with the text block behind each.
+"""Compiles and runs the C programs of a page, and compares what they print with the next text block behind each.
 
 check_programs.py PAGE COUNT LINES COMPILER INCLUDE LIBRARY WORK
 COUNT: the number of programs. LINES: the most lines that a program may have.
@@ -13,7 +13,7 @@ import sys
 def main():
     page, count, lines, compiler, include, library, work = sys.argv[1:]
     text = pathlib.Path(page).read_text(encoding="utf-8")
-    programs = re.findall(r"^```c\n(.*?)^```\n\n```text\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)
+    programs = re.findall(r"^```c\n(.*?)^```$(?:(?!^```).)*?^```text\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)
     failures = []
     if len(programs) != int(count) or len(re.findall(r"^```c$", text, re.MULTILINE)) != int(count):
         failures.append(f"{len(programs)} programs with a text block behind them: expected {count}")

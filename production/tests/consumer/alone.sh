@@ -26,6 +26,14 @@ for file in include/glevaluator.h include/glevaluator.hpp lib/pkgconfig/glevalua
 done
 [[ $(find "$work/installed" -name 'libglevaluator.*' | wc -l) -ge 4 ]] || fail "the libraries are not installed"
 
+# Without Highway's headers, CMake says which package has them. A folder that is given need not be found.
+highway=$(sed -n 's/^GLEVALUATOR_HIGHWAY_INCLUDE_DIR:PATH=//p' "$work/build/CMakeCache.txt")
+without=(cmake -S "$root/production" -B "$work/without" "-DCMAKE_IGNORE_PATH=$highway" -DGLEVALUATOR_BUILD_TESTS=OFF)
+"${without[@]}" >"$work/log" 2>&1 && fail "is configured without Highway"
+tr -s '\n ' ' ' <"$work/log" | grep -q 'Install the package libhwy-dev (Debian' ||
+  fail "names no package that has Highway's headers: $(cat "$work/log")"
+quietly "${without[@]}" -DGLEVALUATOR_HIGHWAY_INCLUDE_DIR="$highway"
+
 cat >"$work/program.c" <<'END'
 #include <glevaluator.h>
 int main(void) { return glevGetTargetName(0) == 0; }
