@@ -1,9 +1,13 @@
 """Checks the documentation: README.md, CONTRIBUTING.md and docs/*.md.
 usage: check_docs.py links CHECKOUT
+       check_docs.py programs CHECKOUT
        check_docs.py commands CHECKOUT EVALCTS LAYER [PAGE...]
 
 links: every relative link leads to a file and a heading that exist, each page of docs/ begins with a title and one sentence that
 answers its question, and README.md has at most 150 lines.
+
+programs: runs each fenced block of `python` that is followed by a `text` block, with CHECKOUT as working directory; the `text` block
+must be what the program prints.
 
 commands: runs every fenced block of `sh`, and the lines of `console` blocks that begin with "$ ", in a folder that looks like a
 checkout. The blocks of a page share the folder. The examples of docs/help/evalcts*.txt are run as well, except those that name
@@ -103,6 +107,23 @@ def check_links(root):
     if lines > 150:
         complaints.append(f"README.md has {lines} lines; 150 are the most")
     return complaints
+
+
+# --- programs ----------------------------------------------------------------------------------------------
+
+
+def check_programs(root):
+    complaints, ran = [], 0
+    for page in pages(root):
+        programs = re.findall(r"^```python\n(.*?)^```$(?:(?!^```).)*?^```text\n(.*?)^```$", page.read_text(), re.M | re.S)
+        for program, expected in programs:
+            ran += 1
+            outcome = subprocess.run([sys.executable, "-"], input=program, cwd=root, text=True, stdout=subprocess.PIPE,
+                                     stderr=subprocess.STDOUT)
+            if outcome.returncode != 0 or outcome.stdout != expected:
+                complaints.append(f"{page.relative_to(root)}: a program ends with {outcome.returncode} and prints\n{outcome.stdout}"
+                                  f"expected\n{expected}")
+    return complaints if ran else ["no page has a Python program with its output"]
 
 
 # --- commands ----------------------------------------------------------------------------------------------
@@ -351,6 +372,8 @@ def main():
     ran = 1
     if sys.argv[1] == "links":
         complaints = check_links(root)
+    elif sys.argv[1] == "programs":
+        complaints = check_programs(root)
     else:
         complaints, ran = check_commands(root, pathlib.Path(sys.argv[3]).resolve(), pathlib.Path(sys.argv[4]).resolve(), sys.argv[5:])
     print("\n".join(complaints))

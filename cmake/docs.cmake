@@ -1,7 +1,8 @@
 # Tests of the documentation and of the language of comments.
 set(check_docs python3 ${CMAKE_CURRENT_LIST_DIR}/check_docs.py)
 add_test(NAME docs.links COMMAND ${check_docs} links ${PROJECT_SOURCE_DIR})
-set_tests_properties(docs.links PROPERTIES LABELS script)
+add_test(NAME docs.programs COMMAND ${check_docs} programs ${PROJECT_SOURCE_DIR})
+set_tests_properties(docs.links docs.programs PROPERTIES LABELS script)
 
 # The commands of several pages run at once, one page on each core, so no other test runs at the same time.
 if(TARGET drill_layer AND NOT EVALCTS_SANITIZE AND NOT EVALCTS_COVERAGE)
