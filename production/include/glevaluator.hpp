@@ -1,7 +1,7 @@
 // A header-only C++20 interface to glevaluator.h: owners of contexts and plans, and spans instead of pointers
 // with sizes. It throws no exceptions and needs neither exceptions nor run-time type information. Functions
-// return the glev_result of the functions in glevaluator.h, which documents arguments, values and errors. If
-// they cannot allocate memory, they return OUT_OF_MEMORY.
+// return the glev_result of the functions in glevaluator.h, which documents arguments, values and errors;
+// glevGetResultString names a result. If they cannot allocate memory, they return OUT_OF_MEMORY.
 #ifndef GLEVALUATOR_HPP_
 #define GLEVALUATOR_HPP_
 
