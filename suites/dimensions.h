@@ -54,11 +54,11 @@ auto part_of(bool two, const Function& parameters_of) {
   return parameters_of(two);
 }
 template <class... Parts>
-auto declare_pair(const char* one, const char* two, Level level, Parts... parts) {
+auto declare_pair(const char* one, const char* two, Level level, const char* file, int line, Parts... parts) {
   const auto declare_one_of = [&](bool second) {
     const std::string full_name = second ? two : one;
     const std::size_t dot = full_name.find('.');
-    return declare(full_name.substr(0, dot).c_str(), full_name.c_str() + dot + 1, level,
+    return declare(test_info(full_name.substr(0, dot), full_name.substr(dot + 1), level, file, line),
                    part_of(second, parts)...);
   };
   return PairDeclaration(declare_one_of(false), declare_one_of(true));
@@ -70,6 +70,6 @@ auto declare_pair(const char* one, const char* two, Level level, Parts... parts)
 //        (Test& t, bool two, const P& parameter...) { body };
 #define EVALCTS_TEST_PAIR(one, two, level, ...)                                            \
   [[maybe_unused]] static const ::evalcts::Registration EVALCTS_JOIN(pair_, __COUNTER__) = \
-      ::evalcts::declare_pair(#one, #two, ::evalcts::Level::level, __VA_ARGS__) << []
+      ::evalcts::declare_pair(#one, #two, ::evalcts::Level::level, __FILE__, __LINE__, __VA_ARGS__) << []
 
 }  // namespace evalcts

@@ -410,7 +410,7 @@ EVALCTS_TEST(
   };
   if (vertices.size() != count) {
     t.fail(failure_of(c, "number of vertices",
-                      fmt::format("{} vertices came out, {} should have", vertices.size(), count),
+                      fmt::format("number of vertices: {} instead of {}", vertices.size(), count),
                       std::to_string(count), std::to_string(vertices.size())));
     return;
   }

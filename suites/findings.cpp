@@ -9,12 +9,12 @@ namespace {
 [[maybe_unused]] const bool kRegistered = [] {
   for (const fuzz::KnownProgram& known : fuzz::known_programs()) {
     if (known.record.name.empty()) continue;
-    TestDeclaration({"Findings", known.record.name, {known.record.requirement}, Level::kMust, nullptr},
-                    Parameters<>())
-        << [&known](Test& t) {
-             t.prefer_fresh_contexts();  // many programs depend on the initial maps and grids
-             t.judge(known.program);
-           };
+    TestInfo info = test_info("Findings", known.record.name, Level::kMust, __FILE__, __LINE__);
+    info.requirements = {known.record.requirement};
+    TestDeclaration(info, Parameters<>()) << [&known](Test& t) {
+      t.prefer_fresh_contexts();  // many programs depend on the initial maps and grids
+      t.judge(known.program);
+    };
   }
   return true;
 }();

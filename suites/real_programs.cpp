@@ -503,10 +503,9 @@ void expect_picture(Test& t, const RealProgram& program) {
 [[maybe_unused]] const bool kRegistered = [] {
   for (const RealProgram& program : kPrograms) {
     const auto add = [&](const std::string& test, void (*body)(Test&, const RealProgram&)) {
-      TestDeclaration(
-          {"RealPrograms", test + "/" + program.name, program.requirements, Level::kMust, nullptr},
-          Parameters<>())
-          << [&program, body](Test& t) { body(t, program); };
+      TestInfo info = test_info("RealPrograms", test + "/" + program.name, Level::kMust, __FILE__, __LINE__);
+      info.requirements = program.requirements;
+      TestDeclaration(info, Parameters<>()) << [&program, body](Test& t) { body(t, program); };
     };
     add("Vertices", expect_vertices);
     add("Picture", expect_picture);

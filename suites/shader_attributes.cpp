@@ -22,7 +22,7 @@ void expect_count(Test& t, const gl::Case& c, const RecordedVaryings& recorded) 
   if (recorded.vertices == kVertices && !recorded.overflow) return;
   const std::string captured = std::to_string(recorded.vertices), expected = std::to_string(kVertices);
   t.fail(failure_of(c, "number of vertices",
-                    fmt::format("{} vertices came out, {} should have", captured, expected), expected,
+                    fmt::format("number of vertices: {} instead of {}", captured, expected), expected,
                     captured));
 }
 

@@ -123,7 +123,7 @@ int check(const CheckOptions& options) {
     if (!result.has_started()) return cannot_judge(result.reason);
     if (interrupted) return cannot_judge("interrupted");
     for (const TestRecord& test : result.tests) {
-      why = fmt::format("{}: {}: {}", test.name, text_of(test.verdict).word, test.message);
+      why = fmt::format("{}: {}: {}", test.name, text_of(test.verdict).label, test.message);
       if (!violates(test, question.requirement)) continue;
       std::cout << "bad: " << clean(why) << "\n";
       return kBad;

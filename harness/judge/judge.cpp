@@ -11,6 +11,7 @@
 
 #include <evalcts/gl/hexadecimal.h>
 #include <evalcts/gl/tokens.h>
+#include <evalcts/results/text.h>
 
 namespace evalcts {
 namespace {
@@ -330,7 +331,9 @@ class VertexJudge {
                reference::describe(exact)};
     };
     keep_worst(accuracy.ulp, reference::ulp_distance(got, exact));
-    keep_worst(accuracy.condition_aware, reference::condition_distance(got, exact, magnitude));
+    // No result is better than the correctly rounded one, even if it is far away because of underflow.
+    if (!correctly_rounded)
+      keep_worst(accuracy.condition_aware, reference::condition_distance(got, exact, magnitude));
   }
 
   Mismatch mismatch(std::string what, const Sample& sample, const Rational& exact, const Rational& magnitude,
@@ -345,9 +348,9 @@ class VertexJudge {
         fmt::format("[{:.9g}, {:.9g}]", (exact - bound).to_double(), (exact + bound).to_double());
     mismatch.ulp = reference::ulp_distance(got, exact);
     mismatch.condition_aware = reference::condition_distance(got, exact, magnitude);
-    mismatch.message = fmt::format("{} (component {} of {}, {}) is {}, {:.4g} ULP from {}", mismatch.what,
+    mismatch.message = fmt::format("{} (component {} of {}, {}) is {}, {} ULP from {}", mismatch.what,
                                    sample.component, gl::token_name(sample.map().target), place(sample),
-                                   mismatch.captured, mismatch.ulp, mismatch.exact);
+                                   mismatch.captured, plain_error(mismatch.ulp), mismatch.exact);
     return mismatch;
   }
 
@@ -392,7 +395,7 @@ Judgement judge_until(std::size_t most, const Prediction& prediction, const Topo
     mismatch.what = topology.only_points() ? "number of vertices" : "primitives";
     mismatch.expected = describe(topology.shape);
     mismatch.captured = describe(shape) + (observation.overflow ? " or more" : "");
-    mismatch.message = fmt::format("{} came out, {} should have", mismatch.captured, mismatch.expected);
+    mismatch.message = fmt::format("{} instead of {}", mismatch.captured, mismatch.expected);
     mismatch.kind = Mismatch::Kind::kVertices;
     mismatch.got = static_cast<double>(flat(observation).size());
     mismatch.lowest = mismatch.highest = static_cast<double>(topology.vertices.size());

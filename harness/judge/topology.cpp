@@ -54,13 +54,14 @@ Shape shape_of(const Observation& observation) {
 
 std::string describe(const Shape& shape) {
   if (shape.empty()) return "0 vertices";
-  if (shape.size() == 1 && shape[0].first == GL_POINTS) return fmt::format("{} vertices", shape[0].second);
+  const auto vertices = [](std::size_t n) { return n == 1 ? "1 vertex" : fmt::format("{} vertices", n); };
+  if (shape.size() == 1 && shape[0].first == GL_POINTS) return vertices(shape[0].second);
   std::string text;
   for (std::size_t i = 0; i < shape.size();) {
     std::size_t same = i;
     while (same < shape.size() && shape[same] == shape[i]) ++same;
-    text += fmt::format("{}{} {} of {} vertices", text.empty() ? "" : ", ", same - i,
-                        gl::primitive_name(shape[i].first).substr(3), shape[i].second);
+    text += fmt::format("{}{} {} of {}", text.empty() ? "" : ", ", same - i,
+                        gl::primitive_name(shape[i].first).substr(3), vertices(shape[i].second));
     i = same;
   }
   return text;

@@ -77,11 +77,12 @@ std::vector<std::string> lint(const Catalogue& catalogue, const std::vector<List
   std::vector<std::string> problems;
   std::set<std::string> names;
   std::map<std::string, std::string> decided;  // one of the tests that decide a half, by "ID/half"
-  for (const auto& [name, requirements, level, from] : tests) {
+  for (const ListedTest& test : tests) {
+    const std::string& name = test.name;
     if (!names.insert(name).second) problems.push_back(fmt::format("two tests are called {}", name));
     if (name.find(',') != std::string::npos) problems.push_back(fmt::format("the name {} has a comma", name));
-    if (requirements.empty()) problems.push_back(fmt::format("{} names no requirement", name));
-    for (const RequirementId& named : requirements) {
+    if (test.requirements.empty()) problems.push_back(fmt::format("{} names no requirement", name));
+    for (const RequirementId& named : test.requirements) {
       if (!catalogue.find(named))
         problems.push_back(fmt::format("{} names {}, which does not exist", name, named.text()));
       for (const std::string& half : halves_of(named)) decided[fmt::format("{}/{}", named.id, half)] = name;

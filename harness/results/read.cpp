@@ -128,6 +128,7 @@ TestRecord read_test(const JsonObject& in) {
   out.known_bugs = in.texts("known_bugs");
   out.also_in_fresh_context = in.boolean("also_in_fresh_context");
   out.message = in.text("message");
+  out.source = in.text("source");
   out.cases = in.natural("cases");
   out.failed_cases = in.natural("failed_cases");
   out.seed = in.natural("seed");
@@ -247,10 +248,10 @@ auto parse_object(const std::string& text, Read read) -> decltype(read(json())) 
 std::vector<ListedTest> read_listed_tests(const JsonObject& in) {
   std::vector<ListedTest> tests;
   in.each_object("groups", [&](const JsonObject& group) {
-    const ListedTest properties{"", read_requirements(group),
-                                group.word("level", level_named).value_or(Level::kMust),
-                                group.word("from", [](const std::string& word) { return depth_named(word); })
-                                    .value_or(Depth::kQuick)};
+    const ListedTest properties{
+        "", read_requirements(group), group.word("level", level_named).value_or(Level::kMust),
+        group.word("from", [](const std::string& word) { return depth_named(word); }).value_or(Depth::kQuick),
+        group.text("source")};
     for (std::string& name : group.texts("names")) {
       tests.push_back(properties);
       tests.back().name = std::move(name);
@@ -271,6 +272,9 @@ RunResult read_run_result(const json& value) {
   out.status = in.word("status", status_named);
   out.reason = in.text("reason");
   out.command = in.text("command");
+  out.started = in.text("started");
+  out.seconds = in.real("seconds");
+  out.host = in.text("host");
   out.suite_command = in.texts("suite_command");
   out.timeout = in.real("timeout");
   out.memory = in.natural("memory");

@@ -5,6 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <string_view>
 
 #include <evalcts/results/json.h>
@@ -14,7 +17,31 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
+constexpr double kLeastUsual = 1e-30;  // smaller values are the tolerance around 0
+
 bool continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+// Returns the text with decimal numbers in place of hexadecimal ones, and without those in parentheses, which
+// repeat the number before them.
+std::string in_decimal(std::string text) {
+  for (std::size_t at = text.find("0x"); at != std::string::npos; at = text.find("0x", at + 1)) {
+    const std::size_t begin = at > 0 && text[at - 1] == '-' ? at - 1 : at;
+    char* after = nullptr;
+    const double value = std::strtod(text.c_str() + begin, &after);
+    std::size_t end = static_cast<std::size_t>(after - text.c_str());
+    if (text.substr(begin, end - begin).find('p') == std::string::npos) continue;  // a token
+    if (begin >= 2 && text.compare(begin - 2, 2, " (") == 0 && text[end] == ')') {
+      text.erase(begin - 2, end + 1 - (begin - 2));
+      at = begin - 2;
+    } else {
+      const float single = static_cast<float>(value);
+      text.replace(begin, end - begin,
+                   single == value ? fmt::format("{}", single) : fmt::format("{}", value));
+      at = begin;
+    }
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -62,6 +89,31 @@ std::string cut(const std::string& text, std::size_t columns) {
     if (code_points++ == columns - 3) keep = i;
   }
   return code_points <= columns ? text : text.substr(0, keep) + "...";
+}
+
+std::string in_plain_numbers(const std::string& text) {
+  double low = 0, high = 0;
+  int end = 0;
+  if (!text.starts_with('[') || std::sscanf(text.c_str(), "[%lf, %lf]%n", &low, &high, &end) != 2 ||
+      end == 0 || !std::isfinite(high - low))
+    return in_decimal(text);
+  const double middle = low / 2 + high / 2, half = high / 2 - low / 2;
+  const std::string rest = in_decimal(text.substr(static_cast<std::size_t>(end)));
+  if (half == 0) return fmt::format("{:.9g}{}", middle, rest);
+  if (low <= 0 && high >= 0 && half < kLeastUsual) return "0" + rest;
+  if (std::abs(middle) < half * 1e-3) return fmt::format("0 +- {:.1g}{}", half, rest);
+  // The digits that the half width leaves certain, and one more.
+  const int digits = std::clamp(static_cast<int>(std::log10(std::abs(middle) / half)) + 2, 1, 17);
+  return fmt::format("{:.{}g} +- {:.1g}{}", middle, digits, half, rest);
+}
+
+std::string plain_error(double error) {
+  if (error > 0x1p24) return "more than 2^24";
+  if (error < 1e4) return fmt::format("{:.4g}", error);
+  const double unit = std::pow(10, std::floor(std::log10(error)) - 3);
+  std::string digits = fmt::format("{:.0f}", std::round(error / unit) * unit);
+  for (std::size_t i = digits.size() - 3; i > 0 && i < digits.size(); i -= 3) digits.insert(i, ",");
+  return digits;
 }
 
 std::string first_of(const std::vector<std::string>& names) {

@@ -8,17 +8,18 @@ namespace evalcts {
 namespace {
 
 constexpr std::array<VerdictText, kVerdicts> kVerdictTexts{{
-    {"internal-error", "!", "an error of evalcts itself; says nothing about the implementation"},
-    {"crash", "‼", "the process died while this test ran"},
-    {"timeout", "◷", "no end within the time limit"},
-    {"fail", "✗", "something observed contradicts the requirement"},
-    {"quality-warning", "△",
+    {"internal-error", "internal-error", "!",
+     "an error of evalcts itself; says nothing about the implementation"},
+    {"crash", "crash", "‼", "the process died while this test ran"},
+    {"timeout", "timeout", "◷", "no end within the time limit"},
+    {"fail", "fail", "✗", "something observed contradicts the requirement"},
+    {"quality-warning", "quality-warning", "△",
      "falls short of what good implementations do; other tests decide whether it conforms"},
-    {"not-observable", "◌",
+    {"not-observable", "not observed", "◌",
      "nothing that the implementation offers shows the effect reliably; this is never a pass"},
-    {"not-supported", "∅", "the implementation does not offer what the test needs"},
-    {"skipped", "–", "not run, because a baseline or an option excludes the test"},
-    {"pass", "✓", "everything observed agrees with the requirement"},
+    {"not-supported", "not-supported", "∅", "the implementation does not offer what the test needs"},
+    {"skipped", "skipped", "–", "not run, because a baseline or an option excludes the test"},
+    {"pass", "pass", "✓", "everything observed agrees with the requirement"},
 }};
 
 constexpr std::array kLevelNames{"quality", "interpretation", "must"};

@@ -113,6 +113,7 @@ json to_json(const TestRecord& test) {
               {"expected_by_baseline", test.expected_by_baseline},
               {"baseline_reason", test.baseline_reason}};
   if (!test.known_bugs.empty()) out["known_bugs"] = test.known_bugs;
+  set(out, "source", test.source);
   if (!test.violated.empty()) out["violated"] = texts_of(test.violated);
   set(out, "cases", test.cases);
   set(out, "failed_cases", test.failed_cases);
@@ -199,7 +200,8 @@ json to_json(const std::vector<ListedTest>& tests) {
     out.push_back({{"name", test.name},
                    {"requirements", texts_of(test.requirements)},
                    {"level", name_of(test.level)},
-                   {"from", name_of(test.from)}});
+                   {"from", name_of(test.from)},
+                   {"source", test.source}});
   return out;
 }
 
@@ -216,6 +218,9 @@ std::string to_text(const RunResult& result) {
               {"tests", json::array()}};
   if (result.status) out["status"] = name_of(*result.status);
   if (!result.suite_command.empty()) out["suite_command"] = result.suite_command;
+  set(out, "started", result.started);
+  set(out, "seconds", result.seconds);
+  set(out, "host", result.host);
   set(out, "timeout", result.timeout);
   set(out, "memory", result.memory);
   if (result.depth) out["depth"] = name_of(*result.depth);
@@ -264,16 +269,19 @@ std::string to_line(const Event& event) {
     }
     json operator()(const TestsListed& listing) const {
       // Many tests have the same properties, so the names are in groups.
-      std::map<std::tuple<std::vector<RequirementId>, Level, Depth>, std::vector<std::string_view>> groups;
+      std::map<std::tuple<std::vector<RequirementId>, Level, Depth, std::string>,
+               std::vector<std::string_view>>
+          groups;
       for (const ListedTest& test : listing.tests)
-        groups[{test.requirements, test.level, test.from}].push_back(test.name);
+        groups[{test.requirements, test.level, test.from, test.source}].push_back(test.name);
       json out = json::array();
       for (const auto& [properties, names] : groups) {
-        const auto& [requirements, level, from] = properties;
+        const auto& [requirements, level, from, source] = properties;
         out.push_back({{"requirements", texts_of(requirements)},
                        {"level", name_of(level)},
                        {"from", name_of(from)},
                        {"names", names}});
+                       {"source", source},
       }
       return {{"event", "tests"}, {"groups", std::move(out)}};
     }

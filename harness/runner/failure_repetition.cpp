@@ -58,7 +58,7 @@ void explain_difference(TestRecord& record, const Repetition& again, HistorySear
   }
   record.flake = quality != History::Quality::kOutOfTime;
   record.message += fmt::format("; when it runs again alone in a new process, its verdict is {}",
-                                text_of(again.verdict).word);
+                                text_of(again.verdict).label);
   if (!record.flake) {
     record.message += kHistoryOutOfTime;
   } else {

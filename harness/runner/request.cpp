@@ -5,9 +5,12 @@
 #include <sys/utsname.h>
 
 #include <algorithm>
+#include <ctime>
 #include <fstream>
 #include <system_error>
 #include <thread>
+
+#include <evalcts/results/text.h>
 
 namespace evalcts {
 namespace {
@@ -26,6 +29,21 @@ std::string machine() {
     }
   return fmt::format("{} {}, {}, {} threads", names.sysname, names.machine, model,
                      std::thread::hardware_concurrency());
+}
+
+std::string host() {
+  utsname names{};
+  uname(&names);
+  return clean(names.nodename);
+}
+
+// Returns the time in UTC.
+std::string now() {
+  const std::time_t time = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&time, &utc);
+  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday,
+                     utc.tm_hour, utc.tm_min, utc.tm_sec);
 }
 
 // Returns `path` relative to the working directory if it lies below it, otherwise the absolute path. Used in
@@ -48,6 +66,8 @@ std::vector<std::string> shared_options(const RunRequest& request) {
     options.insert(options.end(), {"--library", request.implementation.library});
   if (!request.implementation.context.empty())
     options.insert(options.end(), {"--context", request.implementation.context});
+  if (!request.implementation.mesa_build.empty())
+    options.insert(options.end(), {"--mesa-build", request.implementation.mesa_build});
   for (const std::string& reading : request.readings)
     options.insert(options.end(), {"--interpretation", reading});
   return options;
@@ -59,6 +79,8 @@ RunResult header_of(const RunRequest& request) {
   RunResult header;
   header.evalcts_version = EVALCTS_VERSION;
   header.command = request.command;
+  header.started = now();
+  header.host = host();
   header.depth = request.depth;
   header.seed = request.seed;
   header.timeout = request.limits.seconds_per_test;

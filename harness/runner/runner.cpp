@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <optional>
 
@@ -176,10 +177,12 @@ class Run {
 
   RunResult finish(RunStatus status) {
     result_.status = status;
+    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     result_.failing_cases = records_.failing_cases();
     for (const ListedTest& test : request_.tests) {
       TestRecord* const record = records_.find(test.name);
       if (!record) continue;
+      record->source = test.source;
       if (is_failure(record->verdict)) add_commands(request_, *record);
       result_.tests.push_back(*record);
     }
@@ -196,6 +199,7 @@ class Run {
 
   const RunRequest& request_;
   const std::function<void(const Progress&)>& progress_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   RunResult result_;
   Baseline baseline_;
   SuiteProcesses processes_{request_, file("log", "txt")};

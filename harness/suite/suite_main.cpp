@@ -81,7 +81,7 @@ class GoogleTestAdapter : public testing::Test {
 };
 
 ListedTest listed(const TestInfo& info) {
-  return {info.full_name(), info.requirements, info.level, info.from};
+  return {info.full_name(), info.requirements, info.level, info.from, info.source};
 }
 
 void parse(int argc, char** argv, Options& options) {

@@ -150,8 +150,12 @@ std::string parameter_name(GLenum token, int dimension) {
   return name.starts_with("GL_") ? name.substr(3) : name;
 }
 
-TestInfo test_info(const char* suite, const char* name, Level level) {
-  return {suite, name, {}, level, nullptr};
+TestInfo test_info(const std::string& suite, const std::string& name, Level level, const char* file,
+                   int line) {
+  const std::string path = file;
+  TestInfo info{suite, name, {}, level, nullptr};
+  info.source = path.substr(std::min(path.rfind("suites/"), path.size())) + ":" + std::to_string(line);
+  return info;
 }
 
 Registration register_tests(const TestInfo& info, const std::vector<gl::Delivery>& deliveries,

@@ -76,6 +76,9 @@ struct RunResult {
   std::optional<RunStatus> status;
   std::string reason;  // the reason why the run is not complete
   std::string command;
+  std::string started;                     // "2026-11-28T11:27:22Z"
+  std::optional<double> seconds;           // duration, with the reduction of failing tests
+  std::string host;                        // name of the machine
   std::vector<std::string> suite_command;  // starts the suite program for this implementation
   std::optional<double> timeout;           // seconds for each test
   std::optional<std::uint64_t> memory;     // MiB for each process

@@ -27,7 +27,7 @@ RunResult read_run_result(const nlohmann::json& json);
 // Returns the text of results-NAME.json.
 std::string to_text(const RunResult& result);
 
-// Returns the tests as JSON: {"tests": [{"name", "requirements", "level", "from"}]}.
+// Returns the tests as JSON: {"tests": [{"name", "requirements", "level", "from", "source"}]}.
 std::string to_text(const std::vector<ListedTest>& tests);
 
 // --- jobs of a worker, one line each

@@ -23,6 +23,7 @@ struct ListedTest {
   std::vector<RequirementId> requirements;
   Level level = Level::kMust;
   Depth from = Depth::kQuick;  // the least depth that runs the test, unless a filter has its exact name
+  std::string source = {};     // see TestRecord
 };
 
 // Vertices of a primitive, for a plot.
@@ -101,6 +102,7 @@ struct TestRecord {
   Level level = Level::kMust;
   Verdict verdict = Verdict::kInternalError;
   std::string message;  // the verdict in one line
+  std::string source;   // file in the repository and line, "suites/map_errors.cpp:34"; may be empty
   // The requirements that a fail violates. They need not be requirements of the test: in any test, a
   // wrong value that no map supplies violates EV-COORD-CURRENT. Empty if the violated requirements
   // were not determined.

@@ -17,6 +17,14 @@ std::string one_line(std::string text);
 // Returns at most `columns` code points of a clean text; a cut is marked by "...". columns >= 3.
 std::string cut(const std::string& text, std::size_t columns);
 
+// Returns what was expected or captured as a person writes it: numbers in decimal, an interval as its middle
+// and half width, "0.5 +- 2e-5", or as "0" if no usual number but 0 lies in it.
+std::string in_plain_numbers(const std::string& text);
+
+// Returns an error in ULP or a condition-aware error with four significant digits: "0.5", "1,676,000".
+// Returns "more than 2^24" for a larger one, because no bit of the value is right then.
+std::string plain_error(double error);
+
 // Returns the first names: "A, B, C, D, E and 3 more".
 std::string first_of(const std::vector<std::string>& names);
 

@@ -23,9 +23,10 @@ enum class Verdict {
 inline constexpr std::size_t kVerdicts = 9;
 inline constexpr std::size_t kBadVerdicts = 4;  // number of verdicts from the worst to kFail
 
-// The word for a verdict in files ("not-observable"), a symbol, and the meaning in a sentence.
+// The word for a verdict in files ("not-observable"), the label in texts for persons ("not observed"), a
+// symbol, and the meaning in a sentence.
 struct VerdictText {
-  std::string_view word, symbol, meaning;
+  std::string_view word, label, symbol, meaning;
 };
 const VerdictText& text_of(Verdict verdict);
 

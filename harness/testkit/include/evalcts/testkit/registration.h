@@ -33,6 +33,7 @@ struct TestInfo {
   // The parts of `name` for the parameters and the delivery. Both may be empty.
   std::string parameters = {}, delivery = {};
   bool uses_lists = false;  // true if the delivery does
+  std::string source = {};  // see TestRecord
 
   std::string full_name() const { return suite + "." + name; }
 };
@@ -131,8 +132,9 @@ Registration lift_suite(const char* of_one, const char* of_two);
   [[maybe_unused]] static const ::evalcts::Registration of_one##_lifted = \
       ::evalcts::lift_suite(#of_one, #of_two)
 
-// Returns the info of a test without requirements.
-TestInfo test_info(const char* suite, const char* name, Level level);
+// Returns the info of a test without requirements. `file` is a path below the folder suites.
+TestInfo test_info(const std::string& suite, const std::string& name, Level level, const char* file,
+                   int line);
 
 template <class... P>
 class TestDeclaration {
@@ -181,16 +183,17 @@ auto parameters_in(const char* /*requirement*/, const More&... more) {
 }
 // By value, so that literals of different lengths share an instantiation.
 template <class... Parts>
-auto declare(const char* suite, const char* name, Level level, Parts... parts) {
-  TestInfo info = test_info(suite, name, level);
+auto declare(TestInfo info, Parts... parts) {
   (add_requirement(info, parts), ...);
   return TestDeclaration(std::move(info), parameters_in(parts...));
 }
 
 // Defines and registers tests:
 // EVALCTS_TEST(suite, name, level, "ID"..., parameters)(Test& t, const P& parameter...) { body };
-#define EVALCTS_TEST(suite, name, level, ...)                            \
-  [[maybe_unused]] static const ::evalcts::Registration suite##_##name = \
-      ::evalcts::declare(#suite, #name, ::evalcts::Level::level, __VA_ARGS__) << []
+#define EVALCTS_TEST(suite, name, level, ...)                                                              \
+  [[maybe_unused]] static const ::evalcts::Registration suite##_##name =                                   \
+      ::evalcts::declare(::evalcts::test_info(#suite, #name, ::evalcts::Level::level, __FILE__, __LINE__), \
+                         __VA_ARGS__)                                                                      \
+      << []
 
 }  // namespace evalcts
