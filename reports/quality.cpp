@@ -67,7 +67,7 @@ std::string equal_bits_in_words(const RunResult& record) {
     if (warnings > 0)
       compared.push_back(fmt::format("{} ({})", results, count(static_cast<std::size_t>(warnings), "test")));
   }
-  return compared.empty() ? "" : "bits differ between " + join(compared, ", ");
+  return compared.empty() ? "" : "not bit-identical: " + join(compared, ", ");
 }
 
 std::string memory_in_words(const RunResult& record) {

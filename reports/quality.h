@@ -12,7 +12,7 @@ namespace evalcts::reports {
 // of level quality about the accuracy of values and normals; empty if none of them decided anything.
 std::string single_precision_in_words(const RunResult& record);
 
-// Returns "bits differ between EvalPoint and EvalMesh (2 tests), AUTO_NORMAL on and off (4 tests)", by the
+// Returns "not bit-identical: EvalPoint and EvalMesh (2 tests), AUTO_NORMAL on and off (4 tests)", by the
 // tests of level quality that require equal bits where commands are equivalent; empty if none of them warns.
 std::string equal_bits_in_words(const RunResult& record);
 

@@ -7,18 +7,19 @@
 #include <iostream>
 
 #include <evalcts/cli/command.h>
-#include <evalcts/cli/places.h>
 #include <evalcts/cli/terminal.h>
 #include <evalcts/results/known_bugs.h>
 #include <evalcts/results/requirements.h>
 #include "issue.h"
 #include "result_files.h"
+#include "run_folders.h"
 
 namespace evalcts::cli {
 namespace {
 
 struct BugsOptions {
-  std::vector<std::string> results;  // files and folders; empty: the default folder
+  std::vector<std::string> results;  // files and folders; empty: the run
+  std::string run;                   // value of --run
   bool verbose = false;
   bool known = false;
   std::string issue;  // ID of the bug for which an issue is written; empty: none
@@ -61,18 +62,20 @@ int bugs(const BugsOptions& options) {
     return kNothingUnexpected;
   }
   try {
-    const std::vector<std::string> wanted =
-        options.results.empty() ? std::vector{places().output.string()} : options.results;
+    const auto results_of_run = [&] {
+      return read_results(
+          options.results.empty() ? std::vector{run_folder(options.run).string()} : options.results, false);
+    };
     if (!options.issue.empty()) {
       std::vector<RunResult> results;
       try {
-        results = read_results(wanted, false);
+        results = results_of_run();
       } catch (const CannotReadResults&) {
         if (!find_known_bug(options.issue)) throw;  // a known bug needs no run
       }
       return print_issue(options.issue, results);
     }
-    for (const RunResult& result : read_results(wanted, false))
+    for (const RunResult& result : results_of_run())
       std::cout << reports::bug_list(result, catalogue(), shows_colour(), options.verbose) << "\n";
   } catch (const CannotReadResults& error) {
     std::cerr << "evalcts: " << error.what() << "\n";
@@ -86,8 +89,9 @@ int bugs(const BugsOptions& options) {
 
 std::function<int()> define_bugs(CLI::App& app, const Call&) {
   const auto options = std::make_shared<BugsOptions>();
-  app.add_option("results", options->results,
-                 "result files, or folders that contain them (default: the last run)");
+  CLI::Option* const results = app.add_option(
+      "results", options->results, "result files, or folders that contain them (default: the last run)");
+  add_run(app, options->run)->excludes(results);
   app.add_flag("--verbose", options->verbose, "list every test that a bug explains");
   app.add_flag("--known", options->known,
                "print the known bugs of all implementations as Markdown, instead of the bugs of a run");

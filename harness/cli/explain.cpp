@@ -16,9 +16,12 @@
 #include <evalcts/results/coverage.h>
 #include <evalcts/results/documents.h>
 #include <evalcts/results/known_bugs.h>
+#include <evalcts/results/text.h>
 #include <evalcts/runner/worker.h>
 #include "help.h"
 #include "issue.h"
+#include "result_files.h"
+#include "run_folders.h"
 #include "wrap.h"
 
 namespace evalcts::cli {
@@ -278,7 +281,30 @@ const Requirement* requirement_of_bug(const std::string& id) {
   return has_hash ? catalogue().find(id.substr(0, dash)) : nullptr;
 }
 
-int explain(const std::vector<std::string>& words) {
+// Prints a bug of the run with this ID. Returns false if there is none, or no run.
+bool explain_bug_of_run(const std::string& id, const std::string& run) {
+  try {
+    for (const RunResult& result : read_results({run_folder(run).string()}, false))
+      for (const Bug& bug : result.bugs)
+        if (bug.id == id) {
+          paragraph(fmt::format("{}: a bug of {} in {}", id, result.heading("(unnamed)"),
+                                run.empty() ? "the last run" : run),
+                    0);
+          paragraph(bug.title);
+          if (!bug.known.empty()) paragraph(fmt::format("Known bug: {}, in {}", bug.known, bug.known_in));
+          paragraph(
+              fmt::format("{} failing tests; 'evalcts bugs' shows the minimal program", bug.tests.size()));
+          return true;
+        }
+  } catch (const CannotReadResults&) {
+    if (!run.empty()) throw;
+  } catch (const FormatError&) {
+    if (!run.empty()) throw;
+  }
+  return false;
+}
+
+int explain(const std::vector<std::string>& words, const std::string& run) {
   const std::string name = fmt::format("{}", fmt::join(words, " "));
   // For a half, "ID/1-D", the whole requirement is explained.
   if (const Requirement* const requirement = catalogue().find(name)) {
@@ -294,9 +320,10 @@ int explain(const std::vector<std::string>& words) {
     return kNothingUnexpected;
   }
   if (const Requirement* const requirement = requirement_of_bug(name)) {
-    paragraph(
-        fmt::format("{} is a bug of a run: 'evalcts bugs' lists those of the last one. It violates:", name),
-        0);
+    if (!explain_bug_of_run(name, run))
+      paragraph(fmt::format("{} is a bug of a run, but not of {}. It violates:", name,
+                            run.empty() ? "the last one" : run),
+                0);
     explain_requirement(*requirement);
     return kNothingUnexpected;
   }
@@ -316,12 +343,22 @@ int explain(const std::vector<std::string>& words) {
 
 std::function<int()> define_explain(CLI::App& app, const Call&) {
   const auto words = std::make_shared<std::vector<std::string>>();
+  const auto run = std::make_shared<std::string>();
   app.add_option("name", *words,
                  "ID of a requirement, known bug or bug of a run, name of an interpretation, test or "
                  "verdict, or words "
                  "to search for, such as a GL command or token")
       ->required();
-  return [words] { return explain(*words); };
+  add_run(app, *run);
+  return [words, run] {
+    try {
+      return explain(*words, *run);
+    } catch (const CannotReadResults& error) {
+      return wrong_use(clean(error.what()));
+    } catch (const FormatError& error) {
+      return wrong_use(clean(error.what()));
+    }
+  };
 }
 
 }  // namespace

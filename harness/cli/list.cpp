@@ -11,6 +11,7 @@
 #include <evalcts/cli/default_implementations.h>
 #include <evalcts/cli/places.h>
 #include <evalcts/faults/trial.h>
+#include <evalcts/results/filter.h>
 #include <evalcts/results/json.h>
 #include <evalcts/results/known_bugs.h>
 #include <evalcts/results/requirements.h>
@@ -59,7 +60,7 @@ void list_bugs(bool as_json) {
   if (as_json) std::cout << json{{"bugs", all}}.dump(1) << "\n";
 }
 
-int list(const std::string& what, bool as_json) {
+int list(const std::string& what, bool as_json, const std::string& filter) {
   const auto line = [](std::size_t width, const std::string& name, const std::string& text) {
     std::cout << fmt::format("{:<{}} {}\n", name, width, text);
   };
@@ -86,7 +87,8 @@ int list(const std::string& what, bool as_json) {
       for (const Requirement& requirement : catalogue().requirements)
         line(28, requirement.id, requirement.text);
   } else {
-    const std::vector<ListedTest> tests = list_tests(places().suite_program);
+    const std::vector<ListedTest> tests = matching(list_tests(places().suite_program), filter);
+    if (tests.empty()) return wrong_use(fmt::format("no test matches '{}'", filter));
     if (as_json)
       std::cout << to_text(tests);
     else
@@ -100,6 +102,7 @@ std::function<int()> define_list(CLI::App& app, const Call&) {
   struct Options {
     std::string what;
     bool as_json = false;
+    std::string filter;  // of tests
   };
   const auto options = std::make_shared<Options>();
   app.add_option("what", options->what)
@@ -113,7 +116,13 @@ std::function<int()> define_list(CLI::App& app, const Call&) {
           },
           fmt::format("{{{}}}", fmt::join(kLists, ","))));
   app.add_flag("--json", options->as_json, "print JSON");
-  return [options] { return list(options->what, options->as_json); };
+  app.add_option("--filter", options->filter,
+                 "with tests: only those that match GoogleTest patterns, such as 'Map1*:-*Copy*'");
+  return [options] {
+    if (!options->filter.empty() && options->what != "tests")
+      return wrong_use("--filter selects tests: evalcts list tests --filter ...");
+    return list(options->what, options->as_json, options->filter);
+  };
 }
 
 }  // namespace
@@ -121,6 +130,7 @@ std::function<int()> define_list(CLI::App& app, const Call&) {
 const Command kListCommand = {
     "list", "list implementations, requirements, interpretations, tests, faults or known bugs",
     R"(  $ evalcts list implementations
+  $ evalcts list tests --filter 'Map1Errors.*'
   $ evalcts list tests --json)",
     define_list};
 

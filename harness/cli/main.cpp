@@ -6,5 +6,5 @@ int main(int argc, char** argv) {
   return command_line(
       argc, argv,
       {kRunCommand, kBugsCommand, kListCommand, kCoverageCommand, kExplainCommand, kReproduceCommand,
-       kReportCommand, kCheckCommand, kFaultsCommand, kFuzzCommand, kRounding, kUlp, kVectors});
+       kReportCommand, kWaiveCommand, kCheckCommand, kFaultsCommand, kFuzzCommand, kRounding, kUlp, kVectors});
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <vector>
 
@@ -13,6 +14,16 @@ namespace evalcts::cli {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// Returns the folder that $EVALCTS_OUTPUT names, or else the usual one.
+fs::path output_folder(const fs::path& usual) {
+  const char* const chosen = std::getenv("EVALCTS_OUTPUT");
+  return chosen && *chosen ? fs::path(chosen) : usual;
+}
+
+}  // namespace
+
 Places places() {
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
   // In a checkout, the program is in build/PRESET/harness/cli.
@@ -20,14 +31,14 @@ Places places() {
   if (fs::exists(top / "reports/schema") && fs::exists(top / "suites/requirements.json"))
     return {.suite_program = folder / "evalcts-suite",
             .faulty_suite_program = folder / "evalcts-faulty-suite",
-            .output = top / "reports/out",
+            .output = output_folder(top / "reports/out"),
             .vectors = top / "vectors",
             .production_headers = top / "production/include",
             .production_library = fs::weakly_canonical(folder / "../../production/libglevaluator.a")};
   const fs::path data = fs::weakly_canonical(folder / EVALCTS_DATA_FROM_PROGRAMS);
   return {.suite_program = folder / "evalcts-suite",
           .faulty_suite_program = folder / "evalcts-faulty-suite",
-          .output = fs::current_path() / "evalcts-results",
+          .output = output_folder(fs::current_path() / "evalcts-results"),
           .vectors = data / "vectors",
           .production_headers = {},
           .production_library = {}};

@@ -16,85 +16,26 @@
 #include <evalcts/results/text.h>
 #include <evalcts/runner/worker.h>
 #include "recorded.h"
+#include "result_files.h"
+#include "run_folders.h"
 #include "wrap.h"
 
 namespace evalcts::cli {
 namespace {
 
 struct ReproduceOptions {
-  // The name of a test, NAME:test, or a part of a name that occurs in only one failing test; the ID of a bug,
-  // or NAME:ID. NAME is the name of an implementation.
-  std::string failure;
-  std::string results;  // folder of the run; empty: the default folder
+  std::string failure;  // see find_failure()
+  std::string run;      // value of --run
   std::string output;   // the file to write; empty: a file in the folder of the run
   std::string program;  // evalcts as the user typed it
 };
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostSuggested = 10;
-
 // Thrown if no reproducer can be written. The message states the reason.
 struct CannotReproduce : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-
-// Returns the tests of all result files in the folder. They point to results, which are added to `runs`.
-std::vector<Candidate> recorded_tests(const fs::path& folder, std::list<RunResult>& runs) {
-  std::vector<Candidate> tests;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string file = entry.path().filename().string();
-    if (!file.starts_with("results-") || entry.path().extension() != ".json") continue;
-    try {
-      const std::vector<Candidate> found =
-          candidates_of(runs.emplace_back(parse_run_result(read_file(entry.path()))));
-      tests.insert(tests.end(), found.begin(), found.end());
-    } catch (const FormatError& problem) {
-      std::cerr << fmt::format("evalcts: {} holds no results; left out ({})\n", entry.path().string(),
-                               clean(problem.what()));
-    }
-  }
-  if (tests.empty())
-    throw CannotReproduce(
-        fmt::format("'{}' contains no results; 'evalcts run' first, or name the folder with "
-                    "--results",
-                    folder.string()));
-  std::sort(tests.begin(), tests.end(),
-            [](const Candidate& a, const Candidate& b) { return a.full_name() < b.full_name(); });
-  return tests;
-}
-
-std::string suggestions(const std::vector<Candidate>& tests) {
-  std::string text;
-  for (std::size_t i = 0; i < tests.size() && i < kMostSuggested; ++i) text += "\n  " + tests[i].full_name();
-  if (tests.size() > kMostSuggested) text += fmt::format("\n  and {} more", tests.size() - kMostSuggested);
-  return text;
-}
-
-// Returns the only failing test with the wanted name, or the only one whose name contains
-// it. Throws CannotReproduce.
-Candidate find(const std::vector<Candidate>& tests, const std::string& wanted) {
-  std::vector<Candidate> failing, exact, part;
-  bool exists = false;
-  for (const Candidate& test : tests) {
-    const bool same = wanted == test.name() || wanted == test.full_name();
-    exists = exists || same;
-    if (!test.failed()) continue;
-    failing.push_back(test);
-    if (same) exact.push_back(test);
-    if (test.full_name().find(wanted) != std::string::npos) part.push_back(test);
-  }
-  const std::vector<Candidate>& matching = exact.empty() ? part : exact;
-  if (matching.size() == 1) return matching.front();
-  if (matching.size() > 1)
-    throw CannotReproduce(fmt::format("'{}' names {} failures; name one of them:{}", wanted, matching.size(),
-                                      suggestions(matching)));
-  if (exists) throw CannotReproduce(fmt::format("{} did not fail in that run", wanted));
-  throw CannotReproduce(failing.empty() ? "nothing failed in that run"
-                                        : fmt::format("no failing test is called '{}'; these failed:{}",
-                                                      wanted, suggestions(failing)));
-}
 
 // The minimal program of a bug, with a record as if it were a test.
 struct BugProgram {
@@ -102,38 +43,19 @@ struct BugProgram {
   std::string commands;  // JSON
 };
 
-// Returns the bug with the wanted ID; none if there is none. For a bug that was not reduced, returns its
-// first test; otherwise sets `program`. Throws CannotReproduce if several implementations have the bug.
-std::optional<Candidate> find_bug(const std::list<RunResult>& runs, const std::string& wanted,
-                                  BugProgram& program) {
-  std::vector<std::pair<const RunResult*, const Bug*>> found;
-  for (const RunResult& run : runs)
-    for (const Bug& bug : run.bugs)
-      if (run.pass == Pass::kFreshContexts &&
-          (wanted == bug.id || wanted == run.implementation.name + ":" + bug.id ||
-           (!bug.known.empty() && wanted == bug.known)))
-        found.emplace_back(&run, &bug);
-  if (found.empty()) return std::nullopt;
-  if (found.size() > 1) {
-    std::string names;
-    for (const auto& [run, bug] : found) names += fmt::format("\n  {}:{}", run->implementation.name, bug->id);
-    throw CannotReproduce(
-        fmt::format("{} implementations have the bug {}; name one of them:{}", found.size(), wanted, names));
-  }
-  const auto [run, bug] = found.front();
-  if (bug->commands.empty()) {
-    const auto test = std::ranges::find(run->tests, bug->tests.at(0), &TestRecord::name);
-    if (test == run->tests.end()) throw CannotReproduce(fmt::format("{} names no test of its run", wanted));
-    return Candidate{run, &*test};
-  }
-  program.commands = bug->commands;
-  program.test.name = bug->id;
-  program.test.requirements = bug->requirements;
-  program.test.level = bug->level;
-  program.test.verdict = bug->verdict;
-  program.test.message = bug->title;
-  program.test.failures = {bug->failure};
-  return Candidate{run, &program.test};
+// Returns what is replayed for a failure: the minimal program of a bug, which is stored in `program`, or a
+// test.
+Candidate replayed_failure(const RecordedFailure& failure, BugProgram& program) {
+  if (!failure.bug || failure.bug->commands.empty()) return failure.first();
+  const Bug& bug = *failure.bug;
+  program.commands = bug.commands;
+  program.test.name = bug.id;
+  program.test.requirements = bug.requirements;
+  program.test.level = bug.level;
+  program.test.verdict = bug.verdict;
+  program.test.message = bug.title;
+  program.test.failures = {bug.failure};
+  return {failure.run, &program.test};
 }
 
 // The outcome of the test when the suite program ran it again.
@@ -226,12 +148,10 @@ std::string compile_line(const Candidate& failure, const std::string& source) {
 }
 
 int reproduce_or_throw(const ReproduceOptions& options) {
-  const fs::path folder = options.results.empty() ? places().output : fs::path(options.results);
-  std::list<RunResult> runs;
-  const std::vector<Candidate> tests = recorded_tests(folder, runs);
+  const fs::path folder = run_folder(options.run);
+  const std::list<RunResult> runs = recorded_run(folder);
   BugProgram bug;
-  const std::optional<Candidate> found = find_bug(runs, options.failure, bug);
-  const Candidate failure = found ? *found : find(tests, options.failure);
+  const Candidate failure = replayed_failure(find_failure(runs, options.failure), bug);
   const Replayed replayed = replay(failure, bug.commands);
 
   if (replayed.program.empty() || replayed.program.starts_with("#error ")) {
@@ -286,6 +206,10 @@ int reproduce(const ReproduceOptions& options) {
     return reproduce_or_throw(options);
   } catch (const CannotReproduce& error) {
     return wrong_use(clean(error.what()));
+  } catch (const NotRecorded& error) {
+    return wrong_use(clean(error.what()));
+  } catch (const CannotReadResults& error) {
+    return wrong_use(clean(error.what()));
   } catch (const FormatError& error) {
     return wrong_use("the result file does not follow its schema: " + clean(error.what()));
   }
@@ -299,7 +223,7 @@ std::function<int()> define_reproduce(CLI::App& app, const Call& call) {
                  "a bug (see 'evalcts bugs')")
       ->required();
   app.add_option("--output", options->output, "C file to write");
-  app.add_option("--results", options->results, "folder with the results of the run (default: the last run)");
+  add_run(app, options->run);
   return [options] { return reproduce(*options); };
 }
 

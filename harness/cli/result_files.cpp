@@ -29,17 +29,13 @@ std::vector<fs::path> files_of(const fs::path& argument) {
   const fs::file_status status = fs::status(argument, error);
   if (!fs::exists(status)) throw CannotReadResults(fmt::format("'{}' does not exist", argument.string()));
   if (!fs::is_directory(status)) return {argument};
-  std::vector<fs::path> files;
-  fs::directory_iterator entry(argument, error);
-  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
-    if (is_result_name(entry->path())) files.push_back(entry->path());
+  const std::vector<fs::path> files = result_files_in(argument, error);
   if (error)
     throw CannotReadResults(
         fmt::format("cannot read the folder '{}': {}", argument.string(), error.message()));
   if (files.empty())
     throw CannotReadResults(
         fmt::format("'{}' contains no results: 'evalcts run' writes results-NAME.json", argument.string()));
-  std::sort(files.begin(), files.end());
   return files;
 }
 
@@ -66,6 +62,15 @@ std::string origin_of(const fs::path& argument) {
 }
 
 }  // namespace
+
+std::vector<fs::path> result_files_in(const fs::path& folder, std::error_code& error) {
+  std::vector<fs::path> files;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+    if (is_result_name(entry->path())) files.push_back(entry->path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
 
 std::vector<RunResult> read_results(const std::vector<std::string>& arguments, bool with_origin) {
   std::vector<RunResult> results;

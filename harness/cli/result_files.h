@@ -1,8 +1,10 @@
 // Reads the results of runs from the files and folders that the user names.
 #pragma once
 
+#include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <evalcts/results/run_result.h>
@@ -13,6 +15,10 @@ namespace evalcts::cli {
 struct CannotReadResults : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+// Returns the files results-*.json of a folder, sorted. Sets `error` if the folder cannot be read.
+std::vector<std::filesystem::path> result_files_in(const std::filesystem::path& folder,
+                                                   std::error_code& error);
 
 // Returns the results in the files and folders, each file once. Shards of a run are merged. If `with_origin`,
 // sets RunResult::origin. Throws CannotReadResults, and FormatError if shards do not belong together.

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <future>
 #include <iostream>
 #include <random>
@@ -26,9 +27,11 @@
 #include <evalcts/runner/child_process.h>
 #include <evalcts/runner/runner.h>
 #include <evalcts/runner/worker.h>
+#include "chosen_baseline.h"
 #include "environment.h"
 #include "pages.h"
 #include "recorded.h"
+#include "run_folders.h"
 
 namespace evalcts::cli {
 namespace {
@@ -45,7 +48,7 @@ struct RunOptions {
   std::uint64_t mebibytes = 4096;  // memory limit of each process
   int retries = 1;
   std::optional<int> jobs;  // processes for each implementation
-  std::string output;       // empty: the default folder
+  std::string output;       // empty: a new folder
   std::string baseline;     // "DIR", "DIR/NAME" or "none"; empty: the known bugs only
   bool write_baseline = false;
   bool strict = false;
@@ -80,20 +83,6 @@ int exit_code_of(const RunResult& result, const RunOptions& options) {
     return kWrongUse;
   }
   return kNothingUnexpected;
-}
-
-// The folder that a value of --baseline names, and the files in it; an empty name stands for those that fit.
-struct ChosenFiles {
-  fs::path folder;
-  std::string name;
-};
-
-// Parses a value of --baseline: "DIR" or "DIR/NAME".
-ChosenFiles files_of(const std::string& given) {
-  const fs::path path = given;
-  if (!fs::is_directory(path) && path.has_filename() && fs::exists(given + "-fails.txt"))
-    return {path.has_parent_path() ? path.parent_path() : ".", path.filename().string()};
-  return {path, ""};
 }
 
 // The names of output files contain the label, and may have at most 255 bytes.
@@ -138,6 +127,20 @@ std::string wrong_options(const RunOptions& options) {
   if (const std::string wrong = wrong_reading(options.interpretations); !wrong.empty())
     return wrong + "; see 'evalcts list interpretations'";
   return {};
+}
+
+// Returns the name of the result files of an implementation.
+std::string result_name(const RunOptions& options, const ImplementationOptions& implementation) {
+  return !options.label.empty()        ? options.label
+         : implementation.name.empty() ? "library"
+                                       : implementation.name;
+}
+
+// Returns the part of the name of the run's folder that names the implementations.
+std::string label_of(const RunOptions& options, const std::vector<ImplementationOptions>& implementations) {
+  std::vector<std::string> names;
+  for (const ImplementationOptions& each : implementations) names.push_back(result_name(options, each));
+  return fmt::format("{}", fmt::join(names, "-")).substr(0, kLongestLabel);
 }
 
 std::vector<ImplementationOptions> chosen_implementations(const RunOptions& options) {
@@ -188,10 +191,9 @@ RunRequest request_of(const RunOptions& options, const std::string& shard) {
   request.retries = options.retries;
   // With several processes, the order of tests within a process is not deterministic, so --shuffle uses one.
   request.jobs = options.jobs.value_or(options.shuffle ? 1 : usual_jobs());
-  request.output = options.output.empty() ? places().output : fs::path(options.output);
   request.command = options.command;
   request.program = options.program;
-  request.own_output = !options.output.empty();
+  request.filter = options.filter;
   request.readings = options.interpretations;
   request.only_fresh_contexts = options.fresh;
   if (!shard.empty()) request.shard = Shard::parse(shard, "/");
@@ -244,14 +246,29 @@ std::vector<RunResult> passes_over(RunRequest request, const RunOptions& options
     request.first_pass = &first;
     passes.push_back(run_implementation(request, show));
   }
-  for (RunResult& result : passes) find_bugs(result, request, options, line);
+  for (RunResult& result : passes) {
+    const auto start = std::chrono::steady_clock::now();
+    find_bugs(result, request, options, line);
+    const std::chrono::duration<double> reducing = std::chrono::steady_clock::now() - start;
+    result.seconds = result.seconds.value_or(0) + reducing.count();
+  }
   return passes;
 }
 
 struct AppliedBaseline {
   std::string problem;  // the reason why the baseline cannot be updated; empty if there is none
+  std::string written;  // the line that names the updated file; empty if there is none
+  std::string files;    // name of the user's files; empty if there are none
   std::vector<std::string> unused_signatures;
 };
+
+// Returns a line about signatures without an entry.
+std::string note_on(const std::vector<std::string>& unused, const std::string& files) {
+  return fmt::format(
+      "evalcts: {} a signature but no entry in {}-fails.txt; the signature{} ignored{}\n",
+      unused.size() == 1 ? unused.front() + " has" : fmt::format("{} tests have", unused.size()), files,
+      unused.size() == 1 ? " is" : "s are", unused.size() == 1 ? "" : ": " + first_of(unused));
+}
 
 // Compares the result with its baseline. If --write-baseline is given, the baseline is updated first.
 AppliedBaseline apply_baseline(RunResult& result, const RunOptions& options, const RunRequest& request,
@@ -264,7 +281,7 @@ AppliedBaseline apply_baseline(RunResult& result, const RunOptions& options, con
   if (options.write_baseline && is_chosen) try {
       const BaselineFiles renewed = baseline.renewed(result, choice, result.file_label());
       if (baseline.files() || !renewed.entries.empty() || result.pass == Pass::kFreshContexts)
-        renewed.write(files_of(options.baseline).folder);
+        applied.written = write_baseline(chosen_files(options.baseline).folder, baseline.files(), renewed);
       std::erase_if(choice.files, [&](const BaselineFiles& files) { return files.name == renewed.name; });
       choice.files.push_back(renewed);
       baseline = Baseline(choice, result.implementation, result.pass);
@@ -273,6 +290,7 @@ AppliedBaseline apply_baseline(RunResult& result, const RunOptions& options, con
     }
   baseline.apply(result, all_tests);
   result.stale_baseline_entries = baseline.stale_entries(all_tests);
+  if (baseline.files()) applied.files = baseline.files()->name;
   applied.unused_signatures = baseline.unused_signatures();
   return applied;
 }
@@ -281,7 +299,7 @@ AppliedBaseline apply_baseline(RunResult& result, const RunOptions& options, con
 // library.
 std::string file_of_annotations(const RunOptions& options) {
   if (!options.baseline.empty() && options.baseline != "none") {
-    const ChosenFiles files = files_of(options.baseline);
+    const ChosenFiles files = chosen_files(options.baseline);
     return (files.name.empty() ? files.folder : files.folder / (files.name + "-fails.txt")).string();
   }
   return options.library.empty() ? "evalcts" : options.library;
@@ -291,25 +309,21 @@ int run(const RunOptions& options, const std::string& shard) {
   if (const std::string wrong = wrong_options(options); !wrong.empty()) return wrong_use(wrong);
   RunRequest request = request_of(options, shard);
   const std::vector<ImplementationOptions> chosen = chosen_implementations(options);
-  const fs::path output = request.output;
-  request.baseline.known_bugs = options.baseline != "none";
   if (options.write_baseline && (options.baseline.empty() || options.baseline == "none"))
     return wrong_use("--write-baseline needs the folder to write into: --baseline DIR");
-  if (request.baseline.known_bugs && !options.baseline.empty()) {
-    const ChosenFiles chosen_files = files_of(options.baseline);
-    if (!options.write_baseline && !fs::is_directory(chosen_files.folder))
-      return wrong_use(
-          fmt::format("--baseline '{}': not a directory, a baseline in a directory (DIR/NAME, for "
-                      "DIR/NAME-fails.txt), or 'none'",
-                      options.baseline));
-    request.baseline.files = BaselineFiles::read_all(chosen_files.folder);
-    request.baseline.name = chosen_files.name;
-  }
+  if (options.baseline == "none")
+    request.baseline.known_bugs = false;
+  else
+    request.baseline = choice_of(options.baseline, !options.write_baseline);
   const std::vector<ListedTest> all_tests = list_tests(request.suite_program);
   request.tests = chosen_tests(options, all_tests, request);
   if (const std::string wrong = wrong_filter(options, all_tests, request.depth); !wrong.empty())
     return wrong_use(wrong);
+  const fs::path output =
+      options.output.empty() ? create_run_folder(label_of(options, chosen)) : fs::path(options.output);
   const FolderLock lock = claim(output, options.command);
+  request.output = output;
+  if (options.output.empty()) request.run = output.filename().string();
 
   stop_when_asked();
   adopt_orphans();
@@ -318,9 +332,7 @@ int run(const RunOptions& options, const std::string& shard) {
   std::vector<std::future<std::vector<RunResult>>> running;
   for (const ImplementationOptions& implementation : chosen) {
     request.implementation = implementation;
-    request.name = !options.label.empty()        ? options.label
-                   : implementation.name.empty() ? "library"
-                                                 : implementation.name;
+    request.name = result_name(options, implementation);
     running.push_back(
         std::async(std::launch::async, passes_over, request, std::cref(options), std::ref(line)));
   }
@@ -347,10 +359,8 @@ int run(const RunOptions& options, const std::string& shard) {
                                : reports::terminal_summary(result, catalogue(), shows_colour(),
                                                            options.verbose, screen.lines, screen.columns) +
                                      "\n");
-      if (const std::size_t unused = applied.unused_signatures.size())
-        std::cerr << fmt::format("evalcts: baseline {}: {} no entry and {} ignored: {}\n", result.baseline,
-                                 unused == 1 ? "1 signature has" : fmt::format("{} signatures have", unused),
-                                 unused == 1 ? "is" : "are", first_of(applied.unused_signatures));
+      if (!applied.unused_signatures.empty()) std::cerr << note_on(applied.unused_signatures, applied.files);
+      if (!options.quiet) std::cout << applied.written;
       code = std::max(code, exit_code_of(result, options));
       if (!applied.problem.empty()) code = std::max(code, wrong_use(applied.problem));
       if (result.status == RunStatus::kInterrupted) code = std::max(code, kWrongUse);
@@ -358,6 +368,7 @@ int run(const RunOptions& options, const std::string& shard) {
     }
   }
   write_pages(output, results, {});
+  if (options.output.empty()) set_latest(output);
   if (options.annotations == "github") std::cout << reports::github_annotations(results);
   if (options.annotations == "gitlab")
     write_atomically(output / "code-quality.json",
@@ -402,7 +413,10 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
                  "number of processes that share the tests of an implementation (default: one per core, at "
                  "most 8; one with --shuffle)")
       ->check(CLI::Range(1, 256));
-  app.add_option("--output", options->output, "folder for results and report");
+  app.add_option(
+      "--output", options->output,
+      "folder for results and report (default: a new one, NAME-DATE, in reports/out of a checkout, or "
+      "else in evalcts-results or the folder that $EVALCTS_OUTPUT names)");
   app.add_option("--baseline", options->baseline,
                  "failures that are expected beside those of the known bugs: a folder DIR with baselines, of "
                  "which the best fit is used, or one of them as DIR/NAME; 'none': no failure is expected");

@@ -560,8 +560,7 @@ void find_bugs(RunResult& run, const BugRequest& request,
   std::vector<std::string> notes;
   if (named > 0)
     notes.push_back(fmt::format(
-        "{} of {} failing tests belong to the known bugs that the baseline names and were not reduced", named,
-        tests));
+        "the baseline attributes {} of {} failures to known bugs; these were not reduced", named, tests));
   if (left > 0)
     notes.push_back(fmt::format(
         "{} of {} failing tests could not be reduced to a minimal program and are grouped by requirement, by "

@@ -20,7 +20,7 @@ inside sh -c 'cd /root && evalcts run --depth quick --strict --implementation os
   { cat "$work/run"; fail "a run has unexpected results"; }
 grep -q '^No new failures; [1-9][0-9]* known ' "$work/run" ||
   fail "the installed program does not find the installed baseline"
-[[ -s $root/root/evalcts-results/index.html ]] || fail "no page where an installed program writes it"
+[[ -s $root/root/evalcts-results/latest/index.html ]] || fail "no page where an installed program writes it"
 inside sh -c 'cd /tmp && evalcts vectors lint && evalcts explain EV-MAP1-ERR-STRIDE >/dev/null && { evalcts faults || test $? = 2; }' \
   >"$work/log" 2>"$work/faults" || { cat "$work/log" "$work/faults"; fail "a command fails that needs what is installed"; }
 grep -q 'In a checkout' "$work/faults" || fail "faults does not say what it lacks: $(cat "$work/faults")"

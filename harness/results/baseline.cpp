@@ -14,13 +14,15 @@
 #include <utility>
 
 #include <evalcts/results/files.h>
+#include <evalcts/results/requirements.h>
+#include <evalcts/results/text.h>
 
 namespace evalcts {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kNotTraced = "not traced to a clause yet";
+constexpr std::string_view kNotTraced = "not traced to a bug yet";
 constexpr std::uint32_t kSeedOfSignatures = 1;
 constexpr const char* kSpecial = "*?[@";  // the first characters of the parts of a pattern
 
@@ -43,7 +45,8 @@ struct Line {
   }
 };
 
-// Returns the entries of a file. Calls in_header(line) for each comment line before the first entry. Throws
+// Returns the entries of a file. Calls in_header(line) for each comment line before the first entry, up to
+// the first empty line after one for which it returns true: reasons may look like lines of a header. Throws
 // BadBaseline if an entry has no reason, or the file cannot be read.
 template <class InHeader>
 std::vector<Line> entry_lines(const fs::path& path, InHeader in_header) {
@@ -52,13 +55,15 @@ std::vector<Line> entry_lines(const fs::path& path, InHeader in_header) {
   std::vector<Line> lines;
   std::string reason;
   int number = 0;
+  bool has_header = false, is_after_header = false;
   for (std::string text; std::getline(file, text);) {
     ++number;
     if (text.empty()) {
       reason.clear();
+      is_after_header = has_header;
     } else if (text.starts_with("#")) {
       const std::string comment = text.size() > 2 ? text.substr(2) : std::string();
-      if (lines.empty()) in_header(Line{comment, "", path, number});
+      if (lines.empty() && !is_after_header && in_header(Line{comment, "", path, number})) has_header = true;
       reason += (reason.empty() ? "" : " ") + comment;
     } else {
       lines.push_back({text, reason, path, number});
@@ -71,7 +76,7 @@ std::vector<Line> entry_lines(const fs::path& path, InHeader in_header) {
 std::vector<BaselineFiles::Pattern> read_patterns(const fs::path& path) {
   std::vector<BaselineFiles::Pattern> patterns;
   if (!fs::exists(path)) return patterns;
-  for (const Line& line : entry_lines(path, [](const Line&) {})) {
+  for (const Line& line : entry_lines(path, [](const Line&) { return false; })) {
     try {
       patterns.push_back({line.text,
                           [expression = std::regex(line.text)](const std::string& test) {
@@ -97,10 +102,11 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
 }
 
-// Reads "key: value" at the top of NAME-fails.txt. Any other comment there belongs to the first reason.
-void read_header_line(const Line& line, Scope& header) {
+// Reads "key: value" at the top of NAME-fails.txt. Returns false for any other comment, which belongs to the
+// first reason.
+bool read_header_line(const Line& line, Scope& header) {
   const std::size_t colon = line.text.find(": ");
-  if (colon == std::string::npos) return;
+  if (colon == std::string::npos) return false;
   const std::string key = line.text.substr(0, colon), value = trimmed(line.text.substr(colon + 2));
   if (key == "vendor") header.vendor = value;
   if (key == "renderer") header.renderer = value;
@@ -116,6 +122,8 @@ void read_header_line(const Line& line, Scope& header) {
     } catch (const std::invalid_argument& error) {
       throw line.bad(error.what());
     }
+  static const std::set<std::string> kKeys = {"vendor", "renderer", "implementation", "pass", "version"};
+  return kKeys.contains(key);
 }
 
 // Reads "test name,depth,signature".
@@ -147,11 +155,22 @@ void append_comment(const std::string& text, std::string& out) {
   if (line != "#") end_line();
 }
 
-// Returns the ID in a reason "bug: ID. text"; empty if there is none.
 std::string bug_of(const std::string& reason) {
   constexpr std::string_view kPrefix = "bug: ";
   if (!reason.starts_with(kPrefix)) return {};
   return reason.substr(kPrefix.size(), reason.find('.') - kPrefix.size());
+}
+
+// Returns the reason for a failure as far as the run found it: the bug with its clause, or else the violated
+// requirement.
+std::string reason_found(const RunResult& result, const TestRecord& test) {
+  if (const Bug* const bug = result.bug_of(test.name))
+    return fmt::format("bug: {}. {}{}", bug->known.empty() ? bug->id : bug->known, one_line(bug->title),
+                       bug->clause.empty() ? "" : fmt::format(" [{}]", one_line(bug->clause)));
+  const std::vector<RequirementId> violated = test.blamed();
+  const Requirement* const requirement = violated.empty() ? nullptr : catalogue().find(violated.front());
+  if (!requirement) return std::string(kNotTraced);
+  return fmt::format("{} [{}]; {}", requirement->id, requirement->source, kNotTraced);
 }
 
 // Returns "AutomaticNormals.OrderOne" for one of its tests.
@@ -217,13 +236,15 @@ bool stands_for(const std::string& pattern, const std::string& test) {
 
 // --- files
 
+std::string BaselineFiles::Entry::bug() const { return bug_of(reason); }
+
 BaselineFiles BaselineFiles::read(const fs::path& folder, const std::string& name) {
   BaselineFiles files;
   files.name = name;
   const fs::path fails = folder / (name + "-fails.txt");
   files.header.pass = Pass::kFreshContexts;
   const std::vector<Line> lines =
-      entry_lines(fails, [&](const Line& line) { read_header_line(line, files.header); });
+      entry_lines(fails, [&](const Line& line) { return read_header_line(line, files.header); });
   const Scope& header = files.header;
   for (const Line& line : lines) {
     const std::vector<std::string> parts = fields(line.text);
@@ -308,7 +329,7 @@ Baseline::Baseline(const BaselineChoice& choice, const ImplementationRecord& imp
     files_ = *chosen;
     std::vector<Line> own;
     for (const auto& [tests, entry] : files_->entries)
-      own.push_back({tests, entry.status, entry.reason, bug_of(entry.reason), true});
+      own.push_back({tests, entry.status, entry.reason, entry.bug(), true});
     // The name of a test is more specific than any pattern.
     std::ranges::stable_partition(own, [](const Line& line) { return !is_pattern(line.tests); });
     lines_.insert(lines_.begin(), own.begin(), own.end());
@@ -465,7 +486,7 @@ std::vector<std::string> Baseline::unused_signatures() const {
 }
 
 BaselineFiles Baseline::renewed(const RunResult& result, const BaselineChoice& choice,
-                                const std::string& new_name) const {
+                                const std::string& new_name, const std::string& reason) const {
   BaselineFiles files;
   if (files_) {
     files = *files_;
@@ -498,7 +519,10 @@ BaselineFiles Baseline::renewed(const RunResult& result, const BaselineChoice& c
   for (const TestRecord& test : result.tests) {
     if (test.also_in_fresh_context || flake(test.name)) continue;
     const auto own = files.entries.find(test.name);
-    const std::string reason = own == files.entries.end() ? kNotTraced : own->second.reason;
+    const bool has_reason = own != files.entries.end() && !own->second.reason.ends_with(kNotTraced);
+    const std::string new_reason = !reason.empty() ? reason
+                                   : has_reason    ? own->second.reason
+                                                   : reason_found(result, test);
     const char* const status = status_of(test.verdict);
     if (!status &&
         (test.verdict != Verdict::kPass || (own != files.entries.end() && own->second.status == "Pass")))
@@ -507,7 +531,7 @@ BaselineFiles Baseline::renewed(const RunResult& result, const BaselineChoice& c
     if (!status || without.knows(test, depth, seed)) {
       files.signatures.erase(test.name);
     } else {
-      files.entries[test.name] = {status, reason};
+      files.entries[test.name] = {status, new_reason};
       if (seed == kSeedOfSignatures) files.signatures[test.name][name_of(depth)] = test.signature();
     }
   }

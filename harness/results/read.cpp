@@ -279,6 +279,7 @@ RunResult read_run_result(const json& value) {
   out.timeout = in.real("timeout");
   out.memory = in.natural("memory");
   out.depth = in.word("depth", [](const std::string& word) { return depth_named(word); });
+  out.filter = in.text("filter");
   out.pass = in.word("pass", pass_named).value_or(Pass::kFreshContexts);
   out.origin = in.text("origin");
   out.seed = in.natural("seed");

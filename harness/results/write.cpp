@@ -224,6 +224,7 @@ std::string to_text(const RunResult& result) {
   set(out, "timeout", result.timeout);
   set(out, "memory", result.memory);
   if (result.depth) out["depth"] = name_of(*result.depth);
+  set(out, "filter", result.filter);
   set(out, "seed", result.seed);
   set(out, "pass", std::string(name_of(result.pass)));
   if (result.shard) out["shard"] = result.shard->text();
@@ -280,8 +281,8 @@ std::string to_line(const Event& event) {
         out.push_back({{"requirements", texts_of(requirements)},
                        {"level", name_of(level)},
                        {"from", name_of(from)},
-                       {"names", names}});
                        {"source", source},
+                       {"names", names}});
       }
       return {{"event", "tests"}, {"groups", std::move(out)}};
     }

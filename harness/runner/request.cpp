@@ -82,6 +82,7 @@ RunResult header_of(const RunRequest& request) {
   header.started = now();
   header.host = host();
   header.depth = request.depth;
+  header.filter = request.filter;
   header.seed = request.seed;
   header.timeout = request.limits.seconds_per_test;
   header.memory = request.limits.memory >> 20;
@@ -131,7 +132,8 @@ void add_commands(const RunRequest& request, TestRecord& record) {
 
   if (request.first_pass) return;  // a C program contains only one case, without its history
   std::vector<std::string> reproduce = {request.program, "reproduce", request.name + ":" + record.name};
-  if (request.own_output) reproduce.insert(reproduce.end(), {"--results", seen_from_here(request.output)});
+  reproduce.insert(reproduce.end(),
+                   {"--run", request.run.empty() ? seen_from_here(request.output) : request.run});
   record.reproducer = shell_line(reproduce);
 }
 

@@ -346,6 +346,43 @@ TEST_F(Baselines, RenewedOnesKeepReasonsAndReadBack) {
   EXPECT_EQ(find(result.implementation).name(), "m");
 }
 
+// A reason may look like a line of the header.
+TEST_F(Baselines, TheHeaderEndsAtAnEmptyLine) {
+  write("m-fails.txt", std::string(kHeader) + "# pass: of the second queue\n# vendor: us\nA.B,Fail\n");
+  EXPECT_EQ(read("m").files()->entries.at("A.B").reason, "pass: of the second queue vendor: us");
+  EXPECT_EQ(read("m").files()->header.vendor, "Mesa");
+}
+
+// Without a reason of the user, a new entry has what the run found out.
+TEST_F(Baselines, NewEntriesNameTheirBugAndItsClause) {
+  RunResult result = record({test("A.B", Verdict::kFail, {"x"}), test("A.C", Verdict::kFail, {"x"}),
+                             test("A.D", Verdict::kFail, {"x"}), test("A.E", Verdict::kFail, {"x"})});
+  Bug bug;
+  bug.id = "EV-MAP1-COPY-1234";
+  bug.title = "points are not copied";
+  bug.clause = "GL 2.1 5.1";
+  bug.tests = {"A.B"};
+  result.bugs = {bug};
+  bug.known = "mesa-a";
+  bug.tests = {"A.C"};
+  result.bugs.push_back(bug);
+  result.tests[2].requirements = {RequirementId("EV-MAP1-COPY")};
+  write("m-fails.txt", std::string(kHeader) + "# not traced to a bug yet\nA.B,Fail\n\n# mine\nA.C,Fail\n");
+  const auto reason = [](const BaselineFiles& files, const std::string& name) {
+    return files.entries.at(name).reason;
+  };
+  const BaselineFiles fresh = Baseline().renewed(result, {}, "new");
+  EXPECT_EQ(reason(fresh, "A.B"), "bug: EV-MAP1-COPY-1234. points are not copied [GL 2.1 5.1]");
+  EXPECT_EQ(reason(fresh, "A.C"), "bug: mesa-a. points are not copied [GL 2.1 5.1]");
+  EXPECT_EQ(fresh.entries.at("A.C").bug(), "mesa-a");
+  EXPECT_TRUE(reason(fresh, "A.D").starts_with("EV-MAP1-COPY [glMap1 page")) << reason(fresh, "A.D");
+  EXPECT_EQ(reason(fresh, "A.E"), "not traced to a bug yet");
+  const BaselineFiles again = read("m").renewed(result, choice("m"), "");
+  EXPECT_EQ(reason(again, "A.B"), reason(fresh, "A.B")) << "the reason was not known before";
+  EXPECT_EQ(reason(again, "A.C"), "mine");
+  EXPECT_EQ(reason(read("m").renewed(result, choice("m"), "", "issue 1"), "A.C"), "issue 1");
+}
+
 // New files must not replace files of the same name whose header does not fit.
 TEST_F(Baselines, NewOnesDoNotReplaceOthers) {
   write("m-fails.txt", "# version: Mesa 20.3\n\n# found by hand\nA.B,Fail\n");

@@ -178,10 +178,10 @@ TEST_P(OffScreenLibraries, KnownFailuresBelongToTheBugOfTheBaseline) {
   EXPECT_EQ(as_text(result["bugs"][0]["known"]), "mesa-getmap-saturation");
   EXPECT_EQ(result["bugs"][0]["tests"].size(), 9u);
   EXPECT_EQ(as_text(result["bugs_note"]),
-            "9 of 9 failing tests belong to the known bugs that the baseline names and were not reduced");
+            "the baseline attributes 9 of 9 failures to known bugs; these were not reduced");
   // Its ID names it everywhere.
   const std::string id = "mesa-getmap-saturation", folder = folder_.string();
-  EXPECT_EQ(evalcts({"reproduce", id, "--results", folder, "--output", folder + "/program.c"}).code, 0);
+  EXPECT_EQ(evalcts({"reproduce", id, "--run", folder, "--output", folder + "/program.c"}).code, 0);
   EXPECT_TRUE(
       contains(evalcts({"bugs", "--issue", id, folder}).text, ": 9 of its tests fail because of this"));
   EXPECT_EQ(evalcts({"check", id, "--implementation", GetParam()}).code, 1);

@@ -30,8 +30,10 @@ class ProgramTest : public testing::Test {
       : folder_(std::filesystem::path(testing::TempDir()) / ("evalcts-" + std::to_string(getpid()))) {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
+    setenv("EVALCTS_OUTPUT", (folder_ / "runs").c_str(), 1);
   }
   ~ProgramTest() override {
+    unsetenv("EVALCTS_OUTPUT");
     unsetenv("EVALCTS_DRILL");
     std::filesystem::remove_all(folder_);
   }

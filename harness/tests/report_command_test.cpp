@@ -82,6 +82,47 @@ TEST_F(Report, ARegressionIsOne) {
   EXPECT_TRUE(contains(better.text, "1 fix\n")) << better.text;
 }
 
+// The history has all runs in the folder of results, whatever else is there.
+TEST_F(Report, HasTheHistoryOfAllRuns) {
+  const auto run = [&](const std::string& folder, const std::string& version, const std::string& date,
+                       const std::string& verdict) {
+    json result = record("x", verdict);
+    result["implementation"]["version"] = version;
+    result["started"] = date;
+    if (verdict == "fail")
+      result["bugs"] = {{{"id", "EV-MAP1-COPY-1234"},
+                         {"title", "stride"},
+                         {"tests", {"Map1State.Stride"}},
+                         {"failure", {{"case", "c"}}},
+                         {"verdict", "fail"},
+                         {"level", "must"}}};
+    write("runs/" + folder + "/results-x.json", result.dump());
+  };
+  EXPECT_EQ(evalcts({"report", "--history"}).code, 2);
+  run("x-1", "4.5 Mesa 9.0", "2026-01-01T10:00:00Z", "fail");
+  run("x-2", "4.5 Mesa 22.3.6", "2026-01-02T10:00:00Z", "pass");
+  write("runs/broken/results-x.json", "{");
+  write("runs/notes/text.txt", "");
+  fs::create_directory_symlink("x-2", folder_ / "runs/latest");
+  const Outcome outcome = evalcts({"report", "--history"});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  for (const char* const part :
+       {"History of x, full depth: 2 runs\n", "  Mesa 9.0: 1 bugs\n",
+        "  Mesa 22.3.6: 0 bugs; 1 gone: EV-MAP1-COPY-1234\n", "broken/results-x.json': this is not JSON",
+        "left out: '", "notes' contains no results"})
+    EXPECT_TRUE(contains(outcome.text, part)) << part << " in " << outcome.text;
+  const std::string page = text_of("runs/x-2/index.html");
+  EXPECT_TRUE(contains(page, "<h2 id=\"history\"")) << outcome.text;
+  EXPECT_TRUE(contains(page, "Bugs: 1 to 0"));
+  EXPECT_FALSE(fs::exists(folder_ / "runs/x-1/index.html"));
+  // Folders that are given: the page is that of their last run.
+  EXPECT_EQ(evalcts({"report", "--history", path("runs"), "--output", path("page")}).code, 0);
+  EXPECT_TRUE(contains(text_of("page/index.html"), "Mesa 22.3.6"));
+  const Outcome foreign = evalcts({"report", "--history", path("runs/notes")});
+  EXPECT_EQ(foreign.code, 2);
+  EXPECT_TRUE(contains(foreign.text, "has no runs")) << foreign.text;
+}
+
 TEST_F(Report, LeadsToAccuracyWhereItIs) {
   write("out/results-x.json", record("x", "pass").dump());
   evalcts({"report", path("out"), "--output", path("out")});
@@ -89,6 +130,8 @@ TEST_F(Report, LeadsToAccuracyWhereItIs) {
   write("out/accuracy.html", "");
   evalcts({"report", path("out"), "--output", path("out")});
   EXPECT_TRUE(contains(text_of("out/index.html"), "href=\"accuracy.html\""));
+  evalcts({"report", path("out"), "--output", path("out/run")});
+  EXPECT_TRUE(contains(text_of("out/run/index.html"), "href=\"../accuracy.html\""));
 }
 
 TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
@@ -187,13 +230,10 @@ TEST_F(Report, OfARunIsThePageOfTheRun) {
             0);
   const std::string page = text_of("index.html"), summary = text_of("summary.md");
   EXPECT_TRUE(contains(summary, "| `production` | 0 |")) << summary;
-  ASSERT_EQ(evalcts({"report", folder_.string(), "--output", path("again")}).code, 0);
-  EXPECT_EQ(text_of("again/summary.md"), summary);
-  std::string again = text_of("again/index.html");
-  const std::string from = "<dt>From</dt><dd>" + folder_.string() + "</dd>\n";
-  ASSERT_TRUE(contains(again, from));
-  again.replace(again.find(from), from.size(), "");
-  EXPECT_EQ(again, page);
+  fs::remove(folder_ / "index.html");
+  ASSERT_EQ(evalcts({"report", "--run", folder_.string()}).code, 0);
+  EXPECT_EQ(text_of("summary.md"), summary);
+  EXPECT_EQ(text_of("index.html"), page);
 }
 
 }  // namespace

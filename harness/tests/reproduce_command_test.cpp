@@ -20,7 +20,7 @@ class Reproduce : public DrillTest {
   // Writes the program and builds it with the command that evalcts prints, without starting it.
   void write_and_build(const std::string& failure) {
     const std::string file = (folder_ / "x.c").string();
-    const Outcome written = evalcts({"reproduce", failure, "--results", folder_.string(), "--output", file});
+    const Outcome written = evalcts({"reproduce", failure, "--run", folder_.string(), "--output", file});
     ASSERT_EQ(written.code, 0) << written.text;
     const std::size_t begin = written.text.find("  cc "), end = written.text.find(" && ", begin);
     ASSERT_NE(end, std::string::npos) << written.text;
@@ -150,7 +150,7 @@ TEST_F(Reproduce, ResultsAreNotTrusted) {
   const fs::path elsewhere = folder_ / "elsewhere";
   const auto answer = [&](const json& changed) {
     std::ofstream(folder_ / "results-drill.json") << changed;
-    return evalcts({"reproduce", "StrideBelowK", "--results", folder_.string()});
+    return evalcts({"reproduce", "StrideBelowK", "--run", folder_.string()});
   };
   for (const std::vector<std::string>& more : {std::vector<std::string>{"--worker", elsewhere},
                                                {"--reproduce", elsewhere},
@@ -182,7 +182,7 @@ TEST_F(Reproduce, ResultsAreNotTrusted) {
 
 TEST_F(Reproduce, WrongUseSaysWhatToDo) {
   const auto answer = [&](const std::string& failure) {
-    return evalcts({"reproduce", failure, "--results", folder_.string()});
+    return evalcts({"reproduce", failure, "--run", folder_.string()});
   };
   EXPECT_EQ(answer("x").code, 2);
   EXPECT_TRUE(contains(answer("x").text, "contains no results"));

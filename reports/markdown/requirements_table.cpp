@@ -73,7 +73,7 @@ std::string requirements_table(const std::vector<RunResult>& results, const Cata
   out += fmt::format(
       "\n## Violated requirements\n\n{} of {} requirements. Bold: tests that found a violation, of those "
       "that "
-      "decided the requirement. A test that fails for another requirement leaves its own undecided.\n\n",
+      "decided the requirement. Tests that fail because of another requirement are ignored.\n\n",
       violated.size(), tallies.size());
   out += table_head("requirement", columns);
   for (const std::string& id : violated) {

@@ -8,16 +8,18 @@
 namespace evalcts::reports {
 namespace {
 
-constexpr std::size_t kScreenColumns = 100;
 constexpr std::uint64_t kMostOfAKind = 8;
 
 }  // namespace
 
-Changes changes(const std::vector<RunResult>& results, const std::vector<RunResult>& before) {
+Changes changes(const std::vector<RunResult>& results, const std::vector<RunResult>& before,
+                std::size_t columns) {
   const std::vector<Column> now = label_columns(results), earlier = label_columns(before);
   const Comparisons comparisons = compare(now, earlier);
   std::string out;
-  const auto line = [&out](const std::string& text) { out += cut(one_line(text), kScreenColumns) + "\n"; };
+  const auto line = [&](const std::string& text) {
+    out += (columns > 3 ? cut(one_line(text), columns) : one_line(text)) + "\n";
+  };
   for (const Comparison& pair : comparisons.pairs) {
     line(fmt::format("{} since the earlier results: {}", pair.label, pair.headline()));
     for (const std::string& caveat : pair.caveats) line("  " + caveat);

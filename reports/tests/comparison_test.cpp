@@ -349,7 +349,7 @@ TEST(Markdown, RequirementsByResult) {
 
 ## Violated requirements
 
-2 of 3 requirements. Bold: tests that found a violation, of those that decided the requirement. A test that fails for another requirement leaves its own undecided.
+2 of 3 requirements. Bold: tests that found a violation, of those that decided the requirement. Tests that fail because of another requirement are ignored.
 
 | requirement | `old` | `new` |
 | --- | --- | --- |

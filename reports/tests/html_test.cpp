@@ -256,7 +256,7 @@ TEST(Html, ComparisonsOfImplementations) {
 TEST(Html, LeadsToThePageOfAccuracyWhereThereIsOne) {
   JsonOptions options;
   EXPECT_FALSE(contains(html_of({}, nullptr, options), "href=\"accuracy.html\""));
-  options.accuracy_page = true;
+  options.accuracy_page = "accuracy.html";
   EXPECT_TRUE(contains(html_of({}, nullptr, options), "<a href=\"accuracy.html\">"));
 }
 

@@ -229,7 +229,7 @@ TEST(Terminal, SaysForWhichTargetsTheLibraryIsAccurate) {
   const std::string line = "as good as single precision for 2 of 3 targets; not for MAP1_COLOR_4";
   EXPECT_TRUE(contains(terminal_of(record, nullptr, false, false), "\nquality: " + line + "\n"));
   EXPECT_TRUE(contains(markdown_of({record}), "`" + line + "`")) << markdown_of({record});
-  const std::string bits = "bits differ between EvalPoint and EvalMesh (1 test)";
+  const std::string bits = "not bit-identical: EvalPoint and EvalMesh (1 test)";
   EXPECT_TRUE(contains(terminal_of(record, nullptr, false, false), "\nquality: " + bits + "\n"));
   EXPECT_TRUE(contains(markdown_of({record}), "`" + bits + "`"));
   record["tests"] =

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include <evalcts/history.h>
 #include <evalcts/results/requirements.h>
 #include <evalcts/results/run_result.h>
 
@@ -23,7 +24,11 @@ namespace evalcts::reports {
 
 struct PageOptions {
   std::vector<RunResult> before;  // earlier results; empty: nothing is compared
-  bool accuracy_page = false;     // true if the folder of the page has an accuracy.html to link to
+  std::string accuracy_page;      // link to the page of `evalcts ulp`; empty: there is none
+  std::vector<PastRun> history;   // the runs of the section History; empty: there is none
+  // Paths of the files of each result, relative to the page, to which it links.
+  std::vector<std::vector<std::string>> files = {};
+  std::string sources = {};  // address of the repository, for links to tests; empty: there are no links
 };
 
 // Returns one self-contained HTML page that compares any number of records (without records, the page says
@@ -43,13 +48,14 @@ std::string markdown_summary(const std::vector<RunResult>& results,
 // records. catalogue: as for html.
 std::string requirements_table(const std::vector<RunResult>& results, const Catalogue& catalogue);
 
-// The changes for a terminal, at most eight of each kind, on lines of 100 columns, and the number of
-// regressions.
+// The changes for a terminal, at most eight of each kind, on lines of at most `columns` (0: any length), and
+// the number of regressions.
 struct Changes {
   std::string text;
   std::uint64_t regressions = 0;
 };
-Changes changes(const std::vector<RunResult>& results, const std::vector<RunResult>& before);
+Changes changes(const std::vector<RunResult>& results, const std::vector<RunResult>& before,
+                std::size_t columns = 0);
 
 // Merges the shards of each run ("shard": "K-of-N"); other results are returned as they are. Shards with the
 // same name, pass, depth, seed and N are of one run, unless they have the same K; then shards of the same

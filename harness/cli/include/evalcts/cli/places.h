@@ -11,6 +11,8 @@ namespace evalcts::cli {
 // Paths of the suite programs, the default output folder, and the data of evalcts.
 struct Places {
   std::filesystem::path suite_program, faulty_suite_program;
+  // $EVALCTS_OUTPUT, or reports/out in a checkout, or evalcts-results in the working directory. Has a folder
+  // for each run, and files of other commands.
   std::filesystem::path output;
   std::filesystem::path vectors;
   // Headers and library of libglevaluator for C programs; empty in an installation, where the

@@ -53,6 +53,9 @@ struct BaselineFiles {
   struct Entry {
     std::string status;  // Fail, Crash, Timeout, Pass
     std::string reason;
+
+    // Returns the ID in a reason "bug: ID. text"; empty if there is none.
+    std::string bug() const;
   };
 
   struct Pattern {
@@ -118,12 +121,12 @@ class Baseline {
   std::vector<std::string> unused_signatures() const;
 
   // Returns the user's files with an entry for each failure of the result that is not known without them, and
-  // without those of tests that pass; new files are called `new_name`. Existing reasons are kept, and so are
-  // patterns, skips and flakes; new entries state that their cause has not been traced. Flaky tests get no
-  // entry. Throws BadBaseline if the new files would replace some of the choice, which are for other
-  // implementations.
-  BaselineFiles renewed(const RunResult& result, const BaselineChoice& choice,
-                        const std::string& new_name) const;
+  // without those of tests that pass; new files are called `new_name`. Patterns, skips and flakes are kept.
+  // `reason`: of the entries; empty: existing reasons are kept, and new entries name their bug and its clause.
+  // Flaky tests get no entry. Throws BadBaseline if the new files would replace some of the choice, which are
+  // for other implementations.
+  BaselineFiles renewed(const RunResult& result, const BaselineChoice& choice, const std::string& new_name,
+                        const std::string& reason = {}) const;
 
  private:
   // Tests that are expected to fail for one reason.

@@ -83,6 +83,7 @@ struct RunResult {
   std::optional<double> timeout;           // seconds for each test
   std::optional<std::uint64_t> memory;     // MiB for each process
   std::optional<Depth> depth;
+  std::string filter;  // selected among the tests of the depth; empty: all of them were run
   std::optional<std::uint64_t> seed;
   Pass pass = Pass::kFreshContexts;
   std::optional<Shard> shard;

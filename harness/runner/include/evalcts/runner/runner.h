@@ -24,6 +24,7 @@ struct RunRequest {
   std::string name;               // the user's label, or the name of the implementation; part of file names
   std::optional<Shard> shard;     // set if `tests` are a part of all tests
   std::vector<ListedTest> tests;  // the tests to run
+  std::string filter;             // that selected the tests; empty: all of the depth are run
   Depth depth = Depth::kFull;
   std::vector<std::string> readings;  // readings that the user chose, as NAME=READING
   std::uint32_t seed = 1;
@@ -33,7 +34,7 @@ struct RunRequest {
   std::filesystem::path output;     // an existing folder
   std::string command;              // the command that the user typed, for the record
   std::string program = "evalcts";  // evalcts as the user types it, for the commands shown with a failure
-  bool own_output = false;          // true if the user chose the output folder
+  std::string run;                  // name of the output folder for --run; empty: its path is the name
   // False: tests run in one warm context first, and what does not pass there runs in fresh contexts, which
   // decide.
   bool only_fresh_contexts = false;

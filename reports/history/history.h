@@ -1,0 +1,36 @@
+// Orders the runs of a history by implementation, date and version.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "evalcts/history.h"
+
+namespace evalcts::reports {
+
+// The last run of a version, compared with that of the version before it.
+struct VersionStep {
+  const PastRun* run = nullptr;
+  std::vector<PastRun::PastBug> came, went;  // empty for the first version
+};
+
+struct Series {
+  std::string name;
+  std::vector<const PastRun*> runs;   // by date
+  std::vector<VersionStep> versions;  // by version
+  std::size_t left_out = 0;           // runs of a part of the tests
+};
+
+// Returns the series by name. They point into `runs`.
+std::vector<Series> series_of(const std::vector<PastRun>& runs);
+
+// Returns the number of bugs, or "-" if failures were not reduced to bugs.
+std::string bugs_in_words(const PastRun& run);
+
+// Returns "2026-11-28 11:27", or "unknown".
+std::string date_in_words(const PastRun& run);
+
+// Returns "2 new bugs: A, B; 1 gone: C"; empty if nothing changed.
+std::string step_in_words(const VersionStep& step);
+
+}  // namespace evalcts::reports
