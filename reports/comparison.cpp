@@ -70,14 +70,14 @@ std::string further_mismatch(const TestRecord& before, const TestRecord& now) {
 
 std::string words_of(const Change& change) {
   const TestRecord& latest = change.now ? *change.now : *change.before;
-  const std::string word(text_of(latest.verdict).word);
+  const std::string word(text_of(latest.verdict).label);
   const bool both = change.now && change.before;
   if (both && change.kind == ChangeKind::kRegression && change.now->verdict == change.before->verdict)
     return fmt::format("{}, in more cases: {}", word,
                        one_line(further_mismatch(*change.before, *change.now)));
   const std::string message = latest.message.empty() ? "" : ": " + one_line(latest.message);
   if (both && change.now->verdict != change.before->verdict)
-    return fmt::format("{}, now {}{}", text_of(change.before->verdict).word, word, message);
+    return fmt::format("{}, now {}{}", text_of(change.before->verdict).label, word, message);
   return word + message;
 }
 

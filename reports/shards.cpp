@@ -71,8 +71,12 @@ RunResult merge(const Shards& shards, std::uint32_t count) {
   out.shard.reset();
   if (any_started) out.status = RunStatus::kComplete;
   out.reason.clear();
-  std::set<std::string> stale;
+  std::set<std::string> stale, hosts;
+  out.seconds.reset();
   for (const auto& [number, shard] : shards) {
+    if (!shard->host.empty()) hosts.insert(shard->host);
+    if (shard->started < out.started) out.started = shard->started;
+    if (shard->seconds) out.seconds = out.seconds.value_or(0) + *shard->seconds;
     for (const auto member :
          {&ImplementationRecord::vendor, &ImplementationRecord::renderer, &ImplementationRecord::version})
       if (shard->implementation.*member != first.implementation.*member && shard->has_started())
@@ -85,6 +89,7 @@ RunResult merge(const Shards& shards, std::uint32_t count) {
     out.reason = fmt::format("shard {} of {}: {}", number, count,
                              shard->reason.empty() ? "not complete" : shard->reason);
   }
+  out.host = join({hosts.begin(), hosts.end()}, ", ");
   out.bugs = bugs_of(shards);
   out.bugs_note.clear();
   for (const auto& [number, shard] : shards)

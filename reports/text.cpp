@@ -5,14 +5,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace evalcts::reports {
-std::string number(std::optional<double> value) { return value ? fmt::format("{:.4g}", *value) : "unknown"; }
-
 std::string distance(std::optional<double> ulp, std::optional<double> condition_aware) {
   std::string out;
-  if (ulp) out = number(ulp) + " ULP";
-  if (condition_aware) out += (ulp ? ", condition-aware " : "condition-aware ") + number(condition_aware);
+  if (ulp) out = plain_error(*ulp) + " ULP";
+  if (condition_aware)
+    out += (ulp ? ", condition-aware " : "condition-aware ") + plain_error(*condition_aware);
   return out;
 }
 
@@ -22,7 +22,22 @@ std::string repetition(const TestRecord& test) {
                      test.flake                            ? "flake: "
                      : test.again->verdict == test.verdict ? "another "
                                                            : "",
-                     text_of(test.again->verdict).word);
+                     text_of(test.again->verdict).label);
+}
+
+std::string duration(double seconds) {
+  const long long all = std::llround(seconds);
+  if (all < 60) return fmt::format("{} s", all);
+  return all < 3600 ? fmt::format("{} min {} s", all / 60, all % 60)
+                    : fmt::format("{} h {} min", all / 3600, all / 60 % 60);
+}
+
+std::string time_of(const RunResult& result) {
+  std::vector<std::string> parts;
+  const std::string& start = result.started;  // 2026-11-28T11:27:22Z
+  if (start.size() == 20) parts.push_back(start.substr(0, 10) + " " + start.substr(11, 5) + " UTC");
+  if (result.seconds) parts.push_back(duration(*result.seconds));
+  return join(parts, ", ");
 }
 
 std::string count(std::uint64_t n, std::string_view noun) {

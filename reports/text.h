@@ -7,13 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include <evalcts/results/test_record.h>
+#include <evalcts/results/run_result.h>
 #include <evalcts/results/text.h>
 
 namespace evalcts::reports {
-
-// Returns the number with four significant digits: "0.5", "123.4", "1.234e+09"; "unknown" without a value.
-std::string number(std::optional<double> value);
 
 // Returns "123.4 ULP, condition-aware 5.6", or the part of it that is known; empty if neither is known.
 std::string distance(std::optional<double> ulp, std::optional<double> condition_aware);
@@ -21,6 +18,11 @@ std::string distance(std::optional<double> ulp, std::optional<double> condition_
 // Returns "flake: pass when run again", "another fail when run again" or the like; empty if the test was not
 // run again or had the same outcome.
 std::string repetition(const TestRecord& test);
+
+// Returns "2 min 47 s", "47 s" or "1 h 5 min".
+std::string duration(double seconds);
+// Returns the start and the duration of a run, "2026-11-28 11:27 UTC, 2 min 47 s", as far as they are known.
+std::string time_of(const RunResult& result);
 
 // Returns "1 test" or "3 tests" for the noun "test".
 std::string count(std::uint64_t n, std::string_view noun);

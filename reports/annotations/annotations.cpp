@@ -23,9 +23,9 @@ struct Annotation {
 };
 
 std::string difference_of(const Failure& failure, const std::string& message) {
-  if (failure.expected.empty() && failure.captured.empty()) return message;
+  if (failure.expected.empty() && failure.captured.empty()) return in_plain_numbers(message);
   return fmt::format("{}expected {}, got {}", failure.what.empty() ? "" : failure.what + ": ",
-                     failure.expected, failure.captured);
+                     in_plain_numbers(failure.expected), in_plain_numbers(failure.captured));
 }
 
 std::vector<Annotation> annotations_of(const RunResult& result) {
@@ -38,7 +38,7 @@ std::vector<Annotation> annotations_of(const RunResult& result) {
     });
     if (count_of == 0) continue;
     all.push_back({name + ":" + bug.id, fmt::format("{}: {}", name, bug.title),
-                   fmt::format("{} ({}, {}). {} [{}]", bug.id, text_of(bug.verdict).word,
+                   fmt::format("{} ({}, {}). {} [{}]", bug.id, text_of(bug.verdict).label,
                                count(static_cast<std::uint64_t>(count_of), "new failing test"),
                                difference_of(bug.failure, bug.failure.message), bug.clause),
                    bug.verdict});
@@ -48,7 +48,7 @@ std::vector<Annotation> annotations_of(const RunResult& result) {
     const Failure none{};
     all.push_back(
         {name + ":" + test.name, fmt::format("{}: {}", name, test.name),
-         fmt::format("{}: {}", text_of(test.verdict).word,
+         fmt::format("{}: {}", text_of(test.verdict).label,
                      difference_of(test.failures.empty() ? none : test.failures.front(), test.message)),
          test.verdict});
   }

@@ -11,7 +11,7 @@ std::string integer(std::optional<std::int64_t> n) { return n ? fmt::format("{}"
 
 }  // namespace
 
-data card(const Column& column) {
+data card(const Column& column, const std::vector<std::string>& files) {
   const RunResult& record = column.record;
   const ImplementationRecord& implementation = record.implementation;
 
@@ -23,8 +23,20 @@ data card(const Column& column) {
   add_row(facts, "Vendor", implementation.vendor);
   add_row(facts, "Renderer", implementation.renderer);
   add_row(facts, "Version", implementation.version);
+  add_row(facts, "Loaded", join(implementation.files, ", "));
   add_row(facts, "Note", implementation.note);
+  add_row(facts, "Run", time_of(record));
+  add_row(facts, "Host", record.host);
   out.set("facts", facts);
+  data links = list();
+  for (const std::string& file : files) {
+    data one;
+    one.set("name", file.substr(file.rfind('/') + 1));
+    one.set("address", link_to_file(file));
+    links << one;
+  }
+  out.set("has_files", !files.empty());
+  out.set("files", links);
 
   data circumstances = list();
   add_row(circumstances, "From", record.origin);
@@ -35,7 +47,6 @@ data card(const Column& column) {
   add_row(circumstances, "Baseline", record.baseline);
   add_row(circumstances, "Stale in the baseline", join(record.stale_baseline_entries, ", "));
   add_row(circumstances, "Largest order", integer(implementation.max_eval_order));
-  add_row(circumstances, "Loaded", join(implementation.files, ", "));
   add_row(circumstances, "Machine", implementation.machine);
   add_row(circumstances, "Command", record.command, true);
   add_row(circumstances, "evalcts", record.evalcts_version);

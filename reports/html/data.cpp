@@ -10,7 +10,9 @@
 #include <set>
 #include <utility>
 
+#include <evalcts/results/documents.h>
 #include <evalcts/results/json.h>
+#include <evalcts/results/known_bugs.h>
 #include "text.h"
 #include "view.h"
 
@@ -119,6 +121,15 @@ class Writer {
   Number requirement(const RequirementId& id) const { return requirements_.at(id.text()); }
 
   Number text(const std::string& text) { return strings_.number_of(text); }
+  Number plain(const std::string& text) { return this->text(in_plain_numbers(text)); }
+
+  // Returns the numbers of the documents that the source names.
+  Numbers documents(const std::string& source) {
+    Numbers out;
+    for (const Document& document : documents_in(source))
+      out.push_back(documents_.number_of(json::array({document.name, document.address})));
+    return out;
+  }
 
   // Returns "GL_LINE_STRIP x y z x y z ...", one line for each primitive.
   static std::string plotted(const std::vector<PlottedPrimitive>& primitives) {
@@ -151,8 +162,8 @@ class Writer {
   Number failure(const Failure& failure) {
     Numbers lines;
     for (const std::string& line : failure.calls) lines.push_back(text(line));
-    return failures_.number_of({text(failure.case_identity), text(failure.message), text(failure.what),
-                                text(failure.expected), text(failure.captured), text(failure.exact),
+    return failures_.number_of({plain(failure.case_identity), plain(failure.message), plain(failure.what),
+                                plain(failure.expected), plain(failure.captured), plain(failure.exact),
                                 text(failure.capture), text(distance(failure.ulp, failure.condition_aware)),
                                 calls_.number_of(lines), plots_.number_of(plot_of(failure))});
   }
@@ -163,10 +174,10 @@ class Writer {
     Numbers out{static_cast<Number>(test.verdict),
                 static_cast<Number>(test.severity()),
                 flags_of(test),
-                text(test.message),
+                plain(test.message),
                 text(baseline_sentence(test)),
                 text(facts_of(test)),
-                text(accuracy_of(test)),
+                plain(accuracy_of(test)),
                 violations_.number_of(violated)};
     for (const Failure& one : test.failures) out.push_back(failure(one));
     return records_.number_of(out);
@@ -186,26 +197,30 @@ class Writer {
     out["violations"] = violations_.as_json();
     out["records"] = records_.as_json();
     out["commands"] = commands_.as_json();
+    out["documents"] = documents_.as_json();
   }
 
  private:
   Numbering<std::string> strings_;
-  Numbering<json> plots_;
+  Numbering<json> plots_, documents_;
   Numbering<Numbers> calls_, failures_, violations_, records_, commands_;
   std::map<std::string, Number> requirements_;
 };
 
-// Returns the requirements that the tests name or violate, in the order of the catalogue, then those that the
-// catalogue does not have.
-std::vector<std::string> requirements_of(const std::vector<Row>& rows, const Catalogue& catalogue) {
+// Returns the requirements that the tests name or violate, and those of the bugs, in the order of the
+// catalogue, then those that the catalogue does not have.
+std::vector<std::string> requirements_of(const std::vector<Row>& rows, const std::vector<BugRow>& bugs,
+                                         const Catalogue& catalogue) {
   std::set<std::pair<std::size_t, std::string>> ordered;
+  const auto add = [&](const RequirementId& id) {
+    const Requirement* known = catalogue.find(id);
+    ordered.emplace(known ? known->place : std::numeric_limits<std::size_t>::max(), id.text());
+  };
+  for (const BugRow& row : bugs)
+    for (const RequirementId& id : row.bug.requirements) add(id);
   for (const Row& row : rows)
     for (const TestRecord* test : row.outcomes) {
       if (!test) continue;
-      const auto add = [&](const RequirementId& id) {
-        const Requirement* known = catalogue.find(id);
-        ordered.emplace(known ? known->place : std::numeric_limits<std::size_t>::max(), id.text());
-      };
       for (const RequirementId& id : test->requirements) add(id);
       for (const RequirementId& id : test->blamed()) add(id);
     }
@@ -228,10 +243,19 @@ json bug_as_json(const BugRow& row, const std::map<std::string, Number>& test_nu
         of_column.push_back(number->second);
     found.push_back(std::move(of_column));
   }
+  const KnownBug* const registered = find_known_bug(bug.known);
+  const KnownBug known = registered ? *registered : KnownBug{};
   return {{"id", bug.id},
-          {"title", bug.title},
+          {"title", in_plain_numbers(bug.title)},
           {"requirements", requirements},
           {"clause", bug.clause},
+          {"documents", writer.documents(bug.clause)},
+          {"affects", registered ? known.affects.text() : ""},
+          {"cause", known.cause},
+          {"isSuspected", known.suspected},
+          {"realPrograms", known.real_programs},
+          {"verified", known.verified},
+          {"example", known.example},
           {"level", static_cast<int>(bug.level)},
           {"verdict", static_cast<int>(bug.verdict)},
           {"failure", writer.failure(bug.failure)},
@@ -271,14 +295,15 @@ json comparison_as_json(const Comparison& comparison, const std::vector<Column>&
 
 std::string page_data(const std::vector<Column>& columns, std::size_t earlier, const std::vector<Row>& rows,
                       const Catalogue& catalogue, const std::vector<Comparison>& comparisons,
-                      const Comparisons& since) {
+                      const Comparisons& since, const std::string& sources) {
   Writer writer;
   json out;
+  const std::vector<BugRow> bug_rows = read_bugs(columns);
 
   json& verdicts = out["verdicts"] = json::array();
   for (std::size_t i = 0; i < kVerdicts; ++i) {
     const VerdictText& verdict = text_of(static_cast<Verdict>(i));
-    verdicts.push_back({verdict.word, verdict.symbol});
+    verdicts.push_back({verdict.word, verdict.label, verdict.symbol});
   }
   json& levels = out["levels"] = json::array();
   for (const Level level : {Level::kQuality, Level::kInterpretation, Level::kMust})
@@ -292,14 +317,16 @@ std::string page_data(const std::vector<Column>& columns, std::size_t earlier, c
   json& labels = out["columns"] = json::array();
   for (const Column& column : columns) labels.push_back(column.label);
   out["earlier"] = earlier;
+  out["sources"] = sources;
 
-  json& requirements = out["requirements"] = json::array();
-  for (const std::string& id : requirements_of(rows, catalogue)) {
+  json &requirements = out["requirements"] = json::array(), &documents = out["documentsOf"] = json::array();
+  for (const std::string& id : requirements_of(rows, bug_rows, catalogue)) {
     const Requirement* known = catalogue.find(id);
     const Requirement requirement = known ? *known : Requirement{};
     writer.add_requirement(id);
     requirements.push_back({writer.text(id), writer.text(requirement.section), writer.text(requirement.text),
                             writer.text(requirement.source), writer.text(requirement.since)});
+    documents.push_back(writer.documents(requirement.source));
   }
 
   json &tests = out["tests"] = json::array(), &outcomes = out["outcomes"] = json::array(),
@@ -311,7 +338,8 @@ std::string page_data(const std::vector<Column>& columns, std::size_t earlier, c
   std::map<std::string, Number> test_numbers;
   for (const Row& row : rows) {
     test_numbers.emplace(row.name, static_cast<Number>(tests.size()));
-    Numbers test{writer.text(row.name), static_cast<Number>(row.worst().level)};
+    Numbers test{writer.text(row.name), static_cast<Number>(row.worst().level),
+                 writer.text(row.worst().source)};
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const TestRecord* outcome = row.outcomes[i];
       outcomes[i].push_back(outcome ? json(writer.record(*outcome)) : json(-1));
@@ -320,14 +348,14 @@ std::string page_data(const std::vector<Column>& columns, std::size_t earlier, c
       // Records of different versions of the suite may name different requirements.
       for (const RequirementId& id : outcome->requirements) {
         const Number number = writer.requirement(id);
-        if (std::find(test.begin() + 2, test.end(), number) == test.end()) test.push_back(number);
+        if (std::find(test.begin() + 3, test.end(), number) == test.end()) test.push_back(number);
       }
     }
     tests.push_back(test);
   }
 
   json& bugs = out["bugs"] = json::array();
-  for (const BugRow& row : read_bugs(columns)) bugs.push_back(bug_as_json(row, test_numbers, writer));
+  for (const BugRow& row : bug_rows) bugs.push_back(bug_as_json(row, test_numbers, writer));
   json& notes = out["bugNotes"] = json::array();
   for (const Column& column : columns) notes.push_back(column.record.bugs_note);
 

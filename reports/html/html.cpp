@@ -35,8 +35,8 @@ data accuracy_view(const std::vector<Column>& columns) {
     item.set("label", column.label);
     item.set("values", fmt::format("{}", all.values));
     item.set("share", share(all));
-    item.set("max_ulp", number(all.ulp.error));
-    item.set("max_condition_aware", number(all.condition_aware.error));
+    item.set("max_ulp", plain_error(all.ulp.error));
+    item.set("max_condition_aware", plain_error(all.condition_aware.error));
     item.set("ulp_link", worst_ulp ? data(link_to_test(worst_ulp->name)) : data(false));
     item.set("aware_link", worst_aware ? data(link_to_test(worst_aware->name)) : data(false));
     out << item;
@@ -111,10 +111,10 @@ std::string html(const std::vector<RunResult>& results, const Catalogue& catalog
 
   std::vector<std::string> labels;
   data cards = list(), headers = list();
-  for (const Column& column : columns) {
-    labels.push_back(column.label);
-    cards << card(column);
-    headers << data("label", column.label);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    labels.push_back(columns[i].label);
+    cards << card(columns[i], i < options.files.size() ? options.files[i] : std::vector<std::string>());
+    headers << data("label", columns[i].label);
   }
   page.set("title", "evalcts: " + (labels.empty() ? "no results" : join(labels, ", ")));
   page.set("subtitle", subtitle(rows, columns));

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include <evalcts/results/conclusion.h>
+#include <evalcts/results/documents.h>
+#include <evalcts/results/known_bugs.h>
 #include "text.h"
 #include "view.h"
 
@@ -25,7 +27,7 @@ data count_cell(const Column& column, Verdict verdict) {
                            return test.verdict != verdict || test.is_expected_failure();
                          });
   data cell;
-  cell.set("word", std::string(text_of(verdict).word));
+  cell.set("name", std::string(text_of(verdict).label));
   cell.set("class", n == 0 ? "zero" : all_known && !record.tests.empty() ? "known" : class_of(verdict));
   cell.set("n", fmt::format("{}", n));
   cell.set("link", n && !record.tests.empty()
@@ -41,10 +43,11 @@ data row(const Column& column, std::size_t number, bool earlier, const std::vect
   out.set("number", fmt::format("{}", number));
   out.set("shown", !earlier);
   out.set("version", optional_text(record.implementation.version));
+  out.set("started", optional_text(time_of(record)));
   out.set("state", state_of(record));
   out.set("headline", conclusion_of(record).text);
   out.set("headline_link", record.unexpected_count() && !record.tests.empty()
-                               ? data(link({{"on", column.label}, {"verdict", "unexpected"}}))
+                               ? data(link({{"on", column.label}, {"new", "1"}}))
                                : data(false));
   const auto added =
       std::count_if(record.bugs.begin(), record.bugs.end(), [](const Bug& bug) { return bug.known.empty(); });
@@ -68,11 +71,23 @@ data bugs(const std::vector<Column>& columns) {
       if (row.found[i])
         found.push_back(fmt::format("{} ({})", columns[i].label, count(row.found[i]->tests.size(), "test")));
     data item;
-    item.set("title", row.bug.title);
+    const KnownBug* const known = find_known_bug(row.bug.known);
+    item.set("title", in_plain_numbers(row.bug.title));
     item.set("id", row.bug.id);
     item.set("found", join(found, ", "));
     item.set("known", optional_text(row.bug.known_in.empty() ? row.bug.known : row.bug.known_in));
+    item.set("cause_name", known && known->suspected ? "Suspected cause" : "Cause");
+    item.set("cause", optional_text(known ? known->cause : ""));
+    item.set("real_programs", optional_text(known ? known->real_programs : ""));
     item.set("clause", optional_text(row.bug.clause));
+    data documents = list();
+    for (const Document& document : documents_in(row.bug.clause)) {
+      data one;
+      one.set("name", document.name);
+      one.set("address", document.address);
+      documents << one;
+    }
+    item.set("documents", documents);
     item.set("calls", optional_text(join(row.bug.failure.calls, "\n")));
     out << item;
   }

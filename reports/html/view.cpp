@@ -6,11 +6,12 @@
 namespace evalcts::reports::view {
 namespace {
 
-std::string percent_encoded(const std::string& text) {
+// `kept`: further characters that need no encoding.
+std::string percent_encoded(const std::string& text, std::string_view kept = "") {
   constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.-";
   std::string out;
   for (const char c : text) {
-    if (kPlain.find(c) != std::string_view::npos) {
+    if (kPlain.find(c) != std::string_view::npos || kept.find(c) != std::string_view::npos) {
       out += c;
     } else {
       out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
@@ -22,7 +23,7 @@ std::string percent_encoded(const std::string& text) {
 }  // namespace
 
 void set_verdict(data& out, Verdict verdict) {
-  out.set("word", std::string(text_of(verdict).word));
+  out.set("name", std::string(text_of(verdict).label));
   out.set("symbol", std::string(text_of(verdict).symbol));
 }
 
@@ -48,6 +49,8 @@ std::string link(const std::vector<std::pair<std::string, std::string>>& state) 
     out += fmt::format("{}{}={}", out.empty() ? '#' : '&', name, percent_encoded(value));
   return out;
 }
+
+std::string link_to_file(const std::string& path) { return percent_encoded(path, "/"); }
 
 std::string link_to_test(const std::string& name) { return link({{"at", "open=" + name}}); }
 

@@ -22,7 +22,7 @@ inline data list() { return data(data::type::list); }
 // Returns the text, or false if it is empty: an empty string would show the section in Mustache.
 inline data optional_text(const std::string& text) { return text.empty() ? data(false) : data(text); }
 
-// Sets "word" and "symbol" of `out`.
+// Sets "name" and "symbol" of `out`.
 void set_verdict(data& out, Verdict verdict);
 
 // Returns the CSS class of a verdict, not considering the baseline: "bad", "notice", "good" or "none".
@@ -34,6 +34,8 @@ void add_row(data& rows, const char* term, const std::string& value, bool code =
 // Returns a fragment of the address with these names and values, as js/state.js reads it.
 std::string link(const std::vector<std::pair<std::string, std::string>>& state);
 std::string link_to_test(const std::string& name);
+// Returns the address of a file relative to the page.
+std::string link_to_file(const std::string& path);
 
 // Returns the share of the measured values that are not correctly rounded: "20 % (96)".
 std::string share(const Accuracy& accuracy);
@@ -45,8 +47,9 @@ data overview(const std::vector<Column>& columns, std::size_t current, const Com
 // Returns the distinct bugs, which the page shows without scripts.
 data bugs(const std::vector<Column>& columns);
 
-// Returns the facts about the run of one record: the library, the machine, the options and so on.
-data card(const Column& column);
+// Returns the facts about the run of one record: the library, the time, the options and so on. files: paths
+// relative to the page, to which it links.
+data card(const Column& column, const std::vector<std::string>& files);
 
 // Returns one row for each ambiguous passage of which an implementation has shown its reading.
 data readings(const std::vector<Column>& columns, const Catalogue& catalogue);

@@ -95,7 +95,7 @@ std::string requirements_table(const std::vector<RunResult>& results, const Cata
     if (!row.differs() || !row.worst().is_bad()) continue;
     out += fmt::format("| {} |", markdown_cell(row.name));
     for (const TestRecord* outcome : row.outcomes)
-      out += fmt::format(" {} |", outcome ? text_of(outcome->verdict).word : std::string_view("no test"));
+      out += fmt::format(" {} |", outcome ? text_of(outcome->verdict).label : std::string_view("no test"));
     out += "\n";
   }
   return out;

@@ -25,7 +25,7 @@ std::string counts_table(const std::vector<Column>& columns) {
       }
   std::string out = "| | unexpected | tests |", rule = "| --- | --: | --: |";
   for (const Verdict verdict : verdicts) {
-    out += fmt::format(" {} |", text_of(verdict).word);
+    out += fmt::format(" {} |", text_of(verdict).label);
     rule += " --: |";
   }
   out += "\n" + rule + "\n";
@@ -94,7 +94,7 @@ std::string failures_of(const Column& column) {
     const TestRecord& test = *tests[i];
     out += fmt::format(
         "* {}: {} {}", markdown_code(column.label),
-        test.is_unexpected_pass() ? std::string_view("unexpected pass") : text_of(test.verdict).word,
+        test.is_unexpected_pass() ? std::string_view("unexpected pass") : text_of(test.verdict).label,
         markdown_code(test.name));
     if (!test.message.empty()) out += ": " + markdown_code(test.message);
     out += "\n";
@@ -120,7 +120,7 @@ std::string bugs_of(const Column& column) {
     });
     const std::string requirement = bug.requirements.empty() ? "" : bug.requirements.front().text();
     out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", markdown_cell(bug.title),
-                       name_of(bug.level), text_of(bug.verdict).word, bug.tests.size(), unexpected,
+                       name_of(bug.level), text_of(bug.verdict).label, bug.tests.size(), unexpected,
                        markdown_cell(requirement), bug.known_in.empty() ? "" : markdown_cell(bug.known_in),
                        markdown_cell(bug.id));
   }

@@ -19,7 +19,7 @@ std::string bug_text(const Bug& bug, std::size_t number, const Catalogue& catalo
   const auto line = [&](const std::string& label, const std::string& words) {
     if (!words.empty()) out += fmt::format("   {}: {}\n", label, one_line(words));
   };
-  out += fmt::format("   {}: {}, {}; {}, {}{}\n", one_line(bug.id), text_of(bug.verdict).word,
+  out += fmt::format("   {}: {}, {}; {}, {}{}\n", one_line(bug.id), text_of(bug.verdict).label,
                      name_of(bug.level), count(bug.tests.size(), "failing test"),
                      count(bug.explains.size(), "requirement"),
                      bug.breaks_real_programs ? "; real programs draw wrong" : "");
@@ -30,9 +30,9 @@ std::string bug_text(const Bug& bug, std::size_t number, const Catalogue& catalo
   if (!bug.known.empty()) line("known", fmt::format("{}, in {}", bug.known, bug.known_in));
   if (bug.outside_evaluators) line("note", "explicit vertices instead of evaluations show it as well");
   line("not reduced", bug.why_not_reduced);
-  line("what differs", bug.failure.what);
-  line("expected", bug.failure.expected);
-  line("captured", bug.failure.captured);
+  line("what differs", in_plain_numbers(bug.failure.what));
+  line("expected", in_plain_numbers(bug.failure.expected));
+  line("captured", in_plain_numbers(bug.failure.captured));
   if (bug.failure.expected.empty() && bug.failure.captured.empty()) line("message", bug.failure.message);
   if (!bug.failure.calls.empty())
     out += fmt::format("   {}:\n", bug.is_reduced() ? "minimal program" : "case");

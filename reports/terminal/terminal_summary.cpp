@@ -121,7 +121,7 @@ std::string repetition_note(const TestRecord& test) {
 
 // Returns the line for a test that is not described in full.
 std::string test_line(const TestRecord& test) {
-  std::string out = fmt::format("{:<15} {}{}", text_of(test.verdict).word, test.name, repetition_note(test));
+  std::string out = fmt::format("{:<15} {}{}", text_of(test.verdict).label, test.name, repetition_note(test));
   if (test.is_expected_failure())
     out += " (expected" + (test.baseline_reason.empty() ? "" : ": " + test.baseline_reason) + ")";
   if (test.is_unexpected_pass()) out += " (the baseline expects otherwise: " + test.baseline_reason + ")";
@@ -134,10 +134,10 @@ std::string test_line(const TestRecord& test) {
 // Returns "position.x of vertex 3: expected [0.25, 0.2501], got 0.3 (1.7e+06 ULP)" or the like.
 std::string comparison(const Failure& failure, const TestRecord& test) {
   if (failure.expected.empty() && failure.captured.empty())
-    return failure.message.empty() ? test.message : failure.message;
-  std::string out = failure.what.empty() ? "" : failure.what + ": ";
-  out += "expected " + (failure.expected.empty() ? "another answer" : failure.expected);
-  if (!failure.captured.empty()) out += ", got " + failure.captured;
+    return in_plain_numbers(failure.message.empty() ? test.message : failure.message);
+  std::string out = failure.what.empty() ? "" : in_plain_numbers(failure.what) + ": ";
+  out += "expected " + (failure.expected.empty() ? "another answer" : in_plain_numbers(failure.expected));
+  if (!failure.captured.empty()) out += ", got " + in_plain_numbers(failure.captured);
   const std::string far = distance(failure.ulp, failure.condition_aware);
   return far.empty() ? out : out + " (" + far + ")";
 }
@@ -171,7 +171,7 @@ void write_bug(Screen& screen, const Bug& bug, std::size_t number, const RunResu
   constexpr std::size_t kIndent = 4;  // of the title
   screen.line(fmt::format("{:>2}. {}", number, bug.title),
               unexpected.empty() ? Colour::kNone : colour_of(bug.verdict), kIndent);
-  std::string weight = fmt::format("    {}, {}: {}", text_of(bug.verdict).word, name_of(bug.level),
+  std::string weight = fmt::format("    {}, {}: {}", text_of(bug.verdict).label, name_of(bug.level),
                                    count(bug.tests.size(), "test"));
   if (!unexpected.empty()) weight += fmt::format(" ({} unexpected)", unexpected.size());
   if (bug.breaks_real_programs) weight += ", real programs draw wrong";
@@ -210,10 +210,11 @@ void write_bugs(Screen& screen, const RunResult& record, std::size_t most) {
 void write_in_full(Screen& screen, const TestRecord& test, const Catalogue& catalogue, bool all_cases) {
   const Failure none{};
   const Failure& failure = test.failures.empty() ? none : test.failures.front();
-  std::string first = fmt::format("{:<8} {}{}", text_of(test.verdict).word, test.name, repetition_note(test));
+  std::string first =
+      fmt::format("{:<8} {}{}", text_of(test.verdict).label, test.name, repetition_note(test));
   if (test.failed_cases.value_or(0) && test.cases)
     first += fmt::format(": {} of {}", *test.failed_cases, count(*test.cases, "case"));
-  if (!failure.case_identity.empty()) first += ", " + failure.case_identity;
+  if (!failure.case_identity.empty()) first += ", " + in_plain_numbers(failure.case_identity);
   screen.line(first, colour_of(test.verdict));
   screen.line("  " + comparison(failure, test));
   screen.line("  why: " + demand(test, catalogue));
@@ -224,8 +225,8 @@ void write_in_full(Screen& screen, const TestRecord& test, const Catalogue& cata
   if (!last.empty()) screen.uncut(last);
   if (!all_cases) return;
   for (std::size_t i = 1; i < test.failures.size(); ++i)
-    screen.line(
-        fmt::format("    {}: {}", test.failures[i].case_identity, comparison(test.failures[i], test)));
+    screen.line(fmt::format("    {}: {}", in_plain_numbers(test.failures[i].case_identity),
+                            comparison(test.failures[i], test)));
 }
 
 void write_head(Screen& screen, const RunResult& record) {
@@ -250,7 +251,7 @@ void write_head(Screen& screen, const RunResult& record) {
   std::vector<std::string> counts;
   for (std::size_t i = 0; i < kVerdicts; ++i) {
     if (record.counts[i])
-      counts.push_back(fmt::format("{} {}", record.counts[i], text_of(static_cast<Verdict>(i)).word));
+      counts.push_back(fmt::format("{} {}", record.counts[i], text_of(static_cast<Verdict>(i)).label));
   }
   screen.list(count(record.total(), "test"), counts);
 
@@ -329,9 +330,9 @@ void write_not_judged(Screen& screen, const RunResult& record) {
   screen.line("");
   screen.line("Not judged", Colour::kBold);
   for (const auto& [key, names] : reasons) {
-    screen.line(
-        fmt::format("  {}: {}", text_of(key.first).word, key.second.empty() ? "no reason given" : key.second),
-        Colour::kFaint);
+    screen.line(fmt::format("  {}: {}", text_of(key.first).label,
+                            key.second.empty() ? "no reason given" : key.second),
+                Colour::kFaint);
     screen.line("      " + join(names, " "));
   }
 }

@@ -157,8 +157,10 @@ json shard(int number, int count, const std::vector<json>& tests) {
 }
 
 TEST(Shards, TogetherAreTheWholeRun) {
-  const json first = shard(1, 2, {outcome("A.1", "pass"), outcome("A.3", "fail"), outcome("A.5", "pass")}),
-             second = shard(2, 2, {outcome("A.2", "pass"), outcome("A.4", "crash")});
+  json first = shard(1, 2, {outcome("A.1", "pass"), outcome("A.3", "fail"), outcome("A.5", "pass")}),
+       second = shard(2, 2, {outcome("A.2", "pass"), outcome("A.4", "crash")});
+  first.update({{"started", "2026-11-28T11:27:22Z"}, {"seconds", 2.5}, {"host", "one"}});
+  second.update({{"started", "2026-11-28T11:00:00Z"}, {"seconds", 1.5}, {"host", "two"}});
   for (const auto& given : {std::vector<json>{first, second}, {second, first}}) {
     const std::vector<RunResult> merged = merge_of(given);
     ASSERT_EQ(merged.size(), 1u);
@@ -169,6 +171,9 @@ TEST(Shards, TogetherAreTheWholeRun) {
     EXPECT_EQ(names, "A.1 A.2 A.3 A.4 A.5 ");
     EXPECT_EQ(merged[0].counts, (Counts{0, 1, 0, 1, 0, 0, 0, 0, 3}));
     EXPECT_EQ(merged[0].readings.at("C-TEXT"), (std::vector<std::string>{"shard 1", "shard 2"}));
+    EXPECT_EQ(merged[0].started, "2026-11-28T11:00:00Z");
+    EXPECT_EQ(merged[0].seconds, 4.0);
+    EXPECT_EQ(merged[0].host, "one, two");
   }
 }
 
@@ -363,7 +368,7 @@ Tests that no implementation fails are left out.
 | test | `old` | `new` |
 | --- | --- | --- |
 | `A.a` | fail | pass |
-| `A.c` | not-observable | crash |
+| `A.c` | not observed | crash |
 )");
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <evalcts/results/known_bugs.h>
 #include "evalcts/reports.h"
 #include "samples.h"
 
@@ -98,7 +99,7 @@ TEST(Html, Overview) {
   EXPECT_TRUE(contains(page,
                        "<td class=\"number known\" data-label=\"fail\"><a "
                        "href=\"#on=x%20y&amp;verdict=fail\">1</a></td>"));
-  EXPECT_TRUE(contains(page, "<a href=\"#on=bad&amp;verdict=unexpected\">1 new failure; 1 known</a>"));
+  EXPECT_TRUE(contains(page, "<a href=\"#on=bad&amp;new=1\">1 new failure; 1 known</a>"));
   EXPECT_TRUE(contains(page, "<td class=\"number bad\" data-label=\"fail\">"));
 }
 
@@ -116,7 +117,7 @@ TEST(Html, RecordsInTheData) {
   const json data = data_of(html_of({named("x", json::array({pass})), named("y", {fail, alone})}, nullptr));
   EXPECT_EQ(data["columns"], json({"x", "y"}));
   ASSERT_EQ(data["tests"].size(), 2u);
-  EXPECT_EQ(text_of(data, data["requirements"][data["tests"][0][2].get<std::size_t>()][0]), "EV-2");
+  EXPECT_EQ(text_of(data, data["requirements"][data["tests"][0][3].get<std::size_t>()][0]), "EV-2");
   EXPECT_EQ(as_text(data["levels"][data["tests"][0][1].get<std::size_t>()]), "quality");
   const auto verdict_of = [&](const json& record) {
     return std::string(as_text(data["verdicts"][record[0].get<std::size_t>()][0]));
@@ -146,7 +147,7 @@ TEST(Html, ViolatedRequirementsInTheData) {
   };
   EXPECT_EQ(violated(0), (std::vector<std::string>{"EV-1", "EV-2"}));
   EXPECT_EQ(violated(1), (std::vector<std::string>{"EV-2", "EV-3"}));
-  EXPECT_EQ(data["tests"][0].size(), 2u + 2u);  // the test's own requirements only
+  EXPECT_EQ(data["tests"][0].size(), 3u + 2u);  // the test's own requirements only
 }
 
 // Equal records are stored once, and so are equal calls.
@@ -212,7 +213,7 @@ TEST(Html, ReadingsWithTheirMeaning) {
             {{{"id", "C-TEXT"}, {"conflict", "two <pages>"}, {"readings", {{"literal", "as it stands"}}}}}}});
   EXPECT_TRUE(contains(page, "<strong>C-TEXT</strong><br>two &lt;pages&gt;"));
   EXPECT_TRUE(contains(page, "<strong>literal</strong>: as it stands"));
-  EXPECT_EQ(occurrences(page, "not seen"), 1u);
+  EXPECT_EQ(occurrences(page, "<span class=\"faint\">not observed</span>"), 1u);
 }
 
 TEST(Html, Changes) {
@@ -272,11 +273,78 @@ TEST(Html, RecordsOfOneNameStayApart) {
     EXPECT_TRUE(contains(other, heading)) << heading;
 }
 
+// The only addresses are those of links to the documents of the registry.
 TEST(Html, LoadsNothing) {
-  const std::string page = html_of({read_sample("results-osmesa.json")}, nullptr);
+  std::string page = html_of({read_sample("results-osmesa.json")}, nullptr);
+  for (std::size_t at = page.find("https://registry.khronos.org/"); at != std::string::npos;
+       at = page.find("https://registry.khronos.org/"))
+    page.erase(at, 8);
   for (const char* loader : {"src=", "url(", "@import", "http://", "https://", "fetch("}) {
     EXPECT_FALSE(contains(page, loader)) << loader;
   }
+}
+
+// A known bug has its cause and effect, and the clause links to its documents.
+TEST(Html, KnownBugsHaveTheirCause) {
+  json record = named("x", {{{"name", "A.b"}, {"verdict", "fail"}}});
+  record["bugs"] = {{{"id", "EV-X-1"},
+                     {"title", "a bug"},
+                     {"clause", "GL 2.1 5.1; glMap1 page"},
+                     {"requirements", {"EV-COORD-MIX"}},
+                     {"tests", {"A.b"}},
+                     {"known", "mesa-mesh-steps"}}};
+  const KnownBug& known = *find_known_bug("mesa-mesh-steps");
+  const std::string page =
+      html_of({record}, {{"requirements", {{{"id", "EV-COORD-MIX"}, {"text", "the rule"}}}}});
+  const json data = data_of(page), &bug = data["bugs"][0];
+  EXPECT_EQ(as_text(bug["cause"]), known.cause);
+  EXPECT_EQ(as_text(bug["realPrograms"]), known.real_programs);
+  EXPECT_EQ(as_text(bug["affects"]), known.affects.text());
+  ASSERT_EQ(bug["documents"].size(), 2u);
+  EXPECT_TRUE(contains(page, "<a href=\"https://registry.khronos.org/OpenGL/specs/gl/glspec21.pdf\""));
+  EXPECT_EQ(data["documents"][bug["documents"][1].get<std::size_t>()],
+            json({"the reference page of glMap1",
+                  "https://registry.khronos.org/OpenGL-Refpages/gl2.1/xhtml/glMap1.xml"}));
+  // The requirement has its text although no test names it.
+  ASSERT_EQ(data["requirements"].size(), 1u);
+  EXPECT_EQ(text_of(data, data["requirements"][0][2]), "the rule");
+}
+
+TEST(Html, RunDetails) {
+  json record = named("x", {{{"name", "A.b"}, {"verdict", "pass"}, {"source", "suites/maps.cpp:7"}}});
+  record["started"] = "2026-11-28T11:27:22Z";
+  record["seconds"] = 167;
+  record["host"] = "a host";
+  record["implementation"]["files"] = {"/usr/lib/libGL.so.1"};
+  JsonOptions options;
+  options.files = {{"results-x.json", "../a b:c/log-x.txt"}};
+  options.sources = "../..";
+  const std::string page = html_of({record}, nullptr, options);
+  for (const char* part :
+       {"<dt>Run</dt><dd>2026-11-28 11:27 UTC, 2 min 47 s</dd>", "<dt>Host</dt><dd>a host</dd>",
+        "<dt>Loaded</dt><dd>/usr/lib/libGL.so.1</dd>", "<a href=\"results-x.json\">results-x.json</a>",
+        "<a href=\"../a%20b%3Ac/log-x.txt\">log-x.txt</a>"})
+    EXPECT_TRUE(contains(page, part)) << part;
+  const json data = data_of(page);
+  EXPECT_EQ(as_text(data["sources"]), "../..");
+  EXPECT_EQ(text_of(data, data["tests"][0][2]), "suites/maps.cpp:7");
+}
+
+// Numbers are decimal in all texts.
+TEST(Html, PlainNumbers) {
+  json record = named(
+      "x",
+      {{{"name", "A.b"},
+        {"verdict", "fail"},
+        {"message", "is 0.5 (0x1p-1)"},
+        {"failures",
+         {{{"case", "u=0x1p-2"}, {"expected", "[0.49998, 0.50002]"}, {"captured", "0.75 (0x1.8p-1)"}}}}}});
+  const json data = data_of(html_of({record}, nullptr));
+  EXPECT_EQ(text_of(data, record_of(data, 0, "A.b")[3]), "is 0.5");
+  const json& failure = data["failures"][0];
+  EXPECT_EQ(text_of(data, failure[0]), "u=0.25");
+  EXPECT_EQ(text_of(data, failure[3]), "0.5 +- 2e-05");
+  EXPECT_EQ(text_of(data, failure[4]), "0.75");
 }
 
 TEST(Html, RefusesWrongRecords) {

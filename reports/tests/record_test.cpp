@@ -35,6 +35,9 @@ TEST(RunResult, ReadsEveryField) {
   EXPECT_EQ(record.status, RunStatus::kInterrupted);
   EXPECT_EQ(record.reason, "interrupted by SIGINT");
   EXPECT_EQ(record.command, "evalcts run --implementation osmesa --depth quick");
+  EXPECT_EQ(record.started, "2026-11-28T11:27:22Z");
+  EXPECT_EQ(record.seconds, 167.4);
+  EXPECT_EQ(record.host, "a-host");
   EXPECT_EQ(record.depth, Depth::kQuick);
   const ImplementationRecord& implementation = record.implementation;
   EXPECT_EQ(implementation.name, "osmesa");
@@ -53,6 +56,7 @@ TEST(RunResult, ReadsEveryField) {
   const TestRecord& test = record.tests[1];
   EXPECT_EQ(test.name, "Map1Values.Bezier/TEXTURE_COORD_1/d");
   EXPECT_EQ(test.requirements, (std::vector<RequirementId>{"EV-MAP1-BEZIER", "EV-MAP1-DOMAIN"}));
+  EXPECT_EQ(test.source, "suites/map_values.cpp:34");
   EXPECT_EQ(test.level, Level::kMust);
   EXPECT_EQ(test.verdict, Verdict::kFail);
   EXPECT_EQ(test.cases, 12u);

@@ -111,7 +111,9 @@ inline nlohmann::json hostile_requirements() {
 // The following functions have the suffix _of and make the report of this name from records in JSON.
 struct JsonOptions {
   std::vector<nlohmann::json> before;
-  bool accuracy_page = false;
+  std::string accuracy_page;
+  std::vector<std::vector<std::string>> files;
+  std::string sources;
 };
 
 inline std::vector<RunResult> results_of(const std::vector<nlohmann::json>& records) {
@@ -126,7 +128,11 @@ inline Catalogue catalogue_of(const nlohmann::json& json) {
 inline std::string html_of(const std::vector<nlohmann::json>& results, const nlohmann::json& catalogue,
                            const JsonOptions& options = {}) {
   return html(results_of(results), catalogue_of(catalogue),
-              {results_of(options.before), options.accuracy_page});
+              {.before = results_of(options.before),
+               .accuracy_page = options.accuracy_page,
+               .history = {},
+               .files = options.files,
+               .sources = options.sources});
 }
 inline std::string junit_of(const nlohmann::json& result) { return junit(read_run_result(result)); }
 inline std::string terminal_of(const nlohmann::json& result, const nlohmann::json& catalogue, bool colour,

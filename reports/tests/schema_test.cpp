@@ -29,6 +29,9 @@ TEST(Schema, WrittenResultsAreValid) {
     const std::string text = to_text(read_run_result(read_sample(name)));
     EXPECT_EQ(verdict(json::parse(text)), "valid") << name;
     EXPECT_EQ(to_text(parse_run_result(text)), text) << name;
+    const json written = json::parse(text), read = read_sample(name);
+    for (const char* field : {"started", "seconds", "host"})
+      EXPECT_EQ(written.value(field, json()), read.value(field, json())) << name << " " << field;
   }
 }
 

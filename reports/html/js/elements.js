@@ -18,55 +18,16 @@ function el(tag, attributes, ...children) {
 const named = (name) => name.split(/(?<=[./])/).flatMap((part, i) => (i ? [el('wbr'), part] : [part]));
 const faint = (...children) => el('span', {class: 'faint'}, ...children);
 const count = (n, noun) => `${n} ${noun}${n === 1 ? '' : 's'}`;
+const outside = (address, name) => el('a', {href: address, rel: 'noreferrer'}, name);  // a link to another page
 
-// --- numbers, in decimal unless the switch asks for what was recorded
-
-const HEX_FLOAT = /(-?)0x([0-9a-f]+)(?:\.([0-9a-f]*))?p([+-]?\d+)(f?)/gi;
-
-// Returns the shortest decimal that gives the same binary32 (if `single`) or binary64 number.
-function decimalOf(value, single) {
-  if (single) {
-    for (let digits = 1; digits <= 9; ++digits) {
-      const short = Number(value.toPrecision(digits));
-      if (Math.fround(short) === value) return String(short);
-    }
-  }
-  return String(value);
-}
-
-function valueOf(sign, whole, fraction, exponent) {
-  const digits = whole + (fraction || '');
-  const value = parseInt(digits, 16) * 2 ** (Number(exponent) - 4 * (fraction || '').length);
-  return sign ? -value : value;
-}
-
-// "0.3 (0x1.333334p-2)" becomes "0.3", and "x = 0x1p-1" becomes "x = 0.5".
-function decimalText(string) {
-  return string.replace(/ \(-?0x[0-9a-f.]+p[+-]?\d+\)/gi, '').replace(HEX_FLOAT, (_, sign, whole, fraction, exponent) => {
-    const value = valueOf(sign, whole, fraction, exponent);
-    return decimalOf(value, Math.fround(value) === value);
-  });
-}
-
-// Returns C code with decimal literals of exactly the same values: "0x1p-1 /* 0.5 */" becomes "0.5". Literals
-// without an "f" are binary64.
-function decimalCode(string) {
-  const uncommented = string.replace(/(p[+-]?\d+f?) \/\* -?[\d.e+-]+f? \*\//gi, '$1');
-  return uncommented.replace(HEX_FLOAT, (_, sign, whole, fraction, exponent, single) => {
-    const number = decimalOf(valueOf(sign, whole, fraction, exponent), Boolean(single));
-    return (/[.e]/.test(number) ? number : `${number}.0`) + single;
-  });
-}
-
-const shownText = (string) => (state.hex ? string : decimalText(string));
-const shownCode = (string) => (state.hex ? string : decimalCode(string));
+// --- texts
 
 // Returns the captured text with marks on the components that differ from the expected ones, such as the last one
 // of "{0, 0, 1}" for "{0, 0, 0}".
 function markedDifferences(expected, captured) {
-  const parts = (string) => shownText(string).split(/([{}]|, )/);
+  const parts = (string) => string.split(/([{}]|, )/);
   const left = parts(expected.replace(/ as .*/s, '')), right = parts(captured);
-  if (left.length !== right.length || left.length < 3 || expected.startsWith('[')) return [shownText(captured)];
+  if (left.length !== right.length || left.length < 3) return [captured];
   return right.map((part, i) => (part === left[i] ? part : el('mark', null, part)));
 }
 
@@ -121,7 +82,7 @@ function fold(attributes, summary, fill) {
 
 // --- verdicts
 
-const symbolOf = (verdict) => el('span', {'aria-hidden': 'true'}, data.verdicts[verdict][1]);
+const symbolOf = (verdict) => el('span', {'aria-hidden': 'true'}, data.verdicts[verdict][2]);
 
 function notesOf(record) {
   const notes = [];
@@ -132,5 +93,5 @@ function notesOf(record) {
 }
 
 const chip = (record) => el('span', {class: `chip ${stateClasses[stateOf(record)]}`},
-    symbolOf(record[VERDICT]), ` ${[words[record[VERDICT]], ...notesOf(record)].join(', ')}`);
+    symbolOf(record[VERDICT]), ` ${[verdictNames[record[VERDICT]], ...notesOf(record)].join(', ')}`);
 const labels = (columns) => columns.map((column) => data.columns[column]).join(', ');

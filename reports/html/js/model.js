@@ -3,7 +3,8 @@
 
 const data = JSON.parse(document.getElementById('data').textContent);
 const text = (number) => data.strings[number];
-const words = data.verdicts.map(([word]) => word);
+const words = data.verdicts.map(([word]) => word);  // in addresses
+const verdictNames = data.verdicts.map(([, name]) => name);
 const FAIL = words.indexOf('fail'), WARNING = words.indexOf('quality-warning'), PASS = words.indexOf('pass');
 
 // The indices of the fields of records and failures.
@@ -11,12 +12,12 @@ const VERDICT = 0, SEVERITY = 1, FLAGS = 2, MESSAGE = 3, BASELINE = 4, FACTS = 5
 const UNEXPECTED = 1, KNOWN = 2, FLAKE = 4;  // bits of FLAGS
 const CASE = 0, MESSAGE_OF_FAILURE = 1, WHAT = 2, EXPECTED = 3, CAPTURED = 4, EXACT = 5, CAPTURE = 6, DISTANCE = 7, CALLS = 8, PLOT = 9;
 
-const tests = data.tests.map(([name, level, ...requirements], number) => ({
-  number, name: text(name), theme: text(name).split('.')[0], level: data.levels[level], requirements}));
+const tests = data.tests.map(([name, level, source, ...requirements], number) => ({
+  number, name: text(name), theme: text(name).split('.')[0], level: data.levels[level], source: text(source), requirements}));
 const testNamed = new Map(tests.map((test) => [test.name, test]));
 const requirements = data.requirements.map(([id, section, rule, source, since], number) => ({
   number, id: text(id), section: text(section) || 'Not in the catalogue', rule: text(rule), source: text(source),
-  since: text(since), tests: []}));
+  since: text(since), documents: data.documentsOf[number].map((document) => data.documents[document]), tests: []}));
 // Each requirement gets the tests that name it and those that found it violated.
 for (const test of tests) {
   const its = new Set(test.requirements);
@@ -32,22 +33,29 @@ for (const requirement of requirements) {
 }
 const requirementNamed = new Map(requirements.map((requirement) => [requirement.id, requirement]));
 const bugNamed = new Map(data.bugs.map((bug) => [bug.id, bug]));
-for (const bug of data.bugs)
+for (const bug of data.bugs) {
+  bug.documents = bug.documents.map((document) => data.documents[document]);
   bug.found = new Map(bug.found.map(([column, known, ...numbers]) => [column, {known, tests: numbers.map((number) => tests[number])}]));
+}
 const current = data.columns.length - data.earlier;  // number of current columns; the earlier results follow
 
 const recordOf = (test, column) => data.records[data.outcomes[column][test.number]];
 
 // The states that colour cells, worst first. Every unexpected result is BAD, even a pass.
-const BAD = 0, EXPECTED_FAILURE = 1, NOTICE = 2, GOOD = 3, UNDECIDED = 4;
+const BAD = 0, EXPECTED_FAILURE = 1, NOTICE = 2, GOOD = 3, UNOBSERVED = 4;
 const stateClasses = ['bad', 'known', 'notice', 'good', 'none'];
 function stateOf(record) {
   if (record[FLAGS] & UNEXPECTED) return BAD;
   if (record[FLAGS] & KNOWN) return EXPECTED_FAILURE;
   if (record[VERDICT] === WARNING) return NOTICE;
-  return record[VERDICT] === PASS ? GOOD : UNDECIDED;
+  return record[VERDICT] === PASS ? GOOD : UNOBSERVED;
 }
 const stateOfRecord = Uint8Array.from(data.records, stateOf);
+
+// The columns that are shown first: the current ones in which a test failed or gave a warning, or all if there is none.
+const currentColumns = data.columns.map((_, column) => column).slice(0, current);
+const remarkable = currentColumns.filter((column) => data.outcomes[column].some((record) => record >= 0 && stateOfRecord[record] < GOOD));
+const firstColumns = remarkable.length ? remarkable : currentColumns;
 
 // --- text search
 
@@ -97,22 +105,23 @@ function testsWith(needle, columns) {
 // --- filters
 
 const verdictFilters = {
-  unexpected: (record) => record[FLAGS] & UNEXPECTED,
   known: (record) => record[FLAGS] & KNOWN,
   flake: (record) => record[FLAGS] & FLAKE,
   ...Object.fromEntries(words.map((word, verdict) => [word, (record) => record[VERDICT] === verdict]))};
 
-const isFiltered = (state) => Boolean(state.q.trim() || state.theme || state.verdict || state.level || state.differs);
+const isFiltered = (state) => Boolean(state.q.trim() || state.theme || state.verdict || state.level || state.differs || state.new);
+const needlesOf = (state) => state.q.toLowerCase().split(/\s+/).filter(Boolean);
 
 // Returns the tests that pass the filters, in the order of the run. The latest result is kept, because most
 // changes of the state do not change the filters.
 let latestFilters = null, latestTests = null;
 function matchingTests(state) {
-  const filters = JSON.stringify([state.columns, state.q, state.theme, state.verdict, state.level, state.differs]);
+  const filters = JSON.stringify([state.columns, state.q, state.theme, state.verdict, state.level, state.differs, state.new]);
   if (filters === latestFilters) return latestTests;
   const outcomes = state.columns.map((column) => data.outcomes[column]);
-  const filter = state.verdict ? Uint8Array.from(data.records, (record) => Boolean(verdictFilters[state.verdict](record))) : null;
-  const found = state.q.toLowerCase().split(/\s+/).filter(Boolean).map((needle) => testsWith(needle, state.columns));
+  const filter = Uint8Array.from(data.records, (record) => Boolean(
+      (!state.verdict || verdictFilters[state.verdict](record)) && (!state.new || record[FLAGS] & UNEXPECTED)));
+  const found = needlesOf(state).map((needle) => testsWith(needle, state.columns));
   latestFilters = filters;
   latestTests = tests.filter((test) => {
     if (state.theme && test.theme !== state.theme) return false;
@@ -122,7 +131,7 @@ function matchingTests(state) {
     for (const records of outcomes) {
       const record = records[test.number];
       if (record < 0) continue;
-      any ||= !filter || filter[record] === 1;
+      any ||= filter[record] === 1;
       const verdict = data.records[record][VERDICT];
       if (first < 0) first = verdict; else differ ||= verdict !== first;
     }
@@ -130,6 +139,24 @@ function matchingTests(state) {
   });
   return latestTests;
 }
+
+// Returns the bugs of the chosen columns that pass the filters: those with a test that passes them, and those whose own
+// text has the text, if one of their tests passes the other filters.
+function matchingBugs(state) {
+  const found = data.bugs.filter((bug) => state.columns.some(
+      (column) => bug.found.has(column) && !(state.new && bug.found.get(column).known)));
+  if (!isFiltered(state)) return found;
+  const needles = needlesOf(state), others = new Set(needles.length ? matchingTests({...state, q: ''}) : []);
+  const all = new Set(matchingTests(state));
+  return found.filter((bug) => {
+    const some = state.columns.flatMap((column) => bug.found.get(column)?.tests || []);
+    return some.some((test) => all.has(test)) ||
+        (needles.length > 0 && needles.every((needle) => textOfBug(bug).includes(needle)) && some.some((test) => others.has(test)));
+  });
+}
+
+const textOfBug = (bug) => [bug.id, bug.title, bug.known, bug.knownIn, bug.clause, bug.cause, bug.realPrograms, ...bug.requirements,
+                            ...data.calls[data.failures[bug.failure][CALLS]].map(text)].join(' ').toLowerCase();
 
 // --- groups
 
@@ -161,8 +188,8 @@ function statesOf(some, column) {
 }
 
 // Returns the verdict on a requirement in one column: the worst failure that violates it, otherwise a warning,
-// otherwise a pass; undecided only if all tests are. A test that fails for other requirements does not decide this
-// one. Returns null without a test.
+// otherwise a pass; not observed only if this holds for all tests. Tests that fail because of other requirements are
+// ignored. Returns null without a test.
 function verdictOn(requirement, some, column) {
   let worst = null, all = 0, hidden = 0;
   const counts = new Array(words.length).fill(0), knownFailures = [0, 0];
@@ -181,17 +208,17 @@ function verdictOn(requirement, some, column) {
     if (!worst || record[SEVERITY] < worst[SEVERITY]) worst = record;
   }
   if (!all) return null;
-  if (!worst) return {verdict: -1, state: UNDECIDED, known: false, n: hidden, of: all};
+  if (!worst) return {verdict: -1, state: UNOBSERVED, known: false, n: hidden, of: all};
   const bad = knownFailures[0] + knownFailures[1] > 0;
   const verdict = bad || !(counts[WARNING] + counts[PASS]) ? worst[VERDICT] : counts[WARNING] ? WARNING : PASS;
   const known = bad && !knownFailures[0];
-  const state = bad ? (known ? EXPECTED_FAILURE : BAD) : verdict === WARNING ? NOTICE : verdict === PASS ? GOOD : UNDECIDED;
+  const state = bad ? (known ? EXPECTED_FAILURE : BAD) : verdict === WARNING ? NOTICE : verdict === PASS ? GOOD : UNOBSERVED;
   return {verdict, state, known, n: counts[verdict], of: all};
 }
 
-// Returns the tests that decided nothing: one entry for each verdict, reason and list of tests; columns with the
+// Returns the tests that neither passed nor failed: one entry for each verdict, reason and list of tests; columns with the
 // same entry share it.
-function undecided(columns) {
+function unobserved(columns) {
   const groups = new Map();
   for (const column of columns) {
     const reasons = groupsBy(tests.filter((test) => {

@@ -17,14 +17,26 @@ const withKey = (within, key) => [...within.querySelectorAll('[data-key]')].find
 function renderTests() {
   matching = matchingTests(state);
   const byRequirement = state.view === 'requirements';
-  replace('table', !tests.length ? el('p', null, 'No test was recorded.') :
+  replace('table', foldedColumns(), !tests.length ? el('p', null, 'No test was recorded.') :
                    !matching.length ? el('p', null, 'No test matches the filters.') :
                    byRequirement ? requirementsBySection(matching) : testsByTheme(matching));
   const shown = new Uint8Array(rules.size);
   for (const test of matching) for (const number of test.requirements) shown[requirements[number].ruleNumber] = 1;
-  byId('filter-count').textContent =
-      `${matching.length} of ${tests.length} tests, ${shown.reduce((sum, n) => sum + n, 0)} of ${rules.size} requirements shown`;
+  const parts = [[matching.length, tests.length, 'tests'], [shown.reduce((sum, n) => sum + n, 0), rules.size, 'requirements']];
+  if (data.bugs.length) parts.unshift([matchingBugs(state).length, data.bugs.length, 'bugs']);
+  byId('filter-count').textContent = `${parts.map(([n, all, noun]) => `${n} of ${all} ${noun}`).join(', ')} shown`;
   fit();
+}
+
+// Renders everything that the filters act on.
+function renderFiltered() {
+  renderBugs();
+  renderTests();
+}
+
+function showColumns(columns) {
+  change({columns: [...columns].sort((a, b) => a - b)});
+  render();
 }
 
 function renderForm() {
@@ -33,7 +45,7 @@ function renderForm() {
     if (field.value !== state[name]) field.value = state[name];
   }
   byId('filter-differs').checked = state.differs;
-  byId('filter-hex').checked = state.hex;
+  byId('filter-new').checked = state.new;
   for (const button of document.querySelectorAll('#views button'))
     button.setAttribute('aria-pressed', String(button.value === state.view));
   for (const box of document.querySelectorAll('.column-switch')) box.checked = state.columns.includes(Number(box.value));
@@ -59,18 +71,17 @@ function renderBugs() {
   fit();
 }
 
-function renderUndecided() {
-  const any = state.columns.some((column) => data.outcomes[column].some((record) => stateOfRecord[record] === UNDECIDED));
-  byId('undecided-section').hidden = !any;
-  replace('undecided-list', any ? fold(null, 'Reasons and tests', undecidedList) : []);
+function renderUnobserved() {
+  const any = state.columns.some((column) => data.outcomes[column].some((record) => stateOfRecord[record] === UNOBSERVED));
+  byId('unobserved-section').hidden = !any;
+  replace('unobserved-list', any ? fold(null, 'Reasons and tests', unobservedList) : []);
 }
 
 function render() {
   renderForm();
-  renderBugs();
   renderChanges();
-  renderTests();
-  renderUndecided();
+  renderFiltered();
+  renderUnobserved();
 }
 
 // Marks tables that fit: they need no scrolling region, so that their headers can stay at the top of the window.
@@ -83,13 +94,14 @@ function fit() {
 
 // --- the address
 
+const VISITED = true;  // state of the entries of the history to which the page does not scroll again
 let typed = false;  // true if the latest entry of the history is for a text that is being typed
 
 function change(changes, typing = false) {
   Object.assign(state, changes);
   const address = fragmentOf(state);
-  if (typing && typed) history.replaceState(null, '', address);
-  else history.pushState(null, '', address);
+  if (typing && typed) history.replaceState(VISITED, '', address);
+  else history.pushState(VISITED, '', address);
   typed = typing;
 }
 
@@ -103,13 +115,16 @@ function unfold(set, name, open) {
   if (set === 'bug') renderBugs(); else renderTests();
 }
 
+const noFilters = {q: '', theme: '', verdict: '', level: '', differs: false, new: false};
+
 // Shows the target of a link, even if filters would hide it, and moves the focus to it.
 function show({kind, name}) {
   const test = kind === 'open' && testNamed.get(name);
   const requirement = kind === 'requirement' && requirementNamed.get(name);
   const bug = kind === 'bug' && bugNamed.get(name);
   if (bug) {
-    if (!state.columns.some((column) => bug.found.has(column))) state.columns = data.columns.map((_, i) => i);
+    if (!matchingBugs(state).includes(bug)) Object.assign(state, noFilters);
+    if (!matchingBugs(state).includes(bug)) state.columns = data.columns.map((_, i) => i);
     state.bug.add(name);
     render();
     goTo('bug-table', kind, name);
@@ -117,7 +132,7 @@ function show({kind, name}) {
   }
   if (!test && !requirement) return;
   const hidden = () => (test ? !matchingTests(state).includes(test) : !matchingTests(state).some((one) => requirement.tests.includes(one)));
-  if (hidden()) Object.assign(state, {q: '', theme: '', verdict: '', level: '', differs: false});
+  if (hidden()) Object.assign(state, noFilters);
   if (hidden()) state.columns = data.columns.map((_, i) => i);
   state.view = test ? '' : 'requirements';
   state[kind].add(name);
@@ -133,12 +148,20 @@ function goTo(section, kind, name) {
   target.focus({preventScroll: true});
 }
 
+// Returns the test, requirement or bug that was opened last; null if none is open.
+function latestOpened() {
+  const kind = ['open', 'requirement', 'bug'].find((one) => state[one].size);
+  return kind ? {kind, name: [...state[kind]].pop()} : null;
+}
+
 function follow() {
   const address = stateOfFragment(location.hash);
   state = address.state;
   typed = false;
   render();
-  if (address.at) show(address.at);
+  const target = address.at || (history.state === VISITED ? null : latestOpened());
+  history.replaceState(VISITED, '');
+  if (target) show(target);
 }
 
 // --- the form
@@ -150,7 +173,8 @@ function options(id, pairs) {
 function fillForm() {
   options('filter-theme', [...new Set(tests.map((test) => test.theme))].sort().map((theme) => [theme, theme]));
   const occurs = (filter) => data.records.some(filter);
-  options('filter-verdict', Object.entries(verdictFilters).filter(([, filter]) => occurs(filter)).map(([word]) => [word, word]));
+  options('filter-verdict', Object.entries(verdictFilters).filter(([, filter]) => occurs(filter))
+      .map(([word]) => [word, verdictNames[words.indexOf(word)] || word]));
   options('filter-level', [...data.levels].reverse().map((level) => [level, level]));
   const columns = data.columns.map((label, column) => [column, label]);
   options('from', columns);
@@ -158,35 +182,31 @@ function fillForm() {
   for (const box of document.querySelectorAll('.column-switch')) box.hidden = data.columns.length < 2;
   byId('filter-differs').parentElement.hidden = data.columns.length < 2;
   byId('changes-section').hidden = data.columns.length < 2;
-  byId('undecided-section').hidden = false;
+  byId('unobserved-section').hidden = false;
+  byId('filters').hidden = false;
   byId('tests-section').hidden = false;
 }
 
 function listen() {
   const filters = () => ({
     q: byId('filter-q').value, theme: byId('filter-theme').value, verdict: byId('filter-verdict').value,
-    level: byId('filter-level').value, differs: byId('filter-differs').checked});
+    level: byId('filter-level').value, differs: byId('filter-differs').checked, new: byId('filter-new').checked});
   let timer;
   byId('filter-q').addEventListener('input', () => {
     state.q = byId('filter-q').value;
-    renderTests();
+    renderFiltered();
     clearTimeout(timer);  // browsers limit how often the address may change
     timer = setTimeout(() => change({q: state.q, group: new Set()}, true), 300);
   });
   byId('filters').addEventListener('change', (event) => {
     if (event.target.id === 'filter-q') return;
-    if (event.target.id === 'filter-hex') {
-      change({hex: byId('filter-hex').checked});
-      render();
-      return;
-    }
     change({...filters(), group: new Set()});
-    renderTests();
+    renderFiltered();
   });
   byId('filters').addEventListener('submit', (event) => event.preventDefault());
   byId('filters').addEventListener('reset', (event) => {
     event.preventDefault();
-    change({...emptyState(), view: state.view, hex: state.hex, from: state.from, to: state.to});
+    change({...emptyState(), view: state.view, from: state.from, to: state.to});
     render();
   });
   for (const button of document.querySelectorAll('#views button')) {
@@ -203,8 +223,7 @@ function listen() {
         box.checked = true;
         return;
       }
-      change({columns});
-      render();
+      showColumns(columns);
     });
   }
   for (const id of ['from', 'to']) {

@@ -3,10 +3,10 @@
 // The members of the state that are one text, sets of names, and switches.
 const TEXTS = ['view', 'q', 'theme', 'verdict', 'level', 'from', 'to'];
 const SETS = ['group', 'open', 'requirement', 'bug'];  // unfolded groups, tests, requirements and bugs
-const SWITCHES = ['differs', 'hex'];
+const SWITCHES = ['differs', 'new'];
 
 function emptyState() {
-  const state = {columns: data.columns.map((_, i) => i).slice(0, current)};
+  const state = {columns: firstColumns};
   for (const name of TEXTS) state[name] = '';
   for (const name of SETS) state[name] = new Set();
   for (const name of SWITCHES) state[name] = false;
