@@ -154,7 +154,8 @@ void explain_cases(const TestRun& run) {
 }
 
 void explain_test(const ListedTest& test) {
-  std::cout << fmt::format("{} ({}, from depth {})\n", test.name, name_of(test.level), name_of(test.from));
+  std::cout << fmt::format("{} ({}, from depth {}): {}\n", test.name, name_of(test.level), name_of(test.from),
+                           test.source);
   for (const RequirementId& id : test.requirements)
     if (const Requirement* const requirement = catalogue().find(id)) {
       paragraph(id.text() + ": " + requirement->text);
@@ -333,8 +334,10 @@ int explain(const std::vector<std::string>& words, const std::string& run) {
       explain_test(test);
       return kNothingUnexpected;
     }
-  if (const std::optional<Verdict> verdict = verdict_named(name)) {
-    std::cout << fmt::format("{}: {}\n", name, text_of(*verdict).meaning);
+  for (std::size_t i = 0; i < kVerdicts; ++i) {
+    const VerdictText& verdict = text_of(static_cast<Verdict>(i));
+    if (name != verdict.word && name != verdict.label) continue;
+    std::cout << fmt::format("{}: {}\n", verdict.label, verdict.meaning);
     return kNothingUnexpected;
   }
   if (search(search_words(words), tests)) return kNothingUnexpected;

@@ -93,13 +93,14 @@ TEST_F(CommandLine, ListsAndExplains) {
                        "EV-COORD-CURRENT-a6d4 is a bug of a run, but not of the last one"));
   EXPECT_TRUE(contains(evalcts({"explain", "EV-MAP1-COPY"}).text, "OpenGL-Refpages/gl2.1/xhtml/glMap1.xml"));
   EXPECT_TRUE(contains(evalcts({"list", "tets"}).text, "did you mean tests?"));
-  EXPECT_EQ(evalcts({"explain", "not-observable"}).code, 0);
   const std::string listed = evalcts({"list", "tests", "--filter", "InitialState.O*"}).text;
   EXPECT_TRUE(listed.starts_with("InitialState.OrderOf1D ")) << listed;
   EXPECT_FALSE(contains(listed, "\nMap"));
   EXPECT_EQ(evalcts({"list", "tests", "--filter", "No.SuchTest"}).code, 2);
   EXPECT_EQ(evalcts({"list", "bugs", "--filter", "x"}).code, 2);
   EXPECT_TRUE(contains(evalcts({"explain", "C-MESH1-LINES"}).text, "Taken here: LINE_STRIP."));
+  for (const char* verdict : {"not-observable", "not observed"})
+    EXPECT_TRUE(evalcts({"explain", verdict}).text.starts_with("not observed: ")) << verdict;
   for (const json& requirement : coverage["requirements"])
     if (as_text(requirement["id"]) == "EV-EXT-ARBVP-COLORINDEX") {
       EXPECT_EQ(as_text(requirement["state"]), "undecidable");
@@ -118,13 +119,19 @@ TEST_F(CommandLine, RunWritesEverything) {
     ASSERT_TRUE(result.is_object());
     EXPECT_EQ(as_text(result["format"]), "evalcts-results-1");
     EXPECT_EQ(as_text(result["status"]), "complete");
-    EXPECT_FALSE(result["tests"].empty());
+    ASSERT_FALSE(result["tests"].empty());
     EXPECT_TRUE(test_named(result, "InitialState.Domain").is_null());
     EXPECT_EQ(result["summary"]["pass"], result["tests"].size());
+    EXPECT_EQ(result.value("started", "").size(), 20u);
+    EXPECT_GT(result.value("seconds", 0.0), 0);
+    EXPECT_FALSE(result.value("host", "").empty());
+    EXPECT_TRUE(result["tests"][0].value("source", "").starts_with("suites/initial_state.cpp:"));
     EXPECT_TRUE(fs::exists(folder_ / ("junit-" + name + ".xml")));
     EXPECT_TRUE(fs::exists(folder_ / ("records-" + name + ".jsonl")));
   }
-  EXPECT_TRUE(fs::exists(folder_ / "index.html"));
+    const std::string page = read_file(folder_ / "index.html");
+    for (const std::string& file : {"results-" + name + ".json", "log-" + name + ".txt"})
+      EXPECT_TRUE(contains(page, "<a href=\"" + file + "\">" + file + "</a>")) << file;
 }
 
 // The drill library does not provide most commands.
