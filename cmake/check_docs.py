@@ -36,7 +36,7 @@ NOT_RUN = {
     "another Mesa": "needs a Mesa outside the system's directories",
     "deqp-runner": "deqp-runner is not packaged",
     "Slurm": "needs a cluster",
-    "last run": "needs a failure of the last run",
+    "last run": "needs the last run, or a failure of it",
     "vectors.check": "takes a minute: the test vectors.check runs it",
     "vectors.lint": "takes seconds: the test vectors.lint runs it",
     "vectors write": "takes 20 seconds: the test vectors.VectorsCommand.WritesTheShippedFiles runs it",
@@ -50,7 +50,7 @@ NOT_RUN = {
 NOT_RUN_EXAMPLES = {
     "evalcts faults": "faults",
     "(git bisect|evalcts check)": "bisection",
-    "evalcts (reproduce|bugs|waive)": "last run",
+    "evalcts (reproduce|bugs|waive|report --history)": "last run",
     "evalcts vectors lint$": "vectors.lint",
     "evalcts vectors write": "vectors write",
 }

@@ -17,7 +17,10 @@ namespace fs = std::filesystem;
 // Returns the folders of runs: the folder itself, and those in it.
 std::vector<fs::path> folders_of_runs(const fs::path& folder) {
   if (!fs::is_directory(folder))
-    throw CannotReadResults(fmt::format("'{}' is not a folder", folder.string()));
+    throw CannotReadResults(
+        fmt::format("'{}' {}", folder.string(),
+                    fs::exists(folder) ? "is not a folder"
+                                       : "does not exist: 'evalcts run' writes runs, each with a folder"));
   std::vector<fs::path> folders = runs_in(folder);
   std::error_code error;
   if (!result_files_in(folder, error).empty()) folders.insert(folders.begin(), folder);

@@ -44,8 +44,7 @@ TEST_F(RunFolders, AFilteredRunReplacesNoOther) {
   EXPECT_NE(first, second);
   EXPECT_TRUE(second.filename().string().starts_with("part-20")) << second;
   EXPECT_EQ(read_file(first / "index.html"), page);
-  EXPECT_TRUE(
-      contains(read_file(second / "results-part.json"), "\"filter\": \"InitialState.OrderOf1D\""));
+  EXPECT_TRUE(contains(read_file(second / "results-part.json"), "\"filter\": \"InitialState.OrderOf1D\""));
   EXPECT_EQ(folders(), (std::set{first, second}));
 
   // The last run, and another one.
@@ -60,7 +59,7 @@ TEST_F(RunFolders, AFilteredRunReplacesNoOther) {
   EXPECT_TRUE(contains(wrong.text, "chooses one of these: part-20")) << wrong.text;
   EXPECT_TRUE(contains(evalcts({"reproduce", "Order", "--run", name}).text, "nothing failed in that run"));
 
-  // With --output, exactly there.
+  // --output is used exactly as given.
   EXPECT_EQ(run("InitialState.OrderOf1D", {"--output", (folder_ / "own").string()}).code, 0);
   EXPECT_TRUE(fs::exists(folder_ / "own/index.html"));
   EXPECT_EQ(latest(), second);

@@ -122,9 +122,9 @@ class Baseline {
 
   // Returns the user's files with an entry for each failure of the result that is not known without them, and
   // without those of tests that pass; new files are called `new_name`. Patterns, skips and flakes are kept.
-  // `reason`: of the entries; empty: existing reasons are kept, and new entries name their bug and its clause.
-  // Flaky tests get no entry. Throws BadBaseline if the new files would replace some of the choice, which are
-  // for other implementations.
+  // `reason`: of the entries; empty: existing reasons are kept, and new entries name their bug and its
+  // clause. Flaky tests get no entry. Throws BadBaseline if the new files would replace some of the choice,
+  // which are for other implementations.
   BaselineFiles renewed(const RunResult& result, const BaselineChoice& choice, const std::string& new_name,
                         const std::string& reason = {}) const;
 
