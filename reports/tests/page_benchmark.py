@@ -33,15 +33,16 @@ LOADED = """
   const paint = performance.getEntriesByName('first-contentful-paint')[0];
   requestAnimationFrame(() => setTimeout(() => done(Math.max(navigation.loadEventEnd, paint ? paint.startTime : 0))));"""
 STEPS = (("filter-verdict", "fail"), ("filter-verdict", ""), ("filter-theme", "Map1Values"), ("filter-theme", ""),
-         ("filter-q", "e"), ("filter-q", "glmap1f"), ("filter-q", "glmap1f vertex_4"), ("filter-q", "0x1.8p-1"),
-         ("filter-q", ""), ("filter-level", "quality"), ("filter-level", ""), ("filter-differs", True), ("filter-differs", False))
+         ("filter-q", "e"), ("filter-q", "glmap1f"), ("filter-q", "glmap1f vertex_4"), ("filter-q", "0.75"),
+         ("filter-q", ""), ("filter-level", "quality"), ("filter-level", ""), ("filter-differs", True), ("filter-differs", False),
+         ("filter-new", True), ("filter-new", False))
 CLICKS = ("#views button[value=requirements]", "#views button[value='']", "#table .toggle", "#table .toggle")
 
 
 def copy_of(test, number):
     """Returns a copy of the test that shares no text of its evidence with the original."""
     text = json.dumps({key: value for key, value in test.items() if key not in ("requirements", "verdict", "level")})
-    text = text.replace("0x1.", f"0x1.{number:x}")
+    text = text.replace("0.", f"0.{number}")
     return {**test, **json.loads(text), "name": f"{test['name']}/copy{number}",
             "message": test["message"] and f"{test['message']} ({number})"}
 

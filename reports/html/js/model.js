@@ -112,18 +112,17 @@ const verdictFilters = {
 const isFiltered = (state) => Boolean(state.q.trim() || state.theme || state.verdict || state.level || state.differs || state.new);
 const needlesOf = (state) => state.q.toLowerCase().split(/\s+/).filter(Boolean);
 
-// Returns the tests that pass the filters, in the order of the run. The latest result is kept, because most
-// changes of the state do not change the filters.
-let latestFilters = null, latestTests = null;
+// Returns the tests that pass the filters, in the order of the run. The latest two results are kept, with and without
+// the text, because most changes of the state do not change the filters.
+const latestTests = new Map();
 function matchingTests(state) {
   const filters = JSON.stringify([state.columns, state.q, state.theme, state.verdict, state.level, state.differs, state.new]);
-  if (filters === latestFilters) return latestTests;
+  if (latestTests.has(filters)) return latestTests.get(filters);
   const outcomes = state.columns.map((column) => data.outcomes[column]);
   const filter = Uint8Array.from(data.records, (record) => Boolean(
       (!state.verdict || verdictFilters[state.verdict](record)) && (!state.new || record[FLAGS] & UNEXPECTED)));
   const found = needlesOf(state).map((needle) => testsWith(needle, state.columns));
-  latestFilters = filters;
-  latestTests = tests.filter((test) => {
+  const matching = tests.filter((test) => {
     if (state.theme && test.theme !== state.theme) return false;
     if (state.level && test.level !== state.level) return false;
     if (found.some((hits) => !hits[test.number])) return false;
@@ -137,7 +136,9 @@ function matchingTests(state) {
     }
     return any && (differ || !state.differs);
   });
-  return latestTests;
+  if (latestTests.size === 2) latestTests.delete(latestTests.keys().next().value);
+  latestTests.set(filters, matching);
+  return matching;
 }
 
 // Returns the bugs of the chosen columns that pass the filters: those with a test that passes them, and those whose own
