@@ -54,6 +54,25 @@ TEST(Judge, AcceptsCorrectlyRoundedValues) {
   EXPECT_EQ(judgement.accuracy.values, 12u);
   EXPECT_EQ(judgement.accuracy.not_correctly_rounded, 0u);
   EXPECT_LE(judgement.accuracy.ulp.error, 0.5);
+  EXPECT_EQ(judgement.accuracy.condition_aware.error, 0);
+}
+
+TEST(Judge, MeasuresValuesThatAreNotCorrectlyRounded) {
+  Scene scene;
+  float& x = scene.vertex(1).position[0];
+  x = std::nextafter(x, 10.0f);
+  const Judgement judgement = judge(scene.prediction, scene.exact, {});
+  EXPECT_EQ(judgement.accuracy.not_correctly_rounded, 1u);
+  EXPECT_GT(judgement.accuracy.ulp.error, 0.5);
+  EXPECT_GT(judgement.accuracy.condition_aware.error, 0);
+}
+
+TEST(Judge, CountsVertices) {
+  Scene scene;
+  scene.exact.primitives[0].vertices.resize(1);
+  const Judgement judgement = judge(scene.prediction, scene.exact, {});
+  ASSERT_EQ(judgement.mismatches.size(), 1u);
+  EXPECT_EQ(judgement.mismatches[0].message, "1 vertex instead of 4 vertices");
 }
 
 TEST(Judge, ValuesAreTheFormula) {
