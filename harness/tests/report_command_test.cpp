@@ -107,8 +107,8 @@ TEST_F(Report, HasTheHistoryOfAllRuns) {
   const Outcome outcome = evalcts({"report", "--history"});
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   for (const char* const part :
-       {"History of x, full depth: 2 runs\n", "  Mesa 9.0: 1 bugs\n",
-        "  Mesa 22.3.6: 0 bugs; 1 gone: EV-MAP1-COPY-1234\n", "broken/results-x.json': this is not JSON",
+       {"History of x, full depth: 2 runs\n", "  Mesa 9.0: bugs: 1\n",
+        "  Mesa 22.3.6: bugs: 0; 1 gone: EV-MAP1-COPY-1234\n", "broken/results-x.json': this is not JSON",
         "left out: '", "notes' contains no results"})
     EXPECT_TRUE(contains(outcome.text, part)) << part << " in " << outcome.text;
   const std::string page = text_of("runs/x-2/index.html");

@@ -40,14 +40,11 @@ std::vector<std::pair<std::uint64_t, std::string>> order_of(const std::string& v
   return parts;
 }
 
-std::vector<VersionStep> versions_of(const std::vector<const PastRun*>& by_date) {
-  using Order = std::vector<std::pair<std::uint64_t, std::string>>;
-  std::map<Order, const PastRun*> last;
-  for (const PastRun* const run : by_date) last[order_of(run->version)] = run;
-  std::vector<VersionStep> steps;
+std::vector<Step> steps_of(const std::vector<const PastRun*>& runs) {
+  std::vector<Step> steps;
   const PastRun* before = nullptr;
-  for (const auto& [order, run] : last) {
-    VersionStep step{run, {}, {}};
+  for (const PastRun* const run : runs) {
+    Step step{run, {}, {}};
     if (before && before->has_bugs && run->has_bugs) {
       std::ranges::set_difference(run->bugs, before->bugs, std::back_inserter(step.came));
       std::ranges::set_difference(before->bugs, run->bugs, std::back_inserter(step.went));
@@ -56,6 +53,15 @@ std::vector<VersionStep> versions_of(const std::vector<const PastRun*>& by_date)
     steps.push_back(std::move(step));
   }
   return steps;
+}
+
+// Returns the last run of each version, in the order of the versions.
+std::vector<const PastRun*> last_of_versions(const std::vector<const PastRun*>& by_date) {
+  std::map<std::vector<std::pair<std::uint64_t, std::string>>, const PastRun*> last;
+  for (const PastRun* const run : by_date) last[order_of(run->version)] = run;
+  std::vector<const PastRun*> runs;
+  for (const auto& [order, run] : last) runs.push_back(run);
+  return runs;
 }
 
 std::uint64_t counted(const PastRun& run, Verdict verdict) {
@@ -92,20 +98,19 @@ PastRun past_run(const RunResult& result, const std::string& run) {
 }
 
 std::vector<Series> series_of(const std::vector<PastRun>& runs) {
-  std::map<std::string, Series> by_name;
+  std::map<std::string, std::vector<const PastRun*>> whole;
+  std::map<std::string, std::size_t> left_out;
   for (const PastRun& run : runs) {
-    Series& series = by_name[run.series];
-    series.name = run.series;
+    std::vector<const PastRun*>& of_series = whole[run.series];
     if (run.is_whole)
-      series.runs.push_back(&run);
+      of_series.push_back(&run);
     else
-      ++series.left_out;
+      ++left_out[run.series];
   }
   std::vector<Series> all;
-  for (auto& [name, series] : by_name) {
-    std::ranges::stable_sort(series.runs, {}, [](const PastRun* run) { return run->started; });
-    series.versions = versions_of(series.runs);
-    all.push_back(std::move(series));
+  for (auto& [name, of_series] : whole) {
+    std::ranges::stable_sort(of_series, {}, [](const PastRun* run) { return run->started; });
+    all.push_back({name, steps_of(of_series), steps_of(last_of_versions(of_series)), left_out[name]});
   }
   return all;
 }
@@ -120,7 +125,7 @@ std::string date_in_words(const PastRun& run) {
   return date;
 }
 
-std::string step_in_words(const VersionStep& step) {
+std::string step_in_words(const Step& step) {
   std::vector<std::string> parts;
   if (!step.came.empty())
     parts.push_back(fmt::format("{}: {}", count(step.came.size(), "new bug"), names_of(step.came)));
@@ -133,21 +138,25 @@ std::string history_text(const std::vector<PastRun>& runs, std::size_t columns) 
   std::string out;
   const auto line = [&](const std::string& text) { out += (columns > 3 ? cut(text, columns) : text) + "\n"; };
   for (const Series& series : series_of(runs)) {
-    line(fmt::format("History of {}: {}{}", series.name, count(series.runs.size(), "run"),
+    line(fmt::format("History of {}: {}{}", series.name, count(series.by_date.size(), "run"),
                      series.left_out
                          ? fmt::format(", without {} of a part of the tests or not complete", series.left_out)
                          : ""));
-    if (series.runs.empty()) continue;
+    if (series.by_date.empty()) continue;
     line(fmt::format("  {:<16}  {:<{}} {:>5} {:>5} {:>5} {:>5} {:>5} {:>12}  {}", "started (UTC)", "version",
                      kMostOfVersion, "bugs", "new", "known", "crash", "hang", "not observed", "run"));
-    for (const PastRun* const run : series.runs)
-      line(fmt::format("  {:<16}  {:<{}} {:>5} {:>5} {:>5} {:>5} {:>5} {:>12}  {}", date_in_words(*run),
-                       cut(run->version, kMostOfVersion), kMostOfVersion, bugs_in_words(*run),
-                       run->new_failures, run->known_failures, counted(*run, Verdict::kCrash),
-                       counted(*run, Verdict::kTimeout), counted(*run, Verdict::kNotObservable), run->run));
-    for (const VersionStep& step : series.versions) {
+    for (const Step& step : series.by_date) {
+      const PastRun& run = *step.run;
+      line(fmt::format("  {:<16}  {:<{}} {:>5} {:>5} {:>5} {:>5} {:>5} {:>12}  {}", date_in_words(run),
+                       cut(run.version, kMostOfVersion), kMostOfVersion, bugs_in_words(run), run.new_failures,
+                       run.known_failures, counted(run, Verdict::kCrash), counted(run, Verdict::kTimeout),
+                       counted(run, Verdict::kNotObservable), run.run));
+      if (const std::string change = step_in_words(step); !change.empty()) line("    " + change);
+    }
+    line("  By version:");
+    for (const Step& step : series.by_version) {
       const std::string change = step_in_words(step);
-      line(fmt::format("  {}: {} bugs{}", step.run->version.empty() ? "no version" : step.run->version,
+      line(fmt::format("    {}: bugs: {}{}", step.run->version.empty() ? "no version" : step.run->version,
                        bugs_in_words(*step.run), change.empty() ? "" : "; " + change));
     }
   }

@@ -8,17 +8,17 @@
 
 namespace evalcts::reports {
 
-// The last run of a version, compared with that of the version before it.
-struct VersionStep {
+// A run, compared with the one before it.
+struct Step {
   const PastRun* run = nullptr;
-  std::vector<PastRun::PastBug> came, went;  // empty for the first version
+  std::vector<PastRun::PastBug> came, went;  // empty for the first run
 };
 
 struct Series {
   std::string name;
-  std::vector<const PastRun*> runs;   // by date
-  std::vector<VersionStep> versions;  // by version
-  std::size_t left_out = 0;           // runs of a part of the tests
+  std::vector<Step> by_date;
+  std::vector<Step> by_version;  // the last run of each version
+  std::size_t left_out = 0;      // runs of a part of the tests
 };
 
 // Returns the series by name. They point into `runs`.
@@ -31,6 +31,6 @@ std::string bugs_in_words(const PastRun& run);
 std::string date_in_words(const PastRun& run);
 
 // Returns "2 new bugs: A, B; 1 gone: C"; empty if nothing changed.
-std::string step_in_words(const VersionStep& step);
+std::string step_in_words(const Step& step);
 
 }  // namespace evalcts::reports

@@ -43,8 +43,12 @@ TEST(History, ComparesWholeRunsOfAnImplementationAndDepth) {
   ASSERT_EQ(series.size(), 2u);
   EXPECT_EQ(series[0].name, "egl, full depth");
   EXPECT_EQ(series[0].left_out, 2u);
-  EXPECT_EQ(series[0].runs, (std::vector{&runs[1], &runs[0]})) << "by date";
-  EXPECT_EQ(series[1].runs, std::vector{&runs[4]});
+  ASSERT_EQ(series[0].by_date.size(), 2u);
+  EXPECT_EQ(series[0].by_date[0].run, &runs[1]);
+  EXPECT_EQ(series[0].by_date[1].run, &runs[0]);
+  EXPECT_EQ(step_in_words(series[0].by_date[1]), "1 gone: B");
+  ASSERT_EQ(series[1].by_date.size(), 1u);
+  EXPECT_EQ(series[1].by_date[0].run, &runs[4]);
 }
 
 TEST(History, VersionsAreComparedInTheirOrder) {
@@ -52,7 +56,7 @@ TEST(History, VersionsAreComparedInTheirOrder) {
       run_of("4.5 Mesa 22.3.6", "2026-01-01T10:00:00Z", {"B", "C"}),
       run_of("4.5 (Compatibility Profile) Mesa 9.0", "2026-01-02T10:00:00Z", {"A"}),
       run_of("4.5 Mesa 9.0", "2026-01-03T10:00:00Z", {"A", "B"})};
-  const std::vector<VersionStep> steps = series_of(runs)[0].versions;
+  const std::vector<Step> steps = series_of(runs)[0].by_version;
   ASSERT_EQ(steps.size(), 2u);
   EXPECT_EQ(steps[0].run, &runs[2]) << "the last run of the smaller version";
   EXPECT_EQ(step_in_words(steps[0]), "");
