@@ -74,6 +74,8 @@ TEST_F(Waive, ABugMeansAllItsTests) {
   EXPECT_EQ(waive({id, "--reason", "issue 12", "--baseline", mine_}).code, 0);
   EXPECT_TRUE(contains(fails(), "\n# bug: " + id + ".\n# issue 12\n" + test_ + ",Fail\n")) << fails();
   EXPECT_EQ(run({"--baseline", mine_ + "/drill"}).code, 0);
+  EXPECT_TRUE(
+      contains(evalcts({"explain", id, "--run", folder_.string()}).text, id + ": a bug of drill in "));
   // The entry is found by the bug, without the run.
   fs::remove(folder_ / "results-drill.json");
   EXPECT_EQ(waive({id, "--unwaive", "--baseline", mine_}).code, 0);
