@@ -375,6 +375,9 @@ class Bugs(Browser):
         self.assertEqual(self.js("return document.querySelectorAll('#bug-table .rule a').length"), 0)  # no test has it
         self.press_toggle("A.b")
         self.assertIn("Source: suites/maps.cpp:7", self.texts("#table .detail .tools")[0])
+        self.open("details/index.html", state="#at=requirement%3DEV-COORD-MIX")  # nothing to show
+        self.assertEqual(self.texts("#table .toggle"), ["A", "A.b"])
+        self.assertEqual(driver.get_log("browser"), [])
 
 
 class Filters(Browser):

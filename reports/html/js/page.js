@@ -130,7 +130,7 @@ function show({kind, name}) {
     goTo('bug-table', kind, name);
     return;
   }
-  if (!test && !requirement) return;
+  if (!test && !(requirement && requirement.tests.length)) return;
   const hidden = () => (test ? !matchingTests(state).includes(test) : !matchingTests(state).some((one) => requirement.tests.includes(one)));
   if (hidden()) Object.assign(state, noFilters);
   if (hidden()) state.columns = data.columns.map((_, i) => i);
