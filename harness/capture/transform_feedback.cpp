@@ -12,19 +12,23 @@
 namespace evalcts {
 namespace {
 
-VaryingShader copying_shader(std::size_t units) {
+// Returns a shader that copies these attributes, with the texture coordinates of `units` units.
+VaryingShader copying_shader(Attributes attributes, std::size_t units) {
   VaryingShader shader;
-  std::string declarations =
-      "#version 120\nvarying vec4 seen_position;\nvarying vec4 seen_color;\nvarying vec3 seen_normal;\n";
-  std::string body = "  seen_position = gl_Vertex;\n  seen_color = gl_Color;\n  seen_normal = gl_Normal;\n";
-  shader.varyings = {"seen_position", "seen_color", "seen_normal"};
-  for (std::size_t unit = 0; unit < units; ++unit) {
-    declarations += fmt::format("varying vec4 seen_texture{};\n", unit);
-    body += fmt::format("  seen_texture{0} = gl_MultiTexCoord{0};\n", unit);
-    shader.varyings.push_back(fmt::format("seen_texture{}", unit));
-  }
+  std::string declarations = "#version 120\n", body;
+  const auto copy = [&](const std::string& name, const std::string& of, std::size_t components) {
+    declarations += fmt::format("varying vec{} seen_{};\n", components, name);
+    body += fmt::format("  seen_{} = gl_{};\n", name, of);
+    shader.varyings.push_back("seen_" + name);
+    shader.floats += components;
+  };
+  if (attributes & kPosition) copy("position", "Vertex", 4);
+  if (attributes & kColor) copy("color", "Color", 4);
+  if (attributes & (kNormal | kShaderNormal)) copy("normal", "Normal", 3);
+  if (attributes & (kTextureCoordinate0 | kTextureCoordinatesOther))
+    for (std::size_t unit = 0; unit < units; ++unit)
+      copy(fmt::format("texture{}", unit), fmt::format("MultiTexCoord{}", unit), 4);
   shader.source = declarations + "void main() {\n" + body + "  gl_Position = vec4(0.0, 0.0, 0.0, 1.0);\n}\n";
-  shader.floats = 4 + 4 + 3 + 4 * units;
   return shader;
 }
 
@@ -36,8 +40,6 @@ class TransformFeedback final : public Capture {
     if (!info.at_least(3, 0)) throw NotObservable("needs GL 3.0, this is GL " + info.version);
     units_ =
         std::clamp<std::size_t>(static_cast<std::size_t>(std::max(info.texture_units, 1)), 1, kTextureUnits);
-    shader_ = copying_shader(units_);
-    shader_of_unit_0_ = copying_shader(1);
     const std::set<Attributes> requests = {attributes(),
                                            attributes() & ~Attributes{kTextureCoordinatesOther}};
     for (const Attributes wanted : requests) {
@@ -64,11 +66,14 @@ class TransformFeedback final : public Capture {
     const auto kind = static_cast<PrimitiveKind>(request.kinds);
     // Most of the time of a large case goes into the buffer.
     const bool all_units = (request.attributes & kTextureCoordinatesOther) != 0;
-    const RecordedVaryings recorded = record_varyings(implementation, all_units ? shader_ : shader_of_unit_0_,
-                                                      script, kind, request.most_vertices);
     Observation observation;
-    observation.attributes = all_units ? attributes() : attributes() & ~Attributes{kTextureCoordinatesOther};
+    observation.attributes = attributes();
+    if (!all_units) observation.attributes &= ~Attributes{kTextureCoordinatesOther};
+    if (request.nothing_more) observation.attributes &= request.attributes;
     observation.units = all_units ? units_ : 1;
+    const RecordedVaryings recorded =
+        record_varyings(implementation, copying_shader(observation.attributes, observation.units), script,
+                        kind, request.most_vertices);
     observation.error = recorded.error;
     observation.overflow = recorded.overflow;
     decode(recorded, kind, observation);
@@ -99,15 +104,15 @@ class TransformFeedback final : public Capture {
     for (std::size_t i = 0; i < recorded.vertices; ++i) {
       if (kind == kPoints ? i == 0 : i % size == 0) observation.primitives.emplace_back().mode = mode;
       ObservedVertex& vertex = observation.primitives.back().vertices.emplace_back();
-      take(vertex.position);
-      take(vertex.color);
-      take(vertex.normal);
-      for (std::size_t unit = 0; unit < observation.units; ++unit) take(vertex.texture_coordinate[unit]);
+      if (observation.attributes & kPosition) take(vertex.position);
+      if (observation.attributes & kColor) take(vertex.color);
+      if (observation.attributes & (kNormal | kShaderNormal)) take(vertex.normal);
+      if (observation.attributes & (kTextureCoordinate0 | kTextureCoordinatesOther))
+        for (std::size_t unit = 0; unit < observation.units; ++unit) take(vertex.texture_coordinate[unit]);
     }
   }
 
   std::size_t units_ = 1;
-  VaryingShader shader_, shader_of_unit_0_;
   std::unique_ptr<Context> idle_;
 };
 

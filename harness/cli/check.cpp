@@ -25,7 +25,8 @@ namespace {
 constexpr int kGood = 0, kBad = 1, kCannotBeJudged = 125;  // of `git bisect run`
 
 struct CheckOptions {
-  std::string name, implementation, library, context, program;
+  std::string name, program;
+  ImplementationOptions implementation;
   double seconds_per_test = Limits().seconds_per_test;
 };
 
@@ -96,8 +97,9 @@ int cannot_judge(const std::string& why) {
 }
 
 int check(const CheckOptions& options) {
-  if (options.implementation.empty() && options.library.empty() && options.context.empty())
-    return cannot_judge("check needs --implementation, --library or --context");
+  const ImplementationOptions implementation = completed(options.implementation);
+  if (implementation.name.empty() && implementation.library.empty() && implementation.context.empty())
+    return cannot_judge("check needs --implementation, --library, --context or --mesa-build");
   const Question question = question_of(options.name, list_tests(places().suite_program));
   if (question.groups.empty())
     return cannot_judge(
@@ -106,8 +108,8 @@ int check(const CheckOptions& options) {
   const Scratch scratch;
   RunRequest request;
   request.suite_program = places().suite_program;
-  request.implementation = {options.implementation, options.library, options.context};
-  request.name = options.implementation.empty() ? "library" : options.implementation;
+  request.implementation = implementation;
+  request.name = implementation.name.empty() ? "library" : implementation.name;
   request.limits.seconds_per_test = options.seconds_per_test;
   request.jobs = usual_jobs();
   request.output = scratch.path();
@@ -142,9 +144,7 @@ std::function<int()> define_check(CLI::App& app, const Call& call) {
   app.add_option("name", options->name,
                  "ID of a known bug or requirement, or name of a test or of a test function")
       ->required();
-  app.add_option("--implementation", options->implementation, "implementation to judge");
-  app.add_option("--library", options->library, "shared library to judge instead of the system's");
-  app.add_option("--context", options->context, "interface that creates the contexts, as for run");
+  add_implementation(app, options->implementation);
   app.add_option("--timeout", options->seconds_per_test, "time limit for each test, in seconds (default: 45)")
       ->check(positive_number);
   return [options] {

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 
@@ -65,6 +66,35 @@ CLI::Option* add_shard(CLI::App& app, std::string& shard, const std::string& des
   return app.add_option("--shard", shard, description)->check([](const std::string& text) {
     return Shard::parse(text, "/") ? std::string() : "'" + text + "' is not K/N with 1 <= K <= N";
   });
+}
+
+void add_implementation(CLI::App& app, ImplementationOptions& implementation) {
+  app.add_option("--implementation", implementation.name, "implementation to judge");
+  app.add_option("--library", implementation.library, "shared library to judge instead of the system's");
+  app.add_option("--context", implementation.context, "interface that creates the contexts, as for run");
+  add_mesa_build(app, implementation.mesa_build);
+}
+
+CLI::Option* add_mesa_build(CLI::App& app, std::string& folder) {
+  return app.add_option(
+      "--mesa-build", folder,
+      "folder that meson built or installed a Mesa into, which is judged instead of the system's");
+}
+
+std::string absolute_library(const std::string& library) {
+  return library.find('/') == std::string::npos
+             ? library
+             : std::filesystem::absolute(library).lexically_normal().string();
+}
+
+ImplementationOptions completed(ImplementationOptions implementation) {
+  implementation.library = absolute_library(implementation.library);
+  if (implementation.mesa_build.empty()) return implementation;
+  implementation.mesa_build =
+      std::filesystem::absolute(implementation.mesa_build).lexically_normal().string();
+  if (implementation.name.empty() && implementation.library.empty() && implementation.context.empty())
+    implementation.name = "egl";
+  return implementation;
 }
 
 CLI::Option* add_allow_unobserved(CLI::App& app, bool& allow) {

@@ -19,7 +19,7 @@ namespace evalcts::cli {
 namespace {
 
 struct FuzzOptions {
-  std::string implementation, library, context;
+  ImplementationOptions implementation;
   std::uint32_t seed = 1;
   std::optional<std::uint32_t> programs;
   double seconds = 0;  // 0: no limit
@@ -33,19 +33,20 @@ struct FuzzOptions {
 namespace fs = std::filesystem;
 
 int fuzz(const FuzzOptions& options) {
-  if (options.implementation.empty() && options.library.empty() && options.context.empty())
-    return wrong_use("fuzz needs --implementation, --library or --context");
-  if (!options.implementation.empty() &&
-      std::ranges::count(implementation_kinds(), options.implementation, &ImplementationKind::name) == 0)
-    return wrong_use(fmt::format("unknown implementation '{}'; see 'evalcts list implementations'",
-                                 options.implementation));
+  const ImplementationOptions implementation = completed(options.implementation);
+  if (implementation.name.empty() && implementation.library.empty() && implementation.context.empty())
+    return wrong_use("fuzz needs --implementation, --library, --context or --mesa-build");
+  if (!implementation.name.empty() &&
+      std::ranges::count(implementation_kinds(), implementation.name, &ImplementationKind::name) == 0)
+    return wrong_use(
+        fmt::format("unknown implementation '{}'; see 'evalcts list implementations'", implementation.name));
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
   const FolderLock lock = claim(output, "evalcts fuzz");
   stop_when_asked();
   ProgressLine line;
   fuzz::SearchRequest request = {.suite_program = places().suite_program,
-                                 .implementation = {options.implementation, options.library, options.context},
-                                 .name = options.implementation.empty() ? "library" : options.implementation,
+                                 .implementation = implementation,
+                                 .name = implementation.name.empty() ? "library" : implementation.name,
                                  .seed = options.seed,
                                  .programs = options.programs,
                                  .seconds = options.seconds > 0 || options.programs ? options.seconds : 60,
@@ -93,9 +94,7 @@ int fuzz(const FuzzOptions& options) {
 
 std::function<int()> define_fuzz(CLI::App& app, const Call&) {
   const auto options = std::make_shared<FuzzOptions>();
-  app.add_option("--implementation", options->implementation, "implementation to judge");
-  app.add_option("--library", options->library, "shared library to judge instead of the system's");
-  app.add_option("--context", options->context, "interface that creates the contexts, as for run");
+  add_implementation(app, options->implementation);
   app.add_option("--seed", options->seed,
                  "seed of the programs; a seed gives the same programs on every machine (default: 1)")
       ->check(number_from_zero);

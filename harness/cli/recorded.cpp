@@ -97,12 +97,13 @@ std::list<RunResult> recorded_run(const fs::path& folder) {
 
 RecordedFailure find_failure(const std::list<RunResult>& runs, const std::string& wanted) {
   std::vector<RecordedFailure> found;
-  for (const RunResult& run : runs)
+  for (const RunResult& run : runs) {
+    const std::string prefix = run.implementation.name + ":";
+    const std::string id = wanted.starts_with(prefix) ? wanted.substr(prefix.size()) : wanted;
     for (const Bug& bug : run.bugs)
-      if (run.pass == Pass::kFreshContexts &&
-          (wanted == bug.id || wanted == run.implementation.name + ":" + bug.id ||
-           (!bug.known.empty() && wanted == bug.known)))
+      if (run.pass == Pass::kFreshContexts && !id.empty() && (id == bug.id || id == bug.known))
         found.push_back({&bug, &run, {}});
+  }
   if (found.empty()) {
     const Candidate test = find_test(runs, wanted);
     return {nullptr, test.run, {test.test}};

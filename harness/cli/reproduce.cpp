@@ -4,16 +4,20 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <list>
 #include <optional>
 
 #include <evalcts/cli/command.h>
 #include <evalcts/cli/places.h>
 #include <evalcts/cli/specified_run.h>
+#include <evalcts/gl/c_program.h>
 #include <evalcts/results/files.h>
+#include <evalcts/results/known_bugs.h>
 #include <evalcts/results/requirements.h>
 #include <evalcts/results/serialization.h>
 #include <evalcts/results/text.h>
+#include <evalcts/runner/child_process.h>
 #include <evalcts/runner/worker.h>
 #include "recorded.h"
 #include "result_files.h"
@@ -26,6 +30,7 @@ namespace {
 struct ReproduceOptions {
   std::string failure;  // see find_failure()
   std::string run;      // value of --run
+  std::string style;    // "short", "full" or "piglit"; empty: short if the program shows the failure
   std::string output;   // the file to write; empty: a file in the folder of the run
   std::string program;  // evalcts as the user typed it
 };
@@ -53,7 +58,8 @@ Candidate replayed_failure(const RecordedFailure& failure, BugProgram& program) 
   program.test.requirements = bug.requirements;
   program.test.level = bug.level;
   program.test.verdict = bug.verdict;
-  program.test.message = bug.title;
+  const KnownBug* const known = find_known_bug(bug.known);
+  program.test.message = known ? known->title : bug.title;
   program.test.failures = {bug.failure};
   return {failure.run, &program.test};
 }
@@ -66,9 +72,9 @@ struct Replayed {
   std::string program;  // the C program; empty if none was written
 };
 
-// Runs the test again and writes the C program. `program`: JSON commands that are replayed instead of the
-// test; empty: none. Throws CannotReproduce if the test does not start.
-Replayed replay(const Candidate& failure, const std::string& program) {
+// Runs the test again and writes the C program in a style. `program`: JSON commands that are replayed instead
+// of the test; empty: none. Throws CannotReproduce if the test does not start.
+Replayed replay(const Candidate& failure, const std::string& program, const std::string& style) {
   if (failure.run->suite_command.empty())
     throw CannotReproduce("the results come from another version of evalcts; run the test again:\n  " +
                           (failure.test->rerun.empty() ? "evalcts run" : failure.test->rerun));
@@ -76,7 +82,8 @@ Replayed replay(const Candidate& failure, const std::string& program) {
   const fs::path log = scratch.path() / "log", program_file = scratch.path() / "program.c";
   std::vector<std::string> command = replay_options(*failure.run);
   command.insert(command.begin(), places().suite_program.string());
-  command.insert(command.end(), {"--die-with-parent", "--reproduce", program_file.string()});
+  command.insert(command.end(),
+                 {"--die-with-parent", "--reproduce", program_file.string(), "--style", style});
   Worker worker(command, log, {failure.run->timeout.value_or(Limits().seconds_per_test)});
   worker.give(program.empty() ? Job{.kind = "test", .name = failure.name()}
                               : Job{.kind = "case", .name = "program", .data = program});
@@ -100,21 +107,40 @@ std::string comment(const std::string& text) {
   return out + "\n";
 }
 
-std::string head(const Candidate& failure, const Replayed& replayed, const std::string& compile) {
+// Returns the rule that the failure violates, or else the first one of the test; null if it is unknown.
+const Requirement* violated_rule(const TestRecord& recorded, const TestRecord& replayed) {
+  for (const auto* rules : {&replayed.violated, &recorded.violated, &recorded.requirements})
+    if (!rules->empty()) return catalogue().find(rules->front());
+  return nullptr;
+}
+
+constexpr double kSecondsOfTrial = 10;  // time limit for the compilation of a program and for its run
+constexpr char kExitCodes[] = "Exit code 1: the failure shows; 0: it does not; 2: the program cannot start.";
+
+// Returns the comment at the top of a program. `title`: the failure in one sentence. `compile`: the shell
+// line that builds and runs it; empty for a test of piglit.
+std::string head(const Candidate& failure, const Replayed& replayed, const std::string& style,
+                 const std::string& title, const std::string& compile) {
   const TestRecord& test = replayed.record ? *replayed.record : *failure.test;
-  std::string text = "/*\n" + comment(fmt::format("{} on {}: {}", failure.name(), failure.label(),
-                                                  text_of(failure.test->verdict).word));
-  if (!test.failures.empty()) text += comment("Case: " + test.failures.front().case_identity);
-  text += " *\n" + comment(test.message);
-  for (const RequirementId& id : failure.test->requirements)
-    if (const Requirement* const requirement = catalogue().find(id))
-      text += " *\n" + comment(fmt::format("{}: {} [{}]", id.text(), requirement->text, requirement->source));
-  text += " *\n *   " + compile + "\n *\n" +
-          comment(
-              "Exit code 1: the failure shows; 0: it does not; 2: the program cannot start. The argument, if "
-              "there is one, is another library to try it on.") +
-          " */\n";
-  if (replayed.hung || failure.test->verdict == Verdict::kTimeout)
+  const ImplementationRecord& implementation = failure.run->implementation;
+  std::string text = "/*\n" + comment(title);
+  if (style == "full") {
+    text += comment(
+        fmt::format("({} on {}: {})", failure.name(), failure.label(), text_of(failure.test->verdict).word));
+    if (!test.failures.empty()) text += comment("Case: " + test.failures.front().case_identity);
+    text += " *\n" + comment(test.message);
+  }
+  if (const Requirement* const rule = violated_rule(*failure.test, test))
+    text += " *\n" + comment(fmt::format("{}: {} [{}]", rule->id, rule->text, rule->source));
+  const std::string where = fmt::format("{} ({})", implementation.version, implementation.renderer);
+  if (!compile.empty()) text += " *\n *   " + compile + "\n";
+  text += " *\n" + comment(compile.empty() ? fmt::format("Observed with {}.", where)
+                                           : fmt::format("Exit code 1: the failure shows, as with {}; 0: it "
+                                                         "does not; 2: the program cannot start.",
+                                                         where));
+  if (style == "full") text += comment("The argument, if there is one, is another library to try it on.");
+  text += " */\n";
+  if (style == "full" && (replayed.hung || failure.test->verdict == Verdict::kTimeout))
     text += fmt::format("#define SECONDS {} /* until this counts as a hang */\n",
                         std::clamp(static_cast<int>(failure.run->timeout.value_or(10.0)), 1, 10));
   return text;
@@ -126,13 +152,30 @@ std::string from_here(const fs::path& path) {
   return relative.size() < path.string().size() ? relative : path.string();
 }
 
-// Returns a shell line that compiles the C file `source` to a program of the same name without extension and
-// runs it.
-std::string compile_line(const Candidate& failure, const std::string& source) {
-  const std::string program = source.substr(0, source.size() - fs::path(source).extension().string().size());
+// Returns the value of an option of the suite program; empty if it is not given.
+std::string value_of(const std::vector<std::string>& options, const std::string& option) {
+  const auto found = std::ranges::find(options, option);
+  return found == options.end() ? std::string() : *std::next(found);
+}
+
+// Returns a shell line that compiles the C file `source` to `program` and runs it. `text`: the program.
+std::string compile_line(const Candidate& failure, const std::string& text, const std::string& source,
+                         const std::string& program) {
   std::vector<std::string> command = {"cc", "-o", program, source};
+  std::string environment;
   const std::vector<std::string> options = replay_options(*failure.run);
-  if (std::find(options.begin(), options.end(), "production") != options.end()) {
+  const fs::path library = value_of(options, "--library");
+  const bool uses_osmesa = text.starts_with("#include <GL/osmesa.h>");
+  if (uses_osmesa || text.starts_with("#include <EGL/egl.h>")) {
+    const bool is_usual = library.empty() || library.filename().string().starts_with(
+                                                 "lib" + std::string(uses_osmesa ? "OSMesa" : "EGL") + ".so");
+    if (uses_osmesa)
+      command.push_back(is_usual ? "-lOSMesa" : library.string());
+    else
+      command.insert(command.end(), {"-lEGL", "-lGL"});
+    if (!library.empty() && is_usual)
+      environment = "LD_LIBRARY_PATH=" + shell_line({library.parent_path().string()}) + " ";
+  } else if (value_of(options, "--implementation") == "production") {
     const Places where = places();
     if (where.production_library.empty()) {
       command.push_back("-lglevaluator");
@@ -143,16 +186,89 @@ std::string compile_line(const Candidate& failure, const std::string& source) {
   } else {
     command.push_back("-ldl");
   }
-  return shell_line(command) + " && " +
+  return shell_line(command) + " && " + environment +
          shell_line({program.find('/') == std::string::npos ? "./" + program : program});
+}
+
+// Compiles and runs a short program. Returns an empty text if it shows the failure, otherwise the reason why
+// it does not, or could not be tried (`tried` is false then).
+struct Trial {
+  bool tried = true;
+  std::string problem;
+};
+Trial try_program(const Candidate& failure, const Replayed& replayed) {
+  const Scratch scratch;
+  const fs::path source = scratch.path() / "program.c", log = scratch.path() / "log";
+  write_atomically(source, replayed.program);
+  const std::string line =
+      compile_line(failure, replayed.program, source.string(), (scratch.path() / "program").string());
+  const std::size_t both = line.find(" && ");
+  ChildProcess compiler({"/bin/sh", "-c", "exec " + line.substr(0, both)}, log.string());
+  const std::optional<Ending> compiled = compiler.wait(kSecondsOfTrial);
+  if (!compiled || compiled->signalled || compiled->value != 0) {
+    std::string why = read_file(log);
+    const std::size_t error = why.find("error: ");
+    if (error != std::string::npos) why = why.substr(error + 7);
+    return {false, "cc: " + clean(why.substr(0, why.find('\n')))};
+  }
+  ChildProcess program({"/bin/sh", "-c", line.substr(both + 4)}, log.string());
+  const std::optional<Ending> ending = program.wait(kSecondsOfTrial);
+  const bool hangs = !ending, crashes = ending && (ending->signalled || ending->value >= 128);
+  const bool shows = replayed.record ? ending && !crashes && ending->value == 1
+                     : replayed.hung ? hangs
+                                     : crashes;
+  return {true, shows ? "" : "the short program does not show the failure here"};
+}
+
+// Returns the example of a known bug as a program, with a record of the failure; without a program if the
+// implementation is not linked by its name or the example does not show the bug here.
+Replayed example(const Candidate& failure, const KnownBug& known, const std::string& style) {
+  const std::vector<std::string> options = replay_options(*failure.run);
+  const std::string implementation = value_of(options, "--implementation"),
+                    library = value_of(options, "--library");
+  Replayed written;
+  written.record = *failure.test;
+  written.record->message = known.title;
+  try {
+    written.program =
+        gl::to_c({.style = gl::c_style_named(style).value_or(gl::CStyle::kShort),
+                  .context = implementation == "osmesa" ? "osmesa" : "egl",
+                  .library = library.empty() && implementation == "egl" ? "libEGL.so.1" : library},
+                 known.example, known.fails, known.core_profile);
+  } catch (const gl::NoCProgram&) {
+    return {};
+  }
+  if (style == "short")
+    if (const Trial trial = try_program(failure, written); trial.tried && !trial.problem.empty()) return {};
+  return written;
 }
 
 int reproduce_or_throw(const ReproduceOptions& options) {
   const fs::path folder = run_folder(options.run);
   const std::list<RunResult> runs = recorded_run(folder);
   BugProgram bug;
-  const Candidate failure = replayed_failure(find_failure(runs, options.failure), bug);
-  const Replayed replayed = replay(failure, bug.commands);
+  const RecordedFailure recorded = find_failure(runs, options.failure);
+  const Candidate failure = replayed_failure(recorded, bug);
+  std::string style = options.style.empty() ? "short" : options.style, note;
+  const KnownBug* const known =
+      recorded.bug && bug.commands.empty() ? find_known_bug(recorded.bug->known) : nullptr;
+  Replayed replayed;
+  if (known && !known->fails.empty() && style != "full") replayed = example(failure, *known, style);
+  const bool is_example = !replayed.program.empty();
+  if (!is_example) replayed = replay(failure, bug.commands, style);
+  if (options.style.empty() && !is_example) {
+    Trial trial;
+    if (replayed.program.starts_with("#error "))
+      trial.problem = replayed.program.substr(7, replayed.program.find('\n') - 7);
+    else if (!replayed.program.empty() && (!replayed.record || replayed.record->verdict == Verdict::kFail))
+      trial = try_program(failure, replayed);
+    if (!trial.tried) note = fmt::format("It was not tried here ({}).\n", trial.problem);
+    if (trial.tried && !trial.problem.empty()) {
+      note = fmt::format("It has the style 'full', because {}.\n", trial.problem);
+      style = "full";
+      replayed = replay(failure, bug.commands, style);
+    }
+  }
 
   if (replayed.program.empty() || replayed.program.starts_with("#error ")) {
     std::string calls;
@@ -179,15 +295,27 @@ int reproduce_or_throw(const ReproduceOptions& options) {
                                                             : fs::path(options.output))
                             .lexically_normal();
   const bool replaced = fs::exists(file);
+  const bool is_piglit = style == "piglit";
+  const auto line = [&](const std::string& source) {
+    return compile_line(failure, replayed.program, source,
+                        source.substr(0, source.size() - file.extension().string().size()));
+  };
   try {
-    write_atomically(
-        file, head(failure, replayed, compile_line(failure, file.filename().string())) + replayed.program);
+    write_atomically(file, head(failure, replayed, style, is_example ? known->title : failure.test->message,
+                                is_piglit ? "" : line(file.filename().string())) +
+                               replayed.program);
   } catch (const std::runtime_error& error) {
     throw CannotReproduce(fmt::format("{}; choose another file with --output", error.what()));
   }
 
-  std::cout << fmt::format("{} {}; build and start it with\n\n  {}\n\n", replaced ? "Replaced" : "Wrote",
-                           from_here(file), compile_line(failure, from_here(file)));
+  const std::string done = fmt::format("{} {}", replaced ? "Replaced" : "Wrote", from_here(file));
+  if (is_piglit)
+    std::cout << fmt::format(
+        "{}, a test of piglit: put it into tests/spec/gl-1.0 and name it there in CMakeLists.gl.txt.\n",
+        done);
+  else
+    std::cout << fmt::format("{}; build and start it with\n\n  {}\n\n", done, line(from_here(file)));
+  std::cout << note;
   if (!record) {
     std::cout << fmt::format("It makes the calls of the case in which the process {}.\n",
                              replayed.hung ? "hung" : "ended with " + replayed.ending);
@@ -197,7 +325,7 @@ int reproduce_or_throw(const ReproduceOptions& options) {
   } else {
     std::cout << "It shows: " << record->message << "\n";
   }
-  std::cout << "Exit code 1: the failure shows; 0: it does not; 2: it cannot start.\n";
+  if (!is_piglit) std::cout << kExitCodes << "\n";
   return kNothingUnexpected;
 }
 
@@ -222,6 +350,12 @@ std::function<int()> define_reproduce(CLI::App& app, const Call& call) {
                  "name of a failing test, NAME:TEST, or a part of the name that identifies it; or the ID of "
                  "a bug (see 'evalcts bugs')")
       ->required();
+  app.add_option(
+         "--style", options->style,
+         "short: at most a screen or two, linked with EGL and GL, or OSMesa; full: opens the library by its "
+         "name, catches crashes and guards arrays; piglit: a test of piglit (default: short if such a "
+         "program shows the failure here, otherwise full)")
+      ->check(CLI::IsMember({"short", "full", "piglit"}));
   app.add_option("--output", options->output, "C file to write");
   add_run(app, options->run);
   return [options] { return reproduce(*options); };
@@ -229,11 +363,11 @@ std::function<int()> define_reproduce(CLI::App& app, const Call& call) {
 
 }  // namespace
 
-const Command kReproduceCommand = {
-    "reproduce", "write a stand-alone C program for a failing test or a bug of the last run",
-    R"(  $ evalcts reproduce IntegersSaturate/MAP1_INDEX
+const Command kReproduceCommand = {"reproduce",
+                                   "write a C program for a failing test or a bug of the last run",
+                                   R"(  $ evalcts reproduce IntegersSaturate/MAP1_INDEX
   $ evalcts reproduce osmesa:GetMap.IntegersSaturate/MAP1_INDEX --output saturate.c
   $ evalcts reproduce EV-GETMAP-SATURATE-b20f)",
-    define_reproduce};
+                                   define_reproduce};
 
 }  // namespace evalcts::cli

@@ -40,6 +40,7 @@ struct RunOptions {
   std::vector<std::string> implementations;  // empty: the default implementations
   std::string library;
   std::string context;
+  std::string mesa_build;
   std::string label;
   std::string filter;  // selects among the tests of the depth; empty: all of them
   std::string depth = "full";
@@ -66,7 +67,7 @@ struct RunOptions {
   std::string program;      // evalcts as the user typed it
 
   bool names_implementations() const {
-    return !implementations.empty() || !library.empty() || !context.empty();
+    return !implementations.empty() || !library.empty() || !context.empty() || !mesa_build.empty();
   }
 };
 
@@ -149,12 +150,13 @@ std::vector<ImplementationOptions> chosen_implementations(const RunOptions& opti
     for (const std::string& name : default_implementations()) chosen.push_back({name, "", ""});
     return chosen;
   }
-  // The path is absolute so that the commands shown with a failure work in any directory.
-  const std::string library = options.library.find('/') == std::string::npos
-                                  ? options.library
-                                  : fs::absolute(options.library).lexically_normal().string();
-  for (const std::string& name : options.implementations) chosen.push_back({name, library, options.context});
-  if (chosen.empty()) chosen.push_back({"", library, options.context});
+  const ImplementationOptions common = completed({"", options.library, options.context, options.mesa_build});
+  for (const std::string& name : options.implementations) {
+    chosen.push_back(common);
+    chosen.back().name = name;
+    if (name == "production" || name == "reference") chosen.back().mesa_build.clear();
+  }
+  if (chosen.empty()) chosen.push_back(common);
   return chosen;
 }
 
@@ -391,6 +393,7 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
       fmt::format("interface that creates the contexts, instead of that of an implementation: {}, "
                   "or the path of a provider; the library itself creates them if it has the interface",
                   fmt::join(evalcts::context_names(), ", ")));
+  add_mesa_build(app, options->mesa_build);
   app.add_option(
       "--name", options->label,
       "name of the result files and of the column in the report (default: the implementation's name)");

@@ -31,7 +31,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMostCalls = 40;        // lines of a minimal program, about a screen
 constexpr std::size_t kMostOfText = 80;       // columns of a requirement's text in a title
 constexpr int kMostAttemptsOfDeath = 60;      // candidates for the reduction of a crash; each needs a process
 constexpr double kSecondsOfDeath = 10;        // time limit for the reduction of a crash
@@ -378,7 +377,7 @@ Bug bug_from(const Group& group) {
   if (group.minimal) {
     bug.title = group.minimal->title;
     bug.failure = group.minimal->failure;
-    bug.failure.calls = readable_calls(group.minimal->program);
+    bug.failure.calls = gl::program_of(group.minimal->program);
     bug.failure.case_identity = "minimal program";
     bug.commands = gl::to_text_if_possible(group.minimal->program);
     bug.outside_evaluators = group.minimal->outside_evaluators;
@@ -421,53 +420,6 @@ std::string likeness_of(const TestRecord& test) {
         failure.difference.kind.empty() ? failure.what : failure.difference.kind + failure.difference.place;
   }
   return fmt::format("{}; {}; {}", family_of(test.name), without_digits(std::string(requirement)), what);
-}
-
-namespace {
-
-// Returns the end of the hexadecimal floating-point number at "0x", with its suffix; `begin` if there is
-// none.
-std::size_t end_of_number(const std::string& text, std::size_t begin) {
-  std::size_t end = text.find_first_not_of("0123456789abcdef.", begin + 2);
-  if (end == std::string::npos || text[end] != 'p') return begin;
-  end = text.find_first_not_of("0123456789", text.find_first_not_of("+-", end + 1));
-  return end == std::string::npos ? text.size() : end + (text[end] == 'f');
-}
-
-}  // namespace
-
-std::vector<std::string> readable_calls(const gl::Case& program) {
-  std::vector<std::string> lines;
-  for (const std::string& line : gl::all_calls(program, kMostCalls)) {
-    std::string readable;
-    std::size_t copied = 0;
-    for (std::size_t begin = line.find("0x"); begin != std::string::npos;
-         begin = line.find("0x", begin + 2)) {
-      const std::size_t end = end_of_number(line, begin);
-      if (end == begin) continue;
-      const std::size_t sign = begin > 0 && line[begin - 1] == '-' ? 1 : 0;
-      const std::string text = line.substr(begin - sign, end - begin + sign);
-      readable.append(line, copied, begin - sign - copied);
-      copied = end;
-      const bool single = text.back() == 'f';
-      const double value = std::strtod(text.c_str(), nullptr);
-      // A decimal with at most six decimal places that is exact is shown without its hexadecimal form.
-      const double scaled = value * 1e6;
-      const bool exact =
-          std::abs(scaled) < 1e15 && scaled == std::trunc(scaled) && std::fma(value, 1e6, -scaled) == 0;
-      std::string decimal = fmt::format("{}", value);
-      if (decimal.find('.') == std::string::npos) decimal += ".0";  // C does not take "3f"
-      if (exact)
-        readable += decimal + (single ? "f" : "");
-      else
-        readable +=
-            fmt::format("{} /* {} */", text,
-                        single ? fmt::format("{}", static_cast<float>(value)) : fmt::format("{}", value));
-    }
-    readable.append(line, copied);
-    lines.push_back(std::move(readable));
-  }
-  return lines;
 }
 
 std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduction>& reductions,

@@ -121,6 +121,7 @@ class Searcher {
     add("--implementation", request_.implementation.name);
     add("--library", request_.implementation.library);
     add("--context", request_.implementation.context);
+    add("--mesa-build", request_.implementation.mesa_build);
     return command;
   }
 

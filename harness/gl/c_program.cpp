@@ -1,17 +1,22 @@
-// Writes the headers, the commands of the case, the check of its result and main() of a C program.
+// Writes the commands of a case and the check of its result as C, with the frame of the chosen style.
 #include <evalcts/gl/c_program.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 #include <type_traits>
+#include <utility>
 
 #include <evalcts/gl/call_log.h>
+#include <evalcts/gl/contexts.h>
 #include <evalcts/gl/hexadecimal.h>
+#include <evalcts/results/text.h>
 #include "c_contexts.h"
+#include "c_frames.h"
 #include "promotions.h"
 
 namespace evalcts::gl {
@@ -83,6 +88,12 @@ const Output* output_of(const Command& command) {
   return nullptr;
 }
 
+// Returns the last statement of a program in a short style. `fails`: a C expression that is true if it fails.
+std::string return_of(CStyle style, const std::string& fails) {
+  return style == CStyle::kPiglit ? fmt::format("return {} ? PIGLIT_FAIL : PIGLIT_PASS;", fails)
+                                  : fmt::format("return {};", fails);
+}
+
 class Writer {
  public:
   explicit Writer(const CProgram& program) : program_(program), commands_(program.script->commands()) {
@@ -99,17 +110,132 @@ class Writer {
   std::string write() {
     if (std::ranges::count(commands_, EntryPoint::MoveToThreadEVALCTS, &Command::entry) > 0)
       throw NoCProgram("the case moves its context between threads: a C program has one thread");
+    if (!is_full()) return write_short();
     headers();
     text_ += c_contexts(program_);
     entry_points();
-    play();
-    decide();
+    if (uses_inputs()) text_ += kClientArrays;
+    text_ += "\n";
+    variables();
+    text_ += "\nstatic void draw(void) {\n";
+    for (std::size_t i = 0; i < commands_.size(); ++i)
+      for (const std::string& statement : statements(i)) line("  {}", statement);
+    text_ += "}\n";
+    const std::string statements = check();
+    text_ += fmt::format("\nstatic int fails(void) {{\n{}}}\n", statements);
     main_function();
     return std::move(text_);
   }
 
  private:
   bool production() const { return program_.context == "production"; }
+  bool is_full() const { return program_.style == CStyle::kFull; }
+  bool checks_written_elements() const {
+    return program_.check && program_.check->answer.kind == Answer::Kind::kWritten;
+  }
+
+  // --- the short styles ---
+
+  // Returns the kind of the context that the test asks for with its first command; 0 if it does not.
+  GLuint first_kind() const {
+    const Command* const first = commands_.empty() ? nullptr : commands_.data();
+    if (!first || first->entry != EntryPoint::ContextOfKindEVALCTS) return 0;
+    return static_cast<GLuint>(std::get<std::int64_t>(first->arguments.at(1)));
+  }
+
+  // Throws NoCProgram if the case needs the full style.
+  void reject_what_needs_the_full_style() const {
+    const Check* const check = program_.check;
+    for (std::size_t i = 0; i < commands_.size(); ++i) {
+      const EntryPoint entry = commands_[i].entry;
+      if (name_of(entry).ends_with("EVALCTS") && !(i == 0 && entry == EntryPoint::ContextOfKindEVALCTS))
+        throw NoCProgram("the case uses several contexts");
+      for (const Value& value : commands_[i].arguments)
+        if (const auto* const input = std::get_if<Input>(&value))
+          if (input->after == AfterCall::kUnmap || input->after == AfterCall::kProtect)
+            throw NoCProgram("the case makes client arrays inaccessible");
+    }
+    if (check && check->rule == Check::Rule::kHasCommands) throw NoCProgram("a command is missing");
+    if (check && (check->answer.kind == Answer::Kind::kEmittedValue ||
+                  check->answer.kind == Answer::Kind::kEmittedVertices))
+      throw NoCProgram("the vertices come from a sink");
+  }
+
+  // Omits a capture's commands that check its own success, and count primitives if the check needs no count.
+  void omit_dispensable(std::size_t first_own, std::size_t own) {
+    using E = EntryPoint;
+    for (const std::set<E>& together : {std::set{E::GetError},
+                                        {E::GetProgramiv},
+                                        {E::GenQueries, E::BeginQuery, E::EndQuery, E::GetQueryObjectuiv}}) {
+      std::set<std::size_t> found;
+      for (std::size_t i = 0; i < commands_.size(); ++i)
+        if ((i < first_own || i >= first_own + own) && together.contains(commands_[i].entry)) found.insert(i);
+      if (std::ranges::none_of(found, [&](std::size_t i) { return is_checked(i); })) omitted_.merge(found);
+    }
+  }
+
+  // If the check asks for the answer of one of the test's commands, omits the commands behind it, and the
+  // queries before it on which nothing depends, but not the command whose error it asks for.
+  void omit_other_questions(std::size_t first_own, std::size_t own) {
+    const Check* const check = program_.check;
+    if (!check || check->rule != Check::Rule::kWithin) return;
+    const Answer::Kind kind = check->answer.kind;
+    if (kind != Answer::Kind::kReturned && kind != Answer::Kind::kElement && kind != Answer::Kind::kWritten)
+      return;
+    const auto checked = static_cast<std::size_t>(check->answer.command.index);
+    if (checked < first_own || checked >= first_own + own) return;
+    for (std::size_t i = checked + 1; i < commands_.size(); ++i) omitted_.insert(i);
+    const std::size_t end = check->answer.is_error ? std::max(checked, first_own + 1) - 1 : checked;
+    for (std::size_t i = first_own; i < end; ++i) {
+      const std::string_view name = name_of(commands_[i].entry);
+      const bool is_query = (name.starts_with("glGet") && name != "glGetError") || name == "glIsEnabled";
+      if (is_query && !kept_.contains(static_cast<int>(i))) omitted_.insert(i);
+    }
+  }
+
+  // Returns true if the check depends on the answer of a command.
+  bool is_checked(std::size_t index) const {
+    const int i = static_cast<int>(index);
+    const Check* const check = program_.check;
+    return check && (check->answer.command.index == i || check->other.index == i ||
+                     std::ranges::any_of(check->recorded, [i](Ref ref) { return ref.index == i; }));
+  }
+
+  // Writes the commands from `first` on as lines of a function.
+  void body(std::size_t first, std::size_t count) {
+    std::vector<std::string> lines;
+    for (std::size_t i = first; i < first + count; ++i) {
+      if (omitted_.contains(i)) continue;
+      for (std::string& statement : statements(i)) lines.push_back(std::move(statement));
+    }
+    for (const std::string& statement : with_loops(lines)) line("  {}", statement);
+  }
+
+  std::string write_short() {
+    reject_what_needs_the_full_style();
+    const CFrame frame = c_frame(program_, first_kind());
+    const bool all_own = program_.own == SIZE_MAX;
+    const std::size_t first = all_own ? 0 : program_.first_own;
+    const std::size_t own = all_own ? commands_.size() : program_.own;
+    omit_dispensable(first, own);
+    omit_other_questions(first, own);
+    variables();
+    line("\nstatic void draw(void) {{");
+    body(first, own);
+    text_ += "}\n";
+    const std::string statements = check();  // and its declarations
+    text_ += frame.main;
+    body(0, first);
+    line("  draw();");
+    body(first + own, commands_.size() - first - own);
+    text_ += statements + "}\n";
+    std::string head = frame.headers;
+    for (const auto& [word, header] :
+         {std::pair{"NAN", "math.h"}, {"INFINITY", "math.h"}, {"mem", "string.h"}})
+      if (text_.find(word) != std::string::npos && head.find(header) == std::string::npos)
+        head += fmt::format("#include <{}>\n", header);
+    return head + "\n" + text_;
+  }
 
   template <class... T>
   void line(fmt::format_string<T...> format, T&&... values) {
@@ -168,23 +294,25 @@ class Writer {
 
   // --- the commands ---
 
-  void play() {
-    if (uses_inputs()) text_ += kClientArrays;
-    text_ += "\n";
+  // Writes the arrays that commands fill, and the results that later commands or the check use.
+  void variables() {
+    std::map<std::string, std::vector<std::string>> by_type;
     for (std::size_t i = 0; i < commands_.size(); ++i) {
-      if (const Output* output = output_of(commands_[i]))
-        line("static {} array_{}[{}];", c_type(output->type), i, output->count + kGuardElements);
-      if (keeps(i)) {
-        if (commands_[i].entry == EntryPoint::GetString || commands_[i].entry == EntryPoint::GetStringi) {
-          line("static const GLubyte *result_{};", i);
-        } else {
-          line("static long long result_{};", i);
-        }
+      if (omitted_.contains(i)) continue;
+      const EntryPoint entry = commands_[i].entry;
+      if (const Output* output = output_of(commands_[i])) {
+        const bool is_guarded = is_full() || checks_written_elements();
+        by_type[std::string("static ") + c_type(output->type) + " "].push_back(fmt::format(
+            "array_{}[{}]", i,
+            is_guarded ? output->count + kGuardElements : std::max<std::size_t>(output->count, 1)));
       }
+      if (!keeps(i)) continue;
+      if (entry == EntryPoint::GetString || entry == EntryPoint::GetStringi)
+        by_type["static const GLubyte "].push_back(fmt::format("*result_{}", i));
+      else
+        by_type[is_full() ? "static long long " : "static GLint "].push_back(fmt::format("result_{}", i));
     }
-    text_ += "\nstatic void play(void) {\n";
-    for (std::size_t i = 0; i < commands_.size(); ++i) issue(i);
-    text_ += "}\n";
+    for (const auto& [type, names] : by_type) line("{}{};", type, fmt::join(names, ", "));
   }
 
   bool uses_inputs() const {
@@ -198,91 +326,111 @@ class Writer {
     return kept_.count(static_cast<int>(index)) && returns_value(commands_[index].entry);
   }
 
-  void issue(std::size_t index) {
+  // Returns the statements for one command.
+  std::vector<std::string> statements(std::size_t index) {
     const Command& command = commands_[index];
-    std::map<std::size_t, std::string> places;  // position -> the array's name
-    std::string after_calls;
+    if (!is_full() && command.entry == EntryPoint::ContextOfKindEVALCTS) return {};  // the frame makes it
+    std::vector<std::string> lines, after_call;
+    std::map<std::size_t, std::string> texts;  // of arguments, by position
     for (std::size_t i = 0; i < command.arguments.size(); ++i) {
       if (std::holds_alternative<Output>(command.arguments[i])) {
-        line("  memset(array_{0}, 0xA5, sizeof array_{0});", index);
-        places[i] = fmt::format("array_{}", index);
+        if (is_full() || checks_written_elements())
+          lines.push_back(fmt::format("memset(array_{0}, 0xA5, sizeof array_{0});", index));
+        texts[i] = fmt::format("array_{}", index);
       }
       const auto* input = std::get_if<Input>(&command.arguments[i]);
       if (!input) continue;
-      const std::string name =
-          placed(*input, fmt::format("in_{}{}", index, i == 0 ? "" : fmt::format("_{}", i)));
-      places[i] = name + ".start";
-      switch (input->after) {
-        case AfterCall::kKeep:
-          break;
-        case AfterCall::kOverwrite:
-          after_calls +=
-              fmt::format("  memset({0}.start, 0x4B, {0}.size); /* overwritten after the call */\n", name);
-          break;
-        case AfterCall::kUnmap:
-          after_calls += fmt::format(
-              "  munmap({0}.base, {0}.usable + (size_t)sysconf(_SC_PAGESIZE)); /* unmapped after the "
-              "call */\n",
-              name);
-          break;
-        case AfterCall::kProtect:
-          after_calls += fmt::format(
-              "  mprotect({0}.base, {0}.usable, PROT_NONE); /* protected after the call */\n", name);
-          break;
+      const std::string name = fmt::format("in_{}{}", index, i == 0 ? "" : fmt::format("_{}", i));
+      if (is_full()) {
+        const std::string array = placed(*input, name, lines);
+        texts[i] = array + ".start";
+        after_call.push_back(treatment(array, input->after));
+      } else if (input->after == AfterCall::kOverwrite) {
+        lines.push_back(
+            fmt::format("static {} {}[] = {{{}}};", c_type(input->type), name, elements_of(*input)));
+        texts[i] = name;
+        after_call.push_back(
+            fmt::format("memset({0}, 0x4B, sizeof {0}); /* overwritten after the call */", name));
       }
     }
-    line("  {}{}", keeps(index) ? fmt::format("result_{} = ", index) : "",
-         to_c(command, [&](std::size_t i) { return places.count(i) ? places[i] : std::string(); }));
-    text_ += after_calls;
+    lines.push_back(
+        (keeps(index) ? fmt::format("result_{} = ", index) : "") +
+        to_c(command, [&](std::size_t i) { return texts.contains(i) ? texts[i] : std::string(); }));
+    for (std::string& statement : after_call)
+      if (!statement.empty()) lines.push_back(std::move(statement));
+    return lines;
   }
 
-  // Returns an expression for a client array. Arrays with the same slot and size share their memory.
-  std::string placed(const Input& input, const std::string& name) {
-    const std::string bytes = input.bytes.empty()
-                                  ? std::string("NULL")
-                                  : fmt::format("({}[]){{{}}}", c_type(input.type), elements_of(input));
+  static std::string treatment(const std::string& array, AfterCall after) {
+    switch (after) {
+      case AfterCall::kKeep:
+        break;
+      case AfterCall::kOverwrite:
+        return fmt::format("memset({0}.start, 0x4B, {0}.size); /* overwritten after the call */", array);
+      case AfterCall::kUnmap:
+        return fmt::format(
+            "munmap({0}.base, {0}.usable + (size_t)sysconf(_SC_PAGESIZE)); /* unmapped after the call */",
+            array);
+      case AfterCall::kProtect:
+        return fmt::format("mprotect({0}.base, {0}.usable, PROT_NONE); /* protected after the call */",
+                           array);
+    }
+    return {};
+  }
+
+  // Adds the statements that place a client array, and returns its name. Arrays with the same slot and size
+  // share their memory.
+  std::string placed(const Input& input, const std::string& name, std::vector<std::string>& lines) {
+    const std::string bytes = input.bytes.empty() ? std::string("NULL") : literal_of(input);
     if (input.slot >= 0) {
       const auto [found, is_new] = slots_.try_emplace({input.slot, input.bytes.size()}, name);
       if (!is_new) {
         if (!input.bytes.empty())
-          line("  memcpy({}.start, {}, {});", found->second, bytes, input.bytes.size());
+          lines.push_back(fmt::format("memcpy({}.start, {}, {});", found->second, bytes, input.bytes.size()));
         return found->second;
       }
     }
-    line("  struct array {} = place({}, {});", name, bytes, input.bytes.size());
+    lines.push_back(fmt::format("struct array {} = place({}, {});", name, bytes, input.bytes.size()));
     return name;
   }
 
   // --- the verdict ---
 
-  void decide() {
-    const Check* check = program_.check;
+  // Writes the declarations of the check, and returns its statements, which end with a return.
+  std::string check() {
+    std::string statements;
+    std::swap(text_, statements);  // line() writes to text_
+    const Check* const check = program_.check;
     if (!check || check->rule == Check::Rule::kHasCommands) {
-      text_ +=
-          "\nstatic int decide(void) {\n  printf(\"all commands came back: the failure does not show\\n\");\n"
-          "  return 0;\n}\n";
-      return;
+      line("  puts(\"all commands came back: the failure does not show\");");
+      end_check("1");
+    } else if (check->rule == Check::Rule::kWithin) {
+      check_within(*check);
+    } else if (check->rule == Check::Rule::kSame) {
+      check_same(*check);
+    } else {
+      check_unlike(*check);
     }
-    switch (check->rule) {
-      case Check::Rule::kWithin:
-        decide_within(*check);
-        break;
-      case Check::Rule::kSame:
-        decide_same(*check);
-        break;
-      case Check::Rule::kUnlike:
-        decide_unlike(*check);
-        break;
-      case Check::Rule::kHasCommands:
-        break;
-    }
+    std::swap(text_, statements);
+    text_ += std::exchange(declarations_, "");
+    return statements;
   }
 
-  void end_decide(const std::string& holds) {
+  void end_check(const std::string& holds) {
+    if (!is_full()) return line("  {}", return_of(program_.style, fmt::format("!({})", holds)));
+    if (holds == "1") return line("  return 0;");
     line("  const int holds = {};", holds);
-    text_ +=
-        "  printf(holds ? \"the failure does not show\\n\" : \"the failure shows\\n\");\n  return "
-        "!holds;\n}\n";
+    line("  puts(holds ? \"the failure does not show\" : \"the failure shows\");");
+    line("  return !holds;");
+  }
+
+  // Writes a line that prints what was expected and what was got. `format`: conversion of `got`.
+  void print_outcome(const std::string& subject, const std::string& expected, const std::string& format,
+                     const std::string& got) {
+    std::string text = fmt::format("{}: expected {}, got ", subject, expected);
+    for (std::size_t at = text.find('%'); at != std::string::npos; at = text.find('%', at + 2))
+      text.insert(at, 1, '%');
+    line("  printf({}, {});", quoted(text + format + "\n"), got);
   }
 
   std::string answer_text(const Answer& answer) {
@@ -293,7 +441,7 @@ class Writer {
       case Answer::Kind::kElement:
         return fmt::format("(double)array_{}[{}]", command, answer.element);
       case Answer::Kind::kWritten:
-        text_ += fmt::format(
+        declarations_ += fmt::format(
             "\n/* How many elements hold something else than the filler. */\nstatic size_t written(void) {{\n"
             "  size_t bytes = sizeof array_{0};\n"
             "  while (bytes && ((unsigned char *)array_{0})[bytes - 1] == 0xA5) --bytes;\n"
@@ -355,20 +503,22 @@ class Writer {
     return text;
   }
 
-  void decide_within(const Check& check) {
-    if (check.answer.is_error) text_ += kErrorName;
-    const std::string answer = answer_text(check.answer);
-    text_ += "\nstatic int decide(void) {\n";
-    line("  const double got = {};", answer);
-    if (check.answer.is_error) {
-      line("  printf(\"%s: expected %s, got %s\\n\", {}, {}, error_name((GLenum)got));",
-           quoted(subject(check)), quoted(interval(check)));
+  void check_within(const Check& check) {
+    line("  const double got = {};", answer_text(check.answer));
+    const std::string what = subject(check), expected = interval(check);
+    if (check.answer.is_error && is_full()) {
+      declarations_ += kErrorName;
+      print_outcome(what, expected, "%s", "error_name((GLenum)got)");
+    } else if (check.answer.is_error) {
+      const double error = check.accepted.empty() ? 0 : check.accepted.front().first;
+      print_outcome(what, fmt::format("{} (0x{:04X})", expected, static_cast<GLenum>(error)), "0x%04X",
+                    "(GLenum)got");
     } else if (is_whole(check.answer)) {
-      line("  printf(\"%s: expected %s, got %.0f\\n\", {}, {}, got);", quoted(subject(check)),
-           quoted(interval(check)));
+      print_outcome(what, expected, "%.0f", "got");
+    } else if (is_full()) {
+      print_outcome(what, expected, "%.9g (%a)", "got, got");
     } else {
-      line("  printf(\"%s: expected %s, got %.9g (%a)\\n\", {}, {}, got, got);", quoted(subject(check)),
-           quoted(interval(check)));
+      print_outcome(what, in_plain_numbers(expected), "%.9g", "got");
     }
     std::string holds;
     for (const auto& [low, high] : check.accepted) {
@@ -376,16 +526,21 @@ class Writer {
       if (std::isnan(low)) {
         holds += "got != got";
       } else if (low == high) {
-        holds += fmt::format("got == {}", c_constant(low));
+        holds += fmt::format("got == {}", shortest_constant(low));
       } else {
-        holds += fmt::format("(got >= {} && got <= {})", c_constant(low), c_constant(high));
+        holds += fmt::format("(got >= {} && got <= {})", shortest_constant(low), shortest_constant(high));
       }
     }
-    end_decide(holds.empty() ? "0" : holds);
+    end_check(holds.empty() ? "0" : holds);
   }
 
-  void decide_same(const Check& check) {
-    text_ += "\nstatic int decide(void) {\n";
+  // Returns the value as a constant of type float if that is exact.
+  static std::string shortest_constant(double value) {
+    const auto single = static_cast<float>(value);
+    return single == value ? c_constant(single) : c_constant(value);
+  }
+
+  void check_same(const Check& check) {
     const int a = check.other.index, b = check.answer.command.index;
     const Command& command = commands_.at(static_cast<std::size_t>(b));
     line("  printf(\"%s\\n\", {});", quoted(subject(check) + ", before and now:"));
@@ -399,7 +554,7 @@ class Writer {
       line("  printf(\"%lld\\n%lld\\n\", (long long)result_{}, (long long)result_{});", a, b);
       holds += fmt::format("{}result_{} == result_{}", holds.empty() ? "" : " && ", a, b);
     }
-    end_decide(holds.empty() ? "1" : holds);
+    end_check(holds.empty() ? "1" : holds);
   }
 
   void print_array(int index, std::size_t count) {
@@ -409,40 +564,65 @@ class Writer {
         count, index);
   }
 
-  // Writes the decision for a test that compares answers by itself: the program fails if all answers equal
+  // Returns the recorded elements of an array, without those at its end that the command did not write.
+  Input recorded_answer(Ref ref, const Output& output) const {
+    Input recorded{.type = output.type, .bytes = program_.trace->bytes(ref)};
+    const std::size_t size = size_of(output.type);
+    recorded.bytes.resize(output.count * size);
+    const auto is_filler = [](std::byte byte) { return byte == std::byte{0xA5}; };
+    while (!recorded.bytes.empty() && std::all_of(recorded.bytes.end() - static_cast<std::ptrdiff_t>(size),
+                                                  recorded.bytes.end(), is_filler))
+      recorded.bytes.resize(recorded.bytes.size() - size);
+    return recorded;
+  }
+
+  // Returns the recorded answer if the check depends on one integer.
+  std::optional<double> only_integer(const Check& check) const {
+    if (check.recorded.size() != 1) return std::nullopt;
+    const Ref ref = check.recorded.front();
+    const Output* const output = output_of(commands_.at(static_cast<std::size_t>(ref.index)));
+    if (!output)
+      return keeps(static_cast<std::size_t>(ref.index)) ? std::optional<double>(program_.trace->result(ref))
+                                                        : std::nullopt;
+    if (output->count != 1 || output->type != Scalar::kU32) return std::nullopt;
+    return program_.trace->values<std::uint32_t>(ref)[0];
+  }
+
+  // Writes the check for a test that compares answers by itself: the program fails if all answers equal
   // the recorded ones.
-  void decide_unlike(const Check& check) {
+  void check_unlike(const Check& check) {
+    if (const std::optional<double> number = only_integer(check)) {
+      const Ref ref = check.recorded.front();
+      const bool is_array = output_of(commands_.at(static_cast<std::size_t>(ref.index))) != nullptr;
+      line("  const double got = {};",
+           is_array ? fmt::format("array_{}[0]", ref.index) : fmt::format("result_{}", ref.index));
+      print_outcome(subject(check), check.expected, "%.0f", "got");
+      return end_check(fmt::format("got != {}", c_constant(*number)));
+    }
     std::string same;
     for (const Ref ref : check.recorded) {
       const Command& command = commands_.at(static_cast<std::size_t>(ref.index));
       if (const Output* output = output_of(command)) {
-        const std::vector<std::byte> bytes = program_.trace->bytes(ref);
-        line("static const unsigned char recorded_{}[] = {{", ref.index);
-        for (std::size_t i = 0; i < bytes.size(); i += 24) {
-          std::string row = " ";
-          for (std::size_t k = i; k < std::min(i + 24, bytes.size()); ++k)
-            row += fmt::format(" {},", std::to_integer<int>(bytes[k]));
-          line("{}", row);
-        }
-        line("}};");
-        same += fmt::format("{0}memcmp(array_{1}, recorded_{1}, {2}) == 0", same.empty() ? "" : " && ",
-                            ref.index, output->count * size_of(output->type));
+        const Input recorded = recorded_answer(ref, *output);
+        if (recorded.bytes.empty()) continue;
+        declarations_ += fmt::format("static const {} recorded_{}[] = {{{}}};\n", c_type(recorded.type),
+                                     ref.index, elements_of(recorded));
+        same += fmt::format("{0}memcmp(array_{1}, recorded_{1}, sizeof recorded_{1}) == 0",
+                            same.empty() ? "" : " && ", ref.index);
       } else if (keeps(static_cast<std::size_t>(ref.index))) {
         same += fmt::format("{}result_{} == {}LL", same.empty() ? "" : " && ", ref.index,
                             program_.trace->result(ref));
       }
     }
-    text_ +=
-        "\n/* The test compares several values; here the failure shows where the answers are those recorded. "
-        "*/\n"
-        "static int decide(void) {\n";
+    if (declarations_.starts_with("static")) declarations_.insert(0, "\n");
+    line("  /* The test compares several values; the failure shows if the answers are those recorded. */");
     line("  puts({});", quoted(fmt::format("{}: expected {}", subject(check), check.expected)));
     for (const Ref ref : check.recorded) {
       const Output* output = output_of(commands_.at(static_cast<std::size_t>(ref.index)));
       if (output) print_array(ref.index, std::min<std::size_t>(output->count, 64));
     }
     // If there are no answers to compare, the program only makes the calls.
-    end_decide(same.empty() ? "1" : fmt::format("!({})", same));
+    end_check(same.empty() ? "1" : fmt::format("!({})", same));
   }
 
   void main_function() {
@@ -458,19 +638,35 @@ class Writer {
       line("  make_context(argc > 1 ? argv[1] : {});\n  load();", quoted(program_.library));
     }
     text_ +=
-        "  play();\n  const int result = decide();\n  fflush(stdout);\n  _exit(result); /* not through what "
+        "  draw();\n  const int result = fails();\n  fflush(stdout);\n  _exit(result); /* not through what "
         "the library left behind */\n}\n";
   }
 
   const CProgram& program_;
   const std::vector<Command>& commands_;
   std::set<int> kept_;
+  std::set<std::size_t> omitted_;  // commands that are not written
   std::map<std::pair<int, std::size_t>, std::string> slots_;
-  std::string text_;
+  std::string text_, declarations_;
 };
 
 }  // namespace
 
+std::optional<CStyle> c_style_named(std::string_view name) {
+  if (name == "short") return CStyle::kShort;
+  if (name == "full") return CStyle::kFull;
+  if (name == "piglit") return CStyle::kPiglit;
+  return std::nullopt;
+}
+
 std::string to_c(const CProgram& program) { return Writer(program).write(); }
+
+std::string to_c(const CProgram& program, const std::vector<std::string>& statements,
+                 const std::string& fails, bool core_profile) {
+  const CFrame frame = c_frame(program, core_profile ? EVALCTS_CORE_PROFILE : 0);
+  std::string text = frame.headers + frame.main;
+  for (const std::string& statement : statements) text += "  " + statement + "\n";
+  return text + fmt::format("  {}\n}}\n", return_of(program.style, fails));
+}
 
 }  // namespace evalcts::gl

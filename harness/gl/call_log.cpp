@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include <evalcts/gl/hexadecimal.h>
 #include <evalcts/gl/tokens.h>
 
 namespace evalcts::gl {
@@ -17,11 +17,20 @@ template <class T>
 std::string constant(T value, const char* suffix) {
   if (std::isnan(value)) return "NAN";
   if (std::isinf(value)) return value > 0 ? "INFINITY" : "-INFINITY";
-  // Small integers are exact in decimal and more readable.
-  if (value == std::trunc(value) && std::abs(value) < 1e6)
-    return fmt::format("{}{:.1f}{}", std::signbit(value) && value == 0 ? "-" : "", value == 0 ? T{0} : value,
-                       suffix);
-  return hexadecimal(value) + suffix;
+  // The shortest decimal that compilers round to the value. C does not accept "3f".
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text + suffix;
+}
+
+// Returns the characters of a printable text, without the null character at its end; none for another array.
+std::optional<std::string> text_of(const Input& input) {
+  if (input.type != Scalar::kI8 || input.bytes.empty()) return std::nullopt;
+  std::string text(reinterpret_cast<const char*>(input.bytes.data()), input.bytes.size());
+  if (text.back() == '\0') text.pop_back();
+  const bool is_printable = std::ranges::all_of(
+      text, [](unsigned char c) { return (c >= ' ' && c <= '~') || c == '\n' || c == '\t'; });
+  return is_printable ? std::optional(text) : std::nullopt;
 }
 
 std::string element(Scalar type, const std::byte* bytes) {
@@ -62,6 +71,31 @@ const char* after_call(AfterCall after) {
   return "";
 }
 
+constexpr std::size_t kLongestRun = 6;    // lines that repeat
+constexpr std::size_t kFewestRounds = 4;  // of a loop
+
+// Returns the number of times that the `length` lines at `begin` are repeated.
+std::size_t rounds_at(const std::vector<std::string>& lines, std::size_t begin, std::size_t length) {
+  const auto first = lines.begin() + static_cast<std::ptrdiff_t>(begin);
+  const auto step = static_cast<std::ptrdiff_t>(length);
+  std::size_t rounds = 1;
+  while (begin + (rounds + 1) * length <= lines.size() &&
+         std::equal(first, first + step, first + step * static_cast<std::ptrdiff_t>(rounds)))
+    ++rounds;
+  return rounds;
+}
+
+// Returns the first and last lines with a comment between them if there are more than `most`.
+std::vector<std::string> cut(std::vector<std::string> lines, std::size_t most) {
+  if (lines.size() <= most) return lines;
+  const std::size_t left_out = lines.size() - most;
+  const auto middle = lines.begin() + static_cast<std::ptrdiff_t>(most / 2);
+  lines.erase(middle, middle + static_cast<std::ptrdiff_t>(left_out));
+  lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(most / 2),
+               fmt::format("/* {} more lines */", left_out));
+  return lines;
+}
+
 // Returns a mask of attribute groups or buffers by their names, if there are few.
 std::string bits(GLbitfield mask) {
   const std::vector<const char*> names = names_of_bits(mask);
@@ -99,8 +133,7 @@ std::string argument(const Value& value, char kind, std::size_t most_elements) {
     return text + "}";
   }
   const Input& input = std::get<Input>(value);
-  return fmt::format("({}[]){{{}}}{}", c_type(input.type), elements_of(input, most_elements),
-                     after_call(input.after));
+  return literal_of(input, most_elements) + after_call(input.after);
 }
 
 }  // namespace
@@ -165,6 +198,10 @@ std::string quoted(const std::string& text) {
       out += "\\n";
       continue;
     }
+    if (c == '\t') {
+      out += "\\t";
+      continue;
+    }
     if (c == '"' || c == '\\') out += '\\';
     out += c;
   }
@@ -180,6 +217,11 @@ std::string elements_of(const Input& input, std::size_t most_elements) {
     text += (i ? ", " : "") + element(input.type, input.bytes.data() + i * size);
   if (shown < count) text += fmt::format(", /* {} more */", count - shown);
   return text;
+}
+
+std::string literal_of(const Input& input, std::size_t most_elements) {
+  if (const std::optional<std::string> text = text_of(input)) return quoted(*text);
+  return fmt::format("({}[]){{{}}}", c_type(input.type), elements_of(input, most_elements));
 }
 
 std::string to_c(const Command& command, std::size_t most_elements) {
@@ -230,6 +272,28 @@ std::vector<std::string> to_c(const Case& script, int first, int last, std::size
 
 std::vector<std::string> all_calls(const Case& script, std::size_t most_lines, std::size_t most_elements) {
   return to_c(script, 0, static_cast<int>(script.commands().size()) - 1, most_lines, most_elements);
+}
+
+std::vector<std::string> with_loops(const std::vector<std::string>& lines) {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < lines.size();) {
+    std::size_t length = 1;
+    while (length <= kLongestRun && rounds_at(lines, i, length) < kFewestRounds) ++length;
+    if (length > kLongestRun) {
+      out.push_back(lines[i++]);
+      continue;
+    }
+    const std::size_t rounds = rounds_at(lines, i, length);
+    out.push_back(fmt::format("for (int i = 0; i < {}; ++i){}", rounds, length > 1 ? " {" : ""));
+    for (std::size_t k = 0; k < length; ++k) out.push_back("  " + lines[i + k]);
+    if (length > 1) out.emplace_back("}");
+    i += rounds * length;
+  }
+  return out;
+}
+
+std::vector<std::string> program_of(const Case& script, std::size_t most_lines) {
+  return cut(with_loops(all_calls(script, script.commands().size())), most_lines);
 }
 
 }  // namespace evalcts::gl

@@ -51,6 +51,8 @@ KnownBug read_known_bug(const JsonObject& in) {
   out.real_programs = in.text("real_programs");
   out.verified = in.text("verified");
   out.example = in.texts("example");
+  out.fails = in.text("fails");
+  out.core_profile = in.boolean("core_profile");
   FailingTests of_programs;
   in.each_object("programs", [&](const JsonObject& program) {
     BugProgram& added = out.programs.emplace_back();

@@ -136,6 +136,13 @@ void DeathConfirmation::record_as_alone(const WorkerRun& dead, const WorkerRun& 
   TestRecord& record =
       records_.add(test, verdict, how + (fails_alone ? "; fails alone" : "; passes alone"), {}, dead.crash);
   histories_.add_history(record, dead.finished);
+  if (record.flake && has_record && dead.hung && patience < request_.limits.seconds_per_test) {
+    // It had a part of the time only, and other processes may have taken it.
+    TestRecord judged = result->second;
+    if (fails_alone) judged.message += fmt::format("; once, {}", describe(dead));
+    records_.add(TestFinished{std::move(judged)});
+    return;
+  }
   if (record.flake && has_record) {
     record.again = {result->second.verdict, result->second.message};
     record.flake = !fails_alone;

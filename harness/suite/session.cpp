@@ -14,6 +14,7 @@
 #include <utility>
 
 #include <evalcts/backends/gl_environment.h>
+#include <evalcts/backends/mesa_build.h>
 #include <evalcts/backends/rejected_queries.h>
 #include <evalcts/fuzz/finding.h>
 #include <evalcts/gl/call_in_flight.h>
@@ -130,6 +131,9 @@ void Session::close() {
 
 void Session::open() {
   if (implementation_) return;
+  const std::string& mesa = options_.implementation.mesa_build;
+  if (!mesa.empty() && !uses_mesa_build(mesa))
+    use_mesa_build(mesa);  // throws as before this program started again
   implementation_ = open_implementation(options_.implementation);
   if (wrapping_) implementation_ = wrapping_(std::move(implementation_));
   subject_.info = inquire(*implementation_);
@@ -161,7 +165,8 @@ void Session::open_captures() {
   if (reused_) subject_.implementation = reused_.get();
   if (options_.warm && !reused_) warm_ = WarmContext::of(*implementation_, subject_.info);
   if (!options_.reproduce.empty()) {
-    reproduction_ = std::make_unique<Reproduction>(*subject_.implementation, options_.reproduce);
+    reproduction_ =
+        std::make_unique<Reproduction>(*subject_.implementation, options_.reproduce, options_.style);
     subject_.reproduction = reproduction_.get();
     subject_.implementation = &reproduction_->implementation();
   }
@@ -193,6 +198,8 @@ Description Session::describe() {
   implementation.max_eval_order = info.max_eval_order;
   implementation.note = note_on_driver(info, options_.implementation);
   implementation.files = loaded_gl_files();
+  if (!options_.implementation.mesa_build.empty())
+    require_mesa_build(options_.implementation.mesa_build, implementation.files);
   for (const auto& capture : all_captures()) description.captures.push_back(capture->name());
   return description;
 }

@@ -24,9 +24,10 @@ struct SessionOptions {
   std::vector<std::string> left_out;                 // texts of gl::call_text() of commands that crash
   Depth depth = Depth::kFull;
   std::uint32_t seed = 1;
-  bool reuse_context = false;  // all cases share a context
-  bool warm = false;           // tests run in a warm context first
-  std::string reproduce;       // file for the first failure as a C program; empty: none
+  bool reuse_context = false;            // all cases share a context
+  bool warm = false;                     // tests run in a warm context first
+  std::string reproduce;                 // file for the first failure as a C program; empty: none
+  gl::CStyle style = gl::CStyle::kFull;  // of the C program
 };
 
 class Session {

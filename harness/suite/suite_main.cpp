@@ -10,8 +10,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -19,6 +22,7 @@
 #include <set>
 #include <sstream>
 
+#include <evalcts/backends/mesa_build.h>
 #include <evalcts/fuzz/events.h>
 #include <evalcts/fuzz/reduction.h>
 #include <evalcts/results/event_file.h>
@@ -84,16 +88,32 @@ ListedTest listed(const TestInfo& info) {
   return {info.full_name(), info.requirements, info.level, info.from, info.source};
 }
 
+// Starts the program again with the environment for a Mesa that is not the system's, unless that was done. If
+// the folder has no Mesa, the session says so later, when events can be written.
+void start_with_mesa_build(const std::string& folder, char** argv) {
+  if (folder.empty() || uses_mesa_build(folder)) return;
+  try {
+    use_mesa_build(folder);
+  } catch (const CannotStart&) {
+    return;
+  }
+  execv("/proc/self/exe", argv);
+  throw CannotStart(fmt::format("cannot start again for --mesa-build: {}", std::strerror(errno)));
+}
+
 void parse(int argc, char** argv, Options& options) {
   CLI::App app{
       "Judges one implementation of OpenGL evaluators. Options of GoogleTest (--gtest_...) work, too."};
   SessionOptions& session = options.session;
   std::vector<std::string> captures;
+  std::string style = "full";
   app.add_option("--implementation", session.implementation.name,
                  "what to judge, see 'evalcts list implementations'");
   app.add_option("--library", session.implementation.library, "shared library instead of the usual one");
   app.add_option("--context", session.implementation.context,
                  "what makes the contexts, instead of an implementation");
+  app.add_option("--mesa-build", session.implementation.mesa_build,
+                 "folder of a Mesa that was built or installed there, in place of the system's");
   app.add_option("--depth", options.depth, "how many values")
       ->check(CLI::IsMember({"quick", "full", "thorough"}));
   app.add_option("--seed", session.seed, "seed of the random tests");
@@ -109,6 +129,8 @@ void parse(int argc, char** argv, Options& options) {
       ->needs("--worker");
   app.add_option("--reproduce", session.reproduce,
                  "write the first failure of the test, or the case in flight, to this file as a C program");
+  app.add_option("--style", style, "style of the C program")
+      ->check(CLI::IsMember({"short", "full", "piglit"}));
   app.add_option("--leave-out", session.left_out,
                  "a command that crashes, \"glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)\": not run by tests "
                  "that can do without it")
@@ -126,6 +148,7 @@ void parse(int argc, char** argv, Options& options) {
     std::exit(app.exit(error) == 0 ? 0 : kCannotStart);
   }
   if (given->count() > 0) session.captures = captures;
+  session.style = gl::c_style_named(style).value_or(gl::CStyle::kFull);
   session.depth = depth_named(options.depth).value_or(Depth::kFull);
   const ImplementationOptions& implementation = session.implementation;
   if (implementation.name.empty() && implementation.library.empty() && implementation.context.empty())
@@ -247,9 +270,11 @@ class JobLoop {
 };
 
 int run(int argc, char** argv, const Wrapping& wrapping) {
+  std::vector<char*> arguments(argv, argv + argc + 1);  // InitGoogleTest() removes its own
   testing::InitGoogleTest(&argc, argv);
   static Options options;
   parse(argc, argv, options);
+  start_with_mesa_build(options.session.implementation.mesa_build, arguments.data());
   if (options.die_with_parent) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     std::ofstream("/proc/self/oom_score_adj") << 1000;  // if memory runs out, this process is killed first

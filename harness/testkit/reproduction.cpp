@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 
 #include <evalcts/backends/context_in_front.h>
-#include <evalcts/gl/c_program.h>
 
 namespace evalcts {
 namespace {
@@ -212,7 +212,8 @@ class Experiment {
 
 class Reproduction::Recorder final : public ImplementationInFront {
  public:
-  Recorder(Implementation& inner, std::string file) : ImplementationInFront(inner), file_(std::move(file)) {}
+  Recorder(Implementation& inner, std::string file, gl::CStyle style)
+      : ImplementationInFront(inner), file_(std::move(file)), style_(style) {}
 
   std::unique_ptr<Context> create_context() override {
     return std::make_unique<RecordingContext>(*this, inner().create_context());
@@ -221,7 +222,10 @@ class Reproduction::Recorder final : public ImplementationInFront {
 
   void begin_case(const gl::Case& script) {
     in_control_ = script.is_control();
-    if (!in_control_) passes_.clear();
+    if (in_control_) return;
+    passes_.clear();
+    own_.clear();
+    for (const gl::Command& command : script.commands()) own_.push_back(command.entry);
   }
   const std::vector<Pass>& passes() const { return passes_; }
   void freeze() { frozen_ = true; }
@@ -229,12 +233,21 @@ class Reproduction::Recorder final : public ImplementationInFront {
 
   void write(std::size_t pass, const gl::Check* check) const {
     std::string text;
+    // A capture encloses the commands of the test; its deliveries may have changed some of them.
+    const std::vector<gl::Command>& commands = passes_.at(pass).script.commands();
+    const auto first =
+        std::search(commands.begin(), commands.end(), own_.begin(), own_.end(),
+                    [](const gl::Command& command, gl::EntryPoint own) { return command.entry == own; });
+    const bool is_found = first != commands.end() && !own_.empty();
     try {
-      text = gl::to_c({.context = context_kind(),
+      text = gl::to_c({.style = style_,
+                       .context = context_kind(),
                        .context_library = context_library(),
                        .library = library(),
                        .library_below = library_below(),
                        .script = &passes_.at(pass).script,
+                       .first_own = is_found ? static_cast<std::size_t>(first - commands.begin()) : 0,
+                       .own = is_found ? own_.size() : SIZE_MAX,
                        .check = check,
                        .trace = &passes_.at(pass).trace,
                        .emitted_vertices = vertices_in(passes_.at(pass).emitted)});
@@ -280,15 +293,19 @@ class Reproduction::Recorder final : public ImplementationInFront {
   };
 
   std::string file_;
+  gl::CStyle style_;
   std::vector<Pass> passes_;
+  std::vector<gl::EntryPoint> own_;  // of the test's case, without a capture
   bool frozen_ = false, in_control_ = false;
 };
 
-Reproduction::Reproduction(Implementation& implementation, std::string file)
-    : recorder_(std::make_unique<Recorder>(implementation, file)), file_(std::move(file)) {}
+Reproduction::Reproduction(Implementation& implementation, std::string file, gl::CStyle style)
+    : recorder_(std::make_unique<Recorder>(implementation, std::move(file), style)) {}
 Reproduction::~Reproduction() = default;
 
 Implementation& Reproduction::implementation() { return *recorder_; }
+
+bool Reproduction::is_complete() const { return recorder_->frozen(); }
 
 void Reproduction::begin_case(const gl::Case& script) {
   if (!recorder_->frozen()) recorder_->begin_case(script);

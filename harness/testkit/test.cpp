@@ -408,10 +408,8 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Captu
     if (is_seen_in_plot && (seen.attributes & kPosition) && !has_plot())
       failure.plot = prediction ? plot_of(*prediction, seen) : plot_of(seen);
     std::optional<gl::Check> check;
-    if (subject_.reproduction)
-      check = subject_.reproduction->check_of(mismatch, mismatches, [&](Implementation& implementation) {
-        return judge(capture.observe(implementation, script, request));
-      });
+    if (subject_.reproduction && !subject_.reproduction->is_complete())
+      check = check_of(mismatch, mismatches, script, capture, request, judge);
     const std::vector<RequirementId> decided = decided_;
     if (decided_.empty() && mismatch.source == Mismatch::Source::kCurrentOfEvaluatedVertex)
       blame(Observed::kEvaluatedVertex);
@@ -421,6 +419,32 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Captu
         std::move(failure), [&] { return gl::all_calls(script); }, check);
     decided_ = decided;
   }
+}
+
+// Returns the check for the C program, which observes only what shows the mismatch, if that shows it.
+std::optional<gl::Check> Test::check_of(const Mismatch& mismatch, const std::vector<Mismatch>& all,
+                                        const gl::Case& script, const Capture& capture,
+                                        const CaptureRequest& request, const OwnJudge& judge) {
+  const auto rejudge = [&](const CaptureRequest& requested) {
+    return [&, requested](Implementation& implementation) {
+      return judge(capture.observe(implementation, script, requested));
+    };
+  };
+  const auto is_same = [&](const Mismatch& other) {
+    return other.what == mismatch.what && other.captured == mismatch.captured;
+  };
+  CaptureRequest least = request;
+  const Attributes wrong = attribute_of(mismatch);
+  least.attributes &= wrong ? wrong : Attributes{kPosition};
+  least.nothing_more = true;
+  for (const CaptureRequest& requested : {least, request}) {
+    if (requested.attributes == 0) continue;
+    subject_.reproduction->begin_case(script);
+    const std::vector<Mismatch> again = rejudge(requested)(*subject_.implementation);
+    if (std::ranges::none_of(again, is_same)) continue;
+    return subject_.reproduction->check_of(mismatch, again, rejudge(requested));
+  }
+  return subject_.reproduction->check_of(mismatch, all, rejudge(request));
 }
 
 Difference Test::difference_of(const Mismatch& mismatch) const {

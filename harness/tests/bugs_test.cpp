@@ -157,16 +157,6 @@ TEST(KnownPrograms, AreShownByTheirDifferenceOnly) {
   EXPECT_FALSE(saturation->is_shown_by(failure)) << "no value that is too large";
 }
 
-TEST(ReadableCalls, ShowDecimalAndHexadecimalValues) {
-  gl::Case c;
-  c.Map1f(GL_MAP1_INDEX, 0.25f, 1, 1, 2, std::vector<GLfloat>{0.1f, -1.5f});
-  c.EvalCoord1d(0.1);
-  EXPECT_EQ(readable_calls(c), (std::vector<std::string>{
-                                   "glMap1f(GL_MAP1_INDEX, 0.25f, 1.0f, 1, 2, (GLfloat[]){0x1.99999ap-4f /* "
-                                   "0.1 */, -1.5f});",
-                                   "glEvalCoord1d(0x1.999999999999ap-4 /* 0.1 */);"}));
-}
-
 // --- grouping --------------------------------------------------------------------------------------------
 
 TestRecord failing(const std::string& name, const std::string& requirement, const std::string& what = "x",

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include <evalcts/backends/context_in_front.h>
+#include <evalcts/gl/contexts.h>
 #include <evalcts/testkit/reproduction.h>
 #include <evalcts/testkit/test.h>
 #include "program.h"
@@ -18,13 +19,16 @@ namespace {
 
 class CProgram : public ProgramTest {
  protected:
-  // Builds the program `text` and starts it with `library` as its argument.
-  Outcome build_and_start(const std::string& text, const std::string& library = {}) {
+  // Builds the program `text` with more options of the compiler, and starts it with `library` as its
+  // argument.
+  Outcome build_and_start(const std::string& text, const std::string& library = {},
+                          const std::vector<std::string>& more = {}) {
     const std::string source = (folder_ / "program.c").string(), program = (folder_ / "program").string();
     std::ofstream(source) << text;
     std::vector<std::string> compile = {"/usr/bin/env",         "cc", "-Wall", "-Werror",
                                         "-Wno-unused-function", "-o", program, source};
-    if (library.empty())
+    compile.insert(compile.end(), more.begin(), more.end());
+    if (library.empty() && more.empty())
       compile.insert(compile.end(), {"-DGLEV_STATIC", "-I" GLEVALUATOR_HEADERS, GLEVALUATOR_LIBRARY, "-lm"});
     compile.push_back("-ldl");
     std::istringstream options(CC_OPTIONS);
@@ -219,6 +223,133 @@ TEST_F(CProgram, ThereIsNoneOfWhatOnlyEvalctsCanOpen) {
   EXPECT_THROW(gl::to_c({.context = "osmesa", .library = {}, .script = &moves}), gl::NoCProgram);
 }
 
+// A case that asks for the order of a map of order 2, with a check that accepts `order`.
+struct OrderQuery {
+  explicit OrderQuery(double order) {
+    c.Map1f(GL_MAP1_INDEX, 0, 1, 1, 2, gl::array<float>({5, 0.1f}, gl::AfterCall::kOverwrite));
+    for (int i = 0; i < 10; ++i) c.EvalCoord1f(1);
+    check.answer = {gl::Answer::Kind::kElement, c.GetMapiv(GL_MAP1_INDEX, GL_ORDER, gl::out<GLint>(1)), 0};
+    check.accepted = {{order, order}};
+  }
+  gl::Case c;
+  gl::Check check;
+};
+
+std::string short_program(const gl::Case& c, const gl::Check& check, gl::CStyle style = gl::CStyle::kShort) {
+  return gl::to_c(
+      {.style = style, .context = "egl", .library = "libEGL.so.1", .script = &c, .check = &check});
+}
+
+TEST_F(CProgram, ShortOnesAreLinkedWithThePlatformsLibraries) {
+  const auto outcome = [&](double order) {
+    const OrderQuery query(order);
+    return build_and_start(short_program(query.c, query.check), "", {"-lEGL", "-lGL"});
+  };
+  const Outcome right = outcome(2);
+  if (right.code == 2) GTEST_SKIP() << "EGL makes no context here";
+  EXPECT_EQ(right.code, 0) << right.text;
+  const Outcome wrong = outcome(3);
+  EXPECT_EQ(wrong.code, 1);
+  EXPECT_TRUE(
+      contains(wrong.text, "values[0] of glGetMapiv(GL_MAP1_INDEX, GL_ORDER, values): expected 3, got 2\n"));
+  const OrderQuery query(2);
+  const std::string text = short_program(query.c, query.check);
+  EXPECT_LE(std::ranges::count(text, '\n'), 40);
+  EXPECT_TRUE(contains(text, "static GLfloat in_0_5[] = {5.0f, 0.1f};"));
+  EXPECT_TRUE(contains(text, "  for (int i = 0; i < 10; ++i)\n    glEvalCoord1f(1.0f);\n"));
+}
+
+// The test's own commands come first, and the capture's behind them.
+TEST_F(CProgram, ShortOnesBeginWithTheCommandsOfTheTest) {
+  gl::Case c;
+  c.FeedbackBuffer(2, GL_2D, gl::out<GLfloat>(2));
+  c.GetError();
+  c.EvalCoord1f(0);
+  const gl::Ref query = c.GetIntegerv(GL_MAX_EVAL_ORDER, gl::out<GLint>(1));
+  const gl::Check check{.answer = {gl::Answer::Kind::kElement, query, 0}, .accepted = {{8, 8}}};
+  const std::string text = gl::to_c({.style = gl::CStyle::kShort,
+                                     .context = "egl",
+                                     .library = "libEGL.so.1",
+                                     .script = &c,
+                                     .first_own = 2,
+                                     .own = 1,
+                                     .check = &check});
+  EXPECT_LT(text.find("glEvalCoord1f"), text.find("glFeedbackBuffer"));
+  EXPECT_TRUE(contains(text, "  draw();\n  glGetIntegerv(GL_MAX_EVAL_ORDER, "));
+  EXPECT_FALSE(contains(text, "glGetError")) << "only a capture's own check";
+}
+
+TEST_F(CProgram, ShortOnesMakeTheKindOfContextOfTheCase) {
+  gl::Case c;
+  c.ContextOfKindEVALCTS(1, EVALCTS_CORE_PROFILE);
+  const gl::Ref query = c.GetIntegerv(GL_CONTEXT_PROFILE_MASK, gl::out<GLint>(1));
+  const gl::Check check{.answer = {gl::Answer::Kind::kElement, query, 0},
+                        .accepted = {{GL_CONTEXT_CORE_PROFILE_BIT, GL_CONTEXT_CORE_PROFILE_BIT}}};
+  const Outcome outcome = build_and_start(short_program(c, check), "", {"-lEGL", "-lGL"});
+  if (outcome.code == 2) GTEST_SKIP() << "EGL makes no context here";
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+}
+
+TEST_F(CProgram, ShortOnesRejectWhatNeedsTheFullStyle) {
+  const gl::Check check;
+  gl::Case contexts;
+  contexts.OtherContextEVALCTS(1);
+  EXPECT_THROW(short_program(contexts, check), gl::NoCProgram);
+  EXPECT_THROW(short_program(line(), check), gl::NoCProgram) << "unmaps an array";
+  EXPECT_THROW(
+      gl::to_c({.style = gl::CStyle::kShort, .context = "production", .library = "", .script = &contexts}),
+      gl::NoCProgram);
+  const gl::Case nothing;
+  EXPECT_THROW(
+      gl::to_c({.style = gl::CStyle::kShort, .context = "egl", .library = "/x/libmy.so", .script = &nothing}),
+      gl::NoCProgram);
+}
+
+// The part of piglit-util-gl.h that such tests use.
+constexpr char kPiglitHeader[] = R"(
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+enum piglit_result { PIGLIT_PASS, PIGLIT_FAIL };
+enum { PIGLIT_GL_VISUAL_RGBA = 1, PIGLIT_GL_VISUAL_DOUBLE = 2, PIGLIT_HAS_ERRORS = 1, PIGLIT_NO_ERRORS = 2 };
+struct piglit_config { int supports_gl_compat_version, supports_gl_core_version, window_visual, khr_no_error_support; };
+enum piglit_result piglit_display(void);
+void piglit_init(int argc, char **argv);
+void configure(struct piglit_config *pointer);
+#define PIGLIT_GL_TEST_CONFIG_BEGIN void configure(struct piglit_config *pointer) { struct piglit_config config = {0};
+#define PIGLIT_GL_TEST_CONFIG_END *pointer = config; }
+int main(int argc, char **argv) {
+  struct piglit_config config;
+  configure(&config);
+  if (config.supports_gl_compat_version != 10 || !config.window_visual || !config.khr_no_error_support) return 3;
+  EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
+  if (!display || !eglInitialize(display, NULL, NULL)) return 2;
+  eglBindAPI(EGL_OPENGL_API);
+  if (!eglMakeCurrent(display, NULL, NULL, eglCreateContext(display, NULL, NULL, NULL))) return 2;
+  piglit_init(argc, argv);
+  return piglit_display() == PIGLIT_PASS ? 0 : 1;
+}
+)";
+
+TEST_F(CProgram, TestsOfPiglitReturnAResult) {
+  std::ofstream(folder_ / "piglit-util-gl.h") << kPiglitHeader;
+  const auto outcome = [&](double order) {
+    const OrderQuery query(order);
+    return build_and_start(short_program(query.c, query.check, gl::CStyle::kPiglit), "",
+                           {"-I" + folder_.string(), "-lEGL", "-lGL"});
+  };
+  const Outcome right = outcome(2);
+  if (right.code == 2) GTEST_SKIP() << "EGL makes no context here";
+  EXPECT_EQ(right.code, 0) << right.text;
+  EXPECT_EQ(outcome(3).code, 1);
+}
+
 // The production evaluator, but with one wrong value.
 class Bent final : public Implementation {
  public:
@@ -245,7 +376,7 @@ class Bent final : public Implementation {
 TEST_F(CProgram, FindsTheAnswerThatAMismatchRestsOn) {
   Bent bent;
   const std::string file = (folder_ / "written.c").string();
-  Reproduction reproduction(bent, file);
+  Reproduction reproduction(bent, file, gl::CStyle::kFull);
   Subject subject;
   subject.implementation = &reproduction.implementation();
   subject.info = inquire(bent);
@@ -274,7 +405,7 @@ TEST_F(CProgram, FindsTheAnswerThatAMismatchRestsOn) {
 TEST_F(CProgram, HasTheFailingCaseAndNotTheControlAfterIt) {
   const std::unique_ptr<Implementation> production = open_implementation({.name = "production"});
   const std::string file = (folder_ / "written.c").string();
-  Reproduction reproduction(*production, file);
+  Reproduction reproduction(*production, file, gl::CStyle::kFull);
   Subject subject;
   subject.implementation = &reproduction.implementation();
   subject.info = inquire(*production);

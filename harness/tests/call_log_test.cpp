@@ -31,6 +31,8 @@ TEST(CallLog, ConstantsReadBackExactly) {
     const double wide = value * 1.00000000001;
     EXPECT_EQ(std::strtod(c_constant(wide).c_str(), nullptr), wide);
   }
+  EXPECT_EQ(c_constant(0.1f), "0.1f");
+  EXPECT_EQ(c_constant(1e-40), "1e-40");
   EXPECT_EQ(c_constant(-0.0f), "-0.0f");
   EXPECT_EQ(c_constant(0.0), "0.0");
   EXPECT_EQ(c_constant(std::nanf("")), "NAN");
@@ -49,6 +51,26 @@ TEST(CallLog, CommandsAreC) {
   EXPECT_EQ(lines[1], "glBegin(GL_LINES);");
   EXPECT_EQ(lines[2], "glGetMapdv(GL_MAP2_INDEX, GL_COEFF, (GLdouble[2]){0});");
   EXPECT_EQ(lines[3], "glEdgeFlag(GL_TRUE);");
+}
+
+TEST(CallLog, ProgramsHaveLoops) {
+  using Lines = std::vector<std::string>;
+  Case many;
+  many.Begin(GL_LINES);
+  for (int i = 0; i < 10000; ++i) {
+    many.EvalCoord1d(0.25);
+    many.Vertex2f(1, 2);
+  }
+  many.End();
+  EXPECT_EQ(program_of(many),
+            (Lines{"glBegin(GL_LINES);", "for (int i = 0; i < 10000; ++i) {", "  glEvalCoord1d(0.25);",
+                   "  glVertex2f(1.0f, 2.0f);", "}", "glEnd();"}));
+  Case different;
+  for (int i = 0; i < 100; ++i) different.EvalCoord1f(i);
+  const Lines cut = program_of(different, 24);
+  EXPECT_EQ(cut.size(), 25u);
+  EXPECT_EQ(cut[12], "/* 76 more lines */");
+  EXPECT_EQ(with_loops({"a", "a", "a"}), (Lines{"a", "a", "a"}));
 }
 
 TEST(CallLog, LongListsAreCutInTheMiddleAndCounted) {

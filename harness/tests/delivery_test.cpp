@@ -22,14 +22,14 @@ TEST(Delivery, ReplacesMapsAndEvaluations) {
   c.EvalCoord1f(0.1f);
   c.Color3f(1, 0, 0);
   const std::vector<std::string> expected[] = {
-      {"glMap1f(GL_MAP1_INDEX, 0x1p-1f, 2.0f, 1, 2, (GLfloat[]){3.0f, 0x1p-2f});",
-       "glEvalCoord1f(0x1.99999ap-4f);", "glColor3f(1.0f, 0.0f, 0.0f);"},
-      {"glMap1f(GL_MAP1_INDEX, 0x1p-1f, 2.0f, 1, 2, (GLfloat[]){3.0f, 0x1p-2f});",
-       "glEvalCoord1fv((GLfloat[]){0x1.99999ap-4f});", "glColor3f(1.0f, 0.0f, 0.0f);"},
-      {"glMap1d(GL_MAP1_INDEX, 0x1p-1, 2.0, 1, 2, (GLdouble[]){3.0, 0x1p-2});",
-       "glEvalCoord1d(0x1.99999ap-4);", "glColor3f(1.0f, 0.0f, 0.0f);"},
-      {"glMap1d(GL_MAP1_INDEX, 0x1p-1, 2.0, 1, 2, (GLdouble[]){3.0, 0x1p-2});",
-       "glEvalCoord1dv((GLdouble[]){0x1.99999ap-4});", "glColor3f(1.0f, 0.0f, 0.0f);"}};
+      {"glMap1f(GL_MAP1_INDEX, 0.5f, 2.0f, 1, 2, (GLfloat[]){3.0f, 0.25f});", "glEvalCoord1f(0.1f);",
+       "glColor3f(1.0f, 0.0f, 0.0f);"},
+      {"glMap1f(GL_MAP1_INDEX, 0.5f, 2.0f, 1, 2, (GLfloat[]){3.0f, 0.25f});",
+       "glEvalCoord1fv((GLfloat[]){0.1f});", "glColor3f(1.0f, 0.0f, 0.0f);"},
+      {"glMap1d(GL_MAP1_INDEX, 0.5, 2.0, 1, 2, (GLdouble[]){3.0, 0.25});",
+       "glEvalCoord1d(0.10000000149011612);", "glColor3f(1.0f, 0.0f, 0.0f);"},
+      {"glMap1d(GL_MAP1_INDEX, 0.5, 2.0, 1, 2, (GLdouble[]){3.0, 0.25});",
+       "glEvalCoord1dv((GLdouble[]){0.10000000149011612});", "glColor3f(1.0f, 0.0f, 0.0f);"}};
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(delivered(c, i), expected[i]) << curve_deliveries()[i].name;
 }
 
@@ -42,11 +42,11 @@ TEST(Delivery, WorksFromEveryForm) {
   c.EvalCoord1fv(std::vector<float>{0.5f});
   const std::vector<std::string> single = delivered(c, 0);
   EXPECT_EQ(single[0],
-            "glMap1f(GL_MAP1_INDEX, 0.0f, 1.0f, 1, 1, (GLfloat[]){0x1.555556p-2f} "
+            "glMap1f(GL_MAP1_INDEX, 0.0f, 1.0f, 1, 1, (GLfloat[]){0.33333334f} "
             "/* protected after the call */);");
-  EXPECT_EQ(single[1], "glEvalCoord1f(0x1p-1f);");
-  EXPECT_EQ(single[2], "glEvalCoord1f(0x1p-1f);");
-  EXPECT_EQ(delivered(c, 3)[1], "glEvalCoord1dv((GLdouble[]){0x1p-1});");
+  EXPECT_EQ(single[1], "glEvalCoord1f(0.5f);");
+  EXPECT_EQ(single[2], "glEvalCoord1f(0.5f);");
+  EXPECT_EQ(delivered(c, 3)[1], "glEvalCoord1dv((GLdouble[]){0.5});");
 }
 
 TEST(Delivery, NullPointsStayNull) {
@@ -89,7 +89,7 @@ TEST(Delivery, EvalPointOnOneGridOrOnEndsOfMany) {
   c.EvalCoord1f(0.25f);
   c.End();
   const DeliveredCase lines = by("EvalPoint1").apply(c);
-  EXPECT_EQ(calls(lines), (std::vector<std::string>{"glMapGrid1f(1, 0x1p-2f, 0x1p-1f);", "glBegin(GL_LINES);",
+  EXPECT_EQ(calls(lines), (std::vector<std::string>{"glMapGrid1f(1, 0.25f, 0.5f);", "glBegin(GL_LINES);",
                                                     "glEvalPoint1(1);", "glColor3f(1.0f, 0.0f, 0.0f);",
                                                     "glEvalPoint1(0);", "glEnd();"}));
   EXPECT_EQ(lines.positions, (std::vector<int>{1, 2, 3, 4, 5}));
@@ -102,20 +102,11 @@ TEST(Delivery, EvalPointOnOneGridOrOnEndsOfMany) {
   points.EvalCoord1f(0);
   points.End();
   const DeliveredCase ends = by("EvalPoint1").apply(points);
-  const std::vector<std::string> expected = {"glBegin(GL_POINTS);",
-                                             "glEnd();",
-                                             "glMapGrid1f(1, 0x1.99999ap-4f, 0x1.0cccccp+0f);",
-                                             "glBegin(GL_POINTS);",
-                                             "glEvalPoint1(0);",
-                                             "glEnd();",
-                                             "glMapGrid1f(3, 1.0f, 0x1.8p+0f);",
-                                             "glBegin(GL_POINTS);",
-                                             "glEvalPoint1(0);",
-                                             "glEnd();",
-                                             "glMapGrid1f(1, 0.0f, 1.0f);",
-                                             "glBegin(GL_POINTS);",
-                                             "glEvalPoint1(0);",
-                                             "glEnd();"};
+  const std::vector<std::string> expected = {
+      "glBegin(GL_POINTS);", "glEnd();", "glMapGrid1f(1, 0.1f, 1.05f);", "glBegin(GL_POINTS);",
+      "glEvalPoint1(0);",    "glEnd();", "glMapGrid1f(3, 1.0f, 1.5f);",  "glBegin(GL_POINTS);",
+      "glEvalPoint1(0);",    "glEnd();", "glMapGrid1f(1, 0.0f, 1.0f);",  "glBegin(GL_POINTS);",
+      "glEvalPoint1(0);",    "glEnd();"};
   EXPECT_EQ(calls(ends), expected);
   EXPECT_EQ(ends.positions, (std::vector<int>{0, 4, 8, 12, 13}));
 }
@@ -133,7 +124,7 @@ TEST(Delivery, EvalMeshForWholePrimitives) {
   c.End();
   const std::vector<std::string> expected = {"glMapGrid1f(2, 0.0f, 1.0f);",
                                              "glEvalMesh1(GL_LINE, 0, 2);",
-                                             "glMapGrid1f(1, 0x1p-2f, 0x1p-1f);",
+                                             "glMapGrid1f(1, 0.25f, 0.5f);",
                                              "glEvalMesh1(GL_POINT, 0, 1);",
                                              "glBegin(GL_POINTS);",
                                              "glVertex2f(3.0f, 4.0f);",
@@ -182,10 +173,10 @@ TEST(Lift, MakesNetsThatAreConstantAcross) {
           "glMap2f(GL_MAP2_INDEX, 2.0f, 5.0f, 1, 2, 0.0f, 1.0f, 2, 2, (GLfloat[]){3.0f, 4.0f, 3.0f, 4.0f});",
           std::string("glMap2f(GL_MAP2_INDEX, 2.0f, 5.0f, 1, 2, 0.0f, 1.0f, 2, 3, ") +
               "(GLfloat[]){3.0f, 4.0f, 3.0f, 4.0f, 3.0f, 4.0f});",
-          "glEnable(GL_MAP2_INDEX);", "glDisable(GL_MAP1_VERTEX_3);", "glEvalCoord2f(0x1p-1f, 0x1.8p-2f);"}));
+          "glEnable(GL_MAP2_INDEX);", "glDisable(GL_MAP1_VERTEX_3);", "glEvalCoord2f(0.5f, 0.375f);"}));
   EXPECT_EQ(to_c(lift(c, true), 0, 0)[0],
             "glMap2f(GL_MAP2_INDEX, 0.0f, 1.0f, 1, 1, 2.0f, 5.0f, 1, 2, (GLfloat[]){3.0f, 4.0f});");
-  EXPECT_EQ(to_c(lift(c, true), 5, 5)[0], "glEvalCoord2f(0x1.8p-2f, 0x1p-1f);");
+  EXPECT_EQ(to_c(lift(c, true), 5, 5)[0], "glEvalCoord2f(0.375f, 0.5f);");
 }
 
 TEST(Delivery, TwoDimensionsOfACurve) {
@@ -195,10 +186,10 @@ TEST(Delivery, TwoDimensionsOfACurve) {
   c.EvalCoord1f(1);
   c.End();
   EXPECT_EQ(calls(by("EvalMesh2").apply(c)),
-            (std::vector<std::string>{"glMapGrid2f(1, 0x1p-1f, 1.0f, 1, 0x1.8p-2f, 0x1.8p-1f);",
+            (std::vector<std::string>{"glMapGrid2f(1, 0.5f, 1.0f, 1, 0.375f, 0.75f);",
                                       "glEvalMesh2(GL_POINT, 0, 1, 0, 0);"}));
-  EXPECT_EQ(calls(by("EvalCoord2dv").apply(c))[1], "glEvalCoord2dv((GLdouble[]){0x1p-1, 0x1.8p-2});");
-  EXPECT_EQ(calls(by("EvalCoord2d").apply(c))[1], "glEvalCoord2d(0x1.8p-2, 0x1p-1);");
+  EXPECT_EQ(calls(by("EvalCoord2dv").apply(c))[1], "glEvalCoord2dv((GLdouble[]){0.5, 0.375});");
+  EXPECT_EQ(calls(by("EvalCoord2d").apply(c))[1], "glEvalCoord2d(0.375, 0.5);");
   EXPECT_EQ(without(kLists, surface_deliveries()).size(), 6u);
   for (const Delivery& delivery : surface_deliveries()) EXPECT_FALSE(delivery.lifted) << delivery.name;
 }

@@ -44,7 +44,7 @@ TEST(DisplayLists, WithoutListsIsTheCaseItself) {
 TEST(DisplayLists, Compiled) {
   EXPECT_EQ(through(mixed(), Lists::kCompiled),
             (Lines{"glNewList(19456, GL_COMPILE);", "glEnable(GL_MAP1_VERTEX_3);", "glBegin(GL_POINTS);",
-                   "glEvalCoord1f(0x1p-1f);", "glEvalCoord1f(1.0f);", "glEnd();", "glEndList();",
+                   "glEvalCoord1f(0.5f);", "glEvalCoord1f(1.0f);", "glEnd();", "glEndList();",
                    "glNewList(19457, GL_COMPILE);", "glDisable(GL_MAP1_VERTEX_3);", "glEndList();",
                    "glCallList(19456);", "glGetError();", "glCallList(19457);"}));
 }
@@ -52,7 +52,7 @@ TEST(DisplayLists, Compiled) {
 TEST(DisplayLists, Executed) {
   EXPECT_EQ(through(mixed(), Lists::kExecuted),
             (Lines{"glNewList(19456, GL_COMPILE_AND_EXECUTE);", "glEnable(GL_MAP1_VERTEX_3);",
-                   "glBegin(GL_POINTS);", "glEvalCoord1f(0x1p-1f);", "glEvalCoord1f(1.0f);", "glEnd();",
+                   "glBegin(GL_POINTS);", "glEvalCoord1f(0.5f);", "glEvalCoord1f(1.0f);", "glEnd();",
                    "glGetError();", "glDisable(GL_MAP1_VERTEX_3);", "glEndList();"}));
 }
 
@@ -60,7 +60,7 @@ TEST(DisplayLists, Nested) {
   EXPECT_EQ(through(mixed(), Lists::kNested), (Lines{"glNewList(19456, GL_COMPILE);",
                                                      "glEnable(GL_MAP1_VERTEX_3);",
                                                      "glBegin(GL_POINTS);",
-                                                     "glEvalCoord1f(0x1p-1f);",
+                                                     "glEvalCoord1f(0.5f);",
                                                      "glEndList();",
                                                      "glNewList(19457, GL_COMPILE);",
                                                      "glEvalCoord1f(1.0f);",

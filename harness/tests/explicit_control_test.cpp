@@ -152,7 +152,7 @@ TEST_F(ExplicitControlTest, CasesWithoutListsHaveOneAsWell) {
 }
 
 TEST_F(ExplicitControlTest, ReproductionsHaveNoControl) {
-  Reproduction reproduction(implementation_, "");
+  Reproduction reproduction(implementation_, "", gl::CStyle::kFull);
   subject_.reproduction = &reproduction;
   EXPECT_EQ(controls(in_lists(), SyntheticCapture(traits(), lose_positions)), 0);
 }

@@ -731,5 +731,61 @@ INSTANTIATE_TEST_SUITE_P(, GlLibraryLeaks, testing::Values("egl", "glx", "glx-in
                            return name;
                          });
 
+// --- a Mesa that is not the system's ---
+
+class MesaBuild : public ProgramTest {
+ protected:
+  // Copies the files of the system's Mesa to a folder; false if `egl` does not run on Mesa here.
+  bool copy_mesa() {
+    evalcts({"run", "--implementation", "egl", "--filter", "Map1State.Stride/MAP1_INDEX_f", "--output",
+             folder_.string()});
+    const json files = results("egl")["implementation"]["files"];
+    for (const json& file : files) {
+      const std::filesystem::path path = std::string(as_text(file));
+      const std::string name = path.filename().string();
+      if (name.starts_with("libEGL.so") || name.starts_with("libGL")) continue;  // libglvnd
+      std::filesystem::copy_file(std::filesystem::canonical(path), build() / name);
+    }
+    return std::filesystem::exists(build() / "libEGL_mesa.so.0");
+  }
+  std::filesystem::path build() const {
+    const std::filesystem::path folder = folder_ / "mesa";
+    std::filesystem::create_directories(folder);
+    return folder;
+  }
+  Outcome check(const std::filesystem::path& folder) {
+    return evalcts({"check", "Map1State.Stride/MAP1_INDEX_f", "--mesa-build", folder.string()});
+  }
+};
+
+TEST_F(MesaBuild, ReplacesTheSystems) {
+  if (!copy_mesa()) GTEST_SKIP() << "no Mesa with libglvnd here";
+  EXPECT_EQ(check(build()).code, 0);
+  evalcts({"run", "--mesa-build", build().string(), "--filter", "Map1State.Stride/MAP1_INDEX_f", "--output",
+           folder_.string()});
+  const std::string files = results("egl")["implementation"]["files"].dump();
+  EXPECT_TRUE(contains(files, (build() / "libEGL_mesa.so.0").string())) << files;
+  const std::filesystem::path driver = build() / "swrast_dri.so";
+  if (!std::filesystem::exists(driver)) return;  // Mesa 24.2 and newer has one library for all drivers
+
+  std::filesystem::rename(driver, build() / "libgallium_dri.so");  // as in a folder without an installation
+  EXPECT_EQ(check(build()).code, 0);
+
+  std::filesystem::remove(build() / "libgallium_dri.so");
+  const Outcome without_drivers = check(build());
+  EXPECT_EQ(without_drivers.code, 125);
+  EXPECT_TRUE(contains(without_drivers.text, "swrast_dri.so' was loaded, which is not in '"))
+      << without_drivers.text;
+}
+
+TEST_F(MesaBuild, IsRejectedIfItHasNoMesa) {
+  for (const std::filesystem::path& folder : {build(), folder_ / "absent"}) {
+    const Outcome outcome = check(folder);
+    EXPECT_EQ(outcome.code, 125);
+    EXPECT_TRUE(contains(outcome.text, "name the folder that meson built or installed Mesa into"))
+        << outcome.text;
+  }
+}
+
 }  // namespace
 }  // namespace evalcts

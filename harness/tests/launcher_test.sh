@@ -28,7 +28,7 @@ required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-
   libhwy-dev libkainjow-mustache-dev libgl-dev libegl-dev'
 required=${required//$'\n '/}
 benchmarks='libbenchmark-dev libmpfr-dev libeigen3-dev libsisl-dev libocct-modeling-data-dev libosd-dev libglu1-mesa-dev'
-everything="$required libosmesa6 xvfb python3 git bsdutils libmpfi-dev gfortran nodejs libgles2 pkg-config libpng-dev clang clang-tidy-14
+everything="$required libosmesa6 xvfb python3 git bsdutils libmpfi-dev libosmesa6-dev gfortran nodejs libgles2 pkg-config libpng-dev clang clang-tidy-14
   clang-format-14 gcovr chromium chromium-driver python3-selenium help2man codespell doxygen gnuplot-nox libopenmpi-dev openmpi-bin dpkg-dev mmdebstrap
   $benchmarks"
 everything=${everything//$'\n '/}
@@ -251,7 +251,7 @@ exits 7
 says "libosmesa6 is not installed: without the implementation osmesa"
 evalcts test --no-install --preset clang
 exits 2
-says "  sudo apt-get install --no-install-recommends libosmesa6 xvfb git bsdutils libmpfi-dev gfortran nodejs libgles2 pkg-config libpng-dev clang libglu1-mesa-dev help2man"
+says "  sudo apt-get install --no-install-recommends libosmesa6 xvfb git bsdutils libmpfi-dev libosmesa6-dev gfortran nodejs libgles2 pkg-config libpng-dev clang libglu1-mesa-dev help2man"
 called_not apt-get
 called_not ctest
 
@@ -566,7 +566,7 @@ calls_are "configure release;build release;ctest --preset release --no-tests=ign
 scenario "test: installs for its stages"
 evalcts test --preset debug
 exits 0
-called "libosmesa6 xvfb python3 git bsdutils libmpfi-dev gfortran nodejs libgles2 pkg-config libpng-dev libglu1-mesa-dev help2man gnuplot-nox libopenmpi-dev openmpi-bin ["
+called "libosmesa6 xvfb python3 git bsdutils libmpfi-dev libosmesa6-dev gfortran nodejs libgles2 pkg-config libpng-dev libglu1-mesa-dev help2man gnuplot-nox libopenmpi-dev openmpi-bin ["
 called "ctest --preset debug in"
 called_not release
 

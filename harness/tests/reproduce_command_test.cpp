@@ -18,9 +18,18 @@ namespace fs = std::filesystem;
 class Reproduce : public DrillTest {
  protected:
   // Writes the program and builds it with the command that evalcts prints, without starting it.
-  void write_and_build(const std::string& failure) {
+  // Returns the text that evalcts prints. An empty style is not given.
+  std::string write_and_build(const std::string& failure, const std::string& style = "full") {
     const std::string file = (folder_ / "x.c").string();
-    const Outcome written = evalcts({"reproduce", failure, "--run", folder_.string(), "--output", file});
+    std::vector<std::string> command = {"reproduce", failure, "--run", folder_.string(), "--output", file};
+    if (!style.empty()) command.insert(command.end(), {"--style", style});
+    const Outcome written = evalcts(command);
+    build(written);
+    return written.text;
+  }
+
+ private:
+  void build(const Outcome& written) {
     ASSERT_EQ(written.code, 0) << written.text;
     const std::size_t begin = written.text.find("  cc "), end = written.text.find(" && ", begin);
     ASSERT_NE(end, std::string::npos) << written.text;
@@ -28,6 +37,8 @@ class Reproduce : public DrillTest {
     const Outcome built = start({"/bin/sh", "-c", line});
     ASSERT_EQ(built.code, 0) << built.text;
   }
+
+ protected:
   Outcome program(const std::string& library = {}) {
     std::vector<std::string> command = {(folder_ / "x").string()};
     if (!library.empty()) command.push_back(library);
@@ -50,6 +61,31 @@ TEST_F(Reproduce, AFailureBecomesACProgram) {
   EXPECT_EQ(sound.code, 0) << sound.text;
   EXPECT_EQ(program("/absent.so").code, 2);
   EXPECT_EQ(program("libm.so.6").code, 2);
+}
+
+// Without --style, the program is short if it shows the failure.
+TEST_F(Reproduce, ShortProgramsAreTried) {
+#if __has_include(<GL/osmesa.h>) && !defined(__SANITIZE_ADDRESS__)
+  const std::string file = (folder_ / "x.c").string();
+  const auto reproduce = [&](const std::string& failure) {
+    return evalcts({"reproduce", failure, "--run", folder_.string(), "--output", file});
+  };
+  ASSERT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f"}).code, 1);
+  const Outcome written = reproduce("StrideBelowK");
+  EXPECT_EQ(written.code, 0) << written.text;
+  EXPECT_FALSE(contains(written.text, "style 'full'"));
+  EXPECT_FALSE(contains(written.text, "not tried"));
+  const std::string program = read_file(file);
+  EXPECT_TRUE(contains(program, "#include <GL/osmesa.h>"));
+  EXPECT_LE(std::ranges::count(program, '\n'), 60) << program;
+
+  ASSERT_EQ(drill("crash", {"--filter", kVictim, "--timeout", "2"}).code, 1);
+  const Outcome crash = reproduce("MAP1_INDEX_f");
+  EXPECT_EQ(crash.code, 0);
+  EXPECT_FALSE(contains(crash.text, "style 'full'")) << crash.text;
+#else
+  GTEST_SKIP() << "needs GL/osmesa.h, and no sanitizer";
+#endif
 }
 
 TEST_F(Reproduce, ACrashAndAHangAsWell) {
@@ -100,7 +136,8 @@ TEST_F(Reproduce, ADropInLibrary) {
     }
     ++count;
     EXPECT_EQ(run.code, 1) << run.text;
-    write_and_build(implementation + ":" + test);
+    EXPECT_TRUE(contains(write_and_build(implementation + ":" + test, ""),
+                         "style 'full', because the commands come from another library"));
     const Outcome shown = program();
     EXPECT_EQ(shown.code, 1) << shown.text;
     EXPECT_TRUE(contains(shown.text, "the failure shows"));

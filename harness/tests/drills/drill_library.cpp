@@ -76,6 +76,7 @@ using misbehaviours::crash;
   if (is_drill("second-hang") && seven_was_seen) misbehaviours::hang();
   if ((is_drill("now-and-then") || is_drill("varying")) && is_first_time()) odd_answers = true;
   if (is_drill("crash-now-and-then") && is_first_time()) crash();
+  if (is_drill("hang-now-and-then") && is_first_time()) misbehaviours::hang();
   if (const char* const wanted = std::getenv("EVALCTS_DRILL")) misbehaviours::misbehave(wanted);
 }
 

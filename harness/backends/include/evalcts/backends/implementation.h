@@ -105,6 +105,8 @@ struct ImplementationOptions {
   // Maker of the contexts, instead of that of `name`: one of context_names(), or the path of a provider
   // (evalcts_provider.h). If `library` is set, all commands come from it. Empty: the usual maker.
   std::string context = {};
+  std::string mesa_build =
+      {};  // folder of a Mesa to use in place of the system's, see mesa_build.h; empty: none
 };
 
 struct ImplementationKind {

@@ -18,6 +18,7 @@ struct CaptureRequest {
   Attributes attributes = 0;       // attributes to observe; more may be observed
   std::size_t most_vertices = 0;   // largest number of captured vertices; more set Observation::overflow
   PrimitiveKinds kinds = kPoints;  // kinds of primitives that the case draws
+  bool nothing_more = false;       // observe only these attributes, with as few commands as possible
 };
 
 class Capture {

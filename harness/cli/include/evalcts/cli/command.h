@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <evalcts/backends/implementation.h>
+
 namespace evalcts::cli {
 
 // Exit codes.
@@ -56,6 +58,15 @@ inline constexpr Command kVectors = {
 // Adds an option that may be repeated, with one value each time.
 CLI::Option* add_repeatable(CLI::App& app, const std::string& name, std::vector<std::string>& values,
                             const std::string& description);
+// Adds --implementation, --library, --context and --mesa-build, which choose one implementation.
+void add_implementation(CLI::App& app, ImplementationOptions& implementation);
+// Adds --mesa-build.
+CLI::Option* add_mesa_build(CLI::App& app, std::string& folder);
+// Returns the absolute path of a library or folder that the user named, so that it works in any directory. A
+// name without '/', which the dynamic linker looks up, stays as it is.
+std::string absolute_library(const std::string& library);
+// Returns the options with absolute paths. With --mesa-build alone, the implementation is egl.
+ImplementationOptions completed(ImplementationOptions implementation);
 // Adds --shard K/N.
 CLI::Option* add_shard(CLI::App& app, std::string& shard, const std::string& description);
 // Adds --allow-unobserved.

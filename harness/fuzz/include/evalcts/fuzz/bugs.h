@@ -49,10 +49,6 @@ std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduc
 // kind of difference.
 std::string likeness_of(const TestRecord& test);
 
-// Returns the commands as C, at most 40 lines. Values that are not short decimals are hexadecimal, with the
-// decimal value in a comment.
-std::vector<std::string> readable_calls(const gl::Case& program);
-
 // Removes the bugs that are not in the register and that explicit vertices show as well. Tests that no other
 // bug explains are not observed then.
 void set_aside_shared_bugs(RunResult& run);

@@ -55,9 +55,11 @@ struct KnownBug {
   std::string verified;             // the way in which the bug was verified
   // Reports show the first program. Empty if JSON cannot express one.
   std::vector<BugProgram> programs;
-  // Lines of C in a function, with a GL that is current, which show a bug without a program. Verified by
-  // hand.
+  // Statements of C, with a GL that is current, which show a bug without a program and print it. `fails` is a
+  // C expression that is true then.
   std::vector<std::string> example;
+  std::string fails;
+  bool core_profile = false;        // the example needs a context of a core profile
   std::vector<FailingTests> tests;  // Findings.NAME of `programs` included
 
   // True if the library crashes or hangs in the programs.

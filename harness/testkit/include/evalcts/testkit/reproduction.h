@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <evalcts/backends/implementation.h>
+#include <evalcts/gl/c_program.h>
 #include <evalcts/gl/check.h>
 #include <evalcts/judge/judge.h>
 #include <evalcts/results/test_record.h>
@@ -18,12 +19,16 @@ namespace evalcts {
 class Reproduction {
  public:
   // `implementation`: the implementation under test, which must outlive the object. `file`: the C program to
-  // write. Running a case throws std::runtime_error if the file cannot be written.
-  Reproduction(Implementation& implementation, std::string file);
+  // write, or "#error REASON" if there is none in this style. Running a case throws std::runtime_error if the
+  // file cannot be written.
+  Reproduction(Implementation& implementation, std::string file, gl::CStyle style);
   ~Reproduction();
 
   // Returns the recording implementation, on which the test must run.
   Implementation& implementation();
+
+  // Returns true if the C program of a failure was written.
+  bool is_complete() const;
 
   // Must be called at the beginning of each case of the test. Discards the recorded commands of earlier
   // cases. A control is not recorded and discards nothing, because it may run after the case that it belongs
@@ -47,7 +52,6 @@ class Reproduction {
  private:
   class Recorder;
   std::unique_ptr<Recorder> recorder_;
-  std::string file_;
   std::optional<gl::Check> check_;
 };
 

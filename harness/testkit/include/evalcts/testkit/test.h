@@ -198,6 +198,9 @@ class Test : public Conditions {
   void fail_each(const gl::Case& script, const Capture& capture, const CaptureRequest& request,
                  const Observation& seen, const std::vector<Mismatch>& mismatches, const OwnJudge& judge,
                  const Prediction* prediction = nullptr, Attributes required = 0);
+  std::optional<gl::Check> check_of(const Mismatch& mismatch, const std::vector<Mismatch>& all,
+                                    const gl::Case& script, const Capture& capture,
+                                    const CaptureRequest& request, const OwnJudge& judge);
 
   bool judges_order_of_meshes_ = false;
   bool is_order_wrong_ = false;  // true if the vertices of a mesh are right in another order

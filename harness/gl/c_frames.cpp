@@ -1,0 +1,118 @@
+// The frames of short C programs, for EGL, OSMesa and piglit.
+#include "c_frames.h"
+
+#include <fmt/format.h>
+
+#include <evalcts/gl/contexts.h>
+
+namespace evalcts::gl {
+namespace {
+
+constexpr char kGlHeaders[] = R"(#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <stdio.h>
+)";
+
+// Returns the attributes of EGL for a kind of context.
+std::string egl_attributes(GLuint kind) {
+  const std::string version = fmt::format("EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, {}, ",
+                                          kind == EVALCTS_FORWARD_COMPATIBLE ? 1 : 2);
+  const std::string compatibility =
+      version + "EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT, ";
+  switch (kind) {
+    case EVALCTS_CORE_PROFILE:
+      return version + "EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE";
+    case EVALCTS_FORWARD_COMPATIBLE:
+      return version + "EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE, EGL_TRUE, EGL_NONE";
+    case EVALCTS_DEBUG:
+      return compatibility + "EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE, EGL_NONE";
+    case EVALCTS_NO_ERROR:
+      return compatibility + "EGL_CONTEXT_OPENGL_NO_ERROR_KHR, EGL_TRUE, EGL_NONE";
+    default:
+      throw NoCProgram("EGL makes no contexts of this kind");
+  }
+}
+
+CFrame egl(GLuint kind) {
+  return {.headers = fmt::format("#include <EGL/egl.h>\n#include <EGL/eglext.h>\n{}", kGlHeaders),
+          .main = fmt::format(
+              R"(
+int main(void) {{
+{}  EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
+  if (!display || !eglInitialize(display, NULL, NULL)) eglInitialize(display = eglGetDisplay(NULL), NULL, NULL);
+  EGLConfig config;
+  EGLint count;
+  if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(display, (EGLint[]){{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE}}, &config, 1, &count)) return 2;
+  EGLSurface surface = eglCreatePbufferSurface(display, config, (EGLint[]){{EGL_WIDTH, 64, EGL_HEIGHT, 64, EGL_NONE}});
+  if (!eglMakeCurrent(display, surface, surface, eglCreateContext(display, config, NULL, {}))) return 2;
+  printf("%s\n", (const char *)glGetString(GL_VERSION));
+)",
+              kind == 0 ? "" : fmt::format("  const EGLint attributes[] = {{{}}};\n", egl_attributes(kind)),
+              kind == 0 ? "NULL" : "attributes")};
+}
+
+CFrame osmesa(GLuint kind) {
+  if (kind > EVALCTS_CORE_PROFILE) throw NoCProgram("OSMesa makes no contexts of this kind");
+  return {
+      .headers = fmt::format("#include <GL/osmesa.h>\n{}", kGlHeaders),
+      .main = fmt::format(
+          R"(
+int main(void) {{
+  static GLubyte pixels[64 * 64 * 4];
+{}  if (!OSMesaMakeCurrent(context, pixels, GL_UNSIGNED_BYTE, 64, 64)) return 2;
+  printf("%s\n", (const char *)glGetString(GL_VERSION));
+)",
+          kind == 0
+              ? "  OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, NULL);\n"
+              : R"(  const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
+                            OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 2, 0};
+  OSMesaContext context = OSMesaCreateContextAttribs(attributes, NULL);
+)")};
+}
+
+CFrame piglit(const CProgram& program, GLuint kind) {
+  if (kind > EVALCTS_FORWARD_COMPATIBLE) throw NoCProgram("piglit makes no contexts of this kind");
+  const char* const version = kind == EVALCTS_CORE_PROFILE ? "config.supports_gl_core_version = 32;"
+                              : kind == EVALCTS_FORWARD_COMPATIBLE
+                                  ? "config.supports_gl_core_version = 31;"
+                                  : "config.supports_gl_compat_version = 10;";
+  const bool has_errors = program.check && program.check->answer.is_error;
+  return {.headers = fmt::format(R"(#include "piglit-util-gl.h"
+
+PIGLIT_GL_TEST_CONFIG_BEGIN
+	{}
+	config.window_visual = PIGLIT_GL_VISUAL_RGBA | PIGLIT_GL_VISUAL_DOUBLE;
+	config.khr_no_error_support = {};
+PIGLIT_GL_TEST_CONFIG_END
+)",
+                                 version, has_errors ? "PIGLIT_HAS_ERRORS" : "PIGLIT_NO_ERRORS"),
+          .main = R"(
+void
+piglit_init(int argc, char **argv)
+{
+}
+
+enum piglit_result
+piglit_display(void)
+{
+)"};
+}
+
+}  // namespace
+
+CFrame c_frame(const CProgram& program, GLuint kind) {
+  if (program.style == CStyle::kPiglit) return piglit(program, kind);
+  if (!program.context_library.empty() || !program.library_below.empty())
+    throw NoCProgram("the commands come from another library than the contexts");
+  if (program.context == "osmesa") return osmesa(kind);
+  if (program.context == "egl") {
+    const std::string& library = program.library;
+    if (library.substr(library.rfind('/') + 1) != "libEGL.so.1")
+      throw NoCProgram("the library has another name than the one that programs are linked with");
+    return egl(kind);
+  }
+  throw NoCProgram("only EGL and OSMesa are linked");
+}
+
+}  // namespace evalcts::gl
