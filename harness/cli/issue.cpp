@@ -16,9 +16,13 @@
 namespace evalcts::cli {
 namespace {
 
-// Returns the text as a sentence.
+// Returns the text as a sentence. A first word with an underscore or a capital inside, such as save_Map1f or
+// libGL, is a name and stays as it is.
 std::string sentence(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  const std::string word = text.substr(0, text.find(' '));
+  const bool is_name = std::ranges::any_of(word, [](unsigned char c) { return c == '_' || std::isupper(c); });
+  if (!text.empty() && !is_name)
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text + ".";
 }
 
@@ -30,51 +34,57 @@ std::vector<std::string> program_of(const KnownBug& bug) {
 
 std::string issue_text(const RunResult* run, const Bug* bug, const KnownBug* known,
                        const std::vector<std::string>& calls) {
-  std::string text = fmt::format("# OpenGL evaluators: {}\n\n", known ? known->title : bug->title);
+  const bool is_outside = known ? known->outside_evaluators : bug->outside_evaluators;
+  std::string text =
+      fmt::format("# {}{}\n\n", is_outside ? "" : "OpenGL evaluators: ", known ? known->title : bug->title);
   if (known) text += fmt::format("Affected: {}.\n", known->affects.text());
-  if (run && bug) {
-    const ImplementationRecord& implementation = run->implementation;
-    text += fmt::format("Observed with: {} ({}, {})", implementation.version, implementation.renderer,
-                        implementation.vendor);
-    if (!implementation.files.empty())
-      text += fmt::format(", loaded from {}", fmt::join(implementation.files, ", "));
-    text += ".\n";
-  }
+  if (run && bug)
+    text += fmt::format("Observed with: {} ({}, {}).\n", run->implementation.version,
+                        run->implementation.renderer, run->implementation.vendor);
   if (!calls.empty()) text += fmt::format("\n## Program\n\n```c\n{}\n```\n", fmt::join(calls, "\n"));
+  if (bug)
+    text += fmt::format(
+        "\n`evalcts reproduce {}` writes a complete C program, to be attached, which prints the result.\n",
+        known ? known->id : bug->id);
   const std::string expected = known ? known->expected : in_plain_numbers(bug->failure.expected);
   const std::string observed = known ? known->captured : in_plain_numbers(bug->failure.captured);
-  const std::string what = known || bug->failure.what.empty() ? "" : bug->failure.what + ": ";
+  const std::string subject = known || bug->failure.what.empty() ? "" : bug->failure.what + ": ";
   if (!expected.empty() || !observed.empty())
-    text += fmt::format("\n* Expected: {}{}\n* Observed: {}{}\n", what, expected, what, observed);
+    text += fmt::format("\n* Expected: {}{}\n* Observed: {}{}\n", subject, expected, subject, observed);
   else if (bug)
     text += fmt::format("\n{}\n", bug->failure.message);
 
-  text += "\n## Rule\n";
   const std::vector<RequirementId>& requirements = known ? known->requirements : bug->requirements;
-  for (const RequirementId& id : requirements)
-    if (const Requirement* const requirement = catalogue().find(id)) {
-      const std::string& clause = known ? known->clause : requirement->source;
-      text += fmt::format("\n> {} ({})\n", requirement->text, clause);
-      for (const Document& document : documents_in(clause))
-        text += fmt::format("\n* [{}]({})", document.name, document.address);
-      text += "\n";
-      break;  // the decisive one is first
-    }
+  const Requirement* const rule = requirements.empty() ? nullptr : catalogue().find(requirements.front());
+  if (rule && !is_outside) {
+    const std::string& clause = known ? known->clause : rule->source;
+    text += fmt::format("\n## Rule\n\n{} ({})\n", rule->text, clause);
+    for (const Document& document : documents_in(clause))
+      text += fmt::format("\n* [{}]({})", document.name, document.address);
+    text += "\n";
+  }
   if (known && !known->cause.empty())
-    text += fmt::format("\n## {}\n\n{}.\n", known->suspected ? "Suspected cause" : "Cause", known->cause);
+    text += fmt::format("\n## {}\n\n{}\n", known->suspected ? "Analysis" : "Cause", sentence(known->cause));
   if (known && !known->real_programs.empty())
     text += fmt::format("\n## Effect on real programs\n\n{}\n", sentence(known->real_programs));
-  text += "\n## How it was found\n\n";
-  text += "By evalcts, a conformance test suite for OpenGL evaluators";
-  if (bug) text += fmt::format(": {} of its tests fail because of this", bug->tests.size());
-  if (known && !known->verified.empty()) text += fmt::format(". Verified: {}", known->verified);
-  text += ".\n";
-  if (known)
-    text += fmt::format(
-        "`evalcts check {} --library FILE` has exit code 1 while a library has the bug, and 0 without it.\n",
-        known->id);
+  text += "\n## Verification\n\nFound by evalcts, a conformance test suite for OpenGL evaluators";
   if (bug)
-    text += fmt::format("`evalcts reproduce {}` writes a stand-alone C program, to be attached.\n", bug->id);
+    text += bug->tests.size() == 1
+                ? ": 1 of its tests fails because of this bug"
+                : fmt::format(": {} of its tests fail because of this bug", bug->tests.size());
+  text += ".\n";
+  if (known && !known->verified.empty()) text += sentence(known->verified) + "\n";
+  if (known && !calls.empty())
+    text += known->affects.product == "Mesa"
+                ? fmt::format(
+                      "\n```sh\ngit bisect run sh -c 'ninja -C build || exit 125; evalcts check {} "
+                      "--mesa-build build'\n```\n",
+                      known->id)
+                : fmt::format(
+                      "`evalcts check {}` has exit code 1 while a driver has the bug, and 0 without it.\n",
+                      known->id);
+  if (run && bug && !run->implementation.files.empty())
+    text += fmt::format("\nLoaded files: {}.\n", fmt::join(run->implementation.files, ", "));
   return text;
 }
 

@@ -53,7 +53,7 @@ TEST(RandomProgram, IsTheSameForTheSameSeedOnEveryMachine) {
   EXPECT_EQ(program(3, 7), program(3, 7));
   EXPECT_NE(program(3, 7), program(3, 8));
   EXPECT_NE(program(3, 7), program(4, 7));
-  EXPECT_EQ(fnv1a<std::uint64_t>(program(1, 0)), 15971586996471806583u)
+  EXPECT_EQ(fnv1a<std::uint64_t>(program(1, 0)), 8295766669054373899u)
       << "the programs of all seeds have changed: mean it";
 }
 

@@ -355,10 +355,8 @@ void write_baseline(Screen& screen, const RunResult& record) {
                     record.baseline),
         Colour::kFaint);
   else if (record.unexpected_count() > 0)
-    screen.whole_line(
-        "baseline: none; --baseline DIR --write-baseline records these failures as known, 'evalcts "
-        "waive' single ones",
-        Colour::kFaint);
+    screen.whole_line("baseline: none; 'evalcts waive' or --write-baseline records known failures",
+                      Colour::kFaint);
 }
 
 void write_conclusion(Screen& screen, const RunResult& record, const std::string& head = {}) {

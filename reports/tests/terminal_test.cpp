@@ -141,7 +141,7 @@ timeout  Map2Output.HugeGrid
 
 pass            AutoNormal.InitiallyOff (the baseline expects otherwise: the pages say TRUE): passes by the reading specification
 
-baseline: none; --baseline DIR --write-baseline records these failures as known, 'evalcts waive' single ones
+baseline: none; 'evalcts waive' or --write-baseline records known failures
 1 internal error; 3 new failures; 1 known; 1 unexpected pass: AutoNormal.InitiallyOff; not complete: interrupted by SIGINT
 )");
 }
