@@ -230,9 +230,10 @@ class Writer {
     body(first + own, commands_.size() - first - own);
     text_ += statements + "}\n";
     std::string head = frame.headers;
+    const bool needs_headers = program_.style != CStyle::kPiglit;  // piglit's header includes them
     for (const auto& [word, header] :
          {std::pair{"NAN", "math.h"}, {"INFINITY", "math.h"}, {"mem", "string.h"}})
-      if (text_.find(word) != std::string::npos && head.find(header) == std::string::npos)
+      if (needs_headers && text_.find(word) != std::string::npos && head.find(header) == std::string::npos)
         head += fmt::format("#include <{}>\n", header);
     return head + "\n" + text_;
   }
