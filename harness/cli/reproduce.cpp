@@ -124,6 +124,7 @@ std::string head(const Candidate& failure, const Replayed& replayed, const std::
   const TestRecord& test = replayed.record ? *replayed.record : *failure.test;
   const ImplementationRecord& implementation = failure.run->implementation;
   std::string text = "/*\n" + comment(title);
+  if (style == "piglit") text += " *\n" + comment("SPDX-License-Identifier: MIT");
   if (style == "full") {
     text += comment(
         fmt::format("({} on {}: {})", failure.name(), failure.label(), text_of(failure.test->verdict).word));

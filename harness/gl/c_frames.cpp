@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <evalcts/gl/contexts.h>
 
 namespace evalcts::gl {
@@ -71,17 +73,28 @@ int main(void) {{
 )")};
 }
 
+// Returns the version of the GL, as piglit writes it, whose commands the case uses.
+int version_of(const Case& script) {
+  int version = 10;
+  for (const Command& command : script.commands()) {
+    if (command.entry == EntryPoint::CreateProgram) version = std::max(version, 20);
+    if (command.entry == EntryPoint::BeginTransformFeedback) version = 30;
+  }
+  return version;
+}
+
 CFrame piglit(const CProgram& program, GLuint kind) {
   if (kind > EVALCTS_FORWARD_COMPATIBLE) throw NoCProgram("piglit makes no contexts of this kind");
-  const char* const version = kind == EVALCTS_CORE_PROFILE ? "config.supports_gl_core_version = 32;"
-                              : kind == EVALCTS_FORWARD_COMPATIBLE
-                                  ? "config.supports_gl_core_version = 31;"
-                                  : "config.supports_gl_compat_version = 10;";
+  const std::string version =
+      kind == EVALCTS_CORE_PROFILE ? "core_version = 32"
+      : kind == EVALCTS_FORWARD_COMPATIBLE
+          ? "core_version = 31"
+          : fmt::format("compat_version = {}", program.script ? version_of(*program.script) : 20);
   const bool has_errors = program.check && program.check->answer.is_error;
   return {.headers = fmt::format(R"(#include "piglit-util-gl.h"
 
 PIGLIT_GL_TEST_CONFIG_BEGIN
-	{}
+	config.supports_gl_{};
 	config.window_visual = PIGLIT_GL_VISUAL_RGBA | PIGLIT_GL_VISUAL_DOUBLE;
 	config.khr_no_error_support = {};
 PIGLIT_GL_TEST_CONFIG_END
