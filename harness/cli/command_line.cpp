@@ -16,8 +16,11 @@
 #include <evalcts/results/baseline.h>
 #include <evalcts/results/conclusion.h>
 #include <evalcts/results/files.h>
+#include <evalcts/results/text.h>
 #include "environment.h"
 #include "help.h"
+#include "recorded.h"
+#include "result_files.h"
 
 namespace evalcts::cli {
 
@@ -48,6 +51,12 @@ int carry_out(const std::function<int()>& command, Call& call) {
     return complain(error, kWrongUse);
   } catch (const BadBaseline& error) {
     return complain(error, kWrongUse);
+  } catch (const NotRecorded& error) {
+    return wrong_use(clean(error.what()));
+  } catch (const CannotReadResults& error) {
+    return wrong_use(clean(error.what()));
+  } catch (const FormatError& error) {
+    return wrong_use("the result file does not follow its schema: " + clean(error.what()));
   } catch (const CannotWrite& error) {
     return complain(error, kWrongUse, "; free some space, or choose another folder with --output");
   } catch (const std::exception& error) {

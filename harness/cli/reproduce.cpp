@@ -198,6 +198,8 @@ struct Trial {
   std::string problem;
 };
 Trial try_program(const Candidate& failure, const Replayed& replayed) {
+  if (!value_of(replay_options(*failure.run), "--mesa-build").empty())
+    return {false, "it would run on the system's Mesa"};
   const Scratch scratch;
   const fs::path source = scratch.path() / "program.c", log = scratch.path() / "log";
   write_atomically(source, replayed.program);
@@ -335,12 +337,6 @@ int reproduce(const ReproduceOptions& options) {
     return reproduce_or_throw(options);
   } catch (const CannotReproduce& error) {
     return wrong_use(clean(error.what()));
-  } catch (const NotRecorded& error) {
-    return wrong_use(clean(error.what()));
-  } catch (const CannotReadResults& error) {
-    return wrong_use(clean(error.what()));
-  } catch (const FormatError& error) {
-    return wrong_use("the result file does not follow its schema: " + clean(error.what()));
   }
 }
 

@@ -126,18 +126,10 @@ int unwaive(const WaiveOptions& options) {
 }
 
 int waive_or_unwaive(const WaiveOptions& options) {
-  try {
-    if (options.unwaive) return unwaive(options);
-    if (options.reason.find_first_not_of(" \t\n") == std::string::npos)
-      return wrong_use("a waiver needs its reason: --reason \"...\"");
-    return waive(options);
-  } catch (const NotRecorded& error) {
-    return wrong_use(clean(error.what()));
-  } catch (const CannotReadResults& error) {
-    return wrong_use(clean(error.what()));
-  } catch (const FormatError& error) {
-    return wrong_use("the result file does not follow its schema: " + clean(error.what()));
-  }
+  if (options.unwaive) return unwaive(options);
+  if (options.reason.find_first_not_of(" \t\n") == std::string::npos)
+    return wrong_use("a waiver needs its reason: --reason \"...\"");
+  return waive(options);
 }
 
 std::function<int()> define_waive(CLI::App& app, const Call&) {
