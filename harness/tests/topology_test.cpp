@@ -255,49 +255,40 @@ TEST(MatchMeshes, LinesGoEitherWay) {
   EXPECT_GT(wrong({{10, 11}, {10, 11}, {10, 20}, {11, 21}}), 0u);
 }
 
-// Each of 4000 segments is found, although comparing every segment with every other would take long.
+// Each of 4000 lines, and of 4000 quads, is found, although comparing every one with every other would take
+// long. The quads are much longer in u than the mesh is in v.
 TEST(MatchMeshes, LongMeshesInTheOppositeOrder) {
-  constexpr int kSegments = 4000;
-  gl::Case c;
-  c.Map2f(GL_MAP2_VERTEX_3, 0, kSegments, 3, 2, 0, 1, 3, 1,
-          std::vector<float>{10, 1, 0, 10 + kSegments, 1, 0});
-  c.Enable(GL_MAP2_VERTEX_3);
-  c.MapGrid2f(kSegments, 0, kSegments, 1, 0, 1);
-  c.EvalMesh2(GL_LINE, 0, kSegments, 0, 0);
-  const Prediction lines = predict(c, 8);
-  std::vector<std::vector<float>> in_order, opposite;
-  for (int i = 0; i < kSegments; ++i) {
-    in_order.push_back({static_cast<float>(i), static_cast<float>(i + 1)});
-    opposite.push_back({static_cast<float>(10 + kSegments - i), static_cast<float>(9 + kSegments - i)});
+  constexpr int kCount = 4000, kWidth = 100'000;
+  gl::Case grid;
+  grid.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 2, 0, kCount, 3, 2,
+             std::vector<float>{10, 1, 0, 10 + kCount, 1, 0, 10 + kWidth, 1, 0, 10 + kWidth + kCount, 1, 0});
+  grid.Enable(GL_MAP2_VERTEX_3);
+  grid.MapGrid2f(1, 0, 1, kCount, 0, kCount);
+  for (const GLenum mode : {GL_LINE, GL_FILL}) {
+    const bool is_filled = mode == GL_FILL;
+    gl::Case c = grid;
+    c.EvalMesh2(mode, 0, is_filled ? 1 : 0, 0, kCount);
+    std::vector<std::vector<float>> in_order, opposite;
+    for (int j = 0; j < kCount; ++j) {
+      // The rows of the lines come first, which have one vertex each.
+      const auto first = static_cast<float>(is_filled ? 4 * j : kCount + 1 + j);
+      const auto end = static_cast<float>(9 + kCount - j);
+      in_order.push_back({first, first + 1});
+      opposite.push_back({end + 1, end});
+      if (!is_filled) continue;
+      in_order.back().insert(in_order.back().end(), {first + 3, first + 2});
+      opposite.back() = {end, end + 1, end + 1 + kWidth, end + kWidth};
+    }
+    const GLenum kind = is_filled ? GL_POLYGON : GL_LINES;
+    const Prediction mesh = predict(c, 8);
+    const auto text = read_topology(mesh, observed(kind, in_order));
+    ASSERT_TRUE(text);
+    const Observation seen = observed(kind, opposite);
+    EXPECT_EQ(wrong_in_own_order(mesh, *text, seen), 0u);
+    EXPECT_EQ(judge(mesh, with_meshes_in_own_order(mesh, *text, seen, {}), seen, {}).mismatches.size(), 0u);
+    opposite[7] = opposite[8];
+    EXPECT_GT(wrong_in_own_order(mesh, *text, observed(kind, opposite)), 0u);
   }
-  const auto text = read_topology(lines, observed(GL_LINES, in_order));
-  ASSERT_TRUE(text);
-  const Observation seen = observed(GL_LINES, opposite);
-  EXPECT_EQ(wrong_in_own_order(lines, *text, seen), 0u);
-  EXPECT_EQ(judge(lines, with_meshes_in_own_order(lines, *text, seen, {}), seen, {}).mismatches.size(), 0u);
-  opposite[7] = {15, 14};
-  EXPECT_GT(wrong_in_own_order(lines, *text, observed(GL_LINES, opposite)), 0u);
-}
-
-// The quads are much longer in u than the mesh is in v.
-TEST(MatchMeshes, LongMeshesOfQuadsInTheOppositeOrder) {
-  constexpr int kQuads = 4000, kWidth = 100'000;
-  gl::Case c;
-  c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 2, 0, kQuads, 3, 2,
-          std::vector<float>{10, 1, 0, 10 + kQuads, 1, 0, 10 + kWidth, 1, 0, 10 + kWidth + kQuads, 1, 0});
-  c.Enable(GL_MAP2_VERTEX_3);
-  c.MapGrid2f(1, 0, 1, kQuads, 0, kQuads);
-  c.EvalMesh2(GL_FILL, 0, 1, 0, kQuads);
-  const Prediction filled = predict(c, 8);
-  std::vector<std::vector<float>> in_order, opposite;
-  for (int j = 0; j < kQuads; ++j) {
-    const auto first = static_cast<float>(4 * j), corner = static_cast<float>(9 + kQuads - j);
-    in_order.push_back({first, first + 1, first + 3, first + 2});
-    opposite.push_back({corner, corner + 1, corner + 1 + kWidth, corner + kWidth});
-  }
-  const auto text = read_topology(filled, observed(GL_POLYGON, in_order));
-  ASSERT_TRUE(text);
-  EXPECT_EQ(wrong_in_own_order(filled, *text, observed(GL_POLYGON, opposite)), 0u);
 }
 
 TEST(MatchMeshes, QuadsAndTheirTriangles) {
