@@ -61,29 +61,21 @@ int bugs(const BugsOptions& options) {
     std::cout << known_bugs_page();
     return kNothingUnexpected;
   }
-  try {
-    const auto results_of_run = [&] {
-      return read_results(
-          options.results.empty() ? std::vector{run_folder(options.run).string()} : options.results, false);
-    };
-    if (!options.issue.empty()) {
-      std::vector<RunResult> results;
-      try {
-        results = results_of_run();
-      } catch (const CannotReadResults&) {
-        if (!find_known_bug(options.issue)) throw;  // a known bug needs no run
-      }
-      return print_issue(options.issue, results);
+  const auto results_of_run = [&] {
+    return read_results(
+        options.results.empty() ? std::vector{run_folder(options.run).string()} : options.results, false);
+  };
+  if (!options.issue.empty()) {
+    std::vector<RunResult> results;
+    try {
+      results = results_of_run();
+    } catch (const CannotReadResults&) {
+      if (!find_known_bug(options.issue)) throw;  // a known bug needs no run
     }
-    for (const RunResult& result : results_of_run())
-      std::cout << reports::bug_list(result, catalogue(), shows_colour(), options.verbose) << "\n";
-  } catch (const CannotReadResults& error) {
-    std::cerr << "evalcts: " << error.what() << "\n";
-    return kWrongUse;
-  } catch (const FormatError& error) {
-    std::cerr << "evalcts: " << error.what() << "\n";
-    return kWrongUse;
+    return print_issue(options.issue, results);
   }
+  for (const RunResult& result : results_of_run())
+    std::cout << reports::bug_list(result, catalogue(), shows_colour(), options.verbose) << "\n";
   return kNothingUnexpected;
 }
 

@@ -90,17 +90,13 @@ CLI::Option* add_mesa_build(CLI::App& app, std::string& folder) {
       "folder that meson built or installed a Mesa into, which is judged instead of the system's");
 }
 
-std::string absolute_library(const std::string& library) {
-  return library.find('/') == std::string::npos
-             ? library
-             : std::filesystem::absolute(library).lexically_normal().string();
-}
-
 ImplementationOptions completed(ImplementationOptions implementation) {
-  implementation.library = absolute_library(implementation.library);
+  const auto make_absolute = [](std::string& path) {
+    path = std::filesystem::absolute(path).lexically_normal().string();
+  };
+  if (implementation.library.find('/') != std::string::npos) make_absolute(implementation.library);
   if (implementation.mesa_build.empty()) return implementation;
-  implementation.mesa_build =
-      std::filesystem::absolute(implementation.mesa_build).lexically_normal().string();
+  make_absolute(implementation.mesa_build);
   if (implementation.name.empty() && implementation.library.empty() && implementation.context.empty())
     implementation.name = "egl";
   return implementation;

@@ -299,8 +299,6 @@ bool explain_bug_of_run(const std::string& id, const std::string& run) {
         }
   } catch (const CannotReadResults&) {
     if (!run.empty()) throw;
-  } catch (const FormatError&) {
-    if (!run.empty()) throw;
   }
   return false;
 }
@@ -353,15 +351,7 @@ std::function<int()> define_explain(CLI::App& app, const Call&) {
                  "to search for, such as a GL command or token")
       ->required();
   add_run(app, *run);
-  return [words, run] {
-    try {
-      return explain(*words, *run);
-    } catch (const CannotReadResults& error) {
-      return wrong_use(clean(error.what()));
-    } catch (const FormatError& error) {
-      return wrong_use(clean(error.what()));
-    }
-  };
+  return [words, run] { return explain(*words, *run); };
 }
 
 }  // namespace

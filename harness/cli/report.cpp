@@ -34,7 +34,7 @@ struct Shown {
   fs::path output;
 };
 
-// Returns what the page shows. Throws CannotReadResults and FormatError.
+// Returns what the page shows. Throws CannotReadResults.
 Shown shown_of(const ReportOptions& options) {
   Shown shown;
   const fs::path usual = places().output;
@@ -59,17 +59,10 @@ Shown shown_of(const ReportOptions& options) {
 }
 
 int report(const ReportOptions& options) {
-  Shown shown;
-  reports::Changes changes;
   const std::size_t columns = screen_of(STDOUT_FILENO).columns;
-  try {
-    shown = shown_of(options);
-    if (!shown.before.empty()) changes = reports::changes(shown.results, shown.before, columns);
-  } catch (const CannotReadResults& error) {
-    return wrong_use(error.what());
-  } catch (const FormatError& error) {
-    return wrong_use(error.what());
-  }
+  const Shown shown = shown_of(options);
+  reports::Changes changes;
+  if (!shown.before.empty()) changes = reports::changes(shown.results, shown.before, columns);
   const FolderLock lock = claim(shown.output, "evalcts report");
   for (const RunResult& result : shown.results)
     std::cout << reports::terminal_summary(result, catalogue(), shows_colour(), false, 0, columns) << "\n";

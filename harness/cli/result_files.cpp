@@ -83,7 +83,11 @@ std::vector<RunResult> read_results(const std::vector<std::string>& arguments, b
       result.origin = with_origin ? clean(origin_of(argument)) : std::string();
       results.push_back(std::move(result));
     }
-  return reports::merge_shards(results);
+  try {
+    return reports::merge_shards(results);
+  } catch (const FormatError& error) {
+    throw CannotReadResults(error.what());
+  }
 }
 
 }  // namespace evalcts::cli

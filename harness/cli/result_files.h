@@ -21,7 +21,7 @@ std::vector<std::filesystem::path> result_files_in(const std::filesystem::path& 
                                                    std::error_code& error);
 
 // Returns the results in the files and folders, each file once. Shards of a run are merged. If `with_origin`,
-// sets RunResult::origin. Throws CannotReadResults, and FormatError if shards do not belong together.
+// sets RunResult::origin. Throws CannotReadResults, also if shards do not belong together.
 std::vector<RunResult> read_results(const std::vector<std::string>& arguments, bool with_origin);
 
 }  // namespace evalcts::cli

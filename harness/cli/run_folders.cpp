@@ -37,7 +37,7 @@ std::string now() {
 // Returns an advice that names the last runs of the default output folder.
 std::string advice() {
   std::vector<std::string> names;
-  for (const fs::path& folder : runs_in(places().output)) names.push_back(folder.filename().string());
+  for (const fs::path& folder : folders_in(places().output).runs) names.push_back(folder.filename().string());
   return names.empty() ? "'evalcts run' first, or name the folder of a run with --run"
                        : fmt::format("--run NAME chooses one of these: {}", first_of(names));
 }
@@ -87,17 +87,19 @@ fs::path run_folder(const std::string& run) {
       fmt::format("--run '{}': not a run in '{}', and not a folder; {}", run, output.string(), advice()));
 }
 
-std::vector<fs::path> runs_in(const fs::path& folder) {
-  std::vector<fs::path> runs;
+RunFolders folders_in(const fs::path& folder) {
+  RunFolders folders;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
        entry.increment(error)) {
     std::error_code unreadable;
-    if (!entry->is_symlink() && !result_files_in(entry->path(), unreadable).empty())
-      runs.push_back(entry->path());
+    if (entry->is_symlink() || !entry->is_directory()) continue;
+    const bool is_run = !result_files_in(entry->path(), unreadable).empty();
+    (is_run ? folders.runs : folders.others).push_back(entry->path());
   }
-  std::ranges::sort(runs);
-  return runs;
+  std::ranges::sort(folders.runs);
+  std::ranges::sort(folders.others);
+  return folders;
 }
 
 CLI::Option* add_run(CLI::App& app, std::string& run) {

@@ -24,8 +24,12 @@ void set_latest(const std::filesystem::path& folder);
 // the last run. Throws CannotReadResults, with the names of the runs.
 std::filesystem::path run_folder(const std::string& run);
 
-// Returns the folders of runs in a folder, in the order of their names, without `latest`.
-std::vector<std::filesystem::path> runs_in(const std::filesystem::path& folder);
+// The folders in a folder, in the order of their names, without `latest`.
+struct RunFolders {
+  std::vector<std::filesystem::path> runs;
+  std::vector<std::filesystem::path> others;  // contain no results
+};
+RunFolders folders_in(const std::filesystem::path& folder);
 
 // Adds --run, which chooses a run other than the last one.
 CLI::Option* add_run(CLI::App& app, std::string& run);

@@ -62,10 +62,8 @@ CLI::Option* add_repeatable(CLI::App& app, const std::string& name, std::vector<
 void add_implementation(CLI::App& app, ImplementationOptions& implementation);
 // Adds --mesa-build.
 CLI::Option* add_mesa_build(CLI::App& app, std::string& folder);
-// Returns the absolute path of a library or folder that the user named, so that it works in any directory. A
-// name without '/', which the dynamic linker looks up, stays as it is.
-std::string absolute_library(const std::string& library);
-// Returns the options with absolute paths. With --mesa-build alone, the implementation is egl.
+// Returns the options with absolute paths, which work in any directory; the name of a library without '/',
+// which the dynamic linker looks up, stays as it is. With --mesa-build alone, the implementation is egl.
 ImplementationOptions completed(ImplementationOptions implementation);
 // Adds --shard K/N.
 CLI::Option* add_shard(CLI::App& app, std::string& shard, const std::string& description);
