@@ -161,7 +161,9 @@ TestInfo test_info(const std::string& suite, const std::string& name, Level leve
 Registration register_tests(const TestInfo& info, const std::vector<gl::Delivery>& deliveries,
                             std::vector<Variant> variants) {
   const auto shared = std::make_shared<const std::vector<gl::Delivery>>(deliveries);
-  const std::vector<Depth> depths = Schedule(info.full_name()).of_parameters(variants.size());
+  std::vector<std::string> names;
+  for (const Variant& variant : variants) names.push_back(variant.names[0]);
+  const std::vector<Depth> depths = Schedule(info.full_name()).of_parameters(names);
   for (std::size_t i = 0; i < variants.size(); ++i) {
     TestInfo test = info;
     test.body = std::move(variants[i].body);

@@ -13,14 +13,24 @@ namespace {
 // At quick and full depth, one of this number of tests goes through display lists.
 constexpr std::size_t kListsAtQuick = 9, kListsAtFull = 3;
 
+// Returns the dimension with which the name of a parameter begins, "1-D" for "1-D_U"; empty if there is none.
+std::string_view dimension_in(std::string_view name) {
+  return name.starts_with("1-D") || name.starts_with("2-D") ? name.substr(0, 3) : std::string_view();
+}
+
 bool uses_lists(const gl::Delivery& delivery) { return delivery.lists != gl::Lists::kNone; }
 bool is_other(const gl::Delivery& delivery) { return !uses_lists(delivery) && !delivery.is_plain(); }
 
 }  // namespace
 
-std::vector<Depth> Schedule::of_parameters(std::size_t count) const {
-  std::vector<Depth> depths(count, Depth::kFull);
-  if (count > 0) depths[turn_ % count] = Depth::kQuick;
+std::vector<Depth> Schedule::of_parameters(const std::vector<std::string>& names) const {
+  std::vector<Depth> depths(names.size(), Depth::kFull);
+  for (const std::string_view dimension : {"1-D", "2-D", ""}) {
+    std::vector<std::size_t> alike;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (dimension_in(names[i]) == dimension) alike.push_back(i);
+    if (!alike.empty()) depths[alike[turn_ % alike.size()]] = Depth::kQuick;
+  }
   return depths;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,9 +18,10 @@ class Schedule {
  public:
   explicit Schedule(std::string_view test) : turn_(fnv1a<std::uint32_t>(test)) {}
 
-  // Returns the least depth of each of `count` tests that differ in their parameters: quick for one of them,
-  // full for the others.
-  std::vector<Depth> of_parameters(std::size_t count) const;
+  // Returns the least depth of each of the tests that differ in their parameters, which have these names:
+  // quick for one of them, or for one of each dimension if the names begin with "1-D" and "2-D"; full for the
+  // others.
+  std::vector<Depth> of_parameters(const std::vector<std::string>& names) const;
 
   // Returns the least depth of the test through each of the deliveries; `from` is the least depth of
   // the test itself.

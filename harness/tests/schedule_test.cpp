@@ -30,21 +30,31 @@ std::vector<gl::Delivery> some_deliveries() {
           delivery(kCoordinates, gl::Lists::kCompiled), delivery(kCoordinates, gl::Lists::kNested)};
 }
 
+const std::vector<std::string> kNames = {"A", "B", "C", "D", "E", "F", "G"};
+
 TEST(Schedule, OneOfTheParametersIsQuickAndEachInSomeTest) {
   std::set<std::size_t> quick;
   for (int i = 0; i < kTests; ++i) {
-    const std::vector<Depth> depths = Schedule(test(i)).of_parameters(10);
-    ASSERT_EQ(depths.size(), 10u);
+    const std::vector<Depth> depths = Schedule(test(i)).of_parameters(kNames);
+    ASSERT_EQ(depths.size(), kNames.size());
     EXPECT_EQ(count_of(Depth::kQuick, depths), 1u);
-    EXPECT_EQ(count_of(Depth::kFull, depths), 9u);
+    EXPECT_EQ(count_of(Depth::kFull, depths), kNames.size() - 1);
     quick.insert(static_cast<std::size_t>(std::ranges::find(depths, Depth::kQuick) - depths.begin()));
   }
-  EXPECT_EQ(quick.size(), 10u);
+  EXPECT_EQ(quick.size(), kNames.size());
+}
+
+TEST(Schedule, EachDimensionIsQuick) {
+  for (int i = 0; i < kTests; ++i) {
+    const std::vector<Depth> depths = Schedule(test(i)).of_parameters({"1-D_U", "2-D_U", "2-D_V"});
+    EXPECT_EQ(depths[0], Depth::kQuick);
+    EXPECT_EQ(count_of(Depth::kQuick, depths), 2u);
+  }
 }
 
 TEST(Schedule, TheNameAloneChooses) {
-  EXPECT_EQ(Schedule("A.B").of_parameters(100), Schedule("A.B").of_parameters(100));
-  EXPECT_NE(Schedule("A.B").of_parameters(100), Schedule("A.C").of_parameters(100));
+  EXPECT_EQ(Schedule("A.B").of_parameters(kNames), Schedule("A.B").of_parameters(kNames));
+  EXPECT_NE(Schedule("A.B").of_parameters(kNames), Schedule("A.C").of_parameters(kNames));
 }
 
 std::vector<Scheduled> all_of(const std::vector<std::string_view>& values) {

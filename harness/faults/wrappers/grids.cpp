@@ -86,6 +86,8 @@ FAULT(NegativeIndexOfListIsFirst, "EV-POINT-RANGE", "lists keep a negative index
 FAULT(LastPointExactInRisingGridsOnly, "EV-POINT-EXACT-N",
       "EvalPoint1 has the rule for the last index where u1 is below u2",
       point1_at(kI == noted_grid1(0) && noted_grid1(1) > noted_grid1(2), kInexact));
+FAULT(LastPointByArithmetic, "EV-POINT-EXACT-N", "EvalPoint1 has no rule for the last index",
+      point1_at(kI == noted_grid1(0), kInexact));
 FAULT(LastPointOfOneSegmentByArithmetic, "EV-POINT-EXACT-N",
       "EvalPoint2 has no rule for the last index of u if this index is 1",
       point2_at(kI == 1 && noted_grid2(0) == 1, kInexact, kExact));
