@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -270,6 +271,13 @@ gl::Trace Context::play(const gl::Case& script) {
   });
 }
 
+bool ImplementationInfo::answers(GLenum queried) const {
+  using enum gl::EntryPoint;
+  return std::ranges::any_of(std::array{GetBooleanv, GetIntegerv, GetFloatv, GetDoublev}, [&](auto get) {
+    return has(get) && !rejected_queries.contains({get, queried});
+  });
+}
+
 ImplementationInfo inquire(Implementation& implementation) {
   ImplementationInfo info;
   if (const Declaration* declaration = implementation.declaration()) info.declaration = *declaration;
@@ -300,6 +308,10 @@ ImplementationInfo inquire(Implementation& implementation) {
     return value;
   };
   info.max_eval_order = integer_of(GL_MAX_EVAL_ORDER, info.declaration ? info.declaration->max_order : 0);
+  if (GLfloat order = 0; info.max_eval_order == 0 && table.GetFloatv) {
+    table.GetFloatv(GL_MAX_EVAL_ORDER, &order);
+    if (order >= 1 && order < 0x1p31f) info.max_eval_order = static_cast<GLint>(order);
+  }
   info.texture_units = integer_of(info.at_least(2, 0) ? GL_MAX_TEXTURE_COORDS : GL_MAX_TEXTURE_UNITS, 1);
   info.active_units = info.texture_units;
   if (info.at_least(2, 0))

@@ -15,10 +15,10 @@ namespace {
 // The state of the filter, which is global because the commands have no other argument.
 struct Filter {
   static inline gl::Table inner;
-  static inline std::set<GLenum> names;
+  static inline std::set<RejectedQuery> queries;
   static inline thread_local bool inside = false;  // between Begin and End, where every query raises an error
 
-  static bool drops(GLenum name) { return !inside && names.contains(name); }
+  static bool drops(gl::EntryPoint get, GLenum name) { return !inside && queries.contains({get, name}); }
 
   static void install(gl::Table& table) {
     inner = table;
@@ -35,19 +35,19 @@ struct Filter {
       };
     if (inner.GetBooleanv)
       table.GetBooleanv = [](GLenum name, GLboolean* values) {
-        if (!drops(name)) inner.GetBooleanv(name, values);
+        if (!drops(gl::EntryPoint::GetBooleanv, name)) inner.GetBooleanv(name, values);
       };
     if (inner.GetIntegerv)
       table.GetIntegerv = [](GLenum name, GLint* values) {
-        if (!drops(name)) inner.GetIntegerv(name, values);
+        if (!drops(gl::EntryPoint::GetIntegerv, name)) inner.GetIntegerv(name, values);
       };
     if (inner.GetFloatv)
       table.GetFloatv = [](GLenum name, GLfloat* values) {
-        if (!drops(name)) inner.GetFloatv(name, values);
+        if (!drops(gl::EntryPoint::GetFloatv, name)) inner.GetFloatv(name, values);
       };
     if (inner.GetDoublev)
       table.GetDoublev = [](GLenum name, GLdouble* values) {
-        if (!drops(name)) inner.GetDoublev(name, values);
+        if (!drops(gl::EntryPoint::GetDoublev, name)) inner.GetDoublev(name, values);
       };
   }
 };
@@ -84,17 +84,24 @@ bool is_answered(const gl::Table& table, Get get, GLenum name) {
 
 }  // namespace
 
-std::set<GLenum> find_rejected_queries(Implementation& implementation, std::span<const GLenum> names) {
+std::set<RejectedQuery> find_rejected_queries(Implementation& implementation, std::span<const GLenum> names) {
   const std::unique_ptr<Context> context = implementation.create_context();
   const gl::Table& table = context->table();
-  if (!table.GetFloatv || !table.GetError) return {};
+  if (!table.GetError) return {};
   gl::take_errors(table);
-  std::set<GLenum> rejected;
-  for (const GLenum name : names) {
-    GLfloat values[16] = {};
-    table.GetFloatv(name, values);
-    if (!gl::take_errors(table).empty()) rejected.insert(name);
-  }
+  std::set<RejectedQuery> rejected;
+  const auto try_all = [&](gl::EntryPoint entry, auto get, auto filling) {
+    for (const GLenum name : names) {
+      if (!get) continue;
+      decltype(filling) values[16] = {};
+      get(name, values);
+      if (!gl::take_errors(table).empty()) rejected.emplace(entry, name);
+    }
+  };
+  try_all(gl::EntryPoint::GetBooleanv, table.GetBooleanv, GLboolean());
+  try_all(gl::EntryPoint::GetIntegerv, table.GetIntegerv, GLint());
+  try_all(gl::EntryPoint::GetFloatv, table.GetFloatv, GLfloat());
+  try_all(gl::EntryPoint::GetDoublev, table.GetDoublev, GLdouble());
   return rejected;
 }
 
@@ -114,8 +121,8 @@ std::set<GLenum> find_unanswered_grid_queries(Implementation& implementation) {
 }
 
 std::unique_ptr<Implementation> without_queries(std::unique_ptr<Implementation> inner,
-                                                const std::set<GLenum>& names) {
-  Filter::names = names;
+                                                const std::set<RejectedQuery>& queries) {
+  Filter::queries = queries;
   return std::make_unique<Filtered>(std::move(inner));
 }
 

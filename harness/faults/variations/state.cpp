@@ -63,6 +63,8 @@ Value is_one_of(Value name, std::set<GLenum> names) {
 }
 VARIATION(MaxOrderUnanswered, "EV-INIT-MAXORDER EV-GET-MAXORDER", "the query of MAX_EVAL_ORDER is rejected",
           before(kGet, kName == GL_MAX_EVAL_ORDER, set(kName, 0)));
+VARIATION(MaxOrderUnansweredInFloats, "EV-GET-MAXORDER", "GetFloatv of MAX_EVAL_ORDER is rejected",
+          before(GetFloatv, kName == GL_MAX_EVAL_ORDER, set(kName, 0)));
 VARIATION(QueriesRefused, "", "queries of state that is not about evaluators are rejected",
           before(kGet,
                  is_one_of(kName, {GL_CURRENT_RASTER_POSITION, GL_CURRENT_RASTER_COLOR, GL_CURRENT_INDEX,

@@ -123,6 +123,8 @@ FAULT(SegmentsOfSurfaceExchanged, "EV-GET-GRIDSEG", "GetDoublev answers vn, un",
       after(GetDoublev, kName == GL_MAP2_GRID_SEGMENTS, exchange(0, 1)));
 FAULT(MaxOrderInFloatsIsMinimum, "EV-GET-MAXORDER", "GetFloatv of MAX_EVAL_ORDER gives 8, the least limit",
       after(GetFloatv, kName == GL_MAX_EVAL_ORDER, put(0, 8)));
+FAULT(MaxOrderInFloatsRejected, "EV-GET-MAXORDER", "GetFloatv of MAX_EVAL_ORDER raises INVALID_ENUM",
+      before(GetFloatv, kName == GL_MAX_EVAL_ORDER, set(kName, 0)));
 FAULT(MaxOrderAsBoolean, "EV-GET-MAXORDER", "GetBooleanv of MAX_EVAL_ORDER gives 64",
       after(GetBooleanv, kName == GL_MAX_EVAL_ORDER, put(0, 64)));
 FAULT(GetOfLimitAllowedInPrimitives, "EV-GET-ERR-BEGINEND",

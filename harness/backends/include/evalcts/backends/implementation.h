@@ -125,6 +125,9 @@ const std::vector<std::string>& context_names();
 // Opens an implementation and loads its library, if it has one. Throws CannotStart.
 std::unique_ptr<Implementation> open_implementation(const ImplementationOptions& options);
 
+// GetBooleanv, GetIntegerv, GetFloatv or GetDoublev of a name.
+using RejectedQuery = std::pair<gl::EntryPoint, GLenum>;
+
 // The answers of an implementation to queries about itself in a fresh context.
 struct ImplementationInfo {
   std::string name, library, vendor, renderer, version;
@@ -133,9 +136,10 @@ struct ImplementationInfo {
   GLint texture_units = 1;
   GLint active_units = 1;  // that ActiveTexture has to accept
   std::set<std::string> extensions;
-  std::set<GLenum> rejected_queries, rejected_grid_queries;  // see rejected_queries.h
-  std::optional<GLenum> idle_capability;                     // see gl::find_idle_capability()
-  bool is_in_front = false;                                  // in front of another GL, whose contexts it uses
+  std::set<RejectedQuery> rejected_queries;  // see rejected_queries.h, as for the next one
+  std::set<GLenum> rejected_grid_queries;
+  std::optional<GLenum> idle_capability;   // see gl::find_idle_capability()
+  bool is_in_front = false;                // in front of another GL, whose contexts it uses
   bool shares_state = false;               // state that one context sets is visible in the next one
   std::set<gl::EntryPoint> missing;        // the commands that it does not have
   std::optional<Declaration> declaration;  // set for an implementation that is not a GL
@@ -149,6 +153,9 @@ struct ImplementationInfo {
   int version_number() const { return 10 * major + minor; }
 
   bool has(gl::EntryPoint command) const { return !missing.contains(command); }
+
+  // Returns false if each form of Get rejects the name.
+  bool answers(GLenum queried) const;
 
   bool at_least(int wanted_major, int wanted_minor) const {
     return major > wanted_major || (major == wanted_major && minor >= wanted_minor);

@@ -26,16 +26,16 @@ inline constexpr GLenum kOtherQueries[] = {GL_MAX_EVAL_ORDER,     GL_CURRENT_COL
                                            GL_POINT_SIZE,         GL_LINE_WIDTH,
                                            GL_FOG_MODE,           GL_VIEWPORT};
 
-// Returns those of the names for which GetFloatv raises an error in a fresh context.
-std::set<GLenum> find_rejected_queries(Implementation& implementation, std::span<const GLenum> names);
+// Returns the forms of Get and the names for which they raise an error in a fresh context.
+std::set<RejectedQuery> find_rejected_queries(Implementation& implementation, std::span<const GLenum> names);
 
 // Returns those of kGridQueries that raise an error or write nothing in a fresh context, in one of the forms
 // that tests use: GetFloatv for domains, GetFloatv and GetIntegerv for segments.
 std::set<GLenum> find_unanswered_grid_queries(Implementation& implementation);
 
-// Wraps an implementation so that outside Begin and End, GetBooleanv, GetIntegerv, GetFloatv and GetDoublev
-// of one of the names do nothing. At most one such implementation may exist at a time.
+// Wraps an implementation so that outside Begin and End, these queries do nothing. At most one such
+// implementation may exist at a time.
 std::unique_ptr<Implementation> without_queries(std::unique_ptr<Implementation> inner,
-                                                const std::set<GLenum>& names);
+                                                const std::set<RejectedQuery>& queries);
 
 }  // namespace evalcts
