@@ -63,10 +63,10 @@ void ExplicitControl::require_explicit_vertices(const std::string& what) {
                         found->message);
 }
 
-std::optional<GLenum> ExplicitControl::error_of_controls(const std::vector<gl::Case>& controls,
-                                                         const std::vector<GLenum>& errors) const {
+std::optional<GLenum> ExplicitControl::error_without_evaluators(const gl::Case& script,
+                                                                const std::vector<GLenum>& errors) const {
   if (subject_.reproduction || subject_.is_warm) return std::nullopt;  // fresh contexts decide
-  for (const gl::Case& control : controls) {
+  for (const gl::Case& control : gl::controls_without_evaluators(script)) {
     try {
       const gl::Trace trace = subject_.implementation->create_context()->play(control);
       for (const GLenum error : trace.left_over_errors())
@@ -76,11 +76,6 @@ std::optional<GLenum> ExplicitControl::error_of_controls(const std::vector<gl::C
     }
   }
   return std::nullopt;
-}
-
-std::optional<GLenum> ExplicitControl::error_of_explicit_commands(const gl::Case& script,
-                                                                  const std::vector<GLenum>& errors) const {
-  return error_of_controls({gl::with_explicit_vertices(script), gl::with_explicit_commands(script)}, errors);
 }
 
 void ExplicitControl::run_controls(const std::function<bool(Implementation&)>& fails) {

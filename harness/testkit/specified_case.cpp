@@ -161,7 +161,7 @@ void Test::judge_answer(CheckedTrace& checked, const gl::Case& script, const Spe
 void Test::require_no_error_of_explicit_commands(const gl::Case& script, gl::Ref get_error, GLenum answered) {
   gl::Case before = script.without_commands();
   for (int i = 0; i < get_error.index; ++i) before.add(script.commands()[static_cast<std::size_t>(i)]);
-  if (control_.error_of_controls(gl::controls_without_evaluators(before), {answered}))
+  if (control_.error_without_evaluators(before, {answered}))
     throw NotObservable(fmt::format("pipeline: explicit commands instead of evaluations raise {} as well",
                                     gl::error_name(answered)));
 }

@@ -117,7 +117,7 @@ CheckedTrace Test::play(const gl::DeliveredCase& delivered) {
     const std::string captured = fmt::format("{}", fmt::join(names, ", "));
     if (script.is_control())
       throw NotObservable(fmt::format("pipeline: '{}' leaves {} behind", script.identity(), captured));
-    if (const std::optional<GLenum> error = control_.error_of_explicit_commands(script, left_over))
+    if (const std::optional<GLenum> error = control_.error_without_evaluators(script, left_over))
       throw NotObservable(
           fmt::format("pipeline: explicit commands instead of evaluations leave {} behind as well",
                       gl::error_name(*error)));
@@ -315,7 +315,7 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
   const bool has_surplus_error =
       observation.error_observed && observation.error != GL_NO_ERROR && observation.error != prediction.error;
   const bool judges_errors =
-      !has_surplus_error || !control_.error_of_explicit_commands(script, {observation.error});
+      !has_surplus_error || !control_.error_without_evaluators(script, {observation.error});
   JudgeOptions options = options_for(script, *capture, required);
   options.attributes = judged_attributes;
   if (thoroughness == Thoroughness::kFirstWrongVertex)

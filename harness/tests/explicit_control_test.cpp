@@ -271,17 +271,17 @@ class FailsAtEnd final : public Implementation {
 TEST_F(ExplicitControlTest, ErrorThatExplicitVerticesRaiseAsWellIsNotThatOfEvaluators) {
   FailsAtEnd implementation;
   subject_.implementation = &implementation;
-  EXPECT_EQ(control_.error_of_explicit_commands(evaluated(), {GL_INVALID_OPERATION}), GL_INVALID_OPERATION);
-  EXPECT_EQ(control_.error_of_explicit_commands(evaluated(), {GL_INVALID_ENUM}), std::nullopt);
+  EXPECT_EQ(control_.error_without_evaluators(evaluated(), {GL_INVALID_OPERATION}), GL_INVALID_OPERATION);
+  EXPECT_EQ(control_.error_without_evaluators(evaluated(), {GL_INVALID_ENUM}), std::nullopt);
   gl::Case nothing_evaluated("a primitive");
   nothing_evaluated.Begin(GL_POINTS);
   nothing_evaluated.End();
-  EXPECT_EQ(control_.error_of_explicit_commands(nothing_evaluated, {GL_INVALID_OPERATION}),
+  EXPECT_EQ(control_.error_without_evaluators(nothing_evaluated, {GL_INVALID_OPERATION}),
             GL_INVALID_OPERATION);
   gl::Case only_evaluators("a map without a primitive");
   only_evaluators.Enable(GL_MAP1_VERTEX_3);
   only_evaluators.Disable(GL_MAP1_VERTEX_3);
-  EXPECT_EQ(control_.error_of_explicit_commands(only_evaluators, {GL_INVALID_OPERATION}), std::nullopt);
+  EXPECT_EQ(control_.error_without_evaluators(only_evaluators, {GL_INVALID_OPERATION}), std::nullopt);
 }
 
 TEST_F(ExplicitControlTest, LostAttributesAreThoseOfExplicitVertices) {

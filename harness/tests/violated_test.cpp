@@ -1,4 +1,4 @@
-// Tests the violated requirements of failing tests.
+// Tests the violated requirements of failing tests, and that tests announce the case that runs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -166,6 +166,26 @@ TEST(Judged, ErrorsBetweenBeginAndEndAreDueOnlyIfOtherQueriesRaiseThem) {
   const TestRecord record =
       record_of(lenient_queries<true>, {"EV-A"}, [](evalcts::Test& t) { t.judge(enables()); });
   EXPECT_EQ(record.verdict, Verdict::kNotObservable) << record.message;
+}
+
+// The errors that are missing make a control run. A crash of the library in the rest of the case would be one
+// of the case again.
+TEST(Judged, TheCaseIsAnnouncedAgainAfterAControl) {
+  Altered altered(lenient_queries<false>);
+  Subject subject;
+  subject.implementation = &altered;
+  subject.info = inquire(altered);
+  std::vector<std::string> announced;
+  subject.before_case = [&](const gl::Case& script) { announced.push_back(script.identity()); };
+  TestRecord record;
+  record.name = "Judged.Sample";
+  record.requirements = {"EV-A"};
+  evalcts::Test test(subject, record);
+  test.run([](evalcts::Test& t) { t.judge_answers(enables()); });
+  ASSERT_EQ(announced.size(), 3u);
+  EXPECT_EQ(announced[0], "enables");
+  EXPECT_NE(announced[1], "enables");
+  EXPECT_EQ(announced[2], "enables");
 }
 
 // A rejected definition between two snapshots, and a query of its orders.

@@ -49,14 +49,10 @@ class ExplicitControl {
   // Returns the attributes that the controls, which have run, lose while positions and vertices are right.
   Attributes lost_in_controls() const;
 
-  // Returns one of these errors if a control leaves it behind.
-  std::optional<GLenum> error_of_controls(const std::vector<gl::Case>& controls,
-                                          const std::vector<GLenum>& errors) const;
-
-  // Must be called when the case leaves these errors behind. Returns the error that it leaves behind with
-  // explicit commands in place of its evaluations as well, if there is one.
-  std::optional<GLenum> error_of_explicit_commands(const gl::Case& script,
-                                                   const std::vector<GLenum>& errors) const;
+  // Must be called when the case leaves these errors behind. Returns the one that it leaves behind without
+  // evaluators as well (gl::controls_without_evaluators()), if there is one.
+  std::optional<GLenum> error_without_evaluators(const gl::Case& script,
+                                                 const std::vector<GLenum>& errors) const;
 
   // Must be called when the observed case, if there is one, has failed in `what` ("color.R of vertex 3").
   // Throws NotObservable if the controls fail in the same attribute, in positions, or in the number of
