@@ -34,6 +34,7 @@ struct Facts {
   bool automatic_normals = false, attribute_maps = false, nested_lists = false;
   bool without_vertices = false;   // evaluates in a dimension without an enabled vertex map
   bool surfaces_only = false;      // has maps, all of them of two dimensions
+  bool rational_normals = false;   // has automatic normals of a surface whose w is not constant
   std::int64_t mesh_mode = 0;      // of the last EvalMesh
   std::set<std::int64_t> queried;  // names that Get queries
   // Words for the commands, without those that only frame or observe others (Begin, GetError): "Map",
@@ -109,18 +110,22 @@ struct Facts {
 struct Rejected {
   std::string word;   // "Map"
   std::string error;  // "GL_INVALID_VALUE", "GL_INVALID_ENUM or GL_INVALID_VALUE"
+  std::string rules;  // the rules of gl::broken_map_rules(), if they make the error due
 };
 
 // Returns the first command that has to be rejected; none if there is none.
-std::optional<Rejected> rejected_command(const gl::Case& program, int max_eval_order) {
-  const std::optional<Specified> specified = specify_if_defined(program, max_eval_order);
-  if (!specified) return std::nullopt;
-  for (std::size_t i = 0; i < specified->errors.size(); ++i) {
+std::optional<Rejected> rejected_command(const gl::Case& program, const Specified& specified,
+                                         int max_eval_order) {
+  for (std::size_t i = 0; i < specified.errors.size(); ++i) {
     const std::string word = Facts::word_of(program.commands()[i]);
-    if (specified->errors[i].empty() || word.empty()) continue;
+    const std::vector<GLenum>& errors = specified.errors[i];
+    if (errors.empty() || word.empty()) continue;
     std::vector<std::string> names;
-    for (const GLenum error : specified->errors[i]) names.push_back(gl::error_name(error));
-    return Rejected{word, fmt::format("{}", fmt::join(names, " or "))};
+    for (const GLenum error : errors) names.push_back(gl::error_name(error));
+    return Rejected{word, fmt::format("{}", fmt::join(names, " or ")),
+                    errors == std::vector<GLenum>{GL_INVALID_VALUE}
+                        ? gl::broken_map_rules(program.commands()[i], max_eval_order)
+                        : ""};
   }
   return std::nullopt;
 }
@@ -213,7 +218,7 @@ Name of_order(const Facts& facts) {
           fmt::format("EvalMesh2 of {}{}", what, in_lists(facts))};
 }
 
-Name of_errors(const Failure& failure, const Facts& facts) {
+Name of_errors(const Failure& failure, const Facts& facts, const std::string& rules) {
   const std::string& relation = failure.difference.relation;
   const std::string kind = relation.starts_with("missing")    ? "missing error"
                            : relation.starts_with("spurious") ? "spurious error"
@@ -224,7 +229,8 @@ Name of_errors(const Failure& failure, const Facts& facts) {
       kind == "missing error"    ? fmt::format("raises no error, {} is due", failure.expected)
       : kind == "spurious error" ? fmt::format("raises {} without a cause", failure.captured)
                                  : fmt::format("raises {} instead of {}", failure.captured, failure.expected);
-  return {cause_from(kind, {words, in_lists(facts)}), fmt::format("{}{} {}", words, in_lists(facts), due)};
+  return {cause_from(kind, {words, rules, in_lists(facts)}),
+          fmt::format("{}{}{} {}", words, rules.empty() ? "" : " (" + rules + ")", in_lists(facts), due)};
 }
 
 Name of_answers(const Failure& failure, const Facts& facts) {
@@ -248,7 +254,7 @@ Name name_of(const Finding& minimal, const Facts& facts, const std::optional<Rej
             fmt::format("{} of the library: {}{}", kind == Difference::kCrash ? "Crash" : "Hang",
                         words.empty() ? "Begin, End" : words, lists)};
   }
-  if (kind == Difference::kError) return of_errors(minimal.failure, facts);
+  if (kind == Difference::kError) return of_errors(minimal.failure, facts, rejected ? rejected->rules : "");
   // A minimal program does not fail without the rejected command, whose error is right.
   if (rejected)
     return {cause_from("effect of a rejected command", {rejected->word, rejected->error, lists}),
@@ -257,7 +263,9 @@ Name name_of(const Finding& minimal, const Facts& facts, const std::optional<Rej
   if (kind == Difference::kOrder) return of_order(facts);
   if (kind == Difference::kVertices) return of_vertices(difference.relation, facts);
   if (kind == Difference::kAnswer) return of_answers(minimal.failure, facts);
-  if (difference.place.empty()) return of_evaluated_values(kind, facts);
+  if (difference.place.empty() || difference.place == Difference::kMap ||
+      difference.place == Difference::kAutomaticNormal)
+    return of_evaluated_values(kind, facts);
   if (kind == "position")
     return {cause_from("position of an explicit vertex after an evaluation", {lists}),
             fmt::format("An evaluation{} changes the position of an explicit vertex", lists)};
@@ -296,6 +304,8 @@ const char* requirement_of_vertices(const Difference& difference, const Facts& f
   if (facts.lists == Facts::Lists::kExecuted) return "EV-DL-COMPEXEC";
   if (facts.without_vertices) return facts.automatic_normals ? "EV-AUTON-NOVERTEX" : "EV-COORD-NOVERTEX";
   if (facts.lists == Facts::Lists::kCompiled) return "EV-DL-EXECUTE";
+  if (difference.place == Difference::kAutomaticNormal)
+    return facts.rational_normals ? "EV-AUTON-RATIONAL" : "EV-AUTON-CURVED";
   const bool is_position = difference.kind == "position";
   if (is_position && facts.automatic_normals) return "EV-AUTON-SAMEVERTEX";
   if (facts.words.contains("PopAttrib")) return "EV-ATTRIB-EVALBIT";
@@ -325,8 +335,12 @@ const char* requirement_of(const Difference& difference, const Facts& facts, boo
 }  // namespace
 
 void name_finding(Finding& minimal, int max_eval_order) {
-  const Facts facts(minimal.program);
-  const std::optional<Rejected> rejected = rejected_command(minimal.program, max_eval_order);
+  Facts facts(minimal.program);
+  std::optional<Rejected> rejected;
+  if (const std::optional<Specified> specified = specify_if_defined(minimal.program, max_eval_order)) {
+    facts.rational_normals = specified->prediction.has_rational_normals();
+    rejected = rejected_command(minimal.program, *specified, max_eval_order);
+  }
   const Name name = name_of(minimal, facts, rejected);
   minimal.cause = name.cause;
   minimal.title = name.title;

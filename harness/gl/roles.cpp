@@ -99,6 +99,30 @@ int dimension_of(EntryPoint entry) {
   return is_of_evaluators ? last - '0' : 0;
 }
 
+std::string broken_map_rules(const Command& command, int max_order) {
+  const auto target = static_cast<GLenum>(integer_of(command, 0));
+  const int dimension = dimension_of(command.entry);
+  if (role_of(command.entry) != Role::kMap || components_of(target) == 0) return {};
+  const std::size_t domains[] = {1, 5}, strides[] = {3, 7}, orders[] = {4, 8};
+  const auto real = [&](std::size_t i) {
+    const auto* const single = std::get_if<float>(&command.arguments[i]);
+    return single ? static_cast<double>(*single) : std::get<double>(command.arguments[i]);
+  };
+  const auto breaks = [&](const std::size_t(&places)[2], const auto& is_broken) {
+    return std::any_of(places, places + dimension, is_broken);
+  };
+  const std::pair<const char*, bool> rules[] = {
+      {"equal ends", breaks(domains, [&](std::size_t i) { return real(i) == real(i + 1); })},
+      {"stride too small",
+       breaks(strides, [&](std::size_t i) { return integer_of(command, i) < components_of(target); })},
+      {"order below 1", breaks(orders, [&](std::size_t i) { return integer_of(command, i) < 1; })},
+      {"order too high", breaks(orders, [&](std::size_t i) { return integer_of(command, i) > max_order; })}};
+  std::string broken;
+  for (const auto& [rule, is_broken] : rules)
+    if (is_broken) broken += (broken.empty() ? "" : ", ") + std::string(rule);
+  return broken;
+}
+
 std::int64_t integer_of(const Command& command, std::size_t argument) {
   const auto* const value =
       command.arguments.size() > argument ? std::get_if<std::int64_t>(&command.arguments[argument]) : nullptr;

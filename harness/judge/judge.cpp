@@ -182,6 +182,7 @@ class VertexJudge {
     const auto expected = reference::rounded_unit_vector(acceptance->m);
     if (!accepted) {
       normal_mismatch(
+          normal,
           fmt::format("{} +- {:.3g}{}{}", text(expected), bound.to_double(),
                       either_sign ? ", or the opposite" : "", with_shader ? ", of any length" : ""),
           expected, got, bound);
@@ -203,17 +204,21 @@ class VertexJudge {
       expected[i] = reference::round_to_float(m[i]);
     }
     if (!accepted)
-      normal_mismatch(fmt::format("{} +- {:.3g}", text(expected), bound.to_double()), expected, got, bound);
+      normal_mismatch(normal, fmt::format("{} +- {:.3g}", text(expected), bound.to_double()), expected, got,
+                      bound);
   }
 
-  void normal_mismatch(const std::string& expected, const std::array<float, 3>& exact,
-                       const std::array<float, 3>& got, const Rational& bound) {
+  void normal_mismatch(const reference::AutomaticNormal& normal, const std::string& expected,
+                       const std::array<float, 3>& exact, const std::array<float, 3>& got,
+                       const Rational& bound) {
     // The component with the largest error represents the vector.
     std::size_t worst = 0;
     for (std::size_t i = 1; i < 3; ++i)
       if (!(std::abs(got[i] - exact[i]) <= std::abs(got[worst] - exact[worst]))) worst = i;
     Mismatch mismatch;
     mismatch.what = fmt::format("normal.{} of vertex {}", "xyz"[worst], index_);
+    mismatch.source =
+        is_rational(normal) ? Mismatch::Source::kRationalNormal : Mismatch::Source::kAutomaticNormal;
     mismatch.expected = expected;
     mismatch.captured = text(got);
     mismatch.exact = text(exact);
@@ -429,7 +434,10 @@ Difference Mismatch::difference() const {
   if (attribute.empty()) return {};
   switch (source) {
     case Source::kMap:
-      return {attribute, "", relation_of(got, lowest, highest)};
+      return {attribute, Difference::kMap, relation_of(got, lowest, highest)};
+    case Source::kAutomaticNormal:
+    case Source::kRationalNormal:
+      return {attribute, Difference::kAutomaticNormal, relation_of(got, lowest, highest)};
     case Source::kCurrentOfEvaluatedVertex:
       return {attribute, Difference::kEvaluatedVertex, ""};
     case Source::kCurrentOfExplicitVertex:

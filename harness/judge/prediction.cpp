@@ -154,6 +154,23 @@ bool Prediction::has_automatic_normals() const {
   return false;
 }
 
+bool Prediction::has_rational_normals() const {
+  for (const reference::Primitive& primitive : primitives)
+    for (const reference::Vertex& vertex : primitive.vertices)
+      if (const auto* normal = std::get_if<reference::AutomaticNormal>(&vertex.normal);
+          normal && is_rational(*normal))
+        return true;
+  return false;
+}
+
+bool is_rational(const reference::AutomaticNormal& normal) {
+  if (normal.map->components() < 4) return false;
+  const std::vector<double>& points = normal.map->points;
+  for (std::size_t w = 3; w < points.size(); w += 4)
+    if (points[w] != points[3]) return true;
+  return false;
+}
+
 bool Prediction::has_positions_beyond_float() const {
   for (const reference::Primitive& primitive : primitives)
     for (const reference::Vertex& vertex : primitive.vertices)

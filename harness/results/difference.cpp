@@ -11,11 +11,14 @@ bool Difference::is_like(const Difference& other) const {
   const auto agree = [](const std::string& a, const std::string& b) {
     return a.empty() || b.empty() || a == b;
   };
-  return kind == other.kind && agree(place, other.place) && agree(relation, other.relation);
+  const auto begins = [](const std::string& a, const std::string& b) { return b.starts_with(a + " "); };
+  return kind == other.kind && agree(relation, other.relation) &&
+         (agree(place, other.place) || begins(place, other.place) || begins(other.place, place));
 }
 
 Difference Difference::completed_by(const Difference& other) const {
-  return {kind, place.empty() ? other.place : place, relation.empty() ? other.relation : relation};
+  return {kind, place.size() < other.place.size() ? other.place : place,
+          relation.empty() ? other.relation : relation};
 }
 
 std::string Difference::text() const { return kind + "; " + place + "; " + relation; }

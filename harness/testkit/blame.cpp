@@ -29,8 +29,10 @@ class Kinds {
   unsigned bits_ = 0;
 };
 constexpr Kinds kCurrent = {Observed::kEvaluatedVertex, Observed::kExplicitVertex};
-constexpr Kinds kAllButCurrent = {Observed::kError, Observed::kCompilingError, Observed::kAnswer,
-                                  Observed::kChange, Observed::kWritten};
+constexpr Kinds kAutomatic = {Observed::kAutomaticNormal, Observed::kRationalNormal};
+constexpr Kinds kAnswers = {Observed::kError, Observed::kCompilingError, Observed::kAnswer, Observed::kChange,
+                            Observed::kWritten};
+constexpr Kinds kAllButCurrent = kAnswers | kAutomatic;
 
 struct Row {
   std::string_view part;  // of the IDs of requirements; the first row that matches is the row of an ID
@@ -54,6 +56,9 @@ constexpr Row kBlame[] = {
     {"EV-COORD-MIXDIM", kAllButCurrent},
     {"EV-ATTRIB-EVALBIT", kAllButCurrent},
     {"EV-ATTRIB-NOMAPS", kAllButCurrent},
+    // The direction and length of automatic normals have requirements of their own.
+    {"EV-AUTON-DEGENERATE", kAnswers | kCurrent},
+    {"EV-AUTON-SAMEVERTEX", kAnswers | kCurrent},
     // Requirements on all vertices of any program.
     {"EV-COORD-ASIF", kAllButCurrent},
     {"EV-DL-REPEAT", kAllButCurrent},
@@ -62,7 +67,9 @@ constexpr Row kBlame[] = {
 
 // The requirements that observations violate if they violate none of the test.
 constexpr std::pair<Observed, const char*> kOwners[] = {{Observed::kEvaluatedVertex, "EV-COORD-CURRENT"},
-                                                        {Observed::kExplicitVertex, "EV-CUR-NEXTVERTEX"}};
+                                                        {Observed::kExplicitVertex, "EV-CUR-NEXTVERTEX"},
+                                                        {Observed::kAutomaticNormal, "EV-AUTON-CURVED"},
+                                                        {Observed::kRationalNormal, "EV-AUTON-RATIONAL"}};
 
 bool is_violated_by(Observed observed, const RequirementId& requirement) {
   for (const Row& row : kBlame)

@@ -121,9 +121,12 @@ void CheckedTrace::expect_error_of(gl::Ref raises, gl::Ref get_error, const std:
   const gl::EntryPoint entry = subject.entry;
   const bool hides_command = entry == gl::EntryPoint::CallList || entry == gl::EntryPoint::CallLists ||
                              entry == gl::EntryPoint::EndList || entry == gl::EntryPoint::NewList;
+  std::string place = hides_command ? "" : gl::stem_without_dimension(entry);
+  if (const std::string rules = gl::broken_map_rules(subject, test_.max_order());
+      !rules.empty() && allowed == std::vector<GLenum>{GL_INVALID_VALUE})
+    place += " " + rules;
   fail(std::move(check),
-       {Difference::kError, hides_command ? "" : gl::stem_without_dimension(entry),
-        relation_of_errors(captured, gl::error_name(allowed.front()))},
+       {Difference::kError, place, relation_of_errors(captured, gl::error_name(allowed.front()))},
        fmt::format("{}: after {} glGetError gives {}, expected {}", kind, gl::to_c(subject, 4), captured,
                    expected),
        expected, captured);

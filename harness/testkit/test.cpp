@@ -53,6 +53,25 @@ Mismatch wrong_error(GLenum got, GLenum expected) {
   return mismatch;
 }
 
+// Returns the kind of observation of a vertex, by which the table of blame tells requirements apart.
+std::optional<Observed> observed_in(const Mismatch& mismatch) {
+  using Source = Mismatch::Source;
+  switch (mismatch.source) {
+    case Source::kCurrentOfEvaluatedVertex:
+      return Observed::kEvaluatedVertex;
+    case Source::kCurrentOfExplicitVertex:
+      return Observed::kExplicitVertex;
+    case Source::kAutomaticNormal:
+      return Observed::kAutomaticNormal;
+    case Source::kRationalNormal:
+      return Observed::kRationalNormal;
+    case Source::kMap:
+    case Source::kExplicitPosition:
+      break;
+  }
+  return std::nullopt;
+}
+
 bool uses_attribute_stack_in_list(const gl::Case& script) {
   bool is_list_open = false;
   return std::ranges::any_of(script.commands(), [&](const gl::Command& command) {
@@ -411,10 +430,8 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Captu
     if (subject_.reproduction && !subject_.reproduction->is_complete())
       check = check_of(mismatch, mismatches, script, capture, request, judge);
     const std::vector<RequirementId> decided = decided_;
-    if (decided_.empty() && mismatch.source == Mismatch::Source::kCurrentOfEvaluatedVertex)
-      blame(Observed::kEvaluatedVertex);
-    if (decided_.empty() && mismatch.source == Mismatch::Source::kCurrentOfExplicitVertex)
-      blame(Observed::kExplicitVertex);
+    if (const std::optional<Observed> observed = observed_in(mismatch); observed && decided_.empty())
+      blame(*observed);
     fail(
         std::move(failure), [&] { return gl::all_calls(script); }, check);
     decided_ = decided;

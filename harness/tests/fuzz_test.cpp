@@ -562,7 +562,7 @@ TEST_F(FuzzCommand, ACrashOnTheWayToAWrongAnswerIsAFinding) {
   ASSERT_TRUE(crash.is_object() && answer.is_object()) << outcome.text;
   EXPECT_EQ(as_text(crash["cause"]), "crash; Map");
   EXPECT_EQ(crash["program"].size(), 2u) << crash["program"];
-  EXPECT_EQ(as_text(answer["cause"]), "missing error; Enable, Map");
+  EXPECT_EQ(as_text(answer["cause"]), "missing error; Enable, Map; stride too small");
   EXPECT_EQ(answer["program"].size(), 3u) << answer["program"];
 }
 

@@ -58,7 +58,7 @@ TEST(Identity, AMissingErrorStaysAMissingError) {
   const Reduction reduction =
       reduced_on(altered, {Difference::kError, "Map", "missing GL_INVALID_VALUE"}, kColourAndStride);
   ASSERT_TRUE(reduction.minimal) << reduction.why_not;
-  EXPECT_EQ(reduction.minimal->cause, "missing error; Map");
+  EXPECT_EQ(reduction.minimal->cause, "missing error; Map; stride too small");
   EXPECT_FALSE(has(reduction.minimal->program, gl::EntryPoint::GetFloatv));
 }
 
@@ -69,8 +69,54 @@ TEST(Identity, AMissingErrorIsThatOfTheCommandThatHasToRaiseIt) {
       altered, {Difference::kError, "Map", "missing GL_INVALID_VALUE"},
       R"([["Map1f", "GL_MAP1_VERTEX_3", 0, 1, 2, 1, {"f32": [0, 0, 0]}], ["MapGrid1f", 3, 0, 1], ["GetError"]])");
   ASSERT_TRUE(reduction.minimal) << reduction.why_not;
-  EXPECT_EQ(reduction.minimal->cause, "missing error; Map");
+  EXPECT_EQ(reduction.minimal->cause, "missing error; Map; stride too small");
   EXPECT_FALSE(has(reduction.minimal->program, gl::EntryPoint::MapGrid1f));
+}
+
+// The library accepts wrong strides and orders, and ignores such maps. Reduction makes arguments 0, and an
+// order of 0 breaks another rule.
+TEST(Identity, AMissingErrorKeepsTheRuleThatIsBroken) {
+  Altered altered([](gl::Table& table) {
+    table.Map1f = [](GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order,
+                     const GLfloat* points) {
+      if (stride >= 3 && order >= 1) Altered::original.Map1f(target, u1, u2, stride, order, points);
+    };
+  });
+  const auto cause_of = [&](const char* map) {
+    const Difference missing = {Difference::kError, "Map", "missing GL_INVALID_VALUE"};
+    const Reduction reduction = reduced_on(altered, missing, map);
+    return reduction.minimal ? reduction.minimal->cause : reduction.why_not;
+  };
+  EXPECT_EQ(
+      cause_of(R"([["Map1f", "GL_MAP1_VERTEX_3", 0, 1, 2, 3, {"f32": [0, 0, 0, 1, 1, 1]}], ["GetError"]])"),
+      "missing error; Map; stride too small");
+  EXPECT_EQ(cause_of(R"([["Map1f", "GL_MAP1_VERTEX_3", 0, 1, 4, -2, {"f32": [0, 0, 0]}], ["GetError"]])"),
+            "missing error; Map; order below 1");
+}
+
+// The library has two bugs: AUTO_NORMAL is ignored, and surfaces are evaluated at another u. A program that
+// shows both is smaller with a normal map, which is then wrong as well, than with AUTO_NORMAL.
+TEST(Identity, AnAutomaticNormalStaysOne) {
+  Altered altered([](gl::Table& table) {
+    table.Enable = [](GLenum cap) {
+      Altered::original.Enable(cap);
+      if (cap == GL_AUTO_NORMAL) Altered::original.Disable(cap);
+    };
+    table.EvalCoord2f = [](GLfloat u, GLfloat v) { Altered::original.EvalCoord2f(u + 0.25f, v); };
+  });
+  const std::string
+      maps =
+          R"(["Map2f", "GL_MAP2_VERTEX_3", 0, 1, 3, 2, 0, 1, 6, 2, {"f32": [0, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1]}],
+      ["Map2f", "GL_MAP2_NORMAL", 0, 1, 3, 2, 0, 1, 6, 1, {"f32": [0, 1, 0, 0, 0, 1]}],
+      ["Enable", "GL_MAP2_VERTEX_3"], ["Enable", "GL_MAP2_NORMAL"], )",
+      vertex = R"(["Begin", "GL_POINTS"], ["EvalCoord2f", 0.5, 0.5], ["End"])";
+  const std::string both = "[" + maps + R"(["Enable", "GL_AUTO_NORMAL"], )" + vertex +
+                           R"(, ["Disable", "GL_AUTO_NORMAL"], )" + vertex + "]";
+  const Reduction automatic = reduced_on(altered, {"normal", Difference::kAutomaticNormal, ""}, both);
+  ASSERT_TRUE(automatic.minimal) << automatic.why_not;
+  EXPECT_EQ(automatic.minimal->cause, "evaluated normal; EvalCoord; AUTO_NORMAL");
+  EXPECT_EQ(automatic.minimal->requirement, "EV-AUTON-CURVED");
+  EXPECT_FALSE(has(automatic.minimal->program, gl::EntryPoint::EvalCoord1f));
 }
 
 // Several errors are permitted for a command that is wrong in two ways.
@@ -134,7 +180,7 @@ TEST(Identity, AnEffectOfACommandThatIsNotRejectedIsItsMissingError) {
   const Difference position = {"position", "", "far"};
   const Reduction accepted = reduced_on(accepting, position, kEffectOfSmallStride);
   ASSERT_TRUE(accepted.minimal) << accepted.why_not;
-  EXPECT_EQ(accepted.minimal->title, "Map raises no error, GL_INVALID_VALUE is due");
+  EXPECT_EQ(accepted.minimal->title, "Map (stride too small) raises no error, GL_INVALID_VALUE is due");
 
   Altered rejecting([](gl::Table& table) {
     table.Map1f = [](GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order,

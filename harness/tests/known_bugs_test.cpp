@@ -85,6 +85,13 @@ TEST(Differences, AreAlikeInThePartsThatBothHave) {
   EXPECT_FALSE(answer.is_like({Difference::kAnswer, "", "near"}));
   EXPECT_FALSE(answer.is_like({Difference::kError, "", ""}));
   EXPECT_EQ((Difference{Difference::kAnswer, "", "far"}.completed_by(answer)), answer);
+  // A place without the rule agrees with each rule of its command.
+  const Difference stride = {Difference::kError, "Map stride too small", ""},
+                   map = {Difference::kError, "Map", ""};
+  EXPECT_TRUE(stride.is_like(map) && map.is_like(stride));
+  EXPECT_FALSE(stride.is_like({Difference::kError, "Map order below 1", ""}));
+  EXPECT_FALSE(stride.is_like({Difference::kError, "MapGrid", ""}));
+  EXPECT_EQ(map.completed_by(stride), stride);
 }
 
 TEST(Differences, HaveTheKindOfWhatWasCompared) {

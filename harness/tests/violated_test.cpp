@@ -92,6 +92,40 @@ TEST(Violated, CurrentValuesHaveARuleOfTheirOwn) {
   EXPECT_EQ(record.blamed(), Ids{"EV-PREC-TEX"});
 }
 
+// A patch in the plane y = z with AUTO_NORMAL; with weights, one w is 2.
+gl::Case patch(bool with_weights) {
+  const GLfloat w = with_weights ? 2.0f : 1.0f;
+  gl::Case c("patch");
+  c.Map2f(GL_MAP2_VERTEX_4, 0, 1, 8, 2, 0, 1, 4, 2,
+          std::vector<float>{0, 0, 0, 1, 0, 1, 1, 1, 1, 0, 0, 1, w, w, w, w});
+  c.Enable(GL_MAP2_VERTEX_4);
+  c.Enable(GL_AUTO_NORMAL);
+  c.Begin(GL_POINTS);
+  c.EvalCoord2f(0.5f, 0.5f);
+  c.End();
+  return c;
+}
+
+// A test of what AUTO_NORMAL must not do judges normals as well, but their values have other requirements.
+TEST(Violated, AutomaticNormalsHaveRulesOfTheirOwn) {
+  const auto no_automatic_normals = [](gl::Table& table) {
+    table.Enable = [](GLenum cap) {
+      if (cap != GL_AUTO_NORMAL) Altered::original.Enable(cap);
+    };
+  };
+  for (const auto& [with_weights, owner] :
+       {std::pair{false, "EV-AUTON-CURVED"}, std::pair{true, "EV-AUTON-RATIONAL"}}) {
+    const Body body = [with_weights = with_weights](evalcts::Test& t) {
+      t.judge_vertices(patch(with_weights), kPosition);
+    };
+    const TestRecord record = record_of(no_automatic_normals, {"EV-AUTON-DEGENERATE"}, body);
+    EXPECT_EQ(record.verdict, Verdict::kFail) << record.message;
+    EXPECT_EQ(record.blamed(), Ids{owner});
+    EXPECT_EQ(record.hidden(), Ids{"EV-AUTON-DEGENERATE"});
+    EXPECT_EQ(record_of(no_automatic_normals, {"EV-AUTON-UNIT"}, body).blamed(), Ids{"EV-AUTON-UNIT"});
+  }
+}
+
 TEST(Violated, ExpectationsDecideRequirements) {
   const TestRecord record = record_of(
       [](gl::Table& table) {

@@ -37,6 +37,10 @@ std::string stem_without_dimension(EntryPoint entry);
 // Returns the dimension, 1 or 2, of a command of evaluators; 0 for other commands.
 int dimension_of(EntryPoint entry);
 
+// Returns the rules on strides, orders and domains that a Map command for a target of its dimension breaks:
+// "stride too small, order below 1". Empty if it breaks none, and for other commands.
+std::string broken_map_rules(const Command& command, int max_order);
+
 // Returns an integer argument; 0 if the argument is missing or is not an integer.
 std::int64_t integer_of(const Command& command, std::size_t argument);
 

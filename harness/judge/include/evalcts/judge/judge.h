@@ -22,9 +22,17 @@ struct Mismatch {
   std::string expected;  // the interval, or the value
   std::string captured;
   std::string exact;  // decimal and hex float
-  // The source that the value should have: a map (or a default component beside those of a map), the current
-  // value, at an evaluated or an explicit vertex, or the position of an explicit vertex.
-  enum class Source { kMap, kCurrentOfEvaluatedVertex, kCurrentOfExplicitVertex, kExplicitPosition };
+  // The source that the value should have: a map (or a default component beside those of a map), AUTO_NORMAL
+  // on a surface with one w or with several, the current value, at an evaluated or an explicit vertex, or the
+  // position of an explicit vertex.
+  enum class Source {
+    kMap,
+    kAutomaticNormal,
+    kRationalNormal,
+    kCurrentOfEvaluatedVertex,
+    kCurrentOfExplicitVertex,
+    kExplicitPosition
+  };
   Source source = Source::kMap;
   std::string observed = {};  // Difference::kind, if neither `what` nor `kind` tells it
   double ulp = 0;

@@ -20,8 +20,12 @@ struct Prediction {
   // True if a position may come out as infinity or NaN, because the GL promises nothing about its value.
   bool has_positions_beyond_float() const;
   bool has_automatic_normals() const;
-  bool has_meshes() const;  // true if EvalMesh2 draws any of the primitives
+  bool has_rational_normals() const;  // automatic ones of a surface whose w is not constant
+  bool has_meshes() const;            // true if EvalMesh2 draws any of the primitives
 };
+
+// Returns true if the w of the surface is not constant, so that the normal is that of a rational surface.
+bool is_rational(const reference::AutomaticNormal& normal);
 
 // The treatment of Enable, Disable, IsEnabled and Get with names of state that the executable specification
 // does not have, and of maps of the targets of NV_vertex_program. An error that GetError asks for behind such

@@ -16,21 +16,25 @@ struct Difference {
   static constexpr const char* kOrder = "order";        // of the points, lines or quads of a mesh
   static constexpr const char* kCrash = "crash";
   static constexpr const char* kHang = "hang";
-  // Places of attributes that no map supplies. The place of a value that a map supplies is empty.
+  // Places of attributes: what has to supply the value.
+  static constexpr const char* kMap = "map";
+  static constexpr const char* kAutomaticNormal = "AUTO_NORMAL";
   static constexpr const char* kEvaluatedVertex = "evaluated vertex";
   static constexpr const char* kExplicitVertex = "explicit vertex";
   // The relation of an answer that is due to be the largest or smallest integer.
   static constexpr const char* kSaturated = "saturated";
 
-  std::string kind;      // empty: what was observed is not a difference of one program
-  std::string place;     // for errors and answers: the stem of the command, "Map" or "GetMap COEFF"
+  std::string kind;  // empty: what was observed is not a difference of one program
+  // For errors and answers: the stem of the command, and the broken rule or what is asked for, "Map stride
+  // too small" or "GetMap COEFF".
+  std::string place;
   std::string relation;  // "missing GL_INVALID_VALUE", "more" vertices, a value that is "near" or "far"
 
   bool operator==(const Difference&) const = default;
   // Returns true for crashes and hangs.
   bool is_death() const { return kind == kCrash || kind == kHang; }
   // Returns true if all parts that both have agree. A display list hides which of its commands raises an
-  // error, and not every relation can be named.
+  // error, and not every rule and relation can be named.
   bool is_like(const Difference& other) const;
   // Returns this difference with the parts of the other one in place of those that are missing.
   Difference completed_by(const Difference& other) const;
