@@ -11,6 +11,7 @@
 #include <evalcts/cli/places.h>
 #include <evalcts/cli/specified_run.h>
 #include <evalcts/cli/terminal.h>
+#include <evalcts/gl/c_program.h>
 #include <evalcts/results/baseline.h>
 #include <evalcts/results/filter.h>
 #include <evalcts/results/known_bugs.h>
@@ -18,6 +19,7 @@
 #include <evalcts/results/text.h>
 #include <evalcts/runner/runner.h>
 #include <evalcts/runner/worker.h>
+#include "short_program.h"
 
 namespace evalcts::cli {
 namespace {
@@ -96,10 +98,34 @@ int cannot_judge(const std::string& why) {
   return kCannotBeJudged;
 }
 
+// Runs the example of a known bug, which may be outside the evaluators. Returns no exit code if it cannot be
+// built or started with this implementation, or if the GL is another one than that of the bug.
+std::optional<int> check_example(const KnownBug& bug, const ImplementationOptions& implementation) {
+  if (bug.example.empty() || !implementation.context.empty()) return {};
+  const bool is_osmesa = implementation.library.find("libOSMesa.so") != std::string::npos;
+  const std::string name = !implementation.name.empty() ? implementation.name : is_osmesa ? "osmesa" : "egl";
+  const std::vector<std::string> options = {"--implementation", name, "--library", implementation.library};
+  ProgramRun run;
+  try {
+    run = build_and_run(options, example_program(bug, options, "short"));
+  } catch (const gl::NoCProgram&) {
+    return {};
+  }
+  const std::string version = run.output.substr(0, run.output.find('\n'));
+  if (!run.not_built.empty() || version.find(bug.affects.product) == std::string::npos ||
+      version.find(bug.affects.renderer) == std::string::npos)
+    return {};
+  const bool is_bad = run.hangs() || run.ending->signalled || run.ending->value != 0;
+  std::cout << fmt::format("{}: the example of {} with {}\n", is_bad ? "bad" : "good", bug.id, version);
+  return is_bad ? kBad : kGood;
+}
+
 int check(const CheckOptions& options) {
   const ImplementationOptions implementation = completed(options.implementation);
   if (implementation.name.empty() && implementation.library.empty() && implementation.context.empty())
     return cannot_judge("check needs --implementation, --library, --context or --mesa-build");
+  if (const KnownBug* const bug = find_known_bug(options.name))
+    if (const std::optional<int> code = check_example(*bug, implementation)) return *code;
   const Question question = question_of(options.name, list_tests(places().suite_program));
   if (question.groups.empty())
     return cannot_judge(

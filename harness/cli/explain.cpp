@@ -45,9 +45,10 @@ void print_documents(const std::string& source) {
 void explain_requirement(const Requirement& requirement) {
   std::cout << requirement.id << "\n";
   paragraph(requirement.text);
+  labelled("Quotation", text_of(requirement.quote));
   labelled("Section", requirement.section);
   labelled("Source", requirement.source);
-  print_documents(requirement.source);
+  print_documents(requirement.source + "; " + requirement.quote.source);
   labelled("Since", requirement.since);
   labelled("How it shows", requirement.observation);
   labelled("What it concerns", requirement.severity);
@@ -72,8 +73,11 @@ void explain_bug(const KnownBug& bug) {
   std::cout << fmt::format("{}: a known bug of {}\n", bug.id, bug.affects.text());
   paragraph(bug.title);
   labelled("Violates", fmt::format("{}", fmt::join(texts_of(bug.requirements), ", ")));
+  labelled("Tested", bug.affects.tested_text());
   labelled("Clause", bug.clause);
-  print_documents(bug.clause);
+  const Quote quote = bug.quoted_rule();
+  labelled("Quotation", text_of(quote));
+  print_documents(bug.clause + "; " + quote.source);
   const std::vector<std::string> program = program_of(bug);
   if (!program.empty()) paragraph("Program:");
   for (const std::string& line : program) std::cout << "    " << line << "\n";

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include <evalcts/gl/call_log.h>
@@ -26,22 +27,57 @@ std::string sentence(std::string text) {
   return text + ".";
 }
 
+bool uses_evaluators(const std::string& call) {
+  return std::ranges::any_of(std::array{"Eval", "GL_MAP1_", "GL_MAP2_", "GL_AUTO_NORMAL"},
+                             [&](const char* word) { return call.find(word) != std::string::npos; });
+}
+
+// Returns the variable that chooses the driver of a bug of Mesa; empty if every driver has the bug, or if
+// Mesa chooses the driver by itself on a machine without a GPU.
+std::string gallium_driver(const KnownBug& bug) {
+  const std::string& renderer = bug.affects.renderer;
+  return renderer.empty() || renderer == "llvmpipe" ? "" : "GALLIUM_DRIVER=" + renderer;
+}
+
+// Returns the section with the rule, which may be null, and the quotation, which may be empty. `clause`:
+// where the documents state the rule.
+std::string rule_text(const Requirement* rule, const Quote& quote, const std::string& clause) {
+  if (!rule && quote.text.empty()) return "";
+  std::string text = "\n## Rule\n";
+  if (rule) text += fmt::format("\n{} ({})\n", rule->text, clause);
+  if (!quote.text.empty()) text += fmt::format("\n> {}\n\n({})\n", quote.text, quote.source);
+  for (const Document& document : documents_in(clause + "; " + quote.source))
+    text += fmt::format("\n* [{}]({})", document.name, document.address);
+  return text + "\n";
+}
+
 }  // namespace
 
 std::vector<std::string> program_of(const KnownBug& bug) {
-  return bug.programs.empty() ? bug.example : gl::program_of(gl::parse_case(bug.programs.front().commands));
+  if (!bug.example.empty() || bug.programs.empty()) return bug.example;
+  return gl::program_of(gl::parse_case(bug.programs.front().commands));
 }
 
 std::string issue_text(const RunResult* run, const Bug* bug, const KnownBug* known,
                        const std::vector<std::string>& calls) {
   const bool is_outside = known ? known->outside_evaluators : bug->outside_evaluators;
-  std::string text =
-      fmt::format("# {}{}\n\n", is_outside ? "" : "OpenGL evaluators: ", known ? known->title : bug->title);
-  if (known) text += fmt::format("Affected: {}.\n", known->affects.text());
+  const std::string component = known && !known->component.empty() ? known->component : "OpenGL evaluators",
+                    prefix = is_outside && !known ? "" : component + ": ";
+  std::string text = fmt::format("# {}{}\n\n", prefix, known ? known->title : bug->title);
+  if (known)
+    text += fmt::format("Affected: {}. Tested: {}.\n", known->affects.text(), known->affects.tested_text());
   if (run && bug)
     text += fmt::format("Observed with: {} ({}, {}).\n", run->implementation.version,
                         run->implementation.renderer, run->implementation.vendor);
-  if (!calls.empty()) text += fmt::format("\n## Program\n\n```c\n{}\n```\n", fmt::join(calls, "\n"));
+  const std::string driver = known ? gallium_driver(*known) : "";
+  if (!calls.empty()) {
+    text += fmt::format("\n## Program\n\n```c\n{}\n```\n", fmt::join(calls, "\n"));
+    if (is_outside && std::ranges::none_of(calls, uses_evaluators))
+      text += "\nThe program uses no evaluators.\n";
+    if (!driver.empty()) text += fmt::format("\nThe driver is chosen by `{}`.\n", driver);
+    if (known && known->context == KnownBug::kIndirectGlx)
+      text += "\nIt needs an indirect context, of an X server that was started with `+iglx`.\n";
+  }
   if (bug)
     text += fmt::format(
         "\n`evalcts reproduce {}` writes a complete C program, to be attached, which prints the result.\n",
@@ -55,14 +91,15 @@ std::string issue_text(const RunResult* run, const Bug* bug, const KnownBug* kno
     text += fmt::format("\n{}\n", bug->failure.message);
 
   const std::vector<RequirementId>& requirements = known ? known->requirements : bug->requirements;
-  const Requirement* const rule = requirements.empty() ? nullptr : catalogue().find(requirements.front());
-  if (rule && !is_outside) {
-    const std::string& clause = known ? known->clause : rule->source;
-    text += fmt::format("\n## Rule\n\n{} ({})\n", rule->text, clause);
-    for (const Document& document : documents_in(clause))
-      text += fmt::format("\n* [{}]({})", document.name, document.address);
-    text += "\n";
-  }
+  const Requirement* const rule =
+      is_outside || requirements.empty() ? nullptr : catalogue().find(requirements.front());
+  text += rule_text(rule,
+                    known  ? known->quoted_rule()
+                    : rule ? rule->quote
+                           : Quote(),
+                    known && !is_outside ? known->clause
+                    : rule               ? rule->source
+                                         : "");
   if (known && !known->cause.empty())
     text += fmt::format("\n## {}\n\n{}\n", known->suspected ? "Analysis" : "Cause", sentence(known->cause));
   if (known && !known->real_programs.empty())
@@ -74,15 +111,14 @@ std::string issue_text(const RunResult* run, const Bug* bug, const KnownBug* kno
                 : fmt::format(": {} of its tests fail because of this bug", bug->tests.size());
   text += ".\n";
   if (known && !known->verified.empty()) text += sentence(known->verified) + "\n";
-  if (known && !calls.empty())
-    text += known->affects.product == "Mesa"
-                ? fmt::format(
-                      "\n```sh\ngit bisect run sh -c 'ninja -C build || exit 125; evalcts check {} "
-                      "--mesa-build build'\n```\n",
-                      known->id)
-                : fmt::format(
-                      "`evalcts check {}` has exit code 1 while a driver has the bug, and 0 without it.\n",
-                      known->id);
+  if (known && !calls.empty() && known->affects.product != "Mesa")
+    text += fmt::format("`evalcts check {}` has exit code 1 while a driver has the bug, and 0 without it.\n",
+                        known->id);
+  else if (known && !calls.empty() && known->context != KnownBug::kIndirectGlx)
+    text += fmt::format(
+        "\n```sh\ngit bisect run sh -c 'ninja -C build || exit 125; {}evalcts check {} --mesa-build "
+        "build'\n```\n",
+        driver.empty() ? "" : driver + " ", known->id);
   if (run && bug && !run->implementation.files.empty())
     text += fmt::format("\nLoaded files: {}.\n", fmt::join(run->implementation.files, ", "));
   return text;

@@ -10,7 +10,7 @@
 
 namespace evalcts::cli {
 
-// Returns the program of a known bug as C: its first program, or its example; empty if it has neither.
+// Returns the program of a known bug as C: its example, or its first program; empty if it has neither.
 std::vector<std::string> program_of(const KnownBug& bug);
 
 // Returns the issue in Markdown: title, affected versions, program, expected and observed result, rule with

@@ -22,6 +22,7 @@
 #include "recorded.h"
 #include "result_files.h"
 #include "run_folders.h"
+#include "short_program.h"
 #include "wrap.h"
 
 namespace evalcts::cli {
@@ -68,6 +69,7 @@ Candidate replayed_failure(const RecordedFailure& failure, BugProgram& program) 
 struct Replayed {
   std::optional<TestRecord> record;  // none if the process died or hung in the test
   bool hung = false;
+  bool dies = false;  // an example in which the library crashes or hangs
   std::string ending;
   std::string program;  // the C program; empty if none was written
 };
@@ -114,7 +116,6 @@ const Requirement* violated_rule(const TestRecord& recorded, const TestRecord& r
   return nullptr;
 }
 
-constexpr double kSecondsOfTrial = 10;  // time limit for the compilation of a program and for its run
 constexpr char kExitCodes[] = "Exit code 1: the failure shows; 0: it does not; 2: the program cannot start.";
 
 // Returns the comment at the top of a program. `title`: the failure in one sentence. `compile`: the shell
@@ -153,44 +154,6 @@ std::string from_here(const fs::path& path) {
   return relative.size() < path.string().size() ? relative : path.string();
 }
 
-// Returns the value of an option of the suite program; empty if it is not given.
-std::string value_of(const std::vector<std::string>& options, const std::string& option) {
-  const auto found = std::ranges::find(options, option);
-  return found == options.end() ? std::string() : *std::next(found);
-}
-
-// Returns a shell line that compiles the C file `source` to `program` and runs it. `text`: the program.
-std::string compile_line(const Candidate& failure, const std::string& text, const std::string& source,
-                         const std::string& program) {
-  std::vector<std::string> command = {"cc", "-o", program, source};
-  std::string environment;
-  const std::vector<std::string> options = replay_options(*failure.run);
-  const fs::path library = value_of(options, "--library");
-  const bool uses_osmesa = text.starts_with("#include <GL/osmesa.h>");
-  if (uses_osmesa || text.starts_with("#include <EGL/egl.h>")) {
-    const bool is_usual = library.empty() || library.filename().string().starts_with(
-                                                 "lib" + std::string(uses_osmesa ? "OSMesa" : "EGL") + ".so");
-    if (uses_osmesa)
-      command.push_back(is_usual ? "-lOSMesa" : library.string());
-    else
-      command.insert(command.end(), {"-lEGL", "-lGL"});
-    if (!library.empty() && is_usual)
-      environment = "LD_LIBRARY_PATH=" + shell_line({library.parent_path().string()}) + " ";
-  } else if (value_of(options, "--implementation") == "production") {
-    const Places where = places();
-    if (where.production_library.empty()) {
-      command.push_back("-lglevaluator");
-    } else {
-      command.insert(command.end(), {"-DGLEV_STATIC", "-I" + where.production_headers.string(),
-                                     where.production_library.string(), "-lm"});
-    }
-  } else {
-    command.push_back("-ldl");
-  }
-  return shell_line(command) + " && " + environment +
-         shell_line({program.find('/') == std::string::npos ? "./" + program : program});
-}
-
 // Compiles and runs a short program. Returns an empty text if it shows the failure, otherwise the reason why
 // it does not, or could not be tried (`tried` is false then).
 struct Trial {
@@ -198,46 +161,26 @@ struct Trial {
   std::string problem;
 };
 Trial try_program(const Candidate& failure, const Replayed& replayed) {
-  if (!value_of(replay_options(*failure.run), "--mesa-build").empty())
-    return {false, "it would run on the system's Mesa"};
-  const Scratch scratch;
-  const fs::path source = scratch.path() / "program.c", log = scratch.path() / "log";
-  write_atomically(source, replayed.program);
-  const std::string line =
-      compile_line(failure, replayed.program, source.string(), (scratch.path() / "program").string());
-  const std::size_t both = line.find(" && ");
-  ChildProcess compiler({"/bin/sh", "-c", "exec " + line.substr(0, both)}, log.string());
-  const std::optional<Ending> compiled = compiler.wait(kSecondsOfTrial);
-  if (!compiled || compiled->signalled || compiled->value != 0) {
-    std::string why = read_file(log);
-    const std::size_t error = why.find("error: ");
-    if (error != std::string::npos) why = why.substr(error + 7);
-    return {false, "cc: " + clean(why.substr(0, why.find('\n')))};
-  }
-  ChildProcess program({"/bin/sh", "-c", line.substr(both + 4)}, log.string());
-  const std::optional<Ending> ending = program.wait(kSecondsOfTrial);
-  const bool hangs = !ending, crashes = ending && (ending->signalled || ending->value >= 128);
-  const bool shows = replayed.record ? ending && !crashes && ending->value == 1
-                     : replayed.hung ? hangs
-                                     : crashes;
+  const std::vector<std::string> options = replay_options(*failure.run);
+  if (!value_of(options, "--mesa-build").empty()) return {false, "it would run on the system's Mesa"};
+  const ProgramRun run = build_and_run(options, replayed.program);
+  if (!run.not_built.empty()) return {false, run.not_built};
+  const bool shows = replayed.dies     ? run.crashes() || run.hangs()
+                     : replayed.record ? run.ending && !run.crashes() && run.ending->value == 1
+                     : replayed.hung   ? run.hangs()
+                                       : run.crashes();
   return {true, shows ? "" : "the short program does not show the failure here"};
 }
 
 // Returns the example of a known bug as a program, with a record of the failure; without a program if the
 // implementation is not linked by its name or the example does not show the bug here.
 Replayed example(const Candidate& failure, const KnownBug& known, const std::string& style) {
-  const std::vector<std::string> options = replay_options(*failure.run);
-  const std::string implementation = value_of(options, "--implementation"),
-                    library = value_of(options, "--library");
   Replayed written;
   written.record = *failure.test;
   written.record->message = known.title;
+  written.dies = known.fails.empty();
   try {
-    written.program =
-        gl::to_c({.style = gl::c_style_named(style).value_or(gl::CStyle::kShort),
-                  .context = implementation == "osmesa" ? "osmesa" : "egl",
-                  .library = library.empty() && implementation == "egl" ? "libEGL.so.1" : library},
-                 known.example, known.fails, known.core_profile);
+    written.program = example_program(known, replay_options(*failure.run), style);
   } catch (const gl::NoCProgram&) {
     return {};
   }
@@ -253,10 +196,9 @@ int reproduce_or_throw(const ReproduceOptions& options) {
   const RecordedFailure recorded = find_failure(runs, options.failure);
   const Candidate failure = replayed_failure(recorded, bug);
   std::string style = options.style.empty() ? "short" : options.style, note;
-  const KnownBug* const known =
-      recorded.bug && bug.commands.empty() ? find_known_bug(recorded.bug->known) : nullptr;
+  const KnownBug* const known = recorded.bug ? find_known_bug(recorded.bug->known) : nullptr;
   Replayed replayed;
-  if (known && !known->fails.empty() && style != "full") replayed = example(failure, *known, style);
+  if (known && !known->example.empty() && style != "full") replayed = example(failure, *known, style);
   const bool is_example = !replayed.program.empty();
   if (!is_example) replayed = replay(failure, bug.commands, style);
   if (options.style.empty() && !is_example) {
@@ -300,7 +242,7 @@ int reproduce_or_throw(const ReproduceOptions& options) {
   const bool replaced = fs::exists(file);
   const bool is_piglit = style == "piglit";
   const auto line = [&](const std::string& source) {
-    return compile_line(failure, replayed.program, source,
+    return compile_line(replay_options(*failure.run), replayed.program, source,
                         source.substr(0, source.size() - file.extension().string().size()));
   };
   try {
@@ -349,7 +291,8 @@ std::function<int()> define_reproduce(CLI::App& app, const Call& call) {
       ->required();
   app.add_option(
          "--style", options->style,
-         "short: at most a screen or two, linked with EGL and GL, or OSMesa; full: opens the library by its "
+         "short: at most a screen or two, linked with EGL and GL, GL and GLX, or OSMesa; full: opens the "
+         "library by its "
          "name, catches crashes and guards arrays; piglit: a test of piglit (default: short if such a "
          "program shows the failure here, otherwise full)")
       ->check(CLI::IsMember({"short", "full", "piglit"}));

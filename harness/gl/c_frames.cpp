@@ -1,4 +1,4 @@
-// The frames of short C programs, for EGL, OSMesa and piglit.
+// The frames of short C programs, for EGL, OSMesa, indirect GLX and piglit.
 #include "c_frames.h"
 
 #include <fmt/format.h>
@@ -14,6 +14,10 @@ constexpr char kGlHeaders[] = R"(#define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
 #include <stdio.h>
+)";
+
+constexpr char kPrintVersion[] =
+    R"(  printf("%s, %s\n", (const char *)glGetString(GL_VERSION), (const char *)glGetString(GL_RENDERER));
 )";
 
 // Returns the attributes of EGL for a kind of context.
@@ -48,10 +52,9 @@ int main(void) {{
   if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(display, (EGLint[]){{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE}}, &config, 1, &count)) return 2;
   EGLSurface surface = eglCreatePbufferSurface(display, config, (EGLint[]){{EGL_WIDTH, 64, EGL_HEIGHT, 64, EGL_NONE}});
   if (!eglMakeCurrent(display, surface, surface, eglCreateContext(display, config, NULL, {}))) return 2;
-  printf("%s\n", (const char *)glGetString(GL_VERSION));
-)",
+{})",
               kind == 0 ? "" : fmt::format("  const EGLint attributes[] = {{{}}};\n", egl_attributes(kind)),
-              kind == 0 ? "NULL" : "attributes")};
+              kind == 0 ? "NULL" : "attributes", kPrintVersion)};
 }
 
 CFrame osmesa(GLuint kind) {
@@ -63,14 +66,30 @@ CFrame osmesa(GLuint kind) {
 int main(void) {{
   static GLubyte pixels[64 * 64 * 4];
 {}  if (!OSMesaMakeCurrent(context, pixels, GL_UNSIGNED_BYTE, 64, 64)) return 2;
-  printf("%s\n", (const char *)glGetString(GL_VERSION));
-)",
+{})",
           kind == 0
               ? "  OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, NULL);\n"
               : R"(  const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
                             OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 2, 0};
   OSMesaContext context = OSMesaCreateContextAttribs(attributes, NULL);
-)")};
+)",
+          kPrintVersion)};
+}
+
+CFrame indirect_glx(GLuint kind) {
+  if (kind != 0) throw NoCProgram("short programs make no indirect contexts of this kind");
+  return {.headers = fmt::format("#include <GL/glx.h>\n{}", kGlHeaders),
+          .main = fmt::format(
+              R"(
+int main(void) {{
+  Display *display = XOpenDisplay(NULL); /* a server with indirect contexts: Xvfb +iglx */
+  XVisualInfo *visual = display ? glXChooseVisual(display, DefaultScreen(display), (int[]){{GLX_RGBA, None}}) : NULL;
+  if (!visual) return 2;
+  GLXContext context = glXCreateContext(display, visual, NULL, False);
+  Pixmap pixmap = XCreatePixmap(display, DefaultRootWindow(display), 64, 64, visual->depth);
+  if (!glXMakeCurrent(display, glXCreateGLXPixmap(display, visual, pixmap), context)) return 2;
+{})",
+              kPrintVersion)};
 }
 
 // Returns the version of the GL, as piglit writes it, whose commands the case uses.
@@ -125,7 +144,8 @@ CFrame c_frame(const CProgram& program, GLuint kind) {
       throw NoCProgram("the library has another name than the one that programs are linked with");
     return egl(kind);
   }
-  throw NoCProgram("only EGL and OSMesa are linked");
+  if (program.context == "glx-indirect") return indirect_glx(kind);
+  throw NoCProgram("only EGL, indirect GLX and OSMesa are linked");
 }
 
 }  // namespace evalcts::gl

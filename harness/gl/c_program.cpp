@@ -663,11 +663,13 @@ std::optional<CStyle> c_style_named(std::string_view name) {
 std::string to_c(const CProgram& program) { return Writer(program).write(); }
 
 std::string to_c(const CProgram& program, const std::vector<std::string>& statements,
-                 const std::string& fails, bool core_profile) {
-  const CFrame frame = c_frame(program, core_profile ? EVALCTS_CORE_PROFILE : 0);
+                 const std::string& fails, GLuint kind) {
+  const CFrame frame = c_frame(program, kind);
   std::string text = frame.headers + frame.main;
+  const bool dies = fails.empty();
+  if (dies && program.style != CStyle::kPiglit) text += "  fflush(stdout);\n";
   for (const std::string& statement : statements) text += "  " + statement + "\n";
-  return text + fmt::format("  {}\n}}\n", return_of(program.style, fails));
+  return text + fmt::format("  {}\n}}\n", return_of(program.style, dies ? "0" : fails));
 }
 
 }  // namespace evalcts::gl

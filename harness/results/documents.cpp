@@ -1,4 +1,5 @@
-// Finds the short names of documents in sources. The addresses are those of the registry's index.
+// Finds the short names of documents in sources, and writes quotations. The addresses are those of the
+// registry's index.
 #include <evalcts/results/documents.h>
 
 #include <fmt/format.h>
@@ -62,6 +63,10 @@ std::vector<std::string> words_of(const std::string& text) {
 }
 
 }  // namespace
+
+std::string text_of(const Quote& quote) {
+  return quote.text.empty() ? "" : fmt::format("“{}” ({})", quote.text, quote.source);
+}
 
 std::vector<Document> documents_in(const std::string& source) {
   std::vector<Document> found;

@@ -37,12 +37,15 @@ KnownBug read_known_bug(const JsonObject& in) {
   KnownBug out;
   out.id = in.text("id");
   out.title = in.text("title");
+  out.component = in.text("component");
   if (const auto affects = in.object("affects"))
-    out.affects = {affects->text("product"), affects->text("first"), affects->text("last"),
-                   affects->text("renderer")};
+    out.affects = {affects->text("product"),  affects->text("first"),  affects->text("last"),
+                   affects->text("renderer"), affects->text("server"), affects->texts("tested"),
+                   affects->texts("without")};
   const std::vector<std::string> requirements = in.texts("requirements");
   out.requirements = {requirements.begin(), requirements.end()};
   out.clause = in.text("clause");
+  if (const auto quote = in.object("quote")) out.quote = {quote->text("text"), quote->text("source")};
   out.expected = in.text("expected");
   out.captured = in.text("captured");
   out.cause = in.text("cause");
@@ -52,7 +55,7 @@ KnownBug read_known_bug(const JsonObject& in) {
   out.verified = in.text("verified");
   out.example = in.texts("example");
   out.fails = in.text("fails");
-  out.core_profile = in.boolean("core_profile");
+  out.context = in.text("context");
   FailingTests of_programs;
   in.each_object("programs", [&](const JsonObject& program) {
     BugProgram& added = out.programs.emplace_back();
@@ -73,8 +76,22 @@ KnownBug read_known_bug(const JsonObject& in) {
 }  // namespace
 
 std::string AffectedVersions::text() const {
-  return fmt::format("{} {}{}{}", product, first, first == last ? "" : " to " + last,
-                     renderer.empty() ? "" : " with " + renderer);
+  return fmt::format("{}{} {}{}{}", server.empty() ? "" : server + " with clients of ", product, first,
+                     first == last ? "" : " to " + last, renderer.empty() ? "" : " with " + renderer);
+}
+
+std::string AffectedVersions::tested_text() const {
+  const auto list = [](const std::vector<std::string>& versions) {
+    return versions.size() < 2
+               ? fmt::format("{}", fmt::join(versions, ""))
+               : fmt::format("{} and {}", fmt::join(versions.begin(), versions.end() - 1, ", "),
+                             versions.back());
+  };
+  if (!server.empty()) return fmt::format("with clients of {} {}", product, list(tested));
+  std::string text = fmt::format("{} {} the bug", list(tested), tested.size() == 1 ? "has" : "have");
+  if (!without.empty())
+    text += fmt::format(", {} {} not", list(without), without.size() == 1 ? "does" : "do");
+  return text;
 }
 
 bool AffectedVersions::may_contain(const ImplementationRecord& implementation) const {
@@ -84,6 +101,12 @@ bool AffectedVersions::may_contain(const ImplementationRecord& implementation) c
 }
 
 bool KnownBug::dies() const { return !programs.empty() && programs.front().difference.is_death(); }
+
+Quote KnownBug::quoted_rule() const {
+  if (!quote.text.empty() || outside_evaluators || requirements.empty()) return quote;
+  const Requirement* const rule = catalogue().find(requirements.front());
+  return rule ? rule->quote : quote;
+}
 
 std::vector<KnownBug> parse_known_bugs(const std::string& text) {
   const json data = json::parse(text, nullptr, false);
@@ -142,6 +165,13 @@ std::vector<std::string> lint(const std::vector<KnownBug>& bugs) {
                                       {"real_programs", bug.real_programs},
                                       {"verified", bug.verified}})
       if (value.empty()) complain(fmt::format("'{}' is missing", name));
+    const auto& tested = bug.affects.tested;
+    if (tested.empty() || !tested.front().starts_with(bug.affects.first) ||
+        !tested.back().starts_with(bug.affects.last))
+      complain("'affects.tested' does not go from 'first' to 'last'");
+    if (!bug.context.empty() && bug.context != KnownBug::kCoreProfile &&
+        bug.context != KnownBug::kIndirectGlx)
+      complain(fmt::format("unknown context '{}'", bug.context));
     if (bug.requirements.empty()) complain("'requirements' is empty");
     for (const RequirementId& id : bug.requirements)
       if (!catalogue().find(id)) complain(fmt::format("unknown requirement {}", id.text()));
@@ -189,8 +219,10 @@ std::string known_bugs_as_markdown(const std::vector<KnownBug>& bugs,
       if (!words.empty()) text += fmt::format("* **{}**: {}\n", label, words);
     };
     line("Affects", bug.affects.text());
+    line("Tested", bug.affects.tested_text());
     line("Requirements", fmt::format("{}", fmt::join(texts_of(bug.requirements), ", ")));
     line("Clause", bug.clause);
+    line("Quotation", text_of(bug.quoted_rule()));
     line("Expected", bug.expected);
     line("Instead", bug.captured);
     line(bug.suspected ? "Cause (suspected)" : "Cause", bug.cause);

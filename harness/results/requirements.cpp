@@ -24,6 +24,7 @@ Requirement read_requirement(const json& value, const JsonObject& in, std::size_
   out.observation = in.text("observation");
   out.severity = in.text("severity");
   out.level = in.text("level");
+  if (const auto quote = in.object("quote")) out.quote = {quote->text("text"), quote->text("source")};
   out.inferred = in.boolean("inferred");
   out.place = place;
   if (const auto reason = value.find("undecidable"); reason != value.end()) {

@@ -417,7 +417,7 @@ class KnownBugsInBaselines : public Baselines {
     KnownBug bug;
     bug.id = "mesa-a";
     bug.title = "A is wrong";
-    bug.affects = {"Mesa", "20.3", "26.2", ""};
+    bug.affects = {"Mesa", "20.3", "26.2", "", "", {}, {}};
     bug.tests = {{{}, "Fail", {"A.@(B|Longer|Alternatives)*", "A.C"}},
                  {{.renderer = "softpipe"}, "Crash", {"A.S"}},
                  {{.implementations = {"glx"}}, "Skip", {"A.G"}},

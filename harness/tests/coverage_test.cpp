@@ -73,6 +73,19 @@ TEST(Coverage, LintOfUndecidable) {
   EXPECT_EQ(lint(requirements({{"1-D", ""}}), tests({"B"})).size(), 1u);
 }
 
+TEST(Catalogue, QuotesShortly) {
+  std::size_t quoted = 0;
+  for (const Requirement& requirement : catalogue().requirements) {
+    const Quote& quote = requirement.quote;
+    EXPECT_EQ(quote.text.empty(), quote.source.empty()) << requirement.id;
+    if (quote.text.empty()) continue;
+    ++quoted;
+    EXPECT_EQ(documents_in(quote.source).size(), 1u) << requirement.id << ": " << quote.source;
+    EXPECT_LE(std::ranges::count(quote.text, ' '), 40) << requirement.id;
+  }
+  EXPECT_GE(quoted, 150u);
+}
+
 TEST(Catalogue, ReadsBothFormsOfUndecidable) {
   const Catalogue read = Catalogue::parse(
       R"({"requirements": [{"id": "A", "undecidable": "why"}, {"id": "B", "undecidable": {"2-D": "how"}}]})");

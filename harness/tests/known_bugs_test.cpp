@@ -38,7 +38,8 @@ TEST(KnownBugs, ExpectFailuresOfTestsThatExist) {
 
 TEST(KnownBugs, MistakesAreNamed) {
   std::vector<KnownBug> bugs = parse_known_bugs(
-      R"({"bugs": [{"id": "a", "title": "t", "affects": {"product": "Mesa", "first": "20.3", "last": "26.2"},
+      R"({"bugs": [{"id": "a", "title": "t", "affects": {"product": "Mesa", "first": "20.3", "last": "26.2",
+      "tested": ["20.3.5", "26.2.6"]},
       "requirements": ["EV-MAP1-COPY"], "clause": "c", "expected": "e", "captured": "x",
       "cause": "c", "real_programs": "r", "verified": "v", "programs": [{"name": "F", "requirement": "EV-MAP1-COPY",
       "difference": "error; ; missing GL_INVALID_VALUE", "commands": [["GetError"]]}],
@@ -104,9 +105,11 @@ TEST(Differences, HaveTheKindOfWhatWasCompared) {
 }
 
 TEST(KnownBugs, AffectVersionsOfAProduct) {
-  const AffectedVersions affected = {"Mesa", "20.3", "26.2", "llvmpipe"};
+  const AffectedVersions affected = {
+      "Mesa", "20.3", "26.2", "llvmpipe", "", {"20.3.5", "22.3.6", "26.2.6"}, {"20.2.1"}};
   EXPECT_EQ(affected.text(), "Mesa 20.3 to 26.2 with llvmpipe");
-  EXPECT_EQ((AffectedVersions{"NVIDIA", "580", "580", ""}.text()), "NVIDIA 580");
+  EXPECT_EQ(affected.tested_text(), "20.3.5, 22.3.6 and 26.2.6 have the bug, 20.2.1 does not");
+  EXPECT_EQ((AffectedVersions{"NVIDIA", "580", "580", "", "", {"580.1"}, {}}.text()), "NVIDIA 580");
   const auto contains = [&](const std::string& version, const std::string& renderer,
                             const std::string& kind = "osmesa") {
     ImplementationRecord implementation;

@@ -21,7 +21,8 @@ struct NoCProgram : std::runtime_error {
 };
 
 // Forms of a C program.
-//   kShort    for a bug report: links the platform's EGL and GL, or OSMesa. It cannot protect client arrays
+//   kShort    for a bug report: links the platform's EGL and GL, its GL with GLX, or OSMesa. It cannot
+//   protect client arrays
 //             against accesses, or use several contexts.
 //   kFull     loads the library by its name, which may be given as an argument, and catches crashes and
 //   hangs;
@@ -32,7 +33,8 @@ std::optional<CStyle> c_style_named(std::string_view name);  // "short", "full" 
 
 struct CProgram {
   CStyle style = CStyle::kFull;
-  // The kind of contexts: "osmesa", "egl", "egl-gles2", "provider", "sink", "none" or "production".
+  // The kind of contexts: "osmesa", "egl", "glx-indirect", "egl-gles2", "provider", "sink", "none" or
+  // "production".
   std::string context;
   std::string context_library = {};  // the file that makes the context, if the commands come from `library`
   std::string library;               // the file that was judged; empty for "production"
@@ -46,9 +48,10 @@ struct CProgram {
 };
 
 // Returns a program in a short style that consists of these statements and fails if the C expression `fails`
-// is true. `program` has the style, context and library. Throws NoCProgram.
+// is true, or if the library crashes in it. `program` has the style, context and library; `kind` is the kind
+// of context, see contexts.h, or 0. Throws NoCProgram.
 std::string to_c(const CProgram& program, const std::vector<std::string>& statements,
-                 const std::string& fails, bool core_profile);
+                 const std::string& fails, GLuint kind);
 
 // Returns the program. Its exit code is 1 if the check does not hold, 0 if the check holds, and 2 if the
 // program cannot start; in the full style, 1 if the library crashes, and the macro SECONDS sets its time

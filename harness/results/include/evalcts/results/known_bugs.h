@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <evalcts/results/documents.h>
 #include <evalcts/results/requirement_id.h>
 #include <evalcts/results/run_result.h>
 #include <evalcts/results/scope.h>
@@ -17,9 +18,16 @@ struct AffectedVersions {
   std::string product;      // "Mesa", which stands in GL_VERSION in front of the number of the version
   std::string first, last;  // "20.3" and "26.2", which includes 26.2.6
   std::string renderer;     // a part of GL_RENDERER, "llvmpipe"; empty: any
+  std::string server;       // the X server that has the bug, if it is not in the product
+  // The versions that were tested: those that have the bug, from the first to the last, and those that do
+  // not.
+  std::vector<std::string> tested, without;
 
-  // Returns "Mesa 20.3 to 26.2 with llvmpipe".
+  // Returns "Mesa 20.3 to 26.2 with llvmpipe", or "X.Org server 21.1.7 with clients of Mesa 20.3 to 26.2".
   std::string text() const;
+  // Returns "20.3.5 and 22.3.6 have the bug, 25.0.7 does not", or "with clients of Mesa 20.3.5 and 22.3.6"
+  // for a bug of a server.
+  std::string tested_text() const;
   // True for the first and all newer versions, if the evaluators of the implementation are those of the
   // product.
   bool may_contain(const ImplementationRecord& implementation) const;
@@ -44,26 +52,33 @@ struct FailingTests {
 struct KnownBug {
   std::string id;  // "mesa-mesh-steps"
   std::string title;
+  std::string
+      component;  // the part of the product as its bug tracker calls it, "llvmpipe"; empty: evaluators
   AffectedVersions affects;
   std::vector<RequirementId> requirements;
   std::string clause;
+  Quote quote;                      // empty: that of the first requirement
   std::string expected, captured;   // the required and the observed result of the program
   std::string cause;                // the root cause in the library, in words, with the function
   bool outside_evaluators = false;  // explicit vertices or other commands show it as well
   bool suspected = false;           // the cause was read from the source, not proven by a repair
   std::string real_programs;        // the effect on real programs
   std::string verified;             // the way in which the bug was verified
-  // Reports show the first program. Empty if JSON cannot express one.
+  // Empty if JSON cannot express one.
   std::vector<BugProgram> programs;
-  // Statements of C, with a GL that is current, which show a bug without a program and print it. `fails` is a
-  // C expression that is true then.
+  // Statements of C, with a GL that is current, which show the bug and print it. Reports show them, or else
+  // the first program. `fails` is a C expression that is true then; empty: the library crashes or hangs.
   std::vector<std::string> example;
   std::string fails;
-  bool core_profile = false;        // the example needs a context of a core profile
+  std::string context;  // kind of context of the example: kCoreProfile or kIndirectGlx; empty: any
   std::vector<FailingTests> tests;  // Findings.NAME of `programs` included
+
+  static constexpr char kCoreProfile[] = "core profile", kIndirectGlx[] = "indirect GLX";
 
   // True if the library crashes or hangs in the programs.
   bool dies() const;
+  // Returns `quote`, or that of the first requirement if evaluators are to blame; empty: there is none.
+  Quote quoted_rule() const;
 };
 
 // Returns the known bugs that are compiled in, in the order of their IDs.

@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
+#include <evalcts/results/documents.h>
 #include <evalcts/results/requirement_id.h>
 
 namespace evalcts {
 
 struct Requirement {
   std::string id, section, text, source, since, observation, severity, level;
+  Quote quote;            // from one of the sources; empty: none
   bool inferred = false;  // no single sentence states it
   // Reasons why no test can decide the half "1-D" or "2-D", by half. A half that is not listed
   // can be decided.
