@@ -9,6 +9,5 @@ set(CMAKE_C_FLAGS_INIT "-idirafter /usr/include")
 set(CMAKE_CXX_FLAGS_INIT "-idirafter /usr/include")
 set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64 -L /usr/aarch64-linux-gnu)
 list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR}/aarch64)
-# Otherwise CMake would find the Fortran compiler and MPI of this machine.
+# Otherwise CMake would find the Fortran compiler of this machine.
 set(CMAKE_Fortran_COMPILER NOTFOUND)
-set(CMAKE_DISABLE_FIND_PACKAGE_MPI ON)

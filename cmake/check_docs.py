@@ -58,6 +58,7 @@ NEEDS = {
     "osmesa": lambda machine: "osmesa" in machine.available,
     "lavapipe": lambda machine: os.path.exists("/usr/share/vulkan/icd.d/lvp_icd.x86_64.json"),
     "mpirun": lambda machine: bool(shutil.which("mpirun")),
+    "parallel": lambda machine: bool(shutil.which("parallel")),
 }
 # Pages that a tool writes from data, and that may not have been written yet.
 GENERATED = {"docs/known-bugs.md"}
@@ -250,17 +251,8 @@ def cheap_arguments(arguments, tests):
         replace("--programs", "2")
         rest.append("--allow-unobserved")
         default("--jobs", "1")
-    elif command == "ulp" and "--digest" in rest:
-        replace("--values", "1000")
-    elif command == "ulp" and "--sweep" in rest:
-        default("--to", "0x1p-20")
-        default("--from", "0x1.fff8p-21")
-    elif command == "ulp" and "--merge" not in rest and value_of("--at") is None:
+    elif command == "ulp" and value_of("--at") is None:
         replace("--values", "100")
-    elif command == "rounding":
-        replace("--samples", "10")
-        replace("--exact", "1")
-        default("--filter", "curve/4/*")
     elif command in ("test", "bench", "package", "faults"):
         sys.exit(f"'{command}' takes long: mark the block with <!-- not run: ... -->")
     return [command, *rest]
@@ -280,6 +272,7 @@ def make_folder(folder, root, program, layer, tests):
     (folder / "reports").mkdir()
     (folder / "build/release/harness").mkdir(parents=True)
     (folder / "build/release/harness/cli").symlink_to(program.parent)
+    (folder / "build/release/production").symlink_to(program.parents[2] / "production")
     for name in ("libEGL.so.1", "libGL.so.1", "libOSMesa.so.8"):
         if found := library(name):
             (folder / name).symlink_to(found)

@@ -103,8 +103,8 @@ need() { # purpose...
       to_install+=("$name")
       dpkg --compare-versions "${offered[$name]}" lt "$([[ $name == g++ ]] && echo 4:)${least[$name]/#-/0}" 2>/dev/null &&
         old+=", $name ${offered[$name]#*:} (${least[$name]} is needed)"
-      # `run`, `bench` and `mpi` are useful without an optional package; a stage of `test` is not.
-      [[ ${lane[$name]} && ,${purposes[$name]}, =~ ,(run|bench|mpi), ]] || insist+=("$name")
+      # `run` and `bench` are useful without an optional package; a stage of `test` is not.
+      [[ ${lane[$name]} && ,${purposes[$name]}, =~ ,(run|bench), ]] || insist+=("$name")
     elif [[ ${lane[$name]} ]]; then
       absent+=("$name")
     else

@@ -2,10 +2,9 @@
 // users do, and takes the results from a capture.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include <evalcts/accuracy/subject.h>
+#include <evalcts/backends/gl_environment.h>
+#include <evalcts/backends/mesa_build.h>
 #include <evalcts/capture/capture.h>
 #include <evalcts/gl/case.h>
 #include <evalcts/gl/tokens.h>
@@ -61,13 +60,15 @@ class Captured final : public Subject {
   explicit Captured(const ImplementationOptions& options)
       : implementation_(open_implementation(options)),
         info_(inquire(*implementation_)),
-        captures_(*implementation_, info_) {}
+        captures_(*implementation_, info_) {
+    if (!options.mesa_build.empty()) require_mesa_build(options.mesa_build, loaded_gl_files());
+  }
 
   ImplementationInfo info() const override { return info_; }
   std::string capture() const override { return used_; }
 
-  void evaluate(GLenum target, const Map& map, std::span<const float> u, std::span<const float> v,
-                std::span<float> results) override {
+  std::vector<float> evaluate(GLenum target, const Map& map, std::span<const float> u,
+                              std::span<const float> v) override {
     const Attributes attribute = attribute_of(target);
     const Capture& capture = captures_.showing_all(attribute, kPoints);
     const Observation seen =
@@ -78,11 +79,14 @@ class Captured final : public Subject {
       throw NotObservable(fmt::format("expected {} vertices, captured {}", u.size(), seen.vertex_count()));
     if (attribute == kColor && seen.clamped_colors)
       throw NotObservable("colours are clamped to [0,1] on the way");
-    float* next = results.data();
+    std::vector<float> results;
     for (const ObservedPrimitive& primitive : seen.primitives)
-      for (const ObservedVertex& vertex : primitive.vertices)
-        next = std::copy_n(values_of(vertex, attribute), map.components, next);
+      for (const ObservedVertex& vertex : primitive.vertices) {
+        const float* const values = values_of(vertex, attribute);
+        results.insert(results.end(), values, values + map.components);
+      }
     used_ = capture.name();
+    return results;
   }
 
  private:

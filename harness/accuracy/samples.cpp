@@ -1,4 +1,4 @@
-// Draws the control points of random maps.
+// Defines the classes of the accuracy table, and draws and varies maps and arguments.
 #include <evalcts/accuracy/samples.h>
 
 #include <fmt/format.h>
@@ -10,43 +10,15 @@
 namespace evalcts::accuracy {
 namespace {
 
-std::vector<double> component_points(const Class& what, Random& random) {
-  const int vorder = std::max(what.vorder, 1);
-  const int n = what.uorder - 1, m = vorder - 1;
-  std::vector<double> points(static_cast<std::size_t>(what.uorder) * vorder);
-  const auto each = [&](const auto& value) {
-    for (int i = 0; i <= n; ++i) {
-      for (int j = 0; j <= m; ++j) points[i * vorder + j] = value(i, j);
-    }
-  };
-  const auto as_float = [](double x) { return static_cast<double>(static_cast<float>(x)); };
-  if (what.data == "ordinary" || what.domain() != kUnitDomain || what.segments() > 0) {
-    each([&](int, int) { return as_float(random.between(-1, 1)); });
-  } else if (what.data == "integers") {
-    each([&](int, int) { return static_cast<double>(random.below(19)) - 9; });
-  } else if (what.data == "lines") {
-    // The maps have degree 1 or less in each direction.
-    const double first = static_cast<double>(random.below(200)) - 100,
-                 a = static_cast<double>(random.below(9)) - 4, b = static_cast<double>(random.below(9)) - 4;
-    each([&](int i, int j) { return first + a * i + b * j; });
-  } else if (what.data == "cancelling") {
-    // (1 - 2u)^n (1 - 2v)^m, scaled.
-    const double scale = as_float(random.between(1, 2));
-    each([&](int i, int j) { return (i + j) % 2 == 0 ? scale : -scale; });
-  } else if (what.data == "wide") {
-    each([&](int, int) { return as_float(random.scaled(-1, 1, static_cast<int>(random.below(120)) - 60)); });
-  } else if (what.data == "extreme") {
-    // The values are near the upper or the lower end of the range of float.
-    const bool large = random.once_in(2);
-    each([&](int, int) {
-      return as_float(random.scaled(
-          -1, 1,
-          large ? 128 - static_cast<int>(random.below(3)) : -125 - static_cast<int>(random.below(25))));
-    });
-  } else {  // doubles
-    each([&](int, int) { return random.scaled(-1, 1, static_cast<int>(random.below(60)) - 30); });
-  }
-  return points;
+constexpr std::uint64_t kSteps = 1u << 24;  // arguments are multiples of 2^-24 of the domain
+
+// Returns the kind of the control points.
+std::string data_of(const Class& what) {
+  return what.domain() != kUnitDomain || what.segments() > 0 ? "ordinary" : what.data;
+}
+
+std::vector<double> random_component(const Class& what, Random& random) {
+  return reference::random_component(data_of(what), what.uorder, std::max(what.vorder, 1), random);
 }
 
 // Returns x with one changed significand bit, the opposite sign, or another exponent e from least_exponent to
@@ -59,8 +31,7 @@ float varied(float x, int least_exponent, int exponents, Random& random) {
     return std::ldexp(x == 0 ? static_cast<float>(random.between(0.5, 1)) : significand, another);
   }
   if (random.once_in(24)) return -x;
-  const std::uint32_t flipped = std::bit_cast<std::uint32_t>(x) ^ 1u << random.below(23);
-  return std::bit_cast<float>(flipped);
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) ^ 1u << random.below(23));
 }
 
 }  // namespace
@@ -80,6 +51,46 @@ Domain Class::domain() const {
 
 int Class::segments() const { return data == "grid" ? 1 << 10 : 0; }
 
+std::vector<Class> table_classes() {
+  std::vector<Class> all;
+  const std::vector<std::string> data = {"ordinary", "integers", "lines", "cancelling", "wide", "extreme"};
+  for (const int order : {2, 3, 4, 6, 10, 20, 30})
+    for (const std::string& kind : data) all.push_back({order, 0, kind});
+  for (const auto& [u, v] : {std::pair{2, 2}, {4, 4}, {3, 8}, {30, 30}})
+    for (const std::string& kind : data) all.push_back({u, v, kind});
+  for (const int vorder : {0, 4})
+    for (const char* kind : {"shifted", "reversed", "narrow", "huge", "grid"})
+      all.push_back({4, vorder, kind});
+  return all;
+}
+
+Map map_of(const Class& what, int components) {
+  return {what.uorder, std::max(what.vorder, 1), components, what.domain(), what.segments()};
+}
+
+void draw_points(Map& map, const Class& what, Random& random) {
+  map.points = reference::random_points(data_of(what), map.uorder, map.vorder, map.components, random);
+}
+
+void vary_points(std::vector<double>& points, const Class& what, Random& random) {
+  // The properties of lines and cancelling maps depend on all of their points, so the points are drawn again.
+  const std::string data = data_of(what);
+  if (data == "lines" || data == "cancelling" || random.once_in(64)) {
+    points = random_component(what, random);
+    return;
+  }
+  const std::uint64_t changes = 1 + random.below(3);
+  for (std::uint64_t i = 0; i < changes; ++i) {
+    double& point = points[random.below(points.size())];
+    const auto x = static_cast<float>(point);
+    const bool large = std::abs(points[0]) > 1;  // the end of the range of extreme data
+    point = data == "integers"   ? static_cast<double>(random.below(19)) - 9
+            : data == "ordinary" ? varied(x, -19, 20, random)
+            : data == "wide"     ? varied(x, -59, 120, random)
+                                 : varied(x, large ? 126 : -148, large ? 3 : 24, random);
+  }
+}
+
 float argument_at(double part, double first, double last) {
   return static_cast<float>(std::fma(part, last - first, first));
 }
@@ -88,37 +99,33 @@ int grid_index(float argument, double first, double last, int segments) {
   return static_cast<int>(std::lround(part_of(argument, first, last) * segments));
 }
 
-void draw_points(Map& map, const Class& what, Random& random) {
-  map.points.resize(static_cast<std::size_t>(map.uorder) * map.vorder * map.components);
-  for (int k = 0; k < map.components; ++k) {
-    const std::vector<double> own = component_points(what, random);
-    for (std::size_t i = 0; i < own.size(); ++i) map.points[i * map.components + k] = own[i];
-  }
+float random_argument(double first, double last, int segments, Random& random) {
+  const auto part = [&](std::uint64_t steps) {
+    return static_cast<double>(random.below(steps + 1)) / static_cast<double>(steps);
+  };
+  if (segments > 0) return argument_at(part(static_cast<std::uint64_t>(segments)), first, last);
+  return argument_at(random.once_in(16) ? part(16) : part(kSteps), first, last);
 }
 
-void vary_points(std::vector<double>& points, const Class& what, Random& random) {
-  // The properties of lines and cancelling maps depend on all of their points, so the points are drawn again.
-  if (what.data == "lines" || what.data == "cancelling" || random.once_in(64)) {
-    points = component_points(what, random);
-    return;
+float varied_argument(float u, double first, double last, int segments, Random& random) {
+  auto step = static_cast<std::uint64_t>(std::lround(part_of(u, first, last) * kSteps));
+  switch (random.below(8)) {
+    case 0:
+      step = random.below(kSteps + 1);
+      break;
+    case 1:
+    case 2:
+      step += random.below(2001);
+      step -= std::min<std::uint64_t>(step, 1000);
+      break;
+    case 3:
+      break;
+    default:
+      step ^= std::uint64_t{1} << random.below(24);
   }
-  const std::uint64_t changes = 1 + random.below(3);
-  for (std::uint64_t i = 0; i < changes; ++i) {
-    double& point = points[random.below(points.size())];
-    const auto x = static_cast<float>(point);
-    if (what.data == "integers") {
-      point = static_cast<double>(random.below(19)) - 9;
-    } else if (what.data == "ordinary" || what.domain() != kUnitDomain || what.segments() > 0) {
-      point = varied(x, -19, 20, random);
-    } else if (what.data == "wide") {
-      point = varied(x, -59, 120, random);
-    } else if (what.data == "extreme") {
-      const bool large = std::abs(points[0]) > 1;
-      point = varied(x, large ? 126 : -148, large ? 3 : 24, random);
-    } else {
-      point = component_points(what, random)[0];
-    }
-  }
+  step = std::min(step, kSteps);
+  if (segments > 0) step -= step % (kSteps / static_cast<std::uint64_t>(segments));
+  return argument_at(static_cast<double>(step) / kSteps, first, last);
 }
 
 }  // namespace evalcts::accuracy

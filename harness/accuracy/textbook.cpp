@@ -64,9 +64,10 @@ class Textbook final : public Subject {
   ImplementationInfo info() const override { return info_; }
   bool has_targets() const override { return false; }
 
-  void evaluate(GLenum, const Map& map, std::span<const float> u, std::span<const float> v,
-                std::span<float> results) override {
+  std::vector<float> evaluate(GLenum, const Map& map, std::span<const float> u,
+                              std::span<const float> v) override {
     const int stride = map.components;
+    std::vector<float> results(u.size() * static_cast<std::size_t>(stride));
     std::array<Real, kMaxOrder> row, column;
     for (std::size_t a = 0; a < u.size(); ++a) {
       for (int k = 0; k < map.components; ++k) {
@@ -81,6 +82,7 @@ class Textbook final : public Subject {
             polynomial_({column.data(), static_cast<std::size_t>(map.uorder)}, fraction(map, u[a], 0)));
       }
     }
+    return results;
   }
 
  private:

@@ -2,6 +2,7 @@
 #include <evalcts/cli/command_line.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -77,17 +78,29 @@ CLI::Option* add_shard(CLI::App& app, std::string& shard, const std::string& des
   });
 }
 
-void add_implementation(CLI::App& app, ImplementationOptions& implementation) {
-  app.add_option("--implementation", implementation.name, "implementation to judge");
+namespace {
+void add_common_options(CLI::App& app, ImplementationOptions& implementation) {
   app.add_option("--library", implementation.library, "shared library to judge instead of the system's");
-  app.add_option("--context", implementation.context, "interface that creates the contexts, as for run");
-  add_mesa_build(app, implementation.mesa_build);
+  app.add_option(
+      "--context", implementation.context,
+      fmt::format("interface that creates the contexts, instead of that of an implementation: {}, "
+                  "or the path of a provider; the library itself creates them if it has the interface",
+                  fmt::join(evalcts::context_names(), ", ")));
+  app.add_option("--mesa-build", implementation.mesa_build,
+                 "folder that meson built or installed a Mesa into, which is judged instead of the system's");
 }
 
-CLI::Option* add_mesa_build(CLI::App& app, std::string& folder) {
-  return app.add_option(
-      "--mesa-build", folder,
-      "folder that meson built or installed a Mesa into, which is judged instead of the system's");
+constexpr char kImplementation[] = "implementation to judge (see 'evalcts list implementations')";
+}  // namespace
+
+void add_implementation(CLI::App& app, ImplementationOptions& implementation) {
+  app.add_option("--implementation", implementation.name, kImplementation);
+  add_common_options(app, implementation);
+}
+
+void add_implementations(CLI::App& app, std::vector<std::string>& names, ImplementationOptions& common) {
+  add_repeatable(app, "--implementation", names, std::string(kImplementation) + "; may be repeated");
+  add_common_options(app, common);
 }
 
 ImplementationOptions completed(ImplementationOptions implementation) {
@@ -100,6 +113,19 @@ ImplementationOptions completed(ImplementationOptions implementation) {
   if (implementation.name.empty() && implementation.library.empty() && implementation.context.empty())
     implementation.name = "egl";
   return implementation;
+}
+
+std::vector<ImplementationOptions> completed(const std::vector<std::string>& names,
+                                             const ImplementationOptions& common) {
+  const ImplementationOptions whole = completed(common);
+  std::vector<ImplementationOptions> all;
+  for (const std::string& name : names) {
+    all.push_back(whole);
+    all.back().name = name;
+    if (name == "production" || name == "reference") all.back().mesa_build.clear();
+  }
+  if (all.empty() && !(whole.library + whole.context + whole.mesa_build).empty()) all.push_back(whole);
+  return all;
 }
 
 CLI::Option* add_allow_unobserved(CLI::App& app, bool& allow) {

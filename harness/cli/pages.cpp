@@ -40,9 +40,6 @@ void write_pages(const fs::path& output, const std::vector<RunResult>& results,
   const fs::path repository = places().vectors.parent_path();
   if (fs::exists(repository / "suites/findings.cpp"))
     options.sources = fs::proximate(repository, output).string();
-  // `ulp` writes into the default output folder, above the folders of runs.
-  for (const char* const page : {"accuracy.html", "../accuracy.html"})
-    if (options.accuracy_page.empty() && fs::exists(output / page)) options.accuracy_page = page;
   write_atomically(output / "index.html", reports::html(results, catalogue(), options));
   write_atomically(output / "summary.md", reports::markdown_summary(results, before));
 }

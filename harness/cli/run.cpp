@@ -38,9 +38,7 @@ namespace {
 
 struct RunOptions {
   std::vector<std::string> implementations;  // empty: the default implementations
-  std::string library;
-  std::string context;
-  std::string mesa_build;
+  ImplementationOptions common;              // the other options that choose implementations
   std::string label;
   std::string filter;  // selects among the tests of the depth; empty: all of them
   std::string depth = "full";
@@ -66,9 +64,7 @@ struct RunOptions {
   std::string command;      // the typed command
   std::string program;      // evalcts as the user typed it
 
-  bool names_implementations() const {
-    return !implementations.empty() || !library.empty() || !context.empty() || !mesa_build.empty();
-  }
+  bool names_implementations() const { return !completed(implementations, common).empty(); }
 };
 
 namespace fs = std::filesystem;
@@ -112,9 +108,9 @@ std::string wrong_reading(const std::vector<std::string>& choices) {
 std::string wrong_options(const RunOptions& options) {
   const std::size_t named = std::max<std::size_t>(options.implementations.size(), 1);
   const bool is_one = named == 1 && options.names_implementations();
-  if (!options.library.empty() && named != 1)
+  if (!options.common.library.empty() && named != 1)
     return "--library replaces the library of one implementation; name only that one";
-  if (!options.context.empty() && !options.implementations.empty())
+  if (!options.common.context.empty() && !options.implementations.empty())
     return "--context takes the place of --implementation; give one of them";
   if (!options.label.empty() && !is_one) return "--name labels one implementation; name only that one";
   if (!options.label.empty() && !is_file_name(options.label))
@@ -145,18 +141,9 @@ std::string label_of(const RunOptions& options, const std::vector<Implementation
 }
 
 std::vector<ImplementationOptions> chosen_implementations(const RunOptions& options) {
-  std::vector<ImplementationOptions> chosen;
-  if (!options.names_implementations()) {
-    for (const std::string& name : default_implementations()) chosen.push_back({name, "", ""});
-    return chosen;
-  }
-  const ImplementationOptions common = completed({"", options.library, options.context, options.mesa_build});
-  for (const std::string& name : options.implementations) {
-    chosen.push_back(common);
-    chosen.back().name = name;
-    if (name == "production" || name == "reference") chosen.back().mesa_build.clear();
-  }
-  if (chosen.empty()) chosen.push_back(common);
+  std::vector<ImplementationOptions> chosen = completed(options.implementations, options.common);
+  if (chosen.empty())
+    for (const std::string& name : default_implementations()) chosen.push_back({name});
   return chosen;
 }
 
@@ -304,7 +291,7 @@ std::string file_of_annotations(const RunOptions& options) {
     const ChosenFiles files = chosen_files(options.baseline);
     return (files.name.empty() ? files.folder : files.folder / (files.name + "-fails.txt")).string();
   }
-  return options.library.empty() ? "evalcts" : options.library;
+  return options.common.library.empty() ? "evalcts" : options.common.library;
 }
 
 int run(const RunOptions& options, const std::string& shard) {
@@ -385,15 +372,7 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
   const auto options = std::make_shared<RunOptions>();
   options->program = call.program;
   options->command = call.command;
-  add_repeatable(app, "--implementation", options->implementations,
-                 "implementation to judge (see 'evalcts list implementations'); may be repeated");
-  app.add_option("--library", options->library, "shared library to judge instead of the system's");
-  app.add_option(
-      "--context", options->context,
-      fmt::format("interface that creates the contexts, instead of that of an implementation: {}, "
-                  "or the path of a provider; the library itself creates them if it has the interface",
-                  fmt::join(evalcts::context_names(), ", ")));
-  add_mesa_build(app, options->mesa_build);
+  add_implementations(app, options->implementations, options->common);
   app.add_option(
       "--name", options->label,
       "name of the result files and of the column in the report (default: the implementation's name)");

@@ -5,6 +5,6 @@
 
 namespace evalcts::cli {
 
-extern const Command kRoundingCommand, kUlpCommand, kVectorsCommand;
+extern const Command kUlpCommand, kVectorsCommand;
 
 }  // namespace evalcts::cli

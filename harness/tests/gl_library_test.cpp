@@ -142,29 +142,6 @@ TEST_P(OffScreenLibraries, ErrorsAreMeasuredAndReplayed) {
   }
 }
 
-// A sweep, which calls the library without cases, measures the same values as a case.
-TEST_P(OffScreenLibraries, EveryFloatOfAnIntervalIsMeasured) {
-  const fs::path file = folder_ / "sweep.json";
-  const std::vector<std::string> map = {"--implementation", GetParam(),  "--orders", "4",
-                                        "--points",         "1,-1,2,0.5"};
-  std::vector<std::string> arguments = {"ulp",  "--sweep", "--from",       "0.5",
-                                        "--to", "0.52",    "--checkpoint", file};
-  arguments.insert(arguments.end(), map.begin(), map.end());
-  const Outcome outcome = evalcts(arguments);
-  ASSERT_EQ(outcome.code, 0) << outcome.text;
-  std::ifstream stream(file);
-  const json sweep = json::parse(stream);
-  EXPECT_EQ(as_text(sweep["status"]), "complete");
-  EXPECT_EQ(sweep["result"]["values"], 335545);
-  EXPECT_GT(sweep["result"]["not_correctly_rounded"].get<int>(), 1000) << "float arithmetic";
-  const json worst = sweep["result"]["worst_condition_aware"];
-  EXPECT_LT(worst["error"].get<double>(), 20) << "float arithmetic";
-  arguments = {"ulp", "--target", "texture_coord_1", "--at", worst["at"].get<std::string>()};
-  arguments.insert(arguments.end(), map.begin(), map.end());
-  const Outcome again = evalcts(arguments);
-  EXPECT_TRUE(contains(again.text, worst["got"]["bits"])) << again.text << worst;
-}
-
 // Failures that the baseline explains by a known bug belong to this bug, and only three of them are reduced.
 TEST_P(OffScreenLibraries, KnownFailuresBelongToTheBugOfTheBaseline) {
   reduces_failures_ = true;
@@ -756,6 +733,10 @@ class MesaBuild : public ProgramTest {
   Outcome check(const std::filesystem::path& folder) {
     return evalcts({"check", "Map1State.Stride/MAP1_INDEX_f", "--mesa-build", folder.string()});
   }
+  Outcome ulp(std::vector<std::string> input) {
+    input.insert(input.begin(), {"ulp", "--mesa-build", build().string(), "--output", folder_.string()});
+    return evalcts(input);
+  }
 };
 
 TEST_F(MesaBuild, ReplacesTheSystems) {
@@ -765,6 +746,12 @@ TEST_F(MesaBuild, ReplacesTheSystems) {
            folder_.string()});
   const std::string files = results("egl")["implementation"]["files"].dump();
   EXPECT_TRUE(contains(files, (build() / "libEGL_mesa.so.0").string())) << files;
+  const Outcome input = ulp({"--orders", "2", "--points=0,1", "--at", "0.5"});
+  EXPECT_TRUE(contains(input.text, "egl, vertex_3: 0x1p-1 (0x3f000000)")) << input.text;
+  EXPECT_EQ(ulp({"--filter", "curve/2/lines", "--values", "10"}).code, 0);
+  const json entry = json_of("ulp.json")["implementations"][0];
+  EXPECT_EQ(as_text(entry["status"]), "complete") << entry;
+  EXPECT_TRUE(contains(entry["rows"][0]["worst_ulp"]["replay"].dump(), "--mesa-build")) << entry;
   const std::filesystem::path driver = build() / "swrast_dri.so";
   if (!std::filesystem::exists(driver)) return;  // Mesa 24.2 and newer has one library for all drivers
 
@@ -776,6 +763,7 @@ TEST_F(MesaBuild, ReplacesTheSystems) {
   EXPECT_EQ(without_drivers.code, 125);
   EXPECT_TRUE(contains(without_drivers.text, "swrast_dri.so' was loaded, which is not in '"))
       << without_drivers.text;
+  EXPECT_EQ(ulp({"--filter", "curve/2/lines", "--values", "10"}).code, 2);
 }
 
 TEST_F(MesaBuild, IsRejectedIfItHasNoMesa) {
@@ -785,6 +773,7 @@ TEST_F(MesaBuild, IsRejectedIfItHasNoMesa) {
     EXPECT_TRUE(contains(outcome.text, "name the folder that meson built or installed Mesa into"))
         << outcome.text;
   }
+  EXPECT_EQ(ulp({"--orders", "2", "--points=0,1", "--at", "0.5"}).code, 2);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-
 required=${required//$'\n '/}
 benchmarks='libbenchmark-dev libmpfr-dev libeigen3-dev libsisl-dev libocct-modeling-data-dev libosd-dev libglu1-mesa-dev'
 everything="$required libosmesa6 xvfb python3 git bsdutils libmpfi-dev libosmesa6-dev gfortran nodejs libgles2 pkg-config libpng-dev clang clang-tidy-14
-  clang-format-14 gcovr chromium chromium-driver python3-selenium help2man codespell doxygen gnuplot-nox libopenmpi-dev openmpi-bin dpkg-dev mmdebstrap
+  clang-format-14 gcovr chromium chromium-driver python3-selenium help2man codespell doxygen parallel dpkg-dev mmdebstrap
   $benchmarks"
 everything=${everything//$'\n '/}
 
@@ -198,7 +198,7 @@ scenario "help and version of the program, without it"
 evalcts --version
 exits 0
 check "the version" has_line "evalcts [0-9.]+"
-for command in run list coverage explain reproduce report fuzz faults rounding ulp vectors bench package test; do
+for command in run list coverage explain reproduce report fuzz faults ulp vectors bench package test; do
   evalcts "$command" --help
   exits 0
   check "help of $command" grep -qE "^Usage: (./)?evalcts $command " <<<"$output"
@@ -531,21 +531,13 @@ exits 2
 says "libbenchmark-dev"
 called_not apt-get
 
-scenario "ulp: its program is built, and gnuplot is not installed unasked"
+scenario "ulp: its program is built"
 echo "$required libosmesa6 xvfb" | tr ' ' '\n' >"$machine/installed"
 : >"$machine/calls"
 evalcts ulp
 exits 7
 says "<program><ulp>"
-says_not gnuplot
-says_not libopenmpi-dev
 calls_are "configure release;build programs-with-lab;"
-scenario "under mpirun: what builds the program for it"
-echo "$required libosmesa6 xvfb openmpi-bin" | tr ' ' '\n' >"$machine/installed"
-OMPI_COMM_WORLD_SIZE=2 evalcts ulp --sweep
-exits 7
-says "installing libopenmpi-dev"
-says "<program><ulp><--sweep>"
 
 scenario "test: stages, ctest's words, summary"
 install_all
@@ -566,7 +558,7 @@ calls_are "configure release;build release;ctest --preset release --no-tests=ign
 scenario "test: installs for its stages"
 evalcts test --preset debug
 exits 0
-called "libosmesa6 xvfb python3 git bsdutils libmpfi-dev libosmesa6-dev gfortran nodejs libgles2 pkg-config libpng-dev libglu1-mesa-dev help2man gnuplot-nox libopenmpi-dev openmpi-bin ["
+called "libosmesa6 xvfb python3 git bsdutils libmpfi-dev libosmesa6-dev gfortran nodejs libgles2 pkg-config libpng-dev libglu1-mesa-dev help2man parallel ["
 called "ctest --preset debug in"
 called_not release
 

@@ -1,7 +1,6 @@
 // A libFuzzer target for the parsers of files and lines of unknown origin: for any input, a parser must
 // return a result or throw its documented exception. The first byte selects the parser of the rest. Run by
 // `./evalcts test --preset fuzz`.
-#include <evalcts/accuracy_page.h>
 #include <evalcts/reports.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -15,7 +14,6 @@
 #include <string>
 #include <vector>
 
-#include <evalcts/accuracy/checkpoint.h>
 #include <evalcts/cli/command_line.h>
 #include <evalcts/gl/case_json.h>
 #include <evalcts/results/baseline.h>
@@ -23,7 +21,6 @@
 #include <evalcts/results/serialization.h>
 #include <evalcts/vectors/lint.h>
 #include <evalcts/vectors/pipe.h>
-#include "accuracy/checkpoint_json.h"
 #include "cli/recorded.h"
 #include "lab/lab.h"
 
@@ -123,51 +120,6 @@ void read_results(const std::string& text) {
   }
 }
 
-// Makes a page of a measurement of `ulp`. Its text must not become a command for gnuplot.
-void read_measurement(const std::string& text) {
-  const json document = json::parse(text, nullptr, false);
-  if (!document.is_object()) return;
-  const reports::Draw draw = [](const std::string& script) {
-    for (const char* order : {"`", "system", "\n!", "load", "output", "print"})
-      if (script.find(order) != std::string::npos) std::abort();
-    return std::string("<svg><title>Gnuplot</title><g ></g></svg>");
-  };
-  try {
-    reports::accuracy_html(document, {}, draw);
-    json sweep = document;
-    sweep["format"] = "evalcts-sweep-1";
-    reports::accuracy_html(document, {sweep}, draw);
-  } catch (const json::exception&) {
-  } catch (const FormatError&) {
-  }
-}
-
-// Reads the file of a sweep, unmodified and with the correct identity and checksum.
-void read_checkpoint(const std::string& text) {
-  using namespace accuracy;
-  static const std::filesystem::path file =
-      std::filesystem::temp_directory_path() / fmt::format("evalcts-fuzz-{}.json", getpid());
-  const SweepTask task = {.map = {0.25, 0.75}};
-  const SweepIdentity identity = identity_of(task, {});
-  const auto read = [&](const std::string& content) {
-    std::ofstream(file, std::ios::binary) << content;
-    try {
-      write_checkpoint(file, accuracy::read_checkpoint(file, identity));
-    } catch (const BadCheckpoint&) {
-    }
-  };
-  read(text);
-  json checkpoint = json::parse(text, nullptr, false);
-  if (!checkpoint.is_object()) return;
-  checkpoint.update(json::parse(to_text(identity)));
-  checkpoint.erase("checksum");
-  try {
-    read(with_checksum(checkpoint));
-  } catch (const json::exception&) {
-    // Files of evalcts contain only UTF-8.
-  }
-}
-
 // Parses a command line with one argument per line. It is accepted, or rejected with a message.
 void read_command_line(const std::string& text) {
   static std::ostringstream words;
@@ -180,12 +132,11 @@ void read_command_line(const std::string& text) {
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   using namespace cli;
-  const int code =
-      command_line(static_cast<int>(arguments.size()), pointers.data(),
-                   {kRunCommand, kBugsCommand, kListCommand, kCoverageCommand, kExplainCommand,
-                    kReproduceCommand, kReportCommand, kWaiveCommand, kCheckCommand, kFaultsCommand,
-                    kFuzzCommand, kRoundingCommand, kUlpCommand, kVectorsCommand},
-                   true);
+  const int code = command_line(static_cast<int>(arguments.size()), pointers.data(),
+                                {kRunCommand, kBugsCommand, kListCommand, kCoverageCommand, kExplainCommand,
+                                 kReproduceCommand, kReportCommand, kWaiveCommand, kCheckCommand,
+                                 kFaultsCommand, kFuzzCommand, kUlpCommand, kVectorsCommand},
+                                true);
   if (!quiet || (code != 0 && code != 2) || (code == 2 && words.str().empty())) std::abort();
 }
 
@@ -210,12 +161,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       break;
     case 'r':
       evalcts::read_results(text);
-      break;
-    case 'u':
-      evalcts::read_measurement(text);
-      break;
-    case 's':
-      evalcts::read_checkpoint(text);
       break;
     case 'l':
       evalcts::read_command_line(text);

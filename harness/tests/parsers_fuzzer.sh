@@ -13,8 +13,6 @@ seed() { # first byte, file...
 }
 seed v vectors/tests/sample/*.json
 seed r reports/tests/sample/results-*.json
-seed u reports/tests/sample/ulp.json
-seed s reports/published/sweep-*.json
 python3 -c 'import json, pathlib, sys
 for bug in json.loads("[" + pathlib.Path("suites/bugs/mesa.json").read_text() + "]"):
     for program in bug.get("programs", []):

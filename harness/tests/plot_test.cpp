@@ -8,7 +8,7 @@
 namespace evalcts {
 namespace {
 
-ObservedPrimitive observed(GLenum mode, std::size_t vertices) {
+ObservedPrimitive plotted_primitive(GLenum mode, std::size_t vertices) {
   ObservedPrimitive primitive{mode, std::vector<ObservedVertex>(vertices)};
   for (std::size_t i = 0; i < vertices; ++i)
     primitive.vertices[i].position = {static_cast<float>(i), 1, 0, 2};
@@ -22,7 +22,7 @@ TEST(Plot, HasBothSidesDividedByW) {
   c.Vertex4f(0, 1, 0, 1);
   c.End();
   Observation observation;
-  observation.primitives = {observed(GL_LINES, 2)};
+  observation.primitives = {plotted_primitive(GL_LINES, 2)};
   const Plot plot = plot_of(predict(c, 8), observation);
   EXPECT_FALSE(plot.is_cut);
   EXPECT_EQ(plot.expected,
@@ -32,7 +32,7 @@ TEST(Plot, HasBothSidesDividedByW) {
 
 TEST(Plot, HasOneSideIfNothingIsPredicted) {
   Observation observation;
-  observation.primitives = {observed(GL_POINTS, 1)};
+  observation.primitives = {plotted_primitive(GL_POINTS, 1)};
   const Plot plot = plot_of(observation);
   EXPECT_FALSE(plot.expected);
   EXPECT_EQ(plot.captured, (std::vector<PlottedPrimitive>{{"GL_POINTS", {{0, 0.5f, 0}}}}));
@@ -40,7 +40,8 @@ TEST(Plot, HasOneSideIfNothingIsPredicted) {
 
 TEST(Plot, IsCut) {
   Observation observation;
-  observation.primitives = {observed(GL_POINTS, 60), observed(GL_POINTS, 60), observed(GL_POINTS, 60)};
+  observation.primitives = {plotted_primitive(GL_POINTS, 60), plotted_primitive(GL_POINTS, 60),
+                            plotted_primitive(GL_POINTS, 60)};
   const Plot plot = plot_of({}, observation);
   EXPECT_TRUE(plot.is_cut);
   ASSERT_EQ(plot.captured.size(), 2u);

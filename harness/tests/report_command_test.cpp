@@ -123,21 +123,10 @@ TEST_F(Report, HasTheHistoryOfAllRuns) {
   EXPECT_TRUE(contains(foreign.text, "has no runs")) << foreign.text;
 }
 
-TEST_F(Report, LeadsToAccuracyWhereItIs) {
-  write("out/results-x.json", record("x", "pass").dump());
-  evalcts({"report", path("out"), "--output", path("out")});
-  EXPECT_FALSE(contains(text_of("out/index.html"), "accuracy.html"));
-  write("out/accuracy.html", "");
-  evalcts({"report", path("out"), "--output", path("out")});
-  EXPECT_TRUE(contains(text_of("out/index.html"), "href=\"accuracy.html\""));
-  evalcts({"report", path("out"), "--output", path("out/run")});
-  EXPECT_TRUE(contains(text_of("out/run/index.html"), "href=\"../accuracy.html\""));
-}
-
 TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
   const std::string good = record("x", "pass").dump();
   json foreign = record("x", "pass"), wrong = foreign, nameless = foreign, twice = foreign, shard = foreign;
-  foreign["format"] = "evalcts-ulp-1";
+  foreign["format"] = "evalcts-ulp-2";
   nameless.erase("format");
   wrong["tests"][0]["verdict"] = "passed";
   twice["tests"].push_back(twice["tests"][0]);
@@ -154,7 +143,7 @@ TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
            "}",
        "nested too deeply"},
       {"[1]", "expected an object, found an array"},
-      {foreign.dump(), "\"evalcts-ulp-1\""},
+      {foreign.dump(), "\"evalcts-ulp-2\""},
       {nameless.dump(), "its format is missing"},
       {wrong.dump(), "tests[0].verdict: unknown verdict \"passed\""},
       {twice.dump(), "occurs twice in this record"},

@@ -107,7 +107,6 @@ std::string html(const std::vector<RunResult>& results, const Catalogue& catalog
                                  kElementsScript, kPlotScript, kSectionsScript, kPageScript));
   page.set("data", page_data(all, earlier.size(), all_rows, catalogue, all_comparisons(all, columns.size()),
                              compared, options.sources));
-  page.set("accuracy_page", optional_text(options.accuracy_page));
 
   std::vector<std::string> labels;
   data cards = list(), headers = list();
@@ -129,8 +128,7 @@ std::string html(const std::vector<RunResult>& results, const Catalogue& catalog
   page.set("words", glossary());
 
   const data accuracy = accuracy_view(columns), followed = readings(columns, catalogue);
-  page.set("has_accuracy", accuracy.is_non_empty_list() || !options.accuracy_page.empty());
-  page.set("has_accuracy_table", accuracy.is_non_empty_list());
+  page.set("has_accuracy", accuracy.is_non_empty_list());
   page.set("accuracy", accuracy);
   page.set("history", options.history.empty() ? data(false) : data(history_html(options.history)));
   page.set("has_readings", followed.is_non_empty_list());

@@ -66,8 +66,6 @@ class Html(unittest.TestCase):
                 self.assertEqual(page.tags.count("style"), 1)
                 self.assertEqual(len(page.ids), len(set(page.ids)), "ids are unique")
                 for kind, target in page.links:
-                    if "compared" in name and target == "accuracy.html":
-                        continue  # a file in the same folder
                     if target.startswith(REGISTRY):
                         continue
                     if kind == "href" and not target.startswith("data:"):

@@ -254,13 +254,6 @@ TEST(Html, ComparisonsOfImplementations) {
   EXPECT_EQ(to(0)["changes"][1], 4);  // ChangeKind::kFailsOtherwise
 }
 
-TEST(Html, LeadsToThePageOfAccuracyWhereThereIsOne) {
-  JsonOptions options;
-  EXPECT_FALSE(contains(html_of({}, nullptr, options), "href=\"accuracy.html\""));
-  options.accuracy_page = "accuracy.html";
-  EXPECT_TRUE(contains(html_of({}, nullptr, options), "<a href=\"accuracy.html\">"));
-}
-
 TEST(Html, RecordsOfOneNameStayApart) {
   const std::string page = html_of({named("x", json::array()), named("x", json::array())}, nullptr);
   EXPECT_TRUE(contains(page, "<h3>x</h3>"));

@@ -364,7 +364,7 @@ TEST(RunResult, TextOfAFile) {
   nested += brackets + std::string(200, ']') + "}";
   for (const std::string& bad :
        {std::string(), head, std::string("[]"), std::string("{}"), std::string(R"({"format": 1})"),
-        std::string(R"({"format": "evalcts-ulp-1"})"), head + "1}", nested})
+        std::string(R"({"format": "evalcts-ulp-2"})"), head + "1}", nested})
     EXPECT_THROW(parse_run_result(bad), FormatError) << bad;
 }
 

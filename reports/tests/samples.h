@@ -111,7 +111,6 @@ inline nlohmann::json hostile_requirements() {
 // The following functions have the suffix _of and make the report of this name from records in JSON.
 struct JsonOptions {
   std::vector<nlohmann::json> before;
-  std::string accuracy_page;
   std::vector<std::vector<std::string>> files;
   std::string sources;
 };
@@ -129,7 +128,6 @@ inline std::string html_of(const std::vector<nlohmann::json>& results, const nlo
                            const JsonOptions& options = {}) {
   return html(results_of(results), catalogue_of(catalogue),
               {.before = results_of(options.before),
-               .accuracy_page = options.accuracy_page,
                .history = {},
                .files = options.files,
                .sources = options.sources});

@@ -34,7 +34,6 @@ void write_samples(const std::filesystem::path& folder) {
   write(folder / "none.html", html_of({}, nullptr));
   JsonOptions options;
   options.before = {earlier_sample()};
-  options.accuracy_page = "accuracy.html";
   write(folder / "compared.html", html_of({osmesa, reference}, requirements, options));
   write(folder / "compared.md", markdown_of({osmesa, reference}, options.before));
   options.before = {hostile_record()};

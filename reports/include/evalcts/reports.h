@@ -24,7 +24,6 @@ namespace evalcts::reports {
 
 struct PageOptions {
   std::vector<RunResult> before;  // earlier results; empty: nothing is compared
-  std::string accuracy_page;      // link to the page of `evalcts ulp`; empty: there is none
   std::vector<PastRun> history;   // the runs of the section History; empty: there is none
   // Paths of the files of each result, relative to the page, to which it links.
   std::vector<std::vector<std::string>> files = {};

@@ -9,16 +9,13 @@
 
 #include <evalcts/accuracy/samples.h>
 #include <evalcts/backends/implementation.h>
-#include <evalcts/gl/observation.h>
-#include <evalcts/gl/table.h>
 
 namespace evalcts::accuracy {
 
 // Returns the names of the kinds of maps: "vertex_3", ... The colour index is missing, because no capture
 // shows it.
 std::vector<std::string> target_names();
-// Returns the target of a name, such as GL_MAP1_VERTEX_3 or GL_MAP2_VERTEX_3. Throws std::invalid_argument
-// for other names.
+// Returns the target of one of these names, such as GL_MAP1_VERTEX_3 or GL_MAP2_VERTEX_3.
 GLenum target_of(const std::string& name, bool two_dimensional);
 
 class Subject {
@@ -29,18 +26,17 @@ class Subject {
   virtual std::string capture() const { return {}; }
   // Returns true if the results may depend on the target of a map.
   virtual bool has_targets() const { return true; }
-  // Evaluates a map at the arguments (u[i], v[i]); v is empty for curves. The results are all components of
-  // the first argument, then those of the next. Throws NotObservable, for example if the subject cannot
-  // evaluate an argument outside the domain or, over [0,1], one that is not a multiple of 2^-24.
-  virtual void evaluate(GLenum target, const Map& map, std::span<const float> u, std::span<const float> v,
-                        std::span<float> results) = 0;
+  // Evaluates a map at the arguments (u[i], v[i]); v is empty for curves. Returns all components of the first
+  // result, then those of the next. Throws NotObservable, for example if the subject cannot evaluate an
+  // argument outside the domain or, over [0,1], one that is not a multiple of 2^-24.
+  virtual std::vector<float> evaluate(GLenum target, const Map& map, std::span<const float> u,
+                                      std::span<const float> v) = 0;
 };
 
-struct SubjectKind {
-  std::string name, what;
-};
-// Returns the subjects that are not GL implementations: production-fast, and textbook algorithms.
-const std::vector<SubjectKind>& own_subjects();
+// Returns the names of the subjects that are not GL implementations: production-fast (libglevaluator's meshes
+// with GLEV_FAST), and textbook algorithms in float or, rounded once, in double: casteljau (de Casteljau's
+// construction), horner (Horner's scheme for Bernstein polynomials) and sum (the sum of all terms).
+const std::vector<std::string>& own_subjects();
 
 // Opens one of own_subjects() by its name, or an implementation. Throws CannotStart.
 std::unique_ptr<Subject> open_subject(const ImplementationOptions& options);

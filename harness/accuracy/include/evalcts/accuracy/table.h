@@ -1,8 +1,8 @@
-// Rows of the accuracy table: one implementation, one target, one class of maps.
+// Measurement of the errors of a subject: rows of the accuracy table, a curve along its domain, single
+// inputs.
 #pragma once
 
 #include <atomic>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,37 +11,33 @@
 
 namespace evalcts::accuracy {
 
-// Returns the classes of the table: curves and surfaces of several orders, with each kind of data that float
-// maps can hold.
-std::vector<Class> table_classes();
-
 struct RowRequest {
   Class what;
   std::string target;
   std::uint64_t values = 0;  // the least number of values
   std::uint32_t seed = 1;
-  std::optional<Domain> domain = std::nullopt;  // replaces the domain of the class
-  // Replaces the segments of the class; a power of two up to 2^24.
-  std::optional<int> segments = std::nullopt;
 };
 
-// Returns a map for the request, without control points.
-Map map_of(const RowRequest& request);
-
-// Returns the number of arguments per map. It is smaller for large maps, so that there are many different
-// maps.
-std::size_t arguments_of_a_map(const Class& what);
-
-// Measures the errors of random maps of the class. Arguments are fractions of the domain: 15 of 16 are random
-// multiples of 2^-24, the others multiples of 1/16; classes with a grid use its points. All subjects get the
-// same maps and arguments. Ends early when `stop` becomes true. Throws NotObservable.
+// Measures the errors of random maps of the class at random arguments. All subjects get the same maps and
+// arguments. Ends early when `stop` becomes true. Throws NotObservable.
 Errors measure(Subject& subject, const RowRequest& request, const std::atomic<bool>& stop);
 
-// Evaluates the input again and returns the result. All components of the target get the polynomial of the
-// input.
-float replay(Subject& subject, const std::string& target, const Input& input);
+// Searches for inputs with larger errors than those of measure(), by hill climbing from its worst inputs.
+// Half of `request.values` results maximise the error in ULP, half the condition-aware error. Each step moves
+// to the worst of many neighbours, whose control points and arguments differ in some bits; if there is no
+// progress for a while, the search restarts from a random input. Larger errors replace errors.ulp and
+// errors.condition_aware; other members of `errors` do not change. The outcome depends only on the request
+// and the results of the subject. Ends early when `stop` becomes true. Throws NotObservable.
+void climb(Subject& subject, const RowRequest& request, Errors& errors, const std::atomic<bool>& stop);
 
-// Returns the bits of the value as text: "0x3fc00000".
-std::string bits(float value);
+// A cubic with three zeros over [0,1].
+const std::vector<double>& profile_curve();
+
+// Returns the largest error in ULP of the curve in each of 256 intervals of [0,1], of 16 arguments spread
+// over the interval. Throws NotObservable.
+std::vector<double> measure_profile(Subject& subject, const std::string& target);
+
+// Evaluates the input again and returns the result. All components of the target get its polynomial.
+float replay(Subject& subject, const std::string& target, const Input& input);
 
 }  // namespace evalcts::accuracy

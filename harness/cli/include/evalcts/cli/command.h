@@ -42,10 +42,6 @@ extern const Command kRunCommand, kBugsCommand, kListCommand, kCoverageCommand, 
 
 // Commands of evalcts-lab, a program of its own because most users do not need it. In evalcts they have no
 // definition.
-inline constexpr Command kRounding = {
-    "rounding",
-    "check that production rounds correctly: random maps and arguments, compared bit for bit with the oracle",
-    "", nullptr};
 inline constexpr Command kUlp = {
     "ulp", "measure the errors of implementations in ULP, and relative to the condition of the problem", "",
     nullptr};
@@ -60,11 +56,15 @@ CLI::Option* add_repeatable(CLI::App& app, const std::string& name, std::vector<
                             const std::string& description);
 // Adds --implementation, --library, --context and --mesa-build, which choose one implementation.
 void add_implementation(CLI::App& app, ImplementationOptions& implementation);
-// Adds --mesa-build.
-CLI::Option* add_mesa_build(CLI::App& app, std::string& folder);
+// Adds the same options for several implementations: --implementation may be repeated.
+void add_implementations(CLI::App& app, std::vector<std::string>& names, ImplementationOptions& common);
 // Returns the options with absolute paths, which work in any directory; the name of a library without '/',
 // which the dynamic linker looks up, stays as it is. With --mesa-build alone, the implementation is egl.
 ImplementationOptions completed(ImplementationOptions implementation);
+// Returns the implementations that the options of add_implementations() choose, with absolute paths; none if
+// no option was given.
+std::vector<ImplementationOptions> completed(const std::vector<std::string>& names,
+                                             const ImplementationOptions& common);
 // Adds --shard K/N.
 CLI::Option* add_shard(CLI::App& app, std::string& shard, const std::string& description);
 // Adds --allow-unobserved.
