@@ -8,6 +8,7 @@
 #include <evalcts/fuzz/normal_form.h>
 #include <evalcts/gl/display_lists.h>
 #include <evalcts/gl/roles.h>
+#include <evalcts/gl/tokens.h>
 #include "excerpt.h"
 #include "legal.h"
 #include "shrink.h"
@@ -64,6 +65,20 @@ bool keeps_to_grids(const gl::Case& program) {
   });
 }
 
+// Returns false if an enabled map is evaluated before it is defined, which uses the initial map.
+bool keeps_to_maps(const gl::Case& program) {
+  std::set<std::int64_t> enabled, defined;
+  return std::ranges::all_of(program.commands(), [&](const gl::Command& command) {
+    const std::int64_t name = gl::integer_of(command, 0);
+    if (command.entry == EntryPoint::Enable) enabled.insert(name);
+    if (command.entry == EntryPoint::Disable) enabled.erase(name);
+    if (gl::role_of(command.entry) == gl::Role::kMap) defined.insert(name);
+    return !gl::is_evaluation(command.entry) || std::ranges::all_of(enabled, [&](std::int64_t cap) {
+      return gl::components_of(static_cast<GLenum>(cap)) == 0 || defined.contains(cap);
+    });
+  });
+}
+
 // Returns the program without all commands of each stem, without the pairs of commands that only make sense
 // together, and without display lists. Maps stay, because evaluation without them uses the initial maps.
 std::vector<gl::Case> parts_of(const gl::Case& program) {
@@ -104,11 +119,14 @@ bool is_explained_by(const gl::Case& minimal, const gl::Case& program, const Spe
 }
 
 Alikeness::Alikeness(const gl::Case& program)
-    : keeps_to_grids_(keeps_to_grids(program)), calls_missing_list_(calls_missing_list(program)) {}
+    : keeps_to_grids_(keeps_to_grids(program)),
+      keeps_to_maps_(keeps_to_maps(program)),
+      calls_missing_list_(calls_missing_list(program)) {}
 
-bool Alikeness::holds_for(const gl::Case& candidate) const {
+bool Alikeness::holds_for(const gl::Case& candidate, InitialMaps initial_maps) const {
   return (calls_missing_list_ || !calls_missing_list(candidate)) &&
-         (!keeps_to_grids_ || keeps_to_grids(candidate));
+         (!keeps_to_grids_ || keeps_to_grids(candidate)) &&
+         (!keeps_to_maps_ || initial_maps == InitialMaps::kAllowed || keeps_to_maps(candidate));
 }
 
 Reducer::Reducer(const Subject& subject, SharedContext* shared, int most_attempts, Hooks hooks)
@@ -201,14 +219,17 @@ const Finding* Reducer::explanation(const gl::Case& program, const Difference& d
                                     bool tries_shared) {
   const Judge judge = tries_shared ? in_shared() : fresh();
   const Alikeness alikeness(program);
-  const InterestingnessTest is_interesting = [&](const gl::Case& candidate) {
-    return alikeness.holds_for(candidate) && difference_of(candidate, difference, judge);
-  };
   for (const gl::Case& form : forms_of(program)) {
     const std::optional<Specified> specified = specify_if_defined(form, max_order_);
     if (!specified) continue;
     for (Known& known : known_) {
       if ((known.was_run && !known.finding) || !known.difference.is_like(difference)) continue;
+      // The programs of the register are short, and many of them define no map.
+      const auto initial_maps =
+          known.record ? Alikeness::InitialMaps::kAllowed : Alikeness::InitialMaps::kNot;
+      const InterestingnessTest is_interesting = [&](const gl::Case& candidate) {
+        return alikeness.holds_for(candidate, initial_maps) && difference_of(candidate, difference, judge);
+      };
       if (is_explained_by(known.program, form, *specified, is_interesting))
         if (const Finding* const finding = finding_of(known)) return finding;
     }

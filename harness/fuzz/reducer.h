@@ -24,15 +24,17 @@ bool is_explained_by(const gl::Case& minimal, const gl::Case& program, const Spe
                      const InterestingnessTest& is_interesting);
 
 // Keeps what may have bugs of its own out of the candidates of a reduction: a mesh or a point of the initial
-// grid, and calls of a list that is not defined.
+// grid, evaluation of an initial map, and calls of a list that is not defined.
 class Alikeness {
  public:
+  enum class InitialMaps { kNot, kAllowed };
+
   explicit Alikeness(const gl::Case& program);
   // Returns false if the candidate does such a thing, and the program does not.
-  bool holds_for(const gl::Case& candidate) const;
+  bool holds_for(const gl::Case& candidate, InitialMaps initial_maps = InitialMaps::kNot) const;
 
  private:
-  bool keeps_to_grids_, calls_missing_list_;
+  bool keeps_to_grids_, keeps_to_maps_, calls_missing_list_;
 };
 
 // Keeps the identity of a difference (Difference) while it reduces: a candidate counts only if it differs in

@@ -119,6 +119,29 @@ TEST(Identity, AnAutomaticNormalStaysOne) {
   EXPECT_FALSE(has(automatic.minimal->program, gl::EntryPoint::EvalCoord1f));
 }
 
+// The library draws nothing from maps of order 3, and nothing from maps that are not defined. Without its
+// Map, a program that shows the first bug shows the second.
+TEST(Identity, AnEvaluatedMapStaysDefined) {
+  static bool is_lost = true;
+  Altered altered([](gl::Table& table) {
+    is_lost = true;
+    table.Map1f = [](GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order,
+                     const GLfloat* points) {
+      is_lost = order == 3;
+      Altered::original.Map1f(target, u1, u2, stride, order, points);
+    };
+    table.EvalCoord1f = [](GLfloat u) {
+      if (!is_lost) Altered::original.EvalCoord1f(u);
+    };
+  });
+  const Reduction reduction =
+      reduced_on(altered, {Difference::kVertices, "", "fewer"},
+                 R"([["Map1f", "GL_MAP1_VERTEX_3", 0, 1, 3, 3, {"f32": [0, 0, 0, 1, 1, 1, 2, 0, 0]}],
+      ["Enable", "GL_MAP1_VERTEX_3"], ["Begin", "GL_POINTS"], ["EvalCoord1f", 0.5], ["End"]])");
+  ASSERT_TRUE(reduction.minimal) << reduction.why_not;
+  EXPECT_TRUE(has(reduction.minimal->program, gl::EntryPoint::Map1f));
+}
+
 // Several errors are permitted for a command that is wrong in two ways.
 TEST(Identity, AMissingErrorMayBeOneOfSeveral) {
   Altered altered(
