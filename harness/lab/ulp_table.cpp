@@ -93,7 +93,7 @@ std::string table_csv(const json& ulp) {
   for (const json& implementation : ulp["implementations"]) {
     std::string name;
     for (const char c : as_text(implementation["name"])) name += c == '"' ? "\"\"" : std::string(1, c);
-    if (name.find_first_of(",\"\r\n") != std::string::npos) name = '"' + name + '"';
+    if (name.find_first_of(",\"\r\n") != std::string::npos) name = fmt::format("\"{}\"", name);
     for (const json& row : implementation["rows"]) {
       if (row.contains("not_measured")) continue;
       text += fmt::format("{},{},{}", name, as_text(row["name"]), row.value("target", ""));
