@@ -1,6 +1,7 @@
 // Describes the environment variables and EGL vendor files that select GL drivers, with values that cannot be
 // right, and compares the requested driver with the loaded one.
 #include <evalcts/backends/gl_environment.h>
+#include <evalcts/results/files.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -133,9 +134,8 @@ std::string describe_egl_vendors() {
   }
   std::string problems;
   for (const fs::path& file : files) {
-    std::ifstream stream(file);
-    const nlohmann::json vendor = nlohmann::json::parse(stream, nullptr, false);
-    if (!stream.is_open()) continue;  // describe_gl_environment() names it
+    if (!std::ifstream(file).is_open()) continue;  // describe_gl_environment() names it
+    const nlohmann::json vendor = parse_json(read_file(file));
     const nlohmann::json::json_pointer place("/ICD/library_path");
     if (!vendor.is_object() || !vendor.contains(place)) {
       problems += fmt::format("; '{}' has no ICD.library_path", file.string());

@@ -153,7 +153,7 @@ std::string to_text(const std::vector<ListedChange>& changes) {
 }
 
 std::optional<std::vector<ListedChange>> parse_changes(const std::string& text) {
-  const json value = json::parse(text, nullptr, false);
+  const json value = parse_json(text);
   if (!value.is_object() || !value.contains("faults")) return std::nullopt;
   std::vector<ListedChange> changes;
   JsonObject(value, "faults").each_object("faults", [&](const JsonObject& in) {

@@ -7,141 +7,126 @@
 #include <evalcts/gl/case_json.h>
 #include <evalcts/results/json.h>
 
-namespace evalcts::fuzz {
-namespace {
+namespace evalcts {
 
 using nlohmann::json;
 
-json to_json(const Finding& finding) {
-  return {{"program", gl::to_json(finding.program)},
-          {"cause", finding.cause},
-          {"title", finding.title},
-          {"requirement", finding.requirement},
-          {"known", finding.known},
-          {"outside_evaluators", finding.outside_evaluators},
-          {"difference", finding.failure.difference.text()},
-          {"what", finding.failure.what},
-          {"message", finding.failure.message},
-          {"expected", finding.failure.expected},
-          {"captured", finding.failure.captured},
-          {"calls", finding.failure.calls}};
+static void to_json(json& out, const Difference& difference) { out = difference.text(); }
+static void from_json(const json& in, Difference& difference) {
+  difference = parse_difference(in).value_or(Difference());
 }
 
-Finding finding_from(const json& data) {
-  Finding finding;
-  finding.program = gl::case_from_json(data.at("program"));
-  data.at("cause").get_to(finding.cause);
-  data.at("title").get_to(finding.title);
-  data.at("known").get_to(finding.known);
-  finding.failure.difference = parse_difference(data.at("difference")).value_or(Difference());
-  data.at("requirement").get_to(finding.requirement);
-  data.at("outside_evaluators").get_to(finding.outside_evaluators);
-  data.at("what").get_to(finding.failure.what);
-  data.at("message").get_to(finding.failure.message);
-  data.at("expected").get_to(finding.failure.expected);
-  data.at("captured").get_to(finding.failure.captured);
-  data.at("calls").get_to(finding.failure.calls);
-  return finding;
+namespace fuzz {
+
+static void to_json(json& out, const Finding& finding) {
+  const Failure& failure = finding.failure;
+  out = {{"program", gl::to_json(finding.program)},
+         {"cause", finding.cause},
+         {"title", finding.title},
+         {"requirement", finding.requirement},
+         {"known", finding.known},
+         {"outside_evaluators", finding.outside_evaluators},
+         {"difference", failure.difference},
+         {"what", failure.what},
+         {"message", failure.message},
+         {"expected", failure.expected},
+         {"captured", failure.captured},
+         {"calls", failure.calls}};
+}
+
+static void from_json(const json& in, Finding& finding) {
+  Failure& failure = finding.failure;
+  finding.program = gl::case_from_json(in.at("program"));
+  in.at("cause").get_to(finding.cause);
+  in.at("title").get_to(finding.title);
+  in.at("requirement").get_to(finding.requirement);
+  in.at("known").get_to(finding.known);
+  in.at("outside_evaluators").get_to(finding.outside_evaluators);
+  in.at("difference").get_to(failure.difference);
+  in.at("what").get_to(failure.what);
+  in.at("message").get_to(failure.message);
+  in.at("expected").get_to(failure.expected);
+  in.at("captured").get_to(failure.captured);
+  in.at("calls").get_to(failure.calls);
+}
+
+// Functions that convert a type, whose members are the fields.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CampaignStarted, max_eval_order)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FindingShrank, number, finding)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FindingMade, number, finding)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProgramJudged, judged, in_full, commands, not_repeated, seconds_of_known)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RandomJob, number, length, seconds, in_fresh_context, in_flight, deadly)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FailingCase, test, difference, commands, seconds, is_known_bug)
+
+namespace {
+
+std::string dumped(const json& value, int indent) {
+  return value.dump(indent, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+std::string line_of(const char* kind, json event = json::object()) {
+  event["event"] = kind;
+  return dumped(event, -1);
 }
 
 struct EventWriter {
-  json operator()(const CampaignStarted& start) const {
-    return {{"event", "campaign"}, {"max_eval_order", start.max_eval_order}};
-  }
-  json operator()(const FindingShrank& smaller) const {
-    return {{"event", "smaller"}, {"number", smaller.number}, {"finding", to_json(smaller.finding)}};
-  }
-  json operator()(const FindingMade& found) const {
-    return {{"event", "finding"}, {"number", found.number}, {"finding", to_json(found.finding)}};
-  }
-  json operator()(const StillJudging&) const { return {{"event", "judging"}}; }
-  json operator()(const ProgramJudged& result) const {
-    return {{"event", "judged"},
-            {"judged", result.judged},
-            {"in_full", result.in_full},
-            {"commands", result.commands},
-            {"not_repeated", result.not_repeated},
-            {"seconds_of_known", result.seconds_of_known}};
-  }
+  std::string operator()(const CampaignStarted& start) const { return line_of("campaign", start); }
+  std::string operator()(const FindingShrank& smaller) const { return line_of("smaller", smaller); }
+  std::string operator()(const FindingMade& found) const { return line_of("finding", found); }
+  std::string operator()(const StillJudging&) const { return line_of("judging"); }
+  std::string operator()(const ProgramJudged& result) const { return line_of("judged", result); }
 };
+
+// Returns parse_json(text) as a value. Throws std::invalid_argument if it lacks a field.
+template <class T>
+T parsed(const std::string& text) try {
+  return parse_json(text).get<T>();
+} catch (const json::exception& error) {
+  throw std::invalid_argument(error.what());
+}
 
 }  // namespace
 
-std::string to_line(const CampaignEvent& event) {
-  return std::visit(EventWriter(), event).dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
-}
+std::string to_line(const CampaignEvent& event) { return std::visit(EventWriter(), event); }
 
 std::optional<CampaignEvent> parse_campaign_event(const std::string& line) {
   try {
-    const json event = json::parse(line);
+    const json event = parse_json(line);
     const std::string kind = event.at("event");
-    if (kind == "campaign") return CampaignStarted{event.at("max_eval_order")};
-    if (kind == "smaller") return FindingShrank{event.at("number"), finding_from(event.at("finding"))};
-    if (kind == "finding") return FindingMade{event.at("number"), finding_from(event.at("finding"))};
+    if (kind == "campaign") return event.get<CampaignStarted>();
+    if (kind == "smaller") return event.get<FindingShrank>();
+    if (kind == "finding") return event.get<FindingMade>();
     if (kind == "judging") return StillJudging{};
-    if (kind == "judged")
-      return ProgramJudged{event.at("judged"), event.at("in_full"), event.at("commands"),
-                           event.at("not_repeated"), event.at("seconds_of_known")};
+    if (kind == "judged") return event.get<ProgramJudged>();
   } catch (const json::exception&) {
   } catch (const std::invalid_argument&) {
   }
   return std::nullopt;
 }
 
-std::string to_text(const Finding& finding) {
-  return to_json(finding).dump(1, ' ', false, json::error_handler_t::replace) + "\n";
-}
-
-std::string to_text(const RandomJob& job) {
-  return json{{"number", job.number},       {"length", job.length},
-              {"seconds", job.seconds},     {"in_fresh_context", job.in_fresh_context},
-              {"in_flight", job.in_flight}, {"deadly", job.deadly}}
-      .dump();
-}
-
-RandomJob parse_random_job(const std::string& text) try {
-  const json data = json::parse(text);
-  return {data.at("number"),           data.at("length"),    data.at("seconds"),
-          data.at("in_fresh_context"), data.at("in_flight"), data.at("deadly")};
-} catch (const json::exception& error) {
-  throw std::invalid_argument(error.what());
-}
-
+std::string to_text(const Finding& finding) { return dumped(finding, 1); }
+std::string to_text(const RandomJob& job) { return json(job).dump(); }
 std::string to_text(const FailingCase& failing) {
-  return json{{"test", failing.test},
-              {"difference", failing.difference.text()},
-              {"commands", failing.commands},
-              {"seconds", failing.seconds},
-              {"is_known_bug", failing.is_known_bug}}
-      .dump(-1, ' ', false, json::error_handler_t::replace);
+  return json(failing).dump(-1, ' ', false, json::error_handler_t::replace);
 }
-
-FailingCase parse_failing_case(const std::string& text) try {
-  const json data = json::parse(text);
-  return {data.at("test"), parse_difference(data.at("difference")).value_or(Difference()),
-          data.at("commands"), data.at("seconds"), data.at("is_known_bug")};
-} catch (const json::exception& error) {
-  throw std::invalid_argument(error.what());
-}
+RandomJob parse_random_job(const std::string& text) { return parsed<RandomJob>(text); }
+FailingCase parse_failing_case(const std::string& text) { return parsed<FailingCase>(text); }
 
 std::string to_line(const ReductionEvent& event) {
-  json data = {{"event", "reducing"}};
-  if (const auto* reduction = std::get_if<Reduction>(&event)) {
-    data = {{"event", "reduction"},
-            {"test", reduction->test},
-            {"why_not", reduction->why_not},
-            {"is_known_bug", reduction->is_known_bug}};
-    if (reduction->minimal) data["finding"] = to_json(*reduction->minimal);
-  }
-  return data.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+  const auto* reduction = std::get_if<Reduction>(&event);
+  if (!reduction) return line_of("reducing");
+  json data = {
+      {"test", reduction->test}, {"why_not", reduction->why_not}, {"is_known_bug", reduction->is_known_bug}};
+  if (reduction->minimal) data["finding"] = *reduction->minimal;
+  return line_of("reduction", data);
 }
 
 std::optional<Reduction> parse_reduction(const std::string& line) {
   try {
-    const json event = json::parse(line);
+    const json event = parse_json(line);
     if (event.at("event") != json("reduction")) return std::nullopt;
     Reduction reduction{event.at("test"), {}, event.at("why_not"), event.at("is_known_bug")};
-    if (event.contains("finding")) reduction.minimal = finding_from(event.at("finding"));
+    if (event.contains("finding")) reduction.minimal = event.at("finding").get<Finding>();
     return reduction;
   } catch (const json::exception&) {
   } catch (const std::invalid_argument&) {
@@ -149,4 +134,5 @@ std::optional<Reduction> parse_reduction(const std::string& line) {
   return std::nullopt;
 }
 
-}  // namespace evalcts::fuzz
+}  // namespace fuzz
+}  // namespace evalcts

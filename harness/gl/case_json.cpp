@@ -240,7 +240,7 @@ std::string to_text_if_possible(const Case& script) {
 }
 
 Case parse_case(const std::string& text) {
-  const json data = json::parse(text, nullptr, false);
+  const json data = parse_json(text);
   if (data.is_discarded()) throw std::invalid_argument("the program is not JSON");
   return case_from_json(data);
 }

@@ -109,7 +109,7 @@ Quote KnownBug::quoted_rule() const {
 }
 
 std::vector<KnownBug> parse_known_bugs(const std::string& text) {
-  const json data = json::parse(text, nullptr, false);
+  const json data = parse_json(text);
   if (data.is_discarded()) throw FormatError("the known bugs are not JSON");
   std::vector<KnownBug> bugs;
   JsonObject(data, "").each_object("bugs",
@@ -126,7 +126,7 @@ const std::vector<KnownBug>& known_bugs() {
 const std::set<std::string>& known_signatures(const std::string& product, const std::string& function) {
   static const auto kAll = [] {
     std::map<std::pair<std::string, std::string>, std::set<std::string>> all;
-    const json data = json::parse(kKnownSignatures);
+    const json data = parse_json(kKnownSignatures);
     for (const auto& [of_product, functions] : data.items())
       for (const auto& [name, texts] : functions.items()) {
         std::istringstream words(texts.get<std::string>());

@@ -87,7 +87,7 @@ std::vector<const Ambiguity*> Catalogue::interpretations() const {
 }
 
 Catalogue Catalogue::parse(const std::string& text) {
-  const json data = json::parse(text, nullptr, false);
+  const json data = parse_json(text);
   if (data.is_discarded()) throw FormatError("the requirements are not valid JSON");
   Catalogue out;
   const JsonObject in(data, "");
@@ -105,10 +105,10 @@ const Catalogue& catalogue() {
   return kShipped;
 }
 
-std::string catalogue_as_json() { return json::parse(kRequirements).dump(1); }
+std::string catalogue_as_json() { return parse_json(kRequirements).dump(1); }
 
 std::string interpretations_as_json() {
-  const json data = json::parse(kRequirements);
+  const json data = parse_json(kRequirements);
   json all = json::array();
   for (const char* list : kAmbiguityLists)
     for (const json& entry : data[list])

@@ -51,7 +51,7 @@ std::string clean(const std::string& text) {
   // The JSON library repairs UTF-8 when it writes; reading it back undoes only its escapes.
   using nlohmann::json;
   const std::string valid =
-      json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
+      parse_json(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
   std::string out;
   out.reserve(valid.size());
   for (std::size_t i = 0; i < valid.size();) {

@@ -53,15 +53,14 @@ TEST_F(CommandLine, WrongUseIsTwo) {
 }
 
 TEST_F(CommandLine, ListsAndExplains) {
-  const json tests = json::parse(evalcts({"list", "tests", "--json"}).text, nullptr, false);
+  const json tests = parse_json(evalcts({"list", "tests", "--json"}).text);
   ASSERT_TRUE(tests.is_object());
   EXPECT_GE(tests["tests"].size(), 100u);
-  const json requirements = json::parse(evalcts({"list", "requirements", "--json"}).text, nullptr, false);
+  const json requirements = parse_json(evalcts({"list", "requirements", "--json"}).text);
   EXPECT_EQ(requirements["requirements"].size(), 401u);
-  const json implementations =
-      json::parse(evalcts({"list", "implementations", "--json"}).text, nullptr, false);
+  const json implementations = parse_json(evalcts({"list", "implementations", "--json"}).text);
   EXPECT_EQ(implementations["implementations"].size(), 10u);
-  const json coverage = json::parse(evalcts({"coverage", "--json"}).text, nullptr, false);
+  const json coverage = parse_json(evalcts({"coverage", "--json"}).text);
   EXPECT_EQ(coverage["requirements"].size(), 401u);
   EXPECT_TRUE(coverage["problems"].empty());
   EXPECT_TRUE(contains(evalcts({"explain", "EV-MAP1-COPY"}).text, "Map1State.CopyOnCall/UNMAPPED"));
@@ -180,7 +179,7 @@ TEST_F(CommandLine, JobsDecideTheSame) {
     std::map<std::string, int> lines;
     std::ifstream records(folder_ / "records-drill.jsonl");
     for (std::string line; std::getline(records, line);) {
-      const json event = json::parse(line, nullptr, false);
+      const json event = parse_json(line);
       EXPECT_TRUE(event.is_object()) << line;
       if (as_text(event["event"]) == "result") ++lines[event["record"]["name"]];
     }
@@ -228,7 +227,7 @@ TEST_F(CommandLine, ShardsDecideTheSame) {
 
 // Quick depth runs at least one test of each test function and of each decided requirement.
 TEST_F(CommandLine, QuickDepthKeepsEveryRule) {
-  const json tests = json::parse(evalcts({"list", "tests", "--json"}).text, nullptr, false);
+  const json tests = parse_json(evalcts({"list", "tests", "--json"}).text);
   std::map<std::string, bool> names, requirements;
   std::size_t quick = 0;
   for (const json& test : tests["tests"]) {
@@ -827,7 +826,7 @@ TEST_F(CommandLine, InterruptedRunKeepsWhatItHas) {
         bool started = false, last_ended = false;
         std::ifstream records(folder_ / "records-drill.jsonl");
         for (std::string line; std::getline(records, line);) {
-          const json event = json::parse(line, nullptr, false);
+          const json event = parse_json(line);
           if (!event.is_object()) continue;
           if (as_text(event["event"]) == "start") started = started || as_text(event["name"]) == kVictim;
           if (as_text(event["event"]) == "result")

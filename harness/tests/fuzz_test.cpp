@@ -8,6 +8,7 @@
 #include <evalcts/fuzz/random_program.h>
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/case_json.h>
+#include <evalcts/results/files.h>
 #include <evalcts/results/hash.h>
 #include <evalcts/results/json.h>
 #include "altered.h"
@@ -161,7 +162,7 @@ TEST(IsDefined, TellsWhatTheSpecificationLeavesOpen) {
 TEST(CaseJson, ComesBackTheSame) {
   for (std::uint32_t number = 0; number < 50; ++number) {
     const gl::Case program = random_program(2, number, kLength, kMaxOrder);
-    EXPECT_EQ(text_of(gl::case_from_json(json::parse(gl::to_json(program).dump()))), text_of(program))
+    EXPECT_EQ(text_of(gl::case_from_json(parse_json(gl::to_json(program).dump()))), text_of(program))
         << number;
   }
 }
@@ -188,7 +189,7 @@ TEST(CaseJson, KeepsTheTreatmentOfArraysAndTheirSlots) {
 }
 
 TEST(CaseJson, SaysWhatIsWrong) {
-  const auto read = [](const char* text) { return gl::case_from_json(json::parse(text)); };
+  const auto read = [](const char* text) { return gl::case_from_json(parse_json(text)); };
   for (const char* wrong : {"{}",
                             "[[]]",
                             "[[1]]",
@@ -486,8 +487,7 @@ class FuzzCommand : public ProgramTest {
     return fuzz(more);
   }
   json finding(int number = 1) const {
-    std::ifstream file(folder_ / ("fuzz-osmesa-" + std::to_string(number) + ".json"));
-    return json::parse(file, nullptr, false);
+    return parse_json(read_file(folder_ / ("fuzz-osmesa-" + std::to_string(number) + ".json")));
   }
 };
 

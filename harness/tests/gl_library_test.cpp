@@ -10,6 +10,7 @@
 
 #include <evalcts/backends/gl_environment.h>
 #include <evalcts/backends/implementation.h>
+#include <evalcts/results/files.h>
 #include <evalcts/runner/worker.h>
 #include <evalcts_provider.h>
 #include "backends/shared_library.h"
@@ -37,7 +38,7 @@ class GlLibrary : public ProgramTest {
   }
 
   bool available(const std::string& name) {
-    const json list = json::parse(evalcts({"list", "implementations", "--json"}).text, nullptr, false);
+    const json list = parse_json(evalcts({"list", "implementations", "--json"}).text);
     for (const json& entry : list["implementations"])
       if (as_text(entry["name"]) == name) return entry["available"];
     return false;
@@ -127,8 +128,7 @@ TEST_P(OffScreenLibraries, ErrorsAreMeasuredAndReplayed) {
       evalcts({"ulp", "--implementation", GetParam(), "--values", "700", "--target", "vertex_4", "--target",
                "texture_coord_1", "--filter", "curve/6/ordinary:surface/4x4/lines", "--output", folder_});
   ASSERT_EQ(outcome.code, 0) << outcome.text;
-  std::ifstream file(folder_ / "ulp.json");
-  const json entry = json::parse(file)["implementations"][0];
+  const json entry = parse_json(read_file(folder_ / "ulp.json"))["implementations"][0];
   EXPECT_EQ(as_text(entry["status"]), "complete");
   ASSERT_EQ(entry["rows"].size(), 4u);
   for (const json& row : entry["rows"]) {

@@ -341,7 +341,7 @@ TEST_F(Folders, AFullDiskLosesNothingThatFits) {
   std::ifstream records(kept / "records-drill.jsonl");
   std::size_t judged = 0;
   for (std::string record; std::getline(records, record);) {
-    const json event = json::parse(record, nullptr, false);
+    const json event = parse_json(record);
     if (!event.is_object() || as_text(event["event"]) != "result") continue;
     const std::string verdict = event["record"]["verdict"];
     EXPECT_TRUE(verdict == "pass" || verdict == "not-observable") << event["record"];

@@ -17,6 +17,7 @@
 #include <evalcts/cli/command_line.h>
 #include <evalcts/gl/case_json.h>
 #include <evalcts/results/baseline.h>
+#include <evalcts/results/files.h>
 #include <evalcts/results/json.h>
 #include <evalcts/results/serialization.h>
 #include <evalcts/vectors/lint.h>
@@ -33,7 +34,7 @@ using nlohmann::json;
 void read_vectors(const std::string& text) {
   try {
     vectors::lint(text, {});
-    const json file = json::parse(text);
+    const json file = parse_json(text);
     std::istringstream answers(vectors::emit(file));
     vectors::Answers none = vectors::read_answers(answers);
     vectors::judge(file, none);
@@ -45,9 +46,8 @@ void read_vectors(const std::string& text) {
 void read_answers(const std::string& text) {
   static const json file = [] {
     const char* path = std::getenv("EVALCTS_VECTORS_SAMPLE");
-    std::ifstream stream(path != nullptr ? path : "");
-    if (!stream) std::abort();
-    return json::parse(stream);
+    if (!path) std::abort();
+    return parse_json(read_file(path));
   }();
   std::istringstream lines(text);
   vectors::Answers answers = vectors::read_answers(lines);
@@ -55,7 +55,7 @@ void read_answers(const std::string& text) {
 }
 
 void read_case(const std::string& text) {
-  const json commands = json::parse(text, nullptr, false);
+  const json commands = parse_json(text);
   if (commands.is_discarded()) return;
   try {
     const gl::Case script = gl::case_from_json(commands);

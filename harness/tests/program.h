@@ -76,9 +76,7 @@ class ProgramTest : public testing::Test {
 
   // Return the content of a file in the folder.
   std::string text_of(const std::string& name) const { return read_file(folder_ / name); }
-  nlohmann::json json_of(const std::string& name) const {
-    return nlohmann::json::parse(text_of(name), nullptr, false);
-  }
+  nlohmann::json json_of(const std::string& name) const { return parse_json(text_of(name)); }
   nlohmann::json results(const std::string& name) const { return json_of("results-" + name + ".json"); }
   static nlohmann::json test_named(const nlohmann::json& result, const std::string& name) {
     for (const nlohmann::json& test : result["tests"])

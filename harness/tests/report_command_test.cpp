@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include <evalcts/results/files.h>
 #include "program.h"
 
 namespace evalcts {
@@ -145,7 +146,7 @@ TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
       {"[1]", "expected an object, found an array"},
       {foreign.dump(), "\"evalcts-ulp-2\""},
       {nameless.dump(), "its format is missing"},
-      {wrong.dump(), "tests[0].verdict: unknown verdict \"passed\""},
+      {wrong.dump(), "tests[0].verdict: unknown word \"passed\""},
       {twice.dump(), "occurs twice in this record"},
       {shard.dump(), "is not K-of-N"}};
   const auto expect_rejected = [this](const std::vector<std::string>& arguments, const std::string& words) {
@@ -183,8 +184,7 @@ TEST_F(Report, TheSchemaIsInStep) {
                      "Api.FormsReplaceEachOther/MAP1_COLOR_4", "--output", folder_.string()})
                 .code,
             0);
-  std::ifstream file(RESULTS_SCHEMA);
-  const json schema = json::parse(file), &definitions = schema["definitions"];
+  const json schema = parse_json(read_file(RESULTS_SCHEMA)), &definitions = schema["definitions"];
   const json& evidence = definitions["evidence"]["properties"];
   std::map<std::string, int> seen;
   const auto check = [&](const std::string& kind, const json& object, const std::vector<json>& named) {

@@ -30,7 +30,7 @@ class UlpCommand : public DrillTest {
   }
   static std::string complaints(const json& file) {
     std::ifstream schema(ULP_SCHEMA);
-    return JsonSchema(json::parse(schema)).complaint(file);
+    return JsonSchema(parse_json(schema)).complaint(file);
   }
 };
 

@@ -27,7 +27,7 @@ json named(const std::string& name, const json& tests) {
 json data_of(const std::string& page) {
   const std::string start = "id=\"data\">";
   const std::size_t begin = page.find(start) + start.size();
-  return json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  return parse_json(page.substr(begin, page.find("</script>", begin) - begin));
 }
 
 std::string text_of(const json& data, const json& number) {

@@ -276,7 +276,7 @@ TEST(RunResult, UnknownWordsAreRefused) {
   EXPECT_EQ(refusal({{"format", "evalcts-results-2"}}), "format: unknown word \"evalcts-results-2\"");
   EXPECT_EQ(refusal({{"status", "done"}}), "status: unknown word \"done\"");
   EXPECT_EQ(refusal(record_of({{"level", "should"}})), "tests[0].level: unknown word \"should\"");
-  EXPECT_EQ(refusal(record_of({{"verdict", "passed"}})), "tests[0].verdict: unknown verdict \"passed\"");
+  EXPECT_EQ(refusal(record_of({{"verdict", "passed"}})), "tests[0].verdict: unknown word \"passed\"");
   EXPECT_EQ(refusal({{"summary", {{"passed", 1}}}}), "summary: unknown verdict \"passed\"");
 }
 

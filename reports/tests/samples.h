@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <evalcts/results/files.h>
 #include <evalcts/results/json.h>
 #include <evalcts/results/serialization.h>
 #include "evalcts/reports.h"
@@ -13,9 +14,7 @@
 namespace evalcts::reports {
 
 inline nlohmann::json read_sample(const std::string& name) {
-  std::ifstream in(std::string(EVALCTS_REPORTS_SAMPLES) + "/" + name);
-  if (!in) throw std::runtime_error("no sample " + name);
-  return nlohmann::json::parse(in);
+  return parse_json(read_file(std::string(EVALCTS_REPORTS_SAMPLES) + "/" + name));
 }
 
 inline bool contains(const std::string& text, const std::string& part) {

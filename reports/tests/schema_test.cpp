@@ -1,6 +1,7 @@
 // Tests that the schema and the reader agree: the samples are valid, and what read_run_result rejects is not.
 #include <gtest/gtest.h>
 
+#include <evalcts/results/files.h>
 #include <evalcts/vectors/json_schema.h>
 #include "samples.h"
 
@@ -11,8 +12,7 @@ using nlohmann::json;
 
 // Returns the first complaint, or "valid".
 std::string verdict(const json& record) {
-  std::ifstream in(EVALCTS_REPORTS_SCHEMA);
-  static const JsonSchema kSchema(json::parse(in));
+  static const JsonSchema kSchema(parse_json(read_file(EVALCTS_REPORTS_SCHEMA)));
   const std::string complaint = kSchema.complaint(record);
   return complaint.empty() ? "valid" : complaint;
 }
@@ -27,9 +27,9 @@ TEST(Schema, SamplesAreValid) {
 TEST(Schema, WrittenResultsAreValid) {
   for (const char* name : {"results-osmesa.json", "results-reference.json", "results-glx.json"}) {
     const std::string text = to_text(read_run_result(read_sample(name)));
-    EXPECT_EQ(verdict(json::parse(text)), "valid") << name;
+    EXPECT_EQ(verdict(parse_json(text)), "valid") << name;
     EXPECT_EQ(to_text(parse_run_result(text)), text) << name;
-    const json written = json::parse(text), read = read_sample(name);
+    const json written = parse_json(text), read = read_sample(name);
     for (const char* field : {"started", "seconds", "host"})
       EXPECT_EQ(written.value(field, json()), read.value(field, json())) << name << " " << field;
   }

@@ -348,7 +348,7 @@ TEST(Annotations, AreOfNewFailuresOnly) {
       << github;
   EXPECT_FALSE(contains(github, "Map1 with a stride below")) << github;  // known
   EXPECT_TRUE(contains(github, "::error title=osmesa%3A Map2Values.Rational::internal-error: ")) << github;
-  const json gitlab = json::parse(gitlab_code_quality(results, "ci/library-fails.txt"));
+  const json gitlab = parse_json(gitlab_code_quality(results, "ci/library-fails.txt"));
   ASSERT_EQ(gitlab.size(), 4u);
   EXPECT_EQ(as_text(gitlab[0]["check_name"]), "osmesa:EV-MESH2-FILL-1a2b");
   EXPECT_EQ(as_text(gitlab[0]["severity"]), "critical");

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iostream>
 
+#include <evalcts/results/files.h>
 #include "evalcts/reports.h"
 #include "samples.h"
 
@@ -20,9 +21,9 @@ void write(const std::filesystem::path& path, const std::string& text) {
 }
 
 json read(const std::string& path) {
-  std::ifstream in(path);
-  if (!in) throw std::runtime_error("cannot read " + path);
-  return json::parse(in);
+  const json value = evalcts::parse_json(evalcts::read_file(path));
+  if (value.is_discarded()) throw std::runtime_error("cannot read " + path);
+  return value;
 }
 
 void write_samples(const std::filesystem::path& folder) {

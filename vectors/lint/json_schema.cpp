@@ -39,7 +39,7 @@ std::string JsonSchema::complaint(const json& value) const {
   json::json_pointer place;
   for (std::size_t i = 1; i < error.context.size(); ++i) {
     const std::string step = error.context[i].substr(1, error.context[i].size() - 2);
-    place.push_back(step.starts_with('"') ? json::parse(step).get<std::string>() : step);
+    place.push_back(step.starts_with('"') ? parse_json(step).get<std::string>() : step);
   }
   std::string given = value.at(place).dump();
   if (given.size() > 60) given = given.substr(0, 57) + "...";

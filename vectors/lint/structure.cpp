@@ -17,7 +17,7 @@ using nlohmann::json;
 }
 
 const json& file_schema() {
-  static const json kSchema = json::parse(kSchemaText);
+  static const json kSchema = parse_json(kSchemaText);
   return kSchema;
 }
 

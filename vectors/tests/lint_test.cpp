@@ -1,11 +1,11 @@
 // Tests the linter: it finds errors in a file and names the case.
+#include <evalcts/results/files.h>
 #include <evalcts/vectors/lint.h>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 
 #include <evalcts/vectors/write.h>
@@ -18,8 +18,7 @@ using nlohmann::json;
 
 const std::set<std::string>& requirements() {
   static const std::set<std::string> kIds = [] {
-    std::ifstream stream(REQUIREMENTS_FILE);
-    const json catalogue = json::parse(stream);
+    const json catalogue = parse_json(read_file(REQUIREMENTS_FILE));
     std::set<std::string> all;
     for (const json& row : catalogue["requirements"]) all.insert(row["id"]);
     return all;
@@ -29,8 +28,8 @@ const std::set<std::string>& requirements() {
 
 // Returns a file with the first cases of a shipped one and the notes of their flags.
 json first_cases(const std::string& kind) {
-  std::ifstream stream(std::string(VECTORS_FOLDER) + "/" + kind + ".json");
-  json file = json::parse(stream), few = json::array(), notes = json::object();
+  json file = parse_json(read_file(std::string(VECTORS_FOLDER) + "/" + kind + ".json")), few = json::array(),
+       notes = json::object();
   for (int i = 0; i < 3; ++i) {
     few.push_back(file["cases"][i]);
     for (const std::string flag : few.back()["flags"]) notes[flag] = file["notes"][flag];
@@ -90,8 +89,8 @@ const json& shipped_file(const std::string& kind) {
   static std::map<std::string, json> files;
   const auto found = files.find(kind);
   if (found != files.end()) return found->second;
-  std::ifstream stream(std::string(VECTORS_FOLDER) + "/" + kind + ".json");
-  return files.emplace(kind, json::parse(stream)).first->second;
+  return files.emplace(kind, parse_json(read_file(std::string(VECTORS_FOLDER) + "/" + kind + ".json")))
+      .first->second;
 }
 
 // Returns a file with one case of a shipped one.
@@ -186,11 +185,11 @@ TEST(Lint, TellsThemesApart) {
 TEST(Lint, KnowsThatRefusedQueriesAnswerNothing) {
   json file = shipped("get_map", "get_map.GetMap.BetweenBeginAndEnd/GetMapfv.1");
   EXPECT_EQ(complaint(file), "");
-  file["cases"][0]["steps"][1]["answers"] = json::parse(R"([["0x0p+0"]])");
+  file["cases"][0]["steps"][1]["answers"] = parse_json(R"([["0x0p+0"]])");
   EXPECT_EQ(complaint(file),
             "get_map.GetMap.BetweenBeginAndEnd/GetMapfv.1: step 1: a rejected query has an answer");
   file = shipped("get_map", "get_map.GetMap.BadQuery/GetMapfv.1");
-  file["cases"][0]["steps"][0]["answers"] = json::parse(R"([["0x0p+0"]])");
+  file["cases"][0]["steps"][0]["answers"] = parse_json(R"([["0x0p+0"]])");
   EXPECT_EQ(complaint(file), "get_map.GetMap.BadQuery/GetMapfv.1: step 0: a rejected query has an answer");
 }
 

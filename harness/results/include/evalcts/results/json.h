@@ -23,6 +23,10 @@ std::string_view as_text(const Json auto& value) {
   return text ? std::string_view(*text) : std::string_view();
 }
 
+// Parses a text with nlohmann's parser, which takes long to compile and is slow without optimization. The
+// value is discarded (is_discarded()) if the text is no JSON.
+nlohmann::json parse_json(std::string_view text);
+
 }  // namespace evalcts
 
 namespace nlohmann {

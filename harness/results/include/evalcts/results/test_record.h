@@ -89,7 +89,7 @@ struct Crash {
 
 // Outcome of a test when it was repeated alone in a new process.
 struct Repetition {
-  Verdict verdict = Verdict::kPass;
+  Verdict verdict = Verdict::kInternalError;
   std::string message;
 };
 
