@@ -553,7 +553,7 @@ scenario "test: arguments for ctest"
 install_all
 evalcts test -- -R Value
 exits 0
-calls_are "configure release;build release;ctest --preset release --no-tests=ignore -R Value in a tree;"
+calls_are "configure release;build complete;ctest --preset complete --no-tests=ignore -R Value in a tree;"
 
 scenario "test: installs for its stages"
 evalcts test --preset debug

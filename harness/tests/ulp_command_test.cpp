@@ -29,8 +29,7 @@ class UlpCommand : public DrillTest {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_), {}));
   }
   static std::string complaints(const json& file) {
-    std::ifstream schema(ULP_SCHEMA);
-    return JsonSchema(parse_json(schema)).complaint(file);
+    return JsonSchema(parse_json(read_file(ULP_SCHEMA))).complaint(file);
   }
 };
 
