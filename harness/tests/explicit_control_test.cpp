@@ -244,7 +244,7 @@ TEST_F(ExplicitControlTest, ControlsRunInTheWarmContextIfTheCaseFailsThere) {
   EXPECT_EQ(wrong.last_implementation, subject_.implementation);
 }
 
-// An implementation whose End always raises an error, and whose other commands do nothing.
+// An implementation whose End always raises an error, as CallList does, and whose other commands do nothing.
 class FailsAtEnd final : public Implementation {
  public:
   std::string name() const override { return "fails at End"; }
@@ -256,9 +256,14 @@ class FailsAtEnd final : public Implementation {
    public:
     OfEnd() {
       table_.Begin = [](GLenum) {};
-      table_.End = [] { error = GL_INVALID_OPERATION; };
+      table_.End = [] {
+        if (error == GL_NO_ERROR) error = GL_INVALID_OPERATION;
+      };
       table_.Vertex3f = [](GLfloat, GLfloat, GLfloat) {};
       table_.Color4f = [](GLfloat, GLfloat, GLfloat, GLfloat) {};
+      table_.NewList = [](GLuint, GLenum) {};
+      table_.EndList = [] {};
+      table_.CallList = [](GLuint) { error = GL_INVALID_VALUE; };
       table_.GetError = [] { return std::exchange(error, static_cast<GLenum>(GL_NO_ERROR)); };
     }
     const gl::Table& table() const override { return table_; }
@@ -282,6 +287,19 @@ TEST_F(ExplicitControlTest, ErrorThatExplicitVerticesRaiseAsWellIsNotThatOfEvalu
   only_evaluators.Enable(GL_MAP1_VERTEX_3);
   only_evaluators.Disable(GL_MAP1_VERTEX_3);
   EXPECT_EQ(control_.error_without_evaluators(only_evaluators, {GL_INVALID_OPERATION}), std::nullopt);
+}
+
+// Mesa crashes if a list calls one that does not exist within a primitive.
+TEST_F(ExplicitControlTest, ControlsOfErrorsCallNoLists) {
+  FailsAtEnd implementation;
+  subject_.implementation = &implementation;
+  gl::Case in_list("a list that evaluates");
+  in_list.NewList(1, GL_COMPILE_AND_EXECUTE);
+  in_list.Begin(GL_POINTS);
+  in_list.EvalCoord1f(0);
+  in_list.End();
+  in_list.EndList();
+  EXPECT_EQ(control_.error_without_evaluators(in_list, {GL_INVALID_VALUE}), std::nullopt);
 }
 
 TEST_F(ExplicitControlTest, LostAttributesAreThoseOfExplicitVertices) {

@@ -49,8 +49,8 @@ class ExplicitControl {
   // Returns the attributes that the controls, which have run, lose while positions and vertices are right.
   Attributes lost_in_controls() const;
 
-  // Must be called when the case leaves these errors behind. Returns the one that it leaves behind without
-  // evaluators as well (gl::controls_without_evaluators()), if there is one.
+  // Must be called when the case leaves these errors behind. Returns the one that it leaves behind with
+  // explicit vertices or other explicit commands in place of its evaluations as well, if there is one.
   std::optional<GLenum> error_without_evaluators(const gl::Case& script,
                                                  const std::vector<GLenum>& errors) const;
 
