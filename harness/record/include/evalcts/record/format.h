@@ -24,7 +24,8 @@
 //   @context:qq     the following commands of the thread are for this context (0: none); the second number
 //                   orders these events of all threads
 //   @destroy:q      the context was destroyed; the number may be given to another one
-//   @frame:q        the buffers were swapped; the number of frames before, of all contexts
+//   @frame:q        the buffers were swapped or, in a context of OSMesa, which does not swap, Flush or Finish was
+//                   called; the number of frames before, of all contexts
 #pragma once
 
 #include <cstddef>

@@ -1,0 +1,110 @@
+// The functions that the recorder has in front of a GL, each with a number: commands that are recorded, other
+// forms of these, commands that are counted, and functions of window systems.
+#pragma once
+
+// The build defines GL_GLEXT_PROTOTYPES. Only the types of the declarations are used.
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <string_view>
+
+// clang-format off
+#define EVALCTS_WITH_V(X, name, recorded) X(name, recorded) X(name##v, recorded)
+#define EVALCTS_SHORT_AND_INT(X, name) EVALCTS_WITH_V(X, name##s, name##d) EVALCTS_WITH_V(X, name##i, name##d)
+#define EVALCTS_ALL_INTEGERS(X, name) EVALCTS_SHORT_AND_INT(X, name) \
+  EVALCTS_WITH_V(X, name##b, name##d) EVALCTS_WITH_V(X, name##ub, name##d) \
+  EVALCTS_WITH_V(X, name##us, name##d) EVALCTS_WITH_V(X, name##ui, name##d)
+#define EVALCTS_UNIT(X, n) EVALCTS_SHORT_AND_INT(X, MultiTexCoord##n) \
+  X(MultiTexCoord##n##sARB, MultiTexCoord##n##d) X(MultiTexCoord##n##svARB, MultiTexCoord##n##d) \
+  X(MultiTexCoord##n##iARB, MultiTexCoord##n##d) X(MultiTexCoord##n##ivARB, MultiTexCoord##n##d)
+#define EVALCTS_UNIT_ALIAS(X, n) \
+  X(MultiTexCoord##n##fARB, MultiTexCoord##n##f) X(MultiTexCoord##n##fvARB, MultiTexCoord##n##fv) \
+  X(MultiTexCoord##n##dARB, MultiTexCoord##n##d) X(MultiTexCoord##n##dvARB, MultiTexCoord##n##dv)
+
+// X(command, command with doubles that it is recorded as)
+#define EVALCTS_CONVERTED(X) \
+  EVALCTS_SHORT_AND_INT(X, Vertex2) EVALCTS_SHORT_AND_INT(X, Vertex3) EVALCTS_SHORT_AND_INT(X, Vertex4) \
+  EVALCTS_ALL_INTEGERS(X, Color3) EVALCTS_ALL_INTEGERS(X, Color4) \
+  EVALCTS_SHORT_AND_INT(X, Normal3) EVALCTS_WITH_V(X, Normal3b, Normal3d) \
+  EVALCTS_SHORT_AND_INT(X, TexCoord1) EVALCTS_SHORT_AND_INT(X, TexCoord2) \
+  EVALCTS_SHORT_AND_INT(X, TexCoord3) EVALCTS_SHORT_AND_INT(X, TexCoord4) \
+  EVALCTS_SHORT_AND_INT(X, Index) EVALCTS_WITH_V(X, Indexub, Indexd) \
+  EVALCTS_UNIT(X, 1) EVALCTS_UNIT(X, 2) EVALCTS_UNIT(X, 3) EVALCTS_UNIT(X, 4)
+
+// X(name of an extension, name of the core)
+#define EVALCTS_ALIASES(X) X(ActiveTextureARB, ActiveTexture) \
+  EVALCTS_UNIT_ALIAS(X, 1) EVALCTS_UNIT_ALIAS(X, 2) EVALCTS_UNIT_ALIAS(X, 3) EVALCTS_UNIT_ALIAS(X, 4)
+
+#define EVALCTS_WINDOW_SYSTEMS(X) \
+  X(glXMakeCurrent) X(glXMakeContextCurrent) X(glXMakeCurrentReadSGI) X(glXDestroyContext) X(glXSwapBuffers) \
+  X(glXSwapBuffersMscOML) X(glXGetProcAddress) X(glXGetProcAddressARB) \
+  X(eglMakeCurrent) X(eglReleaseThread) X(eglDestroyContext) X(eglSwapBuffers) X(eglSwapBuffersWithDamageKHR) \
+  X(eglSwapBuffersWithDamageEXT) X(eglGetProcAddress) \
+  X(OSMesaMakeCurrent) X(OSMesaDestroyContext) X(OSMesaGetProcAddress)
+// clang-format on
+
+namespace evalcts::record {
+
+// Numbers of the functions. Those of recorded commands are also their numbers in the file.
+enum Number : int {
+#define GL_ENTRY(name, kinds) k##name,
+#define OTHER_ENTRY(name, kinds)
+#define HARNESS_ENTRY(name, kinds)
+#include <evalcts/gl/entry_points.def>
+#undef GL_ENTRY
+  kRecordedEnd,
+  kBeforeConverted = kRecordedEnd - 1,
+#define X(name, recorded) k##name,
+  EVALCTS_CONVERTED(X) kConvertedEnd,
+  kBeforeAliases = kConvertedEnd - 1,
+  EVALCTS_ALIASES(X) kAliasesEnd,
+#undef X
+  kBeforeCounted = kAliasesEnd - 1,
+#define COUNTED(name) k##name,
+#include <counted.def>
+#undef COUNTED
+  kCountedEnd,
+  kBeforeWindowSystems = kCountedEnd - 1,
+#define X(name) k##name,
+  EVALCTS_WINDOW_SYSTEMS(X) kFunctions
+#undef X
+};
+
+// Numbers of the events in the file.
+enum Event : int { kContextEvent = kRecordedEnd, kDestroyEvent, kFrameEvent };
+
+inline constexpr int kCounted = kCountedEnd - kAliasesEnd;
+
+// The names of the functions.
+inline constexpr const char* kNames[] = {
+#define GL_ENTRY(name, kinds) "gl" #name,
+#define OTHER_ENTRY(name, kinds)
+#define HARNESS_ENTRY(name, kinds)
+#include <evalcts/gl/entry_points.def>
+#undef GL_ENTRY
+#define X(name, recorded) "gl" #name,
+    EVALCTS_CONVERTED(X) EVALCTS_ALIASES(X)
+#undef X
+#define COUNTED(name) "gl" #name,
+#include <counted.def>
+#undef COUNTED
+#define X(name) #name,
+        EVALCTS_WINDOW_SYSTEMS(X)
+#undef X
+};
+
+// The numbers of the commands that other forms are recorded as.
+inline constexpr int kRecordedAs[] = {
+#define X(name, recorded) k##recorded,
+    EVALCTS_CONVERTED(X) EVALCTS_ALIASES(X)
+#undef X
+};
+
+constexpr int recorded_as(int number) {
+  return number < kRecordedEnd ? number : kRecordedAs[number - kRecordedEnd];
+}
+
+// Returns the name of a command without "gl".
+constexpr std::string_view short_name(int number) { return std::string_view(kNames[number]).substr(2); }
+
+}  // namespace evalcts::record
