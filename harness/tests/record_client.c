@@ -16,7 +16,7 @@ void* OSMesaCreateContextExt(GLenum format, GLint depth, GLint stencil, GLint ac
 GLboolean OSMesaMakeCurrent(void* context, void* buffer, GLenum type, GLsizei width, GLsizei height);
 void OSMesaDestroyContext(void* context);
 
-/* A third of a program's functions is in a library of its own, record_next.c. */
+/* In record_next.c. */
 int finds_the_next(void);
 
 static const GLfloat kCurve[3][3] = {{0, 0, 0}, {0.5f, 1, 0.1f}, {1, 0, -0.0f}};
@@ -126,10 +126,21 @@ int main(int count, char** arguments) {
     draw_curve(number);
     if (strcmp(name, "abort") == 0) abort();
     if (strcmp(name, "exit") == 0) exit(9);
-  } else if (strcmp(name, "mesh") == 0) {
-    define_curve();
-    glMapGrid1f(100, 0, 1);
-    for (int i = 0; i < number; ++i) glEvalMesh1(GL_POINT, 0, 100);
+  } else if (strcmp(name, "surface") == 0 || strcmp(name, "mesh") == 0) { /* for measurements */
+    GLfloat net[48];
+    for (int i = 0; i < 48; ++i) net[i] = (GLfloat)(i % 7) / 7;
+    glMap2f(GL_MAP2_VERTEX_3, 0, 1, 3, 4, 0, 1, 12, 4, net);
+    glEnable(GL_MAP2_VERTEX_3);
+    glMapGrid2f(10, 0, 1, 10, 0, 1);
+    for (int i = 0; i < number; ++i) {
+      if (name[0] == 'm') {
+        glEvalMesh2(GL_POINT, 0, 10, 0, 10);
+        continue;
+      }
+      glBegin(GL_POINTS);
+      for (int k = 0; k < 121; ++k) glEvalCoord2f((GLfloat)(k % 11) / 10, (GLfloat)(k / 11) / 10);
+      glEnd();
+    }
   } else if (strcmp(name, "descriptors") == 0) {
     define_curve();
     for (int i = 3; i < 100; ++i) close(i);

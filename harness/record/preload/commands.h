@@ -9,31 +9,33 @@
 #include <string_view>
 
 // clang-format off
-#define EVALCTS_WITH_V(X, name, recorded) X(name, recorded) X(name##v, recorded)
-#define EVALCTS_SHORT_AND_INT(X, name) EVALCTS_WITH_V(X, name##s, name##d) EVALCTS_WITH_V(X, name##i, name##d)
-#define EVALCTS_ALL_INTEGERS(X, name) EVALCTS_SHORT_AND_INT(X, name) \
-  EVALCTS_WITH_V(X, name##b, name##d) EVALCTS_WITH_V(X, name##ub, name##d) \
-  EVALCTS_WITH_V(X, name##us, name##d) EVALCTS_WITH_V(X, name##ui, name##d)
-#define EVALCTS_UNIT(X, n) EVALCTS_SHORT_AND_INT(X, MultiTexCoord##n) \
-  X(MultiTexCoord##n##sARB, MultiTexCoord##n##d) X(MultiTexCoord##n##svARB, MultiTexCoord##n##d) \
-  X(MultiTexCoord##n##iARB, MultiTexCoord##n##d) X(MultiTexCoord##n##ivARB, MultiTexCoord##n##d)
-#define EVALCTS_UNIT_ALIAS(X, n) \
-  X(MultiTexCoord##n##fARB, MultiTexCoord##n##f) X(MultiTexCoord##n##fvARB, MultiTexCoord##n##fv) \
-  X(MultiTexCoord##n##dARB, MultiTexCoord##n##d) X(MultiTexCoord##n##dvARB, MultiTexCoord##n##dv)
+#define EVALCTS_WITH_V(X, name, recorded, n) X(name, recorded, n) X(name##v, recorded, 1)
+#define EVALCTS_SHORT_AND_INT(X, name, n) EVALCTS_WITH_V(X, name##s, name##d, n) EVALCTS_WITH_V(X, name##i, name##d, n)
+#define EVALCTS_ALL_INTEGERS(X, name, n) EVALCTS_SHORT_AND_INT(X, name, n) \
+  EVALCTS_WITH_V(X, name##b, name##d, n) EVALCTS_WITH_V(X, name##ub, name##d, n) \
+  EVALCTS_WITH_V(X, name##us, name##d, n) EVALCTS_WITH_V(X, name##ui, name##d, n)
+#define EVALCTS_UNIT(X, n, parameters) \
+  X(MultiTexCoord##n##s, MultiTexCoord##n##d, parameters) X(MultiTexCoord##n##sv, MultiTexCoord##n##d, 2) \
+  X(MultiTexCoord##n##i, MultiTexCoord##n##d, parameters) X(MultiTexCoord##n##iv, MultiTexCoord##n##d, 2) \
+  X(MultiTexCoord##n##sARB, MultiTexCoord##n##d, parameters) X(MultiTexCoord##n##svARB, MultiTexCoord##n##d, 2) \
+  X(MultiTexCoord##n##iARB, MultiTexCoord##n##d, parameters) X(MultiTexCoord##n##ivARB, MultiTexCoord##n##d, 2)
+#define EVALCTS_UNIT_ALIAS(X, n, parameters) \
+  X(MultiTexCoord##n##fARB, MultiTexCoord##n##f, parameters) X(MultiTexCoord##n##fvARB, MultiTexCoord##n##fv, 2) \
+  X(MultiTexCoord##n##dARB, MultiTexCoord##n##d, parameters) X(MultiTexCoord##n##dvARB, MultiTexCoord##n##dv, 2)
 
-// X(command, command with doubles that it is recorded as)
+// X(command, command with doubles that it is recorded as, number of parameters)
 #define EVALCTS_CONVERTED(X) \
-  EVALCTS_SHORT_AND_INT(X, Vertex2) EVALCTS_SHORT_AND_INT(X, Vertex3) EVALCTS_SHORT_AND_INT(X, Vertex4) \
-  EVALCTS_ALL_INTEGERS(X, Color3) EVALCTS_ALL_INTEGERS(X, Color4) \
-  EVALCTS_SHORT_AND_INT(X, Normal3) EVALCTS_WITH_V(X, Normal3b, Normal3d) \
-  EVALCTS_SHORT_AND_INT(X, TexCoord1) EVALCTS_SHORT_AND_INT(X, TexCoord2) \
-  EVALCTS_SHORT_AND_INT(X, TexCoord3) EVALCTS_SHORT_AND_INT(X, TexCoord4) \
-  EVALCTS_SHORT_AND_INT(X, Index) EVALCTS_WITH_V(X, Indexub, Indexd) \
-  EVALCTS_UNIT(X, 1) EVALCTS_UNIT(X, 2) EVALCTS_UNIT(X, 3) EVALCTS_UNIT(X, 4)
+  EVALCTS_SHORT_AND_INT(X, Vertex2, 2) EVALCTS_SHORT_AND_INT(X, Vertex3, 3) EVALCTS_SHORT_AND_INT(X, Vertex4, 4) \
+  EVALCTS_ALL_INTEGERS(X, Color3, 3) EVALCTS_ALL_INTEGERS(X, Color4, 4) \
+  EVALCTS_SHORT_AND_INT(X, Normal3, 3) EVALCTS_WITH_V(X, Normal3b, Normal3d, 3) \
+  EVALCTS_SHORT_AND_INT(X, TexCoord1, 1) EVALCTS_SHORT_AND_INT(X, TexCoord2, 2) \
+  EVALCTS_SHORT_AND_INT(X, TexCoord3, 3) EVALCTS_SHORT_AND_INT(X, TexCoord4, 4) \
+  EVALCTS_SHORT_AND_INT(X, Index, 1) EVALCTS_WITH_V(X, Indexub, Indexd, 1) \
+  EVALCTS_UNIT(X, 1, 2) EVALCTS_UNIT(X, 2, 3) EVALCTS_UNIT(X, 3, 4) EVALCTS_UNIT(X, 4, 5)
 
-// X(name of an extension, name of the core)
-#define EVALCTS_ALIASES(X) X(ActiveTextureARB, ActiveTexture) \
-  EVALCTS_UNIT_ALIAS(X, 1) EVALCTS_UNIT_ALIAS(X, 2) EVALCTS_UNIT_ALIAS(X, 3) EVALCTS_UNIT_ALIAS(X, 4)
+// X(name of an extension, name of the core, number of parameters)
+#define EVALCTS_ALIASES(X) X(ActiveTextureARB, ActiveTexture, 1) \
+  EVALCTS_UNIT_ALIAS(X, 1, 2) EVALCTS_UNIT_ALIAS(X, 2, 3) EVALCTS_UNIT_ALIAS(X, 3, 4) EVALCTS_UNIT_ALIAS(X, 4, 5)
 
 #define EVALCTS_WINDOW_SYSTEMS(X) \
   X(glXMakeCurrent) X(glXMakeContextCurrent) X(glXMakeCurrentReadSGI) X(glXDestroyContext) X(glXSwapBuffers) \
@@ -47,20 +49,18 @@ namespace evalcts::record {
 
 // Numbers of the functions. Those of recorded commands are also their numbers in the file.
 enum Number : int {
-#define GL_ENTRY(name, kinds) k##name,
-#define OTHER_ENTRY(name, kinds)
-#define HARNESS_ENTRY(name, kinds)
-#include <evalcts/gl/entry_points.def>
-#undef GL_ENTRY
+#define RECORDED(name, parameters) k##name,
+#include <recorded.def>
+#undef RECORDED
   kRecordedEnd,
   kBeforeConverted = kRecordedEnd - 1,
-#define X(name, recorded) k##name,
+#define X(name, recorded, parameters) k##name,
   EVALCTS_CONVERTED(X) kConvertedEnd,
   kBeforeAliases = kConvertedEnd - 1,
   EVALCTS_ALIASES(X) kAliasesEnd,
 #undef X
   kBeforeCounted = kAliasesEnd - 1,
-#define COUNTED(name) k##name,
+#define COUNTED(name, parameters) k##name,
 #include <counted.def>
 #undef COUNTED
   kCountedEnd,
@@ -77,15 +77,13 @@ inline constexpr int kCounted = kCountedEnd - kAliasesEnd;
 
 // The names of the functions.
 inline constexpr const char* kNames[] = {
-#define GL_ENTRY(name, kinds) "gl" #name,
-#define OTHER_ENTRY(name, kinds)
-#define HARNESS_ENTRY(name, kinds)
-#include <evalcts/gl/entry_points.def>
-#undef GL_ENTRY
-#define X(name, recorded) "gl" #name,
+#define RECORDED(name, parameters) "gl" #name,
+#include <recorded.def>
+#undef RECORDED
+#define X(name, recorded, parameters) "gl" #name,
     EVALCTS_CONVERTED(X) EVALCTS_ALIASES(X)
 #undef X
-#define COUNTED(name) "gl" #name,
+#define COUNTED(name, parameters) "gl" #name,
 #include <counted.def>
 #undef COUNTED
 #define X(name) #name,
@@ -95,7 +93,7 @@ inline constexpr const char* kNames[] = {
 
 // The numbers of the commands that other forms are recorded as.
 inline constexpr int kRecordedAs[] = {
-#define X(name, recorded) k##recorded,
+#define X(name, recorded, parameters) k##recorded,
     EVALCTS_CONVERTED(X) EVALCTS_ALIASES(X)
 #undef X
 };
@@ -105,6 +103,6 @@ constexpr int recorded_as(int number) {
 }
 
 // Returns the name of a command without "gl".
-constexpr std::string_view short_name(int number) { return std::string_view(kNames[number]).substr(2); }
+constexpr std::string_view short_name(int number) { return kNames[number] + 2; }
 
 }  // namespace evalcts::record

@@ -14,11 +14,11 @@ namespace {
 
 // Returns true if the command has one of the prefixes.
 template <class... Prefixes>
-consteval bool begins(int number, Prefixes... prefixes) {
+constexpr bool begins(int number, Prefixes... prefixes) {
   return (short_name(number).starts_with(prefixes) || ...);
 }
 
-consteval CommandClass class_of(int number) {
+constexpr CommandClass class_of(int number) {
   if (begins(number, "Vertex2", "Vertex3", "Vertex4", "Eval", "Begin", "End", "Get", "Is", "Flush",
              "Finish") &&
       number != kGetError && number != kEndList)
@@ -99,14 +99,14 @@ inline Array array_of(const Writer&, GLsizei count, GLenum type, const void* nam
 }
 
 // Returns the number of elements that a command whose name ends with v reads: the digit in the name, or 1.
-consteval std::size_t elements_of(int number) {
+constexpr std::size_t elements_of(int number) {
   std::size_t elements = 1;
   for (const char each : short_name(number))
     if (each >= '1' && each <= '4') elements = static_cast<std::size_t>(each - '0');
   return elements;
 }
 
-consteval bool has_fixed_array(int number) { return short_name(number).ends_with("v"); }
+constexpr bool has_fixed_array(int number) { return short_name(number).ends_with("v"); }
 
 // Returns an array of constant size.
 template <int kNumber, class T>
@@ -125,7 +125,8 @@ template <int kNumber>
 inline Writer* writer_for() {
   Writer* const current = writer;
   if (current == nullptr || !current->records || !is_active.load(std::memory_order_relaxed)) return nullptr;
-  if (__builtin_expect(is_limited_to_frames, 0) && current->leaves_out(class_of(kNumber))) return nullptr;
+  constexpr CommandClass kClass = class_of(kNumber);
+  if (__builtin_expect(is_limited_to_frames, 0) && current->leaves_out(kClass)) return nullptr;
   return current;
 }
 
@@ -161,7 +162,8 @@ inline void record(P... arguments) {
       return std::is_pointer_v<Last<P...>> && std::is_const_v<std::remove_pointer_t<Last<P...>>>;
   }();
   if constexpr (kReads && has_fixed_array(kNumber)) {
-    bytes += elements_of(kNumber) * sizeof(std::remove_pointer_t<Last<P...>>);
+    constexpr std::size_t kElements = elements_of(kNumber);
+    bytes += kElements * sizeof(std::remove_pointer_t<Last<P...>>);
   } else if constexpr (kReads) {
     if ((std::get<sizeof...(P) - 1>(std::tuple(arguments...))) == nullptr)
       array.bytes = kNull;
@@ -243,27 +245,65 @@ struct Forward<kNumber, Result(P...)> {
   }
 };
 
+// Types of the result and of the parameters of a command.
+template <class Function>
+struct Signature;
+template <class R, class... P>
+struct Signature<R(P...)> {
+  using Result = R;
+  template <std::size_t i>
+  using Parameter = std::tuple_element_t<i, std::tuple<P...>>;
+};
+
 }  // namespace
 }  // namespace evalcts::record
 
-#define EVALCTS_FORWARDER(name) evalcts::record::Forward<evalcts::record::k##name, decltype(::gl##name)>::call
+// clang-format off
+#define EVALCTS_P(i) Signature::Parameter<i> p##i
+#define EVALCTS_PARAMETERS_0
+#define EVALCTS_PARAMETERS_1 EVALCTS_P(0)
+#define EVALCTS_PARAMETERS_2 EVALCTS_PARAMETERS_1, EVALCTS_P(1)
+#define EVALCTS_PARAMETERS_3 EVALCTS_PARAMETERS_2, EVALCTS_P(2)
+#define EVALCTS_PARAMETERS_4 EVALCTS_PARAMETERS_3, EVALCTS_P(3)
+#define EVALCTS_PARAMETERS_5 EVALCTS_PARAMETERS_4, EVALCTS_P(4)
+#define EVALCTS_PARAMETERS_6 EVALCTS_PARAMETERS_5, EVALCTS_P(5)
+#define EVALCTS_PARAMETERS_7 EVALCTS_PARAMETERS_6, EVALCTS_P(6)
+#define EVALCTS_PARAMETERS_8 EVALCTS_PARAMETERS_7, EVALCTS_P(7)
+#define EVALCTS_PARAMETERS_9 EVALCTS_PARAMETERS_8, EVALCTS_P(8)
+#define EVALCTS_PARAMETERS_10 EVALCTS_PARAMETERS_9, EVALCTS_P(9)
+#define EVALCTS_PARAMETERS_11 EVALCTS_PARAMETERS_10, EVALCTS_P(10)
+#define EVALCTS_ARGUMENTS_0
+#define EVALCTS_ARGUMENTS_1 p0
+#define EVALCTS_ARGUMENTS_2 EVALCTS_ARGUMENTS_1, p1
+#define EVALCTS_ARGUMENTS_3 EVALCTS_ARGUMENTS_2, p2
+#define EVALCTS_ARGUMENTS_4 EVALCTS_ARGUMENTS_3, p3
+#define EVALCTS_ARGUMENTS_5 EVALCTS_ARGUMENTS_4, p4
+#define EVALCTS_ARGUMENTS_6 EVALCTS_ARGUMENTS_5, p5
+#define EVALCTS_ARGUMENTS_7 EVALCTS_ARGUMENTS_6, p6
+#define EVALCTS_ARGUMENTS_8 EVALCTS_ARGUMENTS_7, p7
+#define EVALCTS_ARGUMENTS_9 EVALCTS_ARGUMENTS_8, p8
+#define EVALCTS_ARGUMENTS_10 EVALCTS_ARGUMENTS_9, p9
+#define EVALCTS_ARGUMENTS_11 EVALCTS_ARGUMENTS_10, p10
+// clang-format on
 
-// A resolver gives each exported name the address of its forwarder.
-#define EVALCTS_EXPORT(name)                                                                     \
-  extern "C" decltype(&::gl##name) evalcts_resolve_##name() { return &EVALCTS_FORWARDER(name); } \
-  extern "C"                                                                                     \
-      __attribute__((visibility("default"), ifunc("evalcts_resolve_" #name))) decltype(::gl##name) gl##name;
-
-#define GL_ENTRY(name, kinds) EVALCTS_EXPORT(name)
-#define OTHER_ENTRY(name, kinds)
-#define HARNESS_ENTRY(name, kinds)
-#include <evalcts/gl/entry_points.def>
-#undef GL_ENTRY
-#define X(name, recorded) EVALCTS_EXPORT(name)
+// An ifunc would need neither numbers nor names of parameters, but the dynamic linker warns of those in
+// preloaded libraries.
+#define EVALCTS_EXPORT(name, parameters)                                                   \
+  namespace evalcts::record::of_##name {                                                   \
+    using Signature = record::Signature<decltype(::gl##name)>;                             \
+    extern "C" __attribute__((visibility("default")))                                      \
+    Signature::Result gl##name(EVALCTS_PARAMETERS_##parameters) {                          \
+      return Forward<k##name, decltype(::gl##name)>::call(EVALCTS_ARGUMENTS_##parameters); \
+    }                                                                                      \
+  }
+#define RECORDED(name, parameters) EVALCTS_EXPORT(name, parameters)
+#include <recorded.def>
+#undef RECORDED
+#define X(name, recorded, parameters) EVALCTS_EXPORT(name, parameters)
 EVALCTS_CONVERTED(X)
 EVALCTS_ALIASES(X)
 #undef X
-#define COUNTED(name) EVALCTS_EXPORT(name)
+#define COUNTED(name, parameters) EVALCTS_EXPORT(name, parameters)
 #include <counted.def>
 #undef COUNTED
 
@@ -275,15 +315,13 @@ EVALCTS_WINDOW_SYSTEMS(X)
 }
 
 void* const evalcts::record::kForwarders[kFunctions] = {
-#define GL_ENTRY(name, kinds) reinterpret_cast<void*>(&EVALCTS_FORWARDER(name)),
-#define OTHER_ENTRY(name, kinds)
-#define HARNESS_ENTRY(name, kinds)
-#include <evalcts/gl/entry_points.def>
-#undef GL_ENTRY
-#define X(name, recorded) reinterpret_cast<void*>(&EVALCTS_FORWARDER(name)),
+#define RECORDED(name, parameters) reinterpret_cast<void*>(&::gl##name),
+#include <recorded.def>
+#undef RECORDED
+#define X(name, recorded, parameters) reinterpret_cast<void*>(&::gl##name),
     EVALCTS_CONVERTED(X) EVALCTS_ALIASES(X)
 #undef X
-#define COUNTED(name) reinterpret_cast<void*>(&EVALCTS_FORWARDER(name)),
+#define COUNTED(name, parameters) reinterpret_cast<void*>(&::gl##name),
 #include <counted.def>
 #undef COUNTED
 #define X(name) reinterpret_cast<void*>(&name),

@@ -4,9 +4,11 @@
 #include <dlfcn.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <initializer_list>
 #include <string_view>
 
 namespace evalcts::record {
@@ -52,18 +54,26 @@ int number_of(const char* name) {
 std::string_view library_of(void* function) {
   Dl_info info;
   if (dladdr(function, &info) == 0) return {};
-  const std::string_view path = info.dli_fname;
-  return path.substr(path.rfind('/') + 1);
+  std::string_view path = info.dli_fname;
+  path.remove_prefix(path.rfind('/') + 1);
+  return path;
 }
 
-// Returns true if both functions are one command: the libraries export entry points, and return those of the
-// library that dispatches commands.
-bool are_equivalent(void* exported, void* looked_up) {
-  if (exported == looked_up) return true;
-  const std::string_view by = library_of(looked_up), from = library_of(exported);
-  return (by.starts_with("libGLdispatch.so") &&
-          (from.starts_with("libGL.so") || from.starts_with("libOpenGL.so"))) ||
-         (by.starts_with("libglapi.so") && from.starts_with("libOSMesa.so"));
+// Returns true if both functions are one command: libraries export entry points, and lookups return those of
+// the library that dispatches commands.
+bool are_equivalent(void* one, void* other) {
+  if (one == other) return true;
+  const std::string_view libraries[] = {library_of(one), library_of(other)};
+  const auto dispatches = [&](int i, const char* dispatcher, std::initializer_list<const char*> exporters) {
+    return libraries[i].starts_with(dispatcher) &&
+           std::any_of(exporters.begin(), exporters.end(),
+                       [&](const char* exporter) { return libraries[1 - i].starts_with(exporter); });
+  };
+  for (const int i : {0, 1})
+    if (dispatches(i, "libGLdispatch.so", {"libGL.so", "libOpenGL.so"}) ||
+        dispatches(i, "libglapi.so", {"libOSMesa.so"}))
+      return true;
+  return false;
 }
 
 // Keeps the library of a function loaded, even if the program closes it.
@@ -75,7 +85,8 @@ void pin(void* function) {
   dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
 }
 
-// Returns the function in the libraries of the program that were not opened with dlopen, or null.
+// Returns the function that is known already, or the one in the libraries that were not opened with dlopen,
+// or null.
 void* find_linked(int number) {
   void* address = real_functions[number].load(std::memory_order_relaxed);
   if (address != nullptr) return address;

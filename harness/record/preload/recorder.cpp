@@ -33,7 +33,7 @@ std::atomic<std::atomic<std::uint64_t>*> counts{unwritten_counts};
 namespace {
 
 constexpr std::uint64_t kChunkSpace = std::uint64_t{1} << 20;
-constexpr std::size_t kContextBytes = 2 + 8 + 8, kDestroyBytes = 2 + 8, kFrameBytes = 2 + 8;
+constexpr std::size_t kContextBytes = 2 + 8 + 8;
 
 pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
 
@@ -83,14 +83,16 @@ void cut(const char* what, const char* why = "") {
   say(what, why);
 }
 
+// Returns the largest size of the file. A process that exceeds the limit of the system would get a signal.
+std::uint64_t size_limit() {
+  rlimit of_system{};
+  return getrlimit(RLIMIT_FSIZE, &of_system) == 0 ? std::min<std::uint64_t>(limit, of_system.rlim_cur)
+                                                  : limit;
+}
+
 // Makes the file larger by `space` bytes, and maps them into memory. Returns null after an error message.
 std::byte* extend(int descriptor, std::uint64_t space) {
   const auto offset = static_cast<off_t>(file.size);
-  rlimit most{};
-  if (getrlimit(RLIMIT_FSIZE, &most) == 0 && file.size + space > most.rlim_cur) {
-    cut("the limit of the size of files (ulimit -f) is reached");
-    return nullptr;
-  }
   if (const int error = posix_fallocate(descriptor, offset, static_cast<off_t>(space))) {
     if (ftruncate(descriptor, offset) != 0) errno = error;
     cut(file.name, std::strerror(error));
@@ -140,7 +142,7 @@ class Text {
         std::snprintf(escape, sizeof escape, "\\u%04x", byte);
         add(escape);
       } else {
-        add(text.substr(0, length));
+        add({text.data(), length});
       }
       text.remove_prefix(length);
     }
@@ -182,7 +184,7 @@ void add_program(Text& text) {
   }
   std::string_view rest(arguments, length > 0 ? static_cast<std::size_t>(length) : 0);
   for (const char* separator = ""; !rest.empty(); separator = ",") {
-    const std::string_view argument = rest.substr(0, rest.find('\0'));
+    const std::string_view argument(rest.data(), std::min(rest.find('\0'), rest.size()));
     text.add(separator);
     text.add_string(argument);
     rest.remove_prefix(std::min(rest.size(), argument.size() + 1));
@@ -211,11 +213,9 @@ void add_header(Text& text) {
   text.add(R"({"program":[)");
   add_program(text);
   text.add(R"(],"commands":[)");
-#define GL_ENTRY(name, kinds) add_command(text, #name, static_cast<decltype(&::gl##name)>(nullptr));
-#define OTHER_ENTRY(name, kinds)
-#define HARNESS_ENTRY(name, kinds)
-#include <evalcts/gl/entry_points.def>
-#undef GL_ENTRY
+#define RECORDED(name, parameters) add_command(text, #name, static_cast<decltype(&::gl##name)>(nullptr));
+#include <recorded.def>
+#undef RECORDED
   text.add(R"("@context:qq","@destroy:q","@frame:q"],"others":[)");
   for (int i = kAliasesEnd; i < kCountedEnd; ++i) {
     text.add(i == kAliasesEnd ? "\"" : ",\"");
@@ -254,7 +254,8 @@ void create_file() {
   add_header(text);
   const std::uint64_t place = (sizeof(FileHeader) + text.view().size() + 7) / 8 * 8;
   const std::uint64_t size = rounded_up(place + kCounted * sizeof(std::uint64_t));
-  std::byte* const memory = extend(descriptor, size);
+  if (size > size_limit()) cut("the size limit is reached (--limit or ulimit -f)");
+  std::byte* const memory = is_active ? extend(descriptor, size) : nullptr;
   close(descriptor);
   if (memory == nullptr) {
     unlink(file.name);
@@ -276,9 +277,10 @@ Chunk* new_chunk(std::uint64_t bytes, std::uint64_t& space) {
   if (file.header == nullptr && is_active) create_file();
   if (!is_active) return nullptr;
   const std::uint64_t least = rounded_up(sizeof(Chunk) + bytes);
-  const std::uint64_t left = limit > file.size ? (limit - file.size) / kAlignment * kAlignment : 0;
+  const std::uint64_t most = size_limit();
+  const std::uint64_t left = most > file.size ? (most - file.size) / kAlignment * kAlignment : 0;
   if (least > left) {
-    cut("the size limit is reached (--limit)");
+    cut("the size limit is reached (--limit or ulimit -f)");
     return nullptr;
   }
   space = std::max(least, std::min(kChunkSpace, left));
