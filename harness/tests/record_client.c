@@ -16,7 +16,7 @@ void* OSMesaCreateContextExt(GLenum format, GLint depth, GLint stencil, GLint ac
 GLboolean OSMesaMakeCurrent(void* context, void* buffer, GLenum type, GLsizei width, GLsizei height);
 void OSMesaDestroyContext(void* context);
 
-/* In record_next.c. */
+/* Defined in record_next.c. */
 int finds_the_next(void);
 
 static const GLfloat kCurve[3][3] = {{0, 0, 0}, {0.5f, 1, 0.1f}, {1, 0, -0.0f}};
@@ -89,11 +89,14 @@ static void draw(void) {
   glLoadIdentity();
 }
 
+static pthread_barrier_t both_have_begun;
+
 static void* draw_in_thread(void* number) {
   static unsigned char pixels[2][16 * 16 * 4];
   const long i = (long)number;
   void* const context = new_context(pixels[i]);
   define_curve();
+  pthread_barrier_wait(&both_have_begun);
   for (int k = 0; k < 1000; ++k) glMapGrid1f((GLint)(1 + i), 0, (GLfloat)k);
   OSMesaMakeCurrent(NULL, NULL, 0, 0, 0);
   OSMesaDestroyContext(context);
@@ -107,6 +110,7 @@ int main(int count, char** arguments) {
   if (strcmp(name, "nothing") == 0) return finds_the_next() ? 0 : 5;
   if (strcmp(name, "threads") == 0) {
     pthread_t threads[2];
+    pthread_barrier_init(&both_have_begun, NULL, 2);
     for (long i = 0; i < 2; ++i) pthread_create(&threads[i], NULL, draw_in_thread, (void*)i);
     for (int i = 0; i < 2; ++i) pthread_join(threads[i], NULL);
     return 0;
