@@ -1,5 +1,5 @@
-// `evalcts check`: whether an implementation has one bug, fails one test or breaks one requirement, as an
-// exit code for `git bisect run`.
+// `evalcts check`: whether an implementation has one bug, fails one test, breaks one requirement or draws a
+// recorded program wrong, as an exit code for `git bisect run`.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -19,17 +19,21 @@
 #include <evalcts/results/text.h>
 #include <evalcts/runner/runner.h>
 #include <evalcts/runner/worker.h>
+#include "check_recording.h"
 #include "short_program.h"
 
 namespace evalcts::cli {
 namespace {
 
-constexpr int kGood = 0, kBad = 1, kCannotBeJudged = 125;  // of `git bisect run`
+constexpr int kGood = static_cast<int>(CheckOutcome::kGood), kBad = static_cast<int>(CheckOutcome::kBad),
+              kCannotBeJudged = static_cast<int>(CheckOutcome::kCannotBeJudged);
 
 struct CheckOptions {
-  std::string name, program;
-  ImplementationOptions implementation;
+  std::string name, command, program;
+  std::vector<std::string> implementations;
+  ImplementationOptions common;  // the other options that choose implementations
   double seconds_per_test = Limits().seconds_per_test;
+  std::string frames, output;  // of a recording
 };
 
 // The tests that decide a check, in the order in which they are tried.
@@ -104,7 +108,9 @@ std::optional<int> check_example(const KnownBug& bug, const ImplementationOption
   if (bug.example.empty() || !implementation.context.empty()) return {};
   const bool is_osmesa = implementation.library.find("libOSMesa.so") != std::string::npos;
   const std::string name = !implementation.name.empty() ? implementation.name : is_osmesa ? "osmesa" : "egl";
-  const std::vector<std::string> options = {"--implementation", name, "--library", implementation.library};
+  const std::vector<std::string> options = {"--implementation", name,
+                                            "--library",        implementation.library,
+                                            "--mesa-build",     implementation.mesa_build};
   ProgramRun run;
   try {
     run = build_and_run(options, example_program(bug, options, "short"));
@@ -121,9 +127,20 @@ std::optional<int> check_example(const KnownBug& bug, const ImplementationOption
 }
 
 int check(const CheckOptions& options) {
-  const ImplementationOptions implementation = completed(options.implementation);
-  if (implementation.name.empty() && implementation.library.empty() && implementation.context.empty())
+  const std::vector<ImplementationOptions> chosen = completed(options.implementations, options.common);
+  if (chosen.empty())
     return cannot_judge("check needs --implementation, --library, --context or --mesa-build");
+  if (record::is_recording(options.name)) {
+    const auto frames = options.frames.empty() ? record::Frames() : parse_frames(options.frames);
+    if (!frames) return cannot_judge(fmt::format("--frames '{}' is not A..B or A", options.frames));
+    return static_cast<int>(check_recording({options.name, chosen, *frames, options.output,
+                                             options.seconds_per_test, options.command, options.program}));
+  }
+  if (!options.frames.empty() || !options.output.empty())
+    return cannot_judge(
+        fmt::format("--frames and --output are for recordings, which '{}' is not", options.name));
+  if (chosen.size() > 1) return cannot_judge("only a recording is judged on several implementations");
+  const ImplementationOptions& implementation = chosen.front();
   if (const KnownBug* const bug = find_known_bug(options.name))
     if (const std::optional<int> code = check_example(*bug, implementation)) return *code;
   const Question question = question_of(options.name, list_tests(places().suite_program));
@@ -167,13 +184,18 @@ int check(const CheckOptions& options) {
 std::function<int()> define_check(CLI::App& app, const Call& call) {
   const auto options = std::make_shared<CheckOptions>();
   options->program = call.program;
-  app.add_option("name", options->name,
-                 "ID of a known bug or requirement, or name of a test or of a test function")
+  app.add_option(
+         "name", options->name,
+         "ID of a known bug or requirement, name of a test or of a test function, or file of a recording")
       ->required();
-  add_implementation(app, options->implementation);
+  add_implementations(app, options->implementations, options->common);
   app.add_option("--timeout", options->seconds_per_test, "time limit for each test, in seconds (default: 45)")
       ->check(positive_number);
-  return [options] {
+  app.add_option("--frames", options->frames, "of a recording: only these frames, as A..B or A, from 0");
+  app.add_option("--output", options->output,
+                 "of a recording: folder for results and report (default: a new one, as of run)");
+  return [options, &call] {
+    options->command = call.command;
     // Any other exit code would mean that the revision is bad, or end the bisection.
     try {
       return check(*options);
@@ -185,10 +207,13 @@ std::function<int()> define_check(CLI::App& app, const Call& call) {
 
 }  // namespace
 
-const Command kCheckCommand = {
-    "check", "say by the exit code whether an implementation has a bug: 0 no, 1 yes, 125 unknown",
-    R"(  $ evalcts check mesa-point-end --library ./build/libOSMesa.so.8
-  $ git bisect run evalcts check Points.LastIsExact/1-D_U --library ./build/libOSMesa.so.8)",
-    define_check};
+const Command kCheckCommand = {"check",
+                               "say by the exit code whether an implementation has a bug, or draws a "
+                               "recorded program wrong: 0 no, 1 yes, "
+                               "125 unknown",
+                               R"(  $ evalcts check mesa-point-end --library ./build/libOSMesa.so.8
+  $ git bisect run evalcts check Points.LastIsExact/1-D_U --library ./build/libOSMesa.so.8
+  $ evalcts check viewer.evalrec --implementation egl --implementation dropin-egl)",
+                               define_check};
 
 }  // namespace evalcts::cli

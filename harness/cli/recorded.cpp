@@ -123,8 +123,9 @@ RecordedFailure find_failure(const std::list<RunResult>& runs, const std::string
 }
 
 std::vector<std::string> replay_options(const RunResult& run) {
-  static const std::set<std::string_view> kHarmless = {
-      "--implementation", "--library", "--context", "--depth", "--seed", "--interpretation", "--mesa-build"};
+  static const std::set<std::string_view> kHarmless = {"--implementation", "--library", "--context",
+                                                       "--depth",          "--seed",    "--interpretation",
+                                                       "--mesa-build",     "--programs"};
   const std::vector<std::string>& command = run.suite_command;
   if (command.size() % 2 == 0)
     throw FormatError("suite_command: expected a program and pairs of options and values");

@@ -17,7 +17,6 @@
 #include <evalcts/cli/default_implementations.h>
 #include <evalcts/cli/places.h>
 #include <evalcts/cli/terminal.h>
-#include <evalcts/fuzz/bugs.h>
 #include <evalcts/results/baseline.h>
 #include <evalcts/results/conclusion.h>
 #include <evalcts/results/filter.h>
@@ -28,9 +27,9 @@
 #include <evalcts/runner/runner.h>
 #include <evalcts/runner/worker.h>
 #include "chosen_baseline.h"
+#include "distinct_bugs.h"
 #include "environment.h"
 #include "pages.h"
-#include "recorded.h"
 #include "run_folders.h"
 
 namespace evalcts::cli {
@@ -189,37 +188,6 @@ RunRequest request_of(const RunOptions& options, const std::string& shard) {
   return request;
 }
 
-// Reduces the failing tests to distinct bugs and sets result.bugs or result.bugs_note.
-void find_bugs(RunResult& result, const RunRequest& request, const RunOptions& options, ProgressLine& line) {
-  if (std::ranges::none_of(result.tests, [](const TestRecord& test) { return is_failure(test.verdict); }))
-    return;
-  if (options.no_bugs || interrupted) {
-    result.bugs_note = options.no_bugs ? "--no-bugs: the failing tests were not reduced to distinct bugs"
-                                       : "interrupted before the failing tests were reduced to distinct bugs";
-    return;
-  }
-  const fs::path scratch = request.output / ("scratch-bugs-" + result.file_label());
-  fs::remove_all(scratch);
-  fs::create_directory(scratch);
-  fuzz::BugRequest bugs = {.suite_command = replay_options(result),
-                           .jobs = request.jobs,
-                           .seconds = options.bug_seconds,
-                           .scratch = scratch,
-                           .limits = request.limits};
-  bugs.suite_command.insert(bugs.suite_command.begin(), request.suite_program.string());
-  // The baseline names the bugs of known failures. It is applied to the result itself later, after
-  // --write-baseline.
-  RunResult judged = result;
-  if (result.has_started()) Baseline(request.baseline, result.implementation, result.pass).apply(judged, {});
-  fuzz::find_bugs(judged, bugs, [&](std::size_t done, std::size_t total) {
-    line.show(request.name, fmt::format("reducing failing tests, {} of {}", done, total));
-  });
-  result.bugs = std::move(judged.bugs);
-  result.bugs_note = std::move(judged.bugs_note);
-  fuzz::set_aside_shared_bugs(result);
-  fs::remove_all(scratch);
-}
-
 // Runs the passes over one implementation and returns their results. The second pass, over one shared
 // context, is optional.
 std::vector<RunResult> passes_over(RunRequest request, const RunOptions& options, ProgressLine& line) {
@@ -237,7 +205,7 @@ std::vector<RunResult> passes_over(RunRequest request, const RunOptions& options
   }
   for (RunResult& result : passes) {
     const auto start = std::chrono::steady_clock::now();
-    find_bugs(result, request, options, line);
+    find_distinct_bugs(result, request, options.no_bugs ? 0 : options.bug_seconds, line);
     const std::chrono::duration<double> reducing = std::chrono::steady_clock::now() - start;
     result.seconds = result.seconds.value_or(0) + reducing.count();
   }

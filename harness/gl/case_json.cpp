@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -55,45 +56,58 @@ auto with_type(Scalar type, Use use) {
 }
 
 template <class Number>
-json finite(Number value) {
+json number_as_json(Number value, NonFinite non_finite) {
   if constexpr (std::is_floating_point_v<Number>) {
-    if (!std::isfinite(value)) throw std::invalid_argument("a non-finite value");
-    return static_cast<double>(value);
+    if (std::isfinite(value)) return static_cast<double>(value);
+    if (non_finite == NonFinite::kRejected) throw std::invalid_argument("a non-finite value");
+    return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
   } else {
     return value;
   }
 }
 
-json values_as_json(const Input& input) {
+// Returns a number, or a value that is not finite by its name. Throws std::invalid_argument for other data.
+template <class Number>
+Number number_from(const json& data) {
+  if (data.is_number()) return data.get<Number>();
+  if constexpr (std::is_floating_point_v<Number>)
+    for (const auto& [name, value] : {std::pair{"nan", std::numeric_limits<Number>::quiet_NaN()},
+                                      {"inf", std::numeric_limits<Number>::infinity()},
+                                      {"-inf", -std::numeric_limits<Number>::infinity()}})
+      if (as_text(data) == name) return value;
+  throw std::invalid_argument(fmt::format("{} is not a number", data.dump()));
+}
+
+json values_as_json(const Input& input, NonFinite non_finite) {
   return with_type(input.type, [&](auto zero) {
     json values = json::array();
     for (std::size_t at = 0; at + sizeof zero <= input.bytes.size(); at += sizeof zero) {
       auto value = zero;
       std::memcpy(&value, input.bytes.data() + at, sizeof value);
-      values.push_back(finite(value));
+      values.push_back(number_as_json(value, non_finite));
     }
     return values;
   });
 }
 
-json array_as_json(const Input& input) {
-  json data = {{name_of_type(input.type), values_as_json(input)}};
+json array_as_json(const Input& input, NonFinite non_finite) {
+  json data = {{name_of_type(input.type), values_as_json(input, non_finite)}};
   for (const auto& [after, name] : kAfterCalls)
     if (input.after == after) data["after"] = name;
   if (input.slot >= 0) data["slot"] = input.slot;
   return data;
 }
 
-json argument_of(const Value& value, char kind) {
+json argument_of(const Value& value, char kind, NonFinite non_finite) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) {
     const auto token = static_cast<GLenum>(*integer);
     const std::string name = kind == 'm' ? primitive_name(token) : kind == 'e' ? token_name(token) : "";
     if (name.starts_with("GL_")) return name;
     return *integer;
   }
-  if (const auto* single = std::get_if<float>(&value)) return finite(*single);
-  if (const auto* real = std::get_if<double>(&value)) return finite(*real);
-  if (const auto* input = std::get_if<Input>(&value)) return array_as_json(*input);
+  if (const auto* single = std::get_if<float>(&value)) return number_as_json(*single, non_finite);
+  if (const auto* real = std::get_if<double>(&value)) return number_as_json(*real, non_finite);
+  if (const auto* input = std::get_if<Input>(&value)) return array_as_json(*input, non_finite);
   if (const auto* output = std::get_if<Output>(&value))
     return {{"out", name_of_type(output->type)}, {"count", output->count}};
   if (std::holds_alternative<std::nullptr_t>(value)) return nullptr;
@@ -157,11 +171,7 @@ Input input_from(json data) {
     throw std::invalid_argument(fmt::format("{} is not an array", data.dump()));
   Input input = with_type(type_named(data.begin().key()), [&](auto zero) {
     std::vector<decltype(zero)> values;
-    for (const json& element : data.begin().value()) {
-      if (!element.is_number())
-        throw std::invalid_argument(fmt::format("{} is not a number", element.dump()));
-      values.push_back(element.get<decltype(zero)>());
-    }
+    for (const json& element : data.begin().value()) values.push_back(number_from<decltype(zero)>(element));
     return array(values);
   });
   if (!after.is_null()) input.after = after_call_from(after);
@@ -180,8 +190,7 @@ Value value_from(const json& data) {
     if (data.contains("out")) return output_from(data);
     return input_from(data);
   } else if constexpr (std::is_floating_point_v<Parameter>) {
-    if (!data.is_number()) throw std::invalid_argument(fmt::format("{} is not a number", data.dump()));
-    return data.get<Parameter>();
+    return number_from<Parameter>(data);
   } else {
     return integer_from(data);
   }
@@ -210,13 +219,13 @@ Command command_from(const json& data) {
 
 }  // namespace
 
-json to_json(const Case& script) {
+json to_json(const Case& script, NonFinite non_finite) {
   json commands = json::array();
   for (const Command& command : script.commands()) {
     const std::string_view kinds = parameter_kinds(command.entry);
     json data = {std::string(name_of(command.entry).substr(2))};
     for (std::size_t i = 0; i < command.arguments.size(); ++i)
-      data.push_back(argument_of(command.arguments[i], kinds[i]));
+      data.push_back(argument_of(command.arguments[i], kinds[i], non_finite));
     commands.push_back(std::move(data));
   }
   return commands;
@@ -229,7 +238,7 @@ Case case_from_json(const json& commands) {
   return script;
 }
 
-std::string to_text(const Case& script) { return to_json(script).dump(); }
+std::string to_text(const Case& script, NonFinite non_finite) { return to_json(script, non_finite).dump(); }
 
 std::string to_text_if_possible(const Case& script) {
   try {

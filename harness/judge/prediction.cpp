@@ -271,6 +271,21 @@ Specified specify(const gl::Case& script, int max_eval_order, TextureUnits units
   return specified;
 }
 
+SpecifiedContext::SpecifiedContext(int max_eval_order)
+    : specification_(std::make_unique<reference::Specification>(
+          reference::Specification::Options{.max_eval_order = max_eval_order, .keeps_vertices = false})) {}
+
+SpecifiedContext::~SpecifiedContext() = default;
+
+bool SpecifiedContext::accepts(const gl::Command& command) {
+  gl::Case script;
+  script.add(command);
+  bool is_accepted = true;
+  play(script, *specification_, [&](std::size_t) { is_accepted = specification_->raised_errors() == 0; });
+  specification_->take_primitives();
+  return is_accepted;
+}
+
 gl::Case as_explicit_commands(const Prediction& prediction) {
   gl::Case c("explicit vertices");
   for (const reference::Primitive& primitive : prediction.primitives) {

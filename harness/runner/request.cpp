@@ -109,7 +109,10 @@ void add_commands(const RunRequest& request, TestRecord& record) {
   const std::string usual_name =
       request.implementation.name.empty() ? "library" : request.implementation.name;
   std::vector<std::string> rerun = shared_options(request);
-  rerun.insert(rerun.begin(), {request.program, "run"});
+  const bool is_recorded = !request.recording.empty();
+  if (is_recorded) rerun.erase(rerun.begin(), rerun.begin() + 4);  // depth and seed
+  rerun.insert(rerun.begin(), {request.program, is_recorded ? "check" : "run"});
+  if (is_recorded) rerun.insert(rerun.begin() + 2, request.recording);
   if (request.name != usual_name) rerun.insert(rerun.end(), {"--name", request.name});
   if (request.first_pass) rerun.push_back("--reuse-context");
   const Limits& limits = request.limits;

@@ -25,6 +25,8 @@
 #include <evalcts/backends/mesa_build.h>
 #include <evalcts/fuzz/events.h>
 #include <evalcts/fuzz/reduction.h>
+#include <evalcts/gl/case_json.h>
+#include <evalcts/record/programs.h>
 #include <evalcts/results/event_file.h>
 #include <evalcts/results/filter.h>
 #include <evalcts/results/job_reader.h>
@@ -43,7 +45,7 @@ constexpr int kOwnFault = 3;
 
 struct Options {
   SessionOptions session;
-  std::string depth = "full", worker;
+  std::string depth = "full", worker, programs;
   std::uint64_t renew_above = 0;  // MiB; 0: no limit
   bool die_with_parent = false;
 };
@@ -88,6 +90,24 @@ ListedTest listed(const TestInfo& info) {
   return {info.full_name(), info.requirements, info.level, info.from, info.source};
 }
 
+// Makes the programs of a recording the tests of this process. Commands that the implementation does not
+// provide are left out of them.
+void use_programs(const std::string& file) {
+  std::vector<TestInfo> tests;
+  for (record::Program& program : record::read_programs(file)) {
+    TestInfo info{"Recording", std::move(program.name), {"EV-COORD-ASIF"}, Level::kMust, {}};
+    info.body = [commands = std::move(program.commands)](Test& t) {
+      const gl::Case recorded = gl::parse_case(commands);
+      gl::Case script("recorded commands");
+      for (const gl::Command& command : recorded.commands())
+        if (t.gl().has(command.entry)) script.add(command);
+      t.judge(script);
+    };
+    tests.push_back(std::move(info));
+  }
+  replace_tests(std::move(tests));
+}
+
 // Starts the program again with the environment for a Mesa that is not the system's, unless that was done. If
 // the folder has no Mesa, the session says so later, when events can be written.
 void start_with_mesa_build(const std::string& folder, char** argv) {
@@ -121,6 +141,8 @@ void parse(int argc, char** argv, Options& options) {
   app.add_option("--interpretation", session.readings, "NAME=READING, as for evalcts run")
       ->expected(1)
       ->take_all();
+  app.add_option("--programs", options.programs,
+                 "file with the programs of a recording, which take the place of the tests");
   app.add_option(
       "--worker", options.worker,
       "run the jobs that standard input has, a line of JSON each, and write events to this file or pipe");
@@ -275,6 +297,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
   static Options options;
   parse(argc, argv, options);
   start_with_mesa_build(options.session.implementation.mesa_build, arguments.data());
+  if (!options.programs.empty()) use_programs(options.programs);
   if (options.die_with_parent) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     std::ofstream("/proc/self/oom_score_adj") << 1000;  // if memory runs out, this process is killed first

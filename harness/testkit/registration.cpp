@@ -28,6 +28,12 @@ std::vector<Registered>& registry() {
   return tests;
 }
 
+// The tests of replace_tests(); empty: all_tests() returns the registered tests.
+std::vector<TestInfo>& replacing_tests() {
+  static std::vector<TestInfo> tests;
+  return tests;
+}
+
 std::map<std::string, std::string>& lifted_suites() {
   static std::map<std::string, std::string> suites;
   return suites;
@@ -178,7 +184,10 @@ Registration lift_suite(const char* of_one, const char* of_two) {
   return {};
 }
 
+void replace_tests(std::vector<TestInfo> tests) { replacing_tests() = std::move(tests); }
+
 const std::vector<TestInfo>& all_tests() {
+  if (!replacing_tests().empty()) return replacing_tests();
   static const std::vector<TestInfo> kSorted = [] {
     std::vector<TestInfo> tests;
     std::size_t count = 0;

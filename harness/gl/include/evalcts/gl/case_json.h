@@ -12,15 +12,17 @@ namespace evalcts::gl {
 // name is written by name, an array that the command reads as {type: values}, an array that it writes as
 // {"out": type, "count": n}, and a null pointer as null. An array that the command reads also has the
 // member "after": "overwrite", "unmap" or "protect" if its memory changes after the call (AfterCall), and
-// "slot": n if it has a slot. Throws std::invalid_argument for a case that uses results of earlier commands,
-// arrays of strings, or non-finite values.
-nlohmann::json to_json(const Case& script);
+// "slot": n if it has a slot. Values that are not finite are "inf", "-inf" and "nan", if that is asked for.
+// Throws std::invalid_argument for a case that uses results of earlier commands, arrays of strings, or other
+// values that are not finite.
+enum class NonFinite { kRejected, kByName };
+nlohmann::json to_json(const Case& script, NonFinite non_finite = NonFinite::kRejected);
 
 // Inverse of to_json(). Throws std::invalid_argument, with a message for the user, if the data is not a case.
 Case case_from_json(const nlohmann::json& commands);
 
 // Returns the JSON as text. Throws as to_json() does.
-std::string to_text(const Case& script);
+std::string to_text(const Case& script, NonFinite non_finite = NonFinite::kRejected);
 // Returns the same text, or an empty string if to_text() would throw.
 std::string to_text_if_possible(const Case& script);
 // Inverse of to_text(). Throws as case_from_json() does, also if the text is not JSON.

@@ -4,6 +4,7 @@
 
 #include <reference/specification.h>
 
+#include <memory>
 #include <vector>
 
 #include <evalcts/gl/case.h>
@@ -76,6 +77,21 @@ enum class Emission {
 // Runs the specified_commands() of the case on the specification.
 Specified specify(const gl::Case& script, int max_eval_order, TextureUnits units = {},
                   OtherState other = OtherState::kRejected, Emission emission = Emission::kPredicted);
+
+// A context of the specification that runs commands one by one.
+class SpecifiedContext {
+ public:
+  explicit SpecifiedContext(int max_eval_order);
+  ~SpecifiedContext();
+  SpecifiedContext(const SpecifiedContext&) = delete;
+  SpecifiedContext& operator=(const SpecifiedContext&) = delete;
+
+  // Runs a command that the specification has. Returns true if it raises no error.
+  bool accepts(const gl::Command& command);
+
+ private:
+  std::unique_ptr<reference::Specification> specification_;
+};
 
 // Returns a case that draws the predicted primitives with explicit vertices: all values correctly rounded,
 // and colour, normal and texture coordinates of unit 0 before each vertex. Evaluation must have the same

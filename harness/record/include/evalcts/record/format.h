@@ -24,7 +24,8 @@
 //   @context:qq     the following commands of the thread are for this context (0: none); the second number
 //                   orders these events of all threads
 //   @destroy:q      the context was destroyed; the number may be given to another one
-//   @frame:q        the buffers were swapped or, in a context of OSMesa, which does not swap, Flush or Finish was
+//   @frame:q        the buffers were swapped or, in a context of OSMesa, which does not swap, Flush or Finish
+//   was
 //                   called; the number of frames before, of all contexts
 #pragma once
 
@@ -43,7 +44,7 @@ struct FileHeader {
   std::uint64_t size;         // of the header, a multiple of kAlignment
   std::uint64_t text_length;  // the text begins behind this structure
   std::uint64_t counts;       // offset of the counts in the file, a multiple of 8
-  std::uint64_t is_cut;       // 1: the size limit was reached or the disk was full, and nothing more was recorded
+  std::uint64_t is_cut;  // 1: the size limit was reached or the disk was full, and nothing more was recorded
 };
 
 inline constexpr std::uint32_t kChunkMagic = 0x4B4E4843;  // "CHNK"
@@ -55,7 +56,8 @@ struct Chunk {
   std::uint64_t length;  // size of the complete records behind this structure, in bytes
 };
 
-inline constexpr std::uint32_t kNull = 0xFFFFFFFF;     // a null pointer
-inline constexpr std::uint32_t kUnknown = 0xFFFFFFFE;  // the command does not say how much it reads, or is rejected
+inline constexpr std::uint32_t kNull = 0xFFFFFFFF;  // a null pointer
+inline constexpr std::uint32_t kUnknown =
+    0xFFFFFFFE;  // the command does not say how much it reads, or is rejected
 
 }  // namespace evalcts::record

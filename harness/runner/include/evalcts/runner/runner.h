@@ -35,6 +35,7 @@ struct RunRequest {
   std::string command;              // the command that the user typed, for the record
   std::string program = "evalcts";  // evalcts as the user types it, for the commands shown with a failure
   std::string run;                  // name of the output folder for --run; empty: its path is the name
+  std::string recording = {};       // as the user named it, if `tests` are its programs
   // False: tests run in one warm context first, and what does not pass there runs in fresh contexts, which
   // decide.
   bool only_fresh_contexts = false;

@@ -40,6 +40,8 @@ struct TestInfo {
 
 // Returns all tests, sorted by suite and name.
 const std::vector<TestInfo>& all_tests();
+// Makes all_tests() return these instead of the registered tests. Must be called before it.
+void replace_tests(std::vector<TestInfo> tests);
 
 // Returns the name of a parameter in the names of tests about maps of this dimension: "MAP1_VERTEX_3" for a
 // token, which becomes "MAP2_VERTEX_3" in two dimensions; otherwise the member `name` of the parameter.

@@ -1,0 +1,217 @@
+// `evalcts check` of a recording: each of its programs is a test, which workers judge as those of the suite.
+#include "check_recording.h"
+
+#include <evalcts/reports.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <set>
+
+#include <evalcts/cli/places.h>
+#include <evalcts/cli/terminal.h>
+#include <evalcts/results/requirements.h>
+#include <evalcts/results/serialization.h>
+#include <evalcts/results/text.h>
+#include <evalcts/runner/child_process.h>
+#include <evalcts/runner/runner.h>
+#include <evalcts/runner/worker.h>
+#include "distinct_bugs.h"
+#include "pages.h"
+#include "run_folders.h"
+
+namespace evalcts::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using record::Program;
+
+constexpr double kBugSeconds = 60;       // time limit for the reduction of failing programs
+constexpr std::size_t kMostListed = 10;  // failing programs, and commands that were only counted
+
+std::string counted(std::uint64_t count, const std::string& thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+std::string list_of(const std::vector<record::Counted>& commands) {
+  std::vector<std::string> texts;
+  for (const record::Counted& command : commands) {
+    if (texts.size() == kMostListed) {
+      texts.push_back(fmt::format("{} more", commands.size() - kMostListed));
+      break;
+    }
+    texts.push_back(fmt::format("{} ({})", command.name, command.times));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+// Returns what the recording is, and what of it cannot be judged.
+std::string describe(const record::Recording& recording, const std::vector<Program>& programs) {
+  std::uint64_t all = 0, vertices = 0;
+  for (const Program& program : programs) {
+    all += program.times;
+    vertices += program.times * program.vertices;
+  }
+  std::string text = fmt::format("{}: {} in {}, {} of them different; vertices: {}\n",
+                                 fmt::join(recording.program(), " "), counted(all, "program"),
+                                 counted(recording.contexts(), "context"), programs.size(), vertices);
+  if (!recording.problem().empty()) text += fmt::format("note: {}\n", recording.problem());
+  if (!recording.left_out().empty())
+    text += fmt::format(
+        "note: these commands are left out, because this evalcts does not know them or they read "
+        "memory of an unknown size: {}\n",
+        list_of(recording.left_out()));
+  return text;
+}
+
+// The vertices of a test that differ.
+std::set<std::string> wrong_vertices(const TestRecord& test) {
+  constexpr std::string_view kVertex = " of vertex ";
+  std::set<std::string> vertices;
+  for (const std::string& mismatch : test.mismatches)
+    if (const std::size_t at = mismatch.rfind(kVertex); at != std::string::npos)
+      vertices.insert(mismatch.substr(at + kVertex.size()));
+  return vertices;
+}
+
+// Returns the line of a failing program.
+std::string line_of(const TestRecord& test, const Program& program, const RunResult& result) {
+  std::string what;
+  if (const auto wrong = wrong_vertices(test); !wrong.empty())
+    what = fmt::format("{}{} of {} vertices: ", test.signature_of_all.empty() ? "" : "at least ",
+                       wrong.size(), program.vertices);
+  const Bug* const bug = result.bug_of(test.name);
+  const std::string times = program.times > 1 ? fmt::format(", {} times", program.times) : "";
+  return fmt::format("  {}{}: {}{}{}\n", program.name, times, what, test.message,
+                     bug ? fmt::format(" ({})", bug->known.empty() ? bug->id : "known: " + bug->known) : "");
+}
+
+// Returns what was found on one implementation.
+std::string summary(const RunResult& result, const std::map<std::string, const Program*>& programs) {
+  const ImplementationRecord& implementation = result.implementation;
+  if (!result.has_started()) return fmt::format("{}: {}\n", implementation.name, result.reason);
+  std::uint64_t passed = 0, wrong = 0;
+  Accuracy accuracy;
+  std::map<std::string, std::uint64_t> unobserved;
+  std::string lines;
+  std::size_t listed = 0;
+  for (const TestRecord& test : result.tests) {
+    const Program& program = *programs.at(test.name);
+    if (test.verdict == Verdict::kPass) {
+      if (test.accuracy) accuracy.add(*test.accuracy);
+      passed += program.times;
+    } else if (is_failure(test.verdict)) {
+      wrong += program.times;
+      if (++listed <= kMostListed) lines += line_of(test, program, result);
+    } else {
+      unobserved[test.message] += program.times;
+    }
+  }
+  std::string text =
+      fmt::format("{}: {} ({}): {} wrong, {} right\n", implementation.name, implementation.version,
+                  implementation.renderer, counted(wrong, "program"), passed);
+  text += lines;
+  if (listed > kMostListed) text += fmt::format("  and {} more\n", listed - kMostListed);
+  for (const auto& [why, times] : unobserved)
+    text += fmt::format("  {} not observed: {}\n", counted(times, "program"), why);
+  if (accuracy.values > 0)
+    text += accuracy.not_correctly_rounded == 0
+                ? fmt::format("  right ones: {} evaluated values, correctly rounded\n", accuracy.values)
+                : fmt::format(
+                      "  right ones: {} evaluated values, off by at most {:.1g} relative to their terms\n",
+                      accuracy.values, std::ldexp(accuracy.condition_aware.error, -24));
+  return text;
+}
+
+}  // namespace
+
+std::optional<record::Frames> parse_frames(const std::string& text) {
+  record::Frames frames;
+  const char* const end = text.data() + text.size();
+  auto [at, error] = std::from_chars(text.data(), end, frames.first);
+  if (error != std::errc()) return {};
+  frames.last = frames.first;
+  if (at == end) return frames;
+  if (!std::string_view(at, end).starts_with("..")) return {};
+  std::tie(at, error) = [&] {
+    const auto last = std::from_chars(at + 2, end, frames.last);
+    return std::pair(last.ptr, last.ec);
+  }();
+  if (error != std::errc() || at != end || frames.last < frames.first) return {};
+  return frames;
+}
+
+CheckOutcome check_recording(const RecordingCheck& check) {
+  const record::Recording recording{fs::path(check.file)};
+  ProgressLine line;
+  const std::vector<Program> programs = record::programs_of(
+      recording, check.frames,
+      [&](std::uint64_t commands) { line.show("recording", fmt::format("{} commands read", commands)); });
+  if (programs.empty()) {
+    line.print("");
+    std::cout << "cannot be judged: the recording has no evaluator commands in these frames";
+    if (!recording.others().empty()) std::cout << "; other commands: " << list_of(recording.others());
+    std::cout << "\n";
+    return CheckOutcome::kCannotBeJudged;
+  }
+  const fs::path output = check.output.empty() ? create_run_folder("recording") : fs::path(check.output);
+  const FolderLock lock = claim(output, check.command);
+  const fs::path file = fs::absolute(output / "programs.txt");
+  record::write_programs(file, programs);
+  line.print(clean(describe(recording, programs)));
+  std::map<std::string, const Program*> by_name;
+  RunRequest request;
+  for (const Program& program : programs) {
+    const std::string name = "Recording." + program.name;
+    by_name[name] = &program;
+    request.tests.push_back({name, {"EV-COORD-ASIF"}, Level::kMust});
+  }
+  request.suite_program = places().suite_program;
+  request.more_options = {"--programs", file.string()};
+  request.limits.seconds_per_test = check.seconds_per_test;
+  request.jobs = usual_jobs();
+  request.output = output;
+  request.run = check.output.empty() ? output.filename().string() : "";
+  request.command = check.command;
+  request.program = check.program;
+  request.recording = check.file;
+  request.baseline.known_bugs = false;
+  stop_when_asked();
+  adopt_orphans();
+  std::vector<RunResult> results;
+  CheckOutcome outcome = CheckOutcome::kGood;
+  for (const ImplementationOptions& implementation : check.implementations) {
+    request.implementation = implementation;
+    request.name = implementation.name.empty() ? "library" : implementation.name;
+    Pace pace;
+    RunResult result = run_implementation(request, [&](const Progress& progress) {
+      line.show(request.name,
+                progress.phase == "test" ? pace.at(progress.done, progress.total) : progress.phase);
+    });
+    find_distinct_bugs(result, request, kBugSeconds, line);
+    write_atomically(output / fmt::format("results-{}.json", result.file_label()), to_text(result));
+    line.print(clean(summary(result, by_name)));
+    const auto has = [&](const auto& is_meant) {
+      return std::ranges::any_of(result.tests,
+                                 [&](const TestRecord& test) { return is_meant(test.verdict); });
+    };
+    if (has([](Verdict verdict) { return is_failure(verdict); }))
+      outcome = CheckOutcome::kBad;
+    else if (!has([](Verdict verdict) { return verdict == Verdict::kPass; }) &&
+             outcome == CheckOutcome::kGood)
+      outcome = CheckOutcome::kCannotBeJudged;
+    if (!result.bugs.empty())
+      line.print(reports::bug_list(result, catalogue(), shows_colour(), false) + "\n");
+    results.push_back(std::move(result));
+  }
+  write_pages(output, results, {});
+  if (check.output.empty()) set_latest(output);
+  std::cout << fmt::format("Report: {}\n", (output / "index.html").string());
+  return outcome;
+}
+
+}  // namespace evalcts::cli

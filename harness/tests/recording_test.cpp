@@ -1,0 +1,274 @@
+// Tests of recordings: their file format, and the programs into which they are split.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include <evalcts/fuzz/random_program.h>
+#include <evalcts/gl/case_json.h>
+#include <evalcts/gl/roles.h>
+#include <evalcts/judge/prediction.h>
+#include <evalcts/record/format.h>
+#include <evalcts/record/programs.h>
+#include <evalcts/record/recording.h>
+#include "recording_file.h"
+
+namespace evalcts {
+namespace {
+
+using record::Recording;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class Recordings : public testing::Test {
+ protected:
+  void write(const std::string& text) { std::ofstream(file_, std::ios::binary | std::ios::trunc) << text; }
+  // Returns the message with which a text is rejected.
+  std::string rejection_of(const std::string& text) {
+    write(text);
+    try {
+      const Recording recording(file_);
+    } catch (const record::BadRecording& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+  std::vector<record::Program> programs(const RecordingFile& recorded, const record::Frames& frames = {}) {
+    recorded.write(file_);
+    return record::programs_of(Recording(file_), frames);
+  }
+
+  const std::filesystem::path file_ =
+      testing::TempDir() + "/" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".evalrec";
+};
+
+gl::Case curve() {
+  gl::Case c;
+  c.Map1f(GL_MAP1_VERTEX_3, 0.0f, 1.0f, 3, 2, std::vector<float>{0, 0, 0, 1, 2, 3});
+  c.Enable(GL_MAP1_VERTEX_3);
+  return c;
+}
+
+gl::Case points() {
+  gl::Case c;
+  c.Begin(GL_POINTS);
+  c.EvalCoord1f(0.5f);
+  c.End();
+  return c;
+}
+
+std::string commands_of(const Recording& recording, std::size_t context) {
+  gl::Case script;
+  recording.read(
+      context, [&](gl::Command command) { script.add(std::move(command)); }, [] {});
+  return gl::to_text(script, gl::NonFinite::kByName);
+}
+
+TEST_F(Recordings, ReadBackBitForBit) {
+  gl::Case c = curve();
+  c.Map1d(GL_MAP1_COLOR_4, -1.0, std::numeric_limits<double>::denorm_min(), 4, 1,
+          std::vector<double>{std::nan(""), HUGE_VAL, -HUGE_VAL, -0.0});
+  c.append(points());
+  c.CallLists(2, GL_UNSIGNED_INT, std::vector<GLuint>{1, 4000000000u});
+  c.MapGrid1f(-3, 0.0f, 0.0f);
+  RecordingFile recorded;
+  recorded.context(1);
+  recorded.commands(c);
+  recorded.write(file_);
+  const Recording recording(file_);
+  ASSERT_EQ(recording.contexts(), 1u);
+  EXPECT_EQ(commands_of(recording, 0), gl::to_text(c, gl::NonFinite::kByName));
+  EXPECT_THAT(recording.program(), ElementsAre("viewer", "-fast"));
+  ASSERT_EQ(recording.others().size(), 2u);
+  EXPECT_EQ(recording.others()[0].name, "glRectf");
+  EXPECT_EQ(recording.others()[0].times, 9u);
+  EXPECT_EQ(recording.problem(), "");
+}
+
+TEST_F(Recordings, CommandsOfAContextAreInOrderAlthoughThreadsTakeTurns) {
+  RecordingFile recorded;
+  recorded.context(7, 0);
+  recorded.commands(curve());
+  recorded.context(7, 1);
+  recorded.commands(points());
+  recorded.context(8, 0);
+  recorded.commands(points());
+  recorded.destroy(8);
+  recorded.context(8, 0);  // another context at the same address
+  recorded.commands(curve());
+  recorded.write(file_);
+  const Recording recording(file_);
+  ASSERT_EQ(recording.contexts(), 3u);
+  gl::Case both = curve();
+  both.append(points());
+  EXPECT_EQ(commands_of(recording, 0), gl::to_text(both));
+  EXPECT_EQ(commands_of(recording, 1), gl::to_text(points()));
+  EXPECT_EQ(commands_of(recording, 2), gl::to_text(curve()));
+}
+
+TEST_F(Recordings, DamageIsNamedAndTheRestIsRead) {
+  RecordingFile recorded;
+  recorded.context(1);
+  recorded.commands(curve());
+  recorded.context(2, 1);
+  recorded.commands(points());
+  const std::string whole = recorded.text();
+  EXPECT_THAT(rejection_of("GIF89a"), HasSubstr("not a recording"));
+  EXPECT_THAT(rejection_of(""), HasSubstr("not a recording"));
+  EXPECT_THAT(rejection_of(whole.substr(0, 1000)), HasSubstr("ends within its header"));
+  std::string other = whole;
+  other[7] = '9';
+  EXPECT_THAT(rejection_of(other), HasSubstr("version 9"));
+  other = whole;
+  other[sizeof(record::FileHeader)] = '[';
+  EXPECT_THAT(rejection_of(other), HasSubstr("damaged header"));
+
+  write(whole.substr(0, whole.size() - record::kAlignment + 40));  // within the second chunk
+  const Recording cut(file_);
+  EXPECT_THAT(cut.problem(), HasSubstr("damaged or was cut"));
+  EXPECT_EQ(commands_of(cut, 0), gl::to_text(curve()));
+
+  // Each byte of the chunks may have any value.
+  const std::size_t header = whole.size() - 2 * record::kAlignment;
+  for (std::size_t at = header; at < whole.size(); at += at % record::kAlignment < 200 ? 1 : 4999) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0xA5);
+    write(damaged);
+    const Recording recording(file_);
+    for (std::size_t context = 0; context < recording.contexts(); ++context) commands_of(recording, context);
+  }
+}
+
+TEST_F(Recordings, WhatCannotBeReplayedIsLeftOut) {
+  RecordingFile recorded;
+  recorded.context(1);
+  recorded.unknown_array();
+  recorded.commands(points());
+  recorded.write(file_);
+  const Recording recording(file_);
+  ASSERT_EQ(recording.left_out().size(), 1u);
+  EXPECT_EQ(recording.left_out()[0].name, "glMap1f");
+  EXPECT_EQ(commands_of(recording, 0), gl::to_text(points()));
+}
+
+TEST_F(Recordings, EqualFramesAreOneProgram) {
+  RecordingFile recorded;
+  recorded.context(1);
+  recorded.commands(curve());
+  for (int i = 0; i < 3; ++i) {
+    recorded.commands(points());
+    recorded.frame();
+  }
+  const auto all = programs(recorded);
+  ASSERT_EQ(all.size(), 2u);  // the first one defines the map
+  EXPECT_EQ(all[1].name, "Frame1/1");
+  EXPECT_EQ(all[1].times, 2u);
+  EXPECT_EQ(all[1].vertices, 1u);
+}
+
+TEST_F(Recordings, FramesAreChosenWithTheStateBeforeThem) {
+  RecordingFile recorded;
+  recorded.context(1);
+  recorded.commands(curve());
+  recorded.frame();
+  recorded.commands(points());
+  recorded.frame();
+  const auto second = programs(recorded, {1, 1});
+  ASSERT_EQ(second.size(), 1u);
+  EXPECT_EQ(second[0].name, "Frame1/1");
+  EXPECT_EQ(second[0].vertices, 1u);
+  EXPECT_TRUE(programs(recorded, {2, 5}).empty());
+}
+
+TEST_F(Recordings, KindsOfPrimitivesAreSeparateAndExplicitVerticesAreNotJudged) {
+  RecordingFile recorded;
+  recorded.context(1);
+  gl::Case c = curve();
+  c.append(points());
+  c.MapGrid1f(2, 0.0f, 1.0f);
+  c.EvalMesh1(GL_LINE, 0, 2);
+  c.Begin(GL_TRIANGLES);
+  for (int i = 0; i < 3; ++i) c.Vertex2f(0, 0);
+  c.End();
+  recorded.commands(c);
+  const auto all = programs(recorded);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].vertices, 1u);
+  EXPECT_EQ(all[1].vertices, 3u);
+}
+
+TEST_F(Recordings, OtherPartsOfTheGlAndRejectedCommandsChangeNothing) {
+  RecordingFile recorded;
+  recorded.context(1);
+  gl::Case c = curve();
+  c.Enable(GL_LIGHTING);
+  c.GetError();
+  c.Map1f(GL_MAP1_VERTEX_3, 1.0f, 1.0f, 3, 2, std::vector<float>{5, 5, 5, 6, 6, 6});  // INVALID_VALUE
+  c.Flush();
+  c.append(points());
+  recorded.commands(c);
+  const auto all = programs(recorded);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_THAT(all[0].commands, testing::Not(HasSubstr("LIGHTING")));
+  EXPECT_THAT(all[1].commands, testing::Not(HasSubstr("5.0")));
+}
+
+constexpr float kUndefined = -12345;  // in place of NaN, which is unequal to itself
+
+// The evaluated vertices of a case, as correctly rounded numbers.
+std::vector<std::vector<float>> evaluated(const gl::Case& script) {
+  std::vector<std::vector<float>> all;
+  for (const reference::Primitive& primitive : predict(script, reference::kMaxOrder).primitives)
+    for (const reference::Vertex& vertex : primitive.vertices) {
+      if (std::holds_alternative<float>(vertex.position[0])) continue;
+      std::vector<float>& values = all.emplace_back();
+      for (const auto& part : {vertex.position, vertex.color, vertex.texture_coordinate[0]})
+        for (const reference::Component& component : part) values.push_back(reference::rounded(component));
+      for (const float value : reference::rounded(vertex.normal)) values.push_back(value);
+      std::ranges::replace_if(
+          values, [](float value) { return std::isnan(value); }, kUndefined);
+    }
+  return all;
+}
+
+// Random commands, with lists, errors, and the attribute stack, are split at many places. Each program has to
+// draw what the whole draws there.
+TEST_F(Recordings, ProgramsDrawWhatTheWholeDraws) {
+  constexpr std::uint32_t kSeed = 1;
+  std::size_t split = 0, vertices = 0;
+  for (std::uint32_t number = 0; number < 60; ++number) {
+    const gl::Case whole = fuzz::random_past(kSeed, number, 150, reference::kMaxOrder);
+    RecordingFile recorded;
+    recorded.context(1);
+    std::size_t i = 0;
+    for (const gl::Command& command : whole.commands()) {
+      recorded.command(command);
+      if (++i % 7 == 0) recorded.frame();
+    }
+    std::vector<std::vector<float>> parts;
+    bool is_repeated = false;
+    const auto all = programs(recorded);
+    for (const record::Program& program : all) {
+      is_repeated = is_repeated || program.times > 1;
+      for (auto& vertex : evaluated(gl::parse_case(program.commands))) parts.push_back(std::move(vertex));
+    }
+    split += all.size();
+    const auto expected = evaluated(whole);
+    vertices += expected.size();
+    if (is_repeated) continue;
+    const auto [part, due] = std::ranges::mismatch(parts, expected);
+    EXPECT_TRUE(parts == expected) << fmt::format(
+        "seed {}, program {}: {} vertices, expected {}; vertex {} is the first that differs: {}, expected {}",
+        kSeed, number, parts.size(), expected.size(), part - parts.begin(),
+        part == parts.end() ? "missing" : testing::PrintToString(*part),
+        due == expected.end() ? "none" : testing::PrintToString(*due));
+  }
+  EXPECT_GT(split, 300u);
+  EXPECT_GT(vertices, 300u);
+}
+
+}  // namespace
+}  // namespace evalcts
