@@ -97,7 +97,8 @@ static void* draw_in_thread(void* number) {
   void* const context = new_context(pixels[i]);
   define_curve();
   pthread_barrier_wait(&both_have_begun);
-  for (int k = 0; k < 1000; ++k) glMapGrid1f((GLint)(1 + i), 0, (GLfloat)k);
+  /* more than fits into one part of the file */
+  for (int k = 0; k < 100000; ++k) glMapGrid1f((GLint)(1 + i), 0, (GLfloat)(k % 1000));
   OSMesaMakeCurrent(NULL, NULL, 0, 0, 0);
   OSMesaDestroyContext(context);
   return NULL;

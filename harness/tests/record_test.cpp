@@ -150,11 +150,13 @@ TEST_F(Record, ContextsOfThreads) {
   std::set<std::string> commands_of_last;
   for (const std::size_t context : {0, 1}) {
     const std::vector<std::string> all = calls(file_, context);
-    ASSERT_EQ(all.size(), 1002u);
+    ASSERT_EQ(all.size(), 100002u);
     EXPECT_TRUE(contains(all[0], "glMap1f("));
     const std::string number = all[2].substr(0, all[2].find(','));
-    for (int k = 0; k < 1000; ++k)
-      EXPECT_EQ(all[static_cast<std::size_t>(k) + 2], number + ", 0.0f, " + std::to_string(k) + ".0f);");
+    std::size_t differences = 0;
+    for (std::size_t k = 0; k < 100000; ++k)
+      differences += all[k + 2] != number + ", 0.0f, " + std::to_string(k % 1000) + ".0f);";
+    EXPECT_EQ(differences, 0u);
     commands_of_last.insert(all.back());
   }
   EXPECT_EQ(commands_of_last.size(), 2u);
