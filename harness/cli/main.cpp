@@ -3,8 +3,8 @@
 
 int main(int argc, char** argv) {
   using namespace evalcts::cli;
-  return command_line(
-      argc, argv,
-      {kRunCommand, kBugsCommand, kListCommand, kCoverageCommand, kExplainCommand, kReproduceCommand,
-       kReportCommand, kWaiveCommand, kCheckCommand, kFaultsCommand, kFuzzCommand, kUlp, kVectors});
+  return command_line(argc, argv,
+                      {kRunCommand, kBugsCommand, kListCommand, kCoverageCommand, kExplainCommand,
+                       kReproduceCommand, kReportCommand, kWaiveCommand, kCheckCommand, kRecordCommand,
+                       kFaultsCommand, kFuzzCommand, kUlp, kVectors});
 }

@@ -122,23 +122,31 @@ int run_program(const RecordOptions& options, const fs::path& file, const fs::pa
   std::vector<std::string> arguments = options.program;
   // The terminal sends these to the program as well.
   for (const int signal : {SIGINT, SIGQUIT}) std::signal(signal, SIG_IGN);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  sigset_t defaults;
+  // Signals that come before there is a program wait until it is known.
+  sigset_t defaults, waiting, before;
   sigemptyset(&defaults);
   for (const int signal : {SIGINT, SIGQUIT, SIGTERM, SIGHUP}) sigaddset(&defaults, signal);
+  sigemptyset(&waiting);
+  for (const int signal : {SIGTERM, SIGHUP}) sigaddset(&waiting, signal);
+  sigprocmask(SIG_BLOCK, &waiting, &before);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
   posix_spawnattr_setsigdefault(&attributes, &defaults);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+  posix_spawnattr_setsigmask(&attributes, &before);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
   pid_t started = -1;
   const int error = posix_spawnp(&started, arguments[0].c_str(), nullptr, &attributes,
                                  pointers(arguments).data(), pointers(variables).data());
   posix_spawnattr_destroy(&attributes);
+  if (error == 0) {
+    child = started;
+    for (const int signal : {SIGTERM, SIGHUP}) std::signal(signal, pass_on);
+  }
+  sigprocmask(SIG_SETMASK, &before, nullptr);
   if (error != 0) {
     wrong_use(fmt::format("cannot start '{}': {}", arguments[0], std::strerror(error)));
     return -1;
   }
-  child = started;
-  for (const int signal : {SIGTERM, SIGHUP}) std::signal(signal, pass_on);
   int status = 0;
   while (waitpid(started, &status, 0) < 0 && errno == EINTR) {
   }

@@ -25,8 +25,7 @@
 //                   orders these events of all threads
 //   @destroy:q      the context was destroyed; the number may be given to another one
 //   @frame:q        the buffers were swapped or, in a context of OSMesa, which does not swap, Flush or Finish
-//   was
-//                   called; the number of frames before, of all contexts
+//                   was called; the number of frames before, of all contexts
 #pragma once
 
 #include <cstddef>
@@ -57,7 +56,7 @@ struct Chunk {
 };
 
 inline constexpr std::uint32_t kNull = 0xFFFFFFFF;  // a null pointer
-inline constexpr std::uint32_t kUnknown =
-    0xFFFFFFFE;  // the command does not say how much it reads, or is rejected
+// The command does not say how much it reads, or is rejected.
+inline constexpr std::uint32_t kUnknown = 0xFFFFFFFE;
 
 }  // namespace evalcts::record
