@@ -134,8 +134,8 @@ void read_command_line(const std::string& text) {
   using namespace cli;
   const int code = command_line(static_cast<int>(arguments.size()), pointers.data(),
                                 {kRunCommand, kBugsCommand, kListCommand, kCoverageCommand, kExplainCommand,
-                                 kReproduceCommand, kReportCommand, kWaiveCommand, kCheckCommand, kRecordCommand,
-                                 kFaultsCommand, kFuzzCommand, kUlpCommand, kVectorsCommand},
+                                 kReproduceCommand, kReportCommand, kWaiveCommand, kCheckCommand,
+                                 kRecordCommand, kFaultsCommand, kFuzzCommand, kUlpCommand, kVectorsCommand},
                                 true);
   if (!quiet || (code != 0 && code != 2) || (code == 2 && words.str().empty())) std::abort();
 }

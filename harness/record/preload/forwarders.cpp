@@ -251,8 +251,8 @@ struct Signature;
 template <class R, class... P>
 struct Signature<R(P...)> {
   using Result = R;
-  template <std::size_t i>
-  using Parameter = std::tuple_element_t<i, std::tuple<P...>>;
+  template <std::size_t kIndex>
+  using Parameter = std::tuple_element_t<kIndex, std::tuple<P...>>;
 };
 
 }  // namespace

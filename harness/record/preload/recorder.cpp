@@ -381,8 +381,8 @@ Writer* writer_of_thread() {
   return chosen;
 }
 
-void begin_context(Writer& of, const void* context) {
-  of.context = reinterpret_cast<std::uintptr_t>(context);
+void begin_context(Writer& of, std::uint64_t context) {
+  of.context = context;
   of.order = orders.fetch_add(1) + 1;
   if (of.chunk == nullptr || !is_active) return;
   if (std::byte* const at = of.reserve(kContextBytes)) of.commit(put_context(at, of));
@@ -443,7 +443,9 @@ void after_fork_in_child() {
   for (const Writer* each = writers; each != nullptr; each = each->following) {
     if (each->chunk == nullptr) continue;
     if (each->offset + each->space == file.size) size -= static_cast<std::uint64_t>(each->end - each->next);
-    mmap(each->chunk, each->space, PROT_READ | PROT_WRITE, MAP_FIXED | MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    void* const memory = mmap(each->chunk, each->space, PROT_READ | PROT_WRITE,
+                              MAP_FIXED | MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) return;
   }
   struct stat status {};
   if (stat(file.name, &status) == 0 && status.st_dev == file.device && status.st_ino == file.inode &&
@@ -498,7 +500,7 @@ void note_current(const void* context, bool is_osmesa) {
   current->ends_frames_by_flush = is_osmesa;
   current->is_in_primitive = false;
   current->list_mode = 0;
-  begin_context(*current, context);
+  begin_context(*current, reinterpret_cast<std::uintptr_t>(context));
 }
 
 void note_destroyed(const void* context) {
@@ -517,7 +519,7 @@ void note_destroyed(const void* context) {
   Writer* const current = writer_of_thread();
   if (current == nullptr) return;
   // The event comes behind those that other threads have written before.
-  begin_context(*current, reinterpret_cast<const void*>(current->context));
+  begin_context(*current, current->context);
   put_event(*current, kDestroyEvent, reinterpret_cast<std::uintptr_t>(context));
 }
 
