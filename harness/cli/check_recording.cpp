@@ -68,6 +68,41 @@ std::string describe(const record::Recording& recording, const std::vector<Progr
   return text;
 }
 
+// Finds the bugs behind the failing programs. A frame may show several: each kind and place of its
+// differences is reduced, as if it were a test of its own.
+void find_bugs(RunResult& result, const RunRequest& request, ProgressLine& line) {
+  constexpr char kNumber = '#';  // behind the name of the test, for its further differences
+  const std::size_t count = result.tests.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<Failure> others;
+    const auto is_new = [&](const Failure& failure) {
+      const auto is_same = [&](const Failure& other) {
+        return other.difference.kind == failure.difference.kind &&
+               other.difference.place == failure.difference.place;
+      };
+      return !is_same(result.tests[i].failures.front()) && std::ranges::none_of(others, is_same);
+    };
+    for (const Failure& failure : result.tests[i].failures)
+      if (is_new(failure)) others.push_back(failure);
+    for (std::size_t k = 0; k < others.size(); ++k) {
+      TestRecord other = result.tests[i];
+      other.name += kNumber + std::to_string(k + 2);
+      other.failures = {others[k]};
+      if (const auto commands = result.failing_cases.find(result.tests[i].name);
+          commands != result.failing_cases.end())
+        result.failing_cases[other.name] = commands->second;
+      result.tests.push_back(std::move(other));
+    }
+  }
+  find_distinct_bugs(result, request, kBugSeconds, line);
+  result.tests.resize(count);
+  for (Bug& bug : result.bugs) {
+    for (std::string& test : bug.tests) test.resize(std::min(test.find(kNumber), test.size()));
+    const auto repeated = std::ranges::unique(bug.tests);
+    bug.tests.erase(repeated.begin(), repeated.end());
+  }
+}
+
 // The vertices of a test that differ.
 std::set<std::string> wrong_vertices(const TestRecord& test) {
   constexpr std::string_view kVertex = " of vertex ";
@@ -84,10 +119,13 @@ std::string line_of(const TestRecord& test, const Program& program, const RunRes
   if (const auto wrong = wrong_vertices(test); !wrong.empty())
     what = fmt::format("{}{} of {} vertices: ", test.signature_of_all.empty() ? "" : "at least ",
                        wrong.size(), program.vertices);
-  const Bug* const bug = result.bug_of(test.name);
+  std::vector<std::string> bugs;
+  for (const Bug& bug : result.bugs)
+    if (std::ranges::binary_search(bug.tests, test.name))
+      bugs.push_back(bug.known.empty() ? bug.id : "known: " + bug.known);
   const std::string times = program.times > 1 ? fmt::format(", {} times", program.times) : "";
   return fmt::format("  {}{}: {}{}{}\n", program.name, times, what, test.message,
-                     bug ? fmt::format(" ({})", bug->known.empty() ? bug->id : "known: " + bug->known) : "");
+                     bugs.empty() ? "" : fmt::format(" ({})", fmt::join(bugs, ", ")));
 }
 
 // Returns what was found on one implementation.
@@ -192,7 +230,7 @@ CheckOutcome check_recording(const RecordingCheck& check) {
       line.show(request.name,
                 progress.phase == "test" ? pace.at(progress.done, progress.total) : progress.phase);
     });
-    find_distinct_bugs(result, request, kBugSeconds, line);
+    find_bugs(result, request, line);
     write_atomically(output / fmt::format("results-{}.json", result.file_label()), to_text(result));
     line.print(clean(summary(result, by_name)));
     const auto has = [&](const auto& is_meant) {

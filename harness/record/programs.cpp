@@ -64,10 +64,7 @@ class Splitter {
     if (!belongs_to_programs(command) || frame_ > frames_.last) return;
     make_room(command, state_);
     const Drawing drawing = state_.executes() ? state_.drawing_of(command) : Drawing();
-    if (state_.is_neutral() &&
-        (drawing_.vertices >= kMostVertices ||
-         (drawing.kinds != 0 && drawing_.kinds != 0 && drawing.kinds != drawing_.kinds)))
-      end_program();
+    if (state_.is_neutral() && drawing_.vertices >= kMostVertices) end_program();
     state_.apply(command, [this](const gl::Command& executed) { return specification_.accepts(executed); });
     if (frame_ < frames_.first) return;
     drawing_.add(drawing);

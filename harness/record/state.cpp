@@ -13,10 +13,6 @@ namespace {
 
 constexpr int kMostNesting = 64;  // MAX_LIST_NESTING
 
-PrimitiveKinds kind_of_mesh(GLenum mode) {
-  return mode == GL_POINT ? kPoints : mode == GL_LINE ? kLines : kPolygons;
-}
-
 std::uint64_t steps(const gl::Command& command, std::size_t first) {
   const std::int64_t count = gl::integer_of(command, first + 1) - gl::integer_of(command, first) + 1;
   return count > 0 ? static_cast<std::uint64_t>(count) : 0;
@@ -82,7 +78,6 @@ gl::Command with_numbers(gl::EntryPoint entry, std::vector<std::int64_t> numbers
 
 void Drawing::add(const Drawing& other) {
   vertices += other.vertices;
-  kinds |= other.kinds;
   concerns_evaluators = concerns_evaluators || other.concerns_evaluators;
 }
 
@@ -119,11 +114,9 @@ Drawing State::drawing_of(const gl::Command& command) const {
   drawing.concerns_evaluators = gl::is_evaluation(command.entry) || role == gl::Role::kMap ||
                                 role == gl::Role::kMapGrid || role == gl::Role::kGetMap ||
                                 (command.entry == EntryPoint::IsEnabled && is_capability_of_evaluators(mode));
-  if (command.entry == EntryPoint::Begin) drawing.kinds = kind_of(mode);
   if (gl::emits_vertex(command.entry)) drawing.vertices = 1;
   if (command.entry == EntryPoint::EvalMesh1) drawing.vertices = steps(command, 1);
   if (command.entry == EntryPoint::EvalMesh2) drawing.vertices = 2 * steps(command, 1) * steps(command, 3);
-  if (role == gl::Role::kEvalMesh) drawing.kinds = kind_of_mesh(mode);
   for (const GLuint name : called_lists(command))
     if (const auto list = lists_.find(name); list != lists_.end()) drawing.add(list->second.drawing);
   return drawing;

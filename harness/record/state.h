@@ -11,14 +11,12 @@
 #include <vector>
 
 #include <evalcts/gl/case.h>
-#include <evalcts/gl/observation.h>
 
 namespace evalcts::record {
 
-// The drawing of commands when they are executed.
+// The effect of commands when they are executed.
 struct Drawing {
-  std::uint64_t vertices = 0;  // an upper bound
-  PrimitiveKinds kinds = 0;
+  std::uint64_t vertices = 0;        // an upper bound
   bool concerns_evaluators = false;  // evaluates, defines maps or grids, or asks for them
 
   void add(const Drawing& other);

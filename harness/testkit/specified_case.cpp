@@ -290,7 +290,7 @@ void Test::judge(const gl::Case& script, const Specified& specified, Outcomes ou
   if (outcomes == Outcomes::kAnswers) return;
   if (outcomes == Outcomes::kAll && specified.prediction.vertex_count() == 0) return;
   if (outcomes == Outcomes::kOrder) judge_order_of_meshes();
-  judge_emission(script, specified.prediction, kJudged, Thoroughness::kFirstWrongVertex, attributes);
+  judge_emission(script, specified.prediction, kJudged, Thoroughness::kFirstMismatches, attributes);
 }
 
 }  // namespace evalcts

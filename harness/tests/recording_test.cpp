@@ -183,21 +183,35 @@ TEST_F(Recordings, FramesAreChosenWithTheStateBeforeThem) {
   EXPECT_TRUE(programs(recorded, {2, 5}).empty());
 }
 
-TEST_F(Recordings, KindsOfPrimitivesAreSeparateAndExplicitVerticesAreNotJudged) {
+TEST_F(Recordings, FramesWithoutEvaluatorsAreNotJudged) {
   RecordingFile recorded;
   recorded.context(1);
-  gl::Case c = curve();
-  c.append(points());
-  c.MapGrid1f(2, 0.0f, 1.0f);
-  c.EvalMesh1(GL_LINE, 0, 2);
-  c.Begin(GL_TRIANGLES);
-  for (int i = 0; i < 3; ++i) c.Vertex2f(0, 0);
-  c.End();
-  recorded.commands(c);
+  gl::Case triangle;
+  triangle.Begin(GL_TRIANGLES);
+  for (int i = 0; i < 3; ++i) triangle.Vertex2f(0, 0);
+  triangle.End();
+  recorded.commands(triangle);
+  recorded.frame();
+  recorded.commands(curve());
+  recorded.commands(points());
+  recorded.commands(triangle);  // its current values may be those of the evaluation
+  recorded.frame();
   const auto all = programs(recorded);
-  ASSERT_EQ(all.size(), 2u);
-  EXPECT_EQ(all[0].vertices, 1u);
-  EXPECT_EQ(all[1].vertices, 3u);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].name, "Frame1/1");
+  EXPECT_EQ(all[0].vertices, 4u);
+}
+
+TEST_F(Recordings, LongFramesAreSeveralPrograms) {
+  RecordingFile recorded;
+  recorded.context(1);
+  recorded.commands(curve());
+  for (int i = 0; i < 5000; ++i) recorded.commands(points());
+  std::uint64_t vertices = 0;
+  const auto all = programs(recorded);
+  for (const record::Program& program : all) vertices += program.times * program.vertices;
+  EXPECT_GT(all.size(), 1u);
+  EXPECT_EQ(vertices, 5000u);
 }
 
 TEST_F(Recordings, OtherPartsOfTheGlAndRejectedCommandsChangeNothing) {

@@ -71,8 +71,8 @@ class Test : public Conditions {
   // (at thorough depth in all tests), other captures observe the case, too, and must agree.
   void judge_vertices(const gl::Case& script, Attributes about);
   // The same for some of the outcomes and attributes, with given predictions. Vertices are not judged through
-  // a delivery, only until one is wrong, and without a record of the accuracy, because this takes longer than
-  // judging.
+  // a delivery, behind the first few dozen mismatches, and without a record of the accuracy, because this
+  // takes longer than judging.
   void judge(const gl::Case& script, const Specified& specified, Outcomes outcomes = Outcomes::kAll,
              Attributes attributes = kAllAttributes);
 
@@ -190,7 +190,7 @@ class Test : public Conditions {
   JudgeOptions options_for(const gl::Case& script, const Capture& capture, Attributes required) const;
   std::vector<CapturedObservation> observe_by_captures(const gl::Case& script, const Prediction& prediction,
                                                        Attributes required, std::size_t most_vertices);
-  enum class Thoroughness { kAllVertices, kFirstWrongVertex };
+  enum class Thoroughness { kAllVertices, kFirstMismatches };
   void judge_emission(const gl::Case& delivered, const Prediction& prediction, Attributes required,
                       Thoroughness thoroughness, Attributes judged = kAllAttributes);
   // Adds a failure for each of `mismatches`, which `judge` has found in the observation `seen`. If there is a
