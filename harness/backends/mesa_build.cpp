@@ -89,7 +89,8 @@ void use_mesa_build(const fs::path& folder) {
     if (!is_driver(name) && std::ranges::find(folders, path.parent_path().string()) == folders.end())
       folders.push_back(path.parent_path().string());
   put_before("LD_LIBRARY_PATH", fmt::format("{}", fmt::join(folders, ":")));
-  setenv("__GLX_VENDOR_LIBRARY_NAME", "mesa", 1);
+  // Programs that are linked with libGL load the vendor when they start, even if they use EGL.
+  if (!first("libGLX_mesa.so").empty()) setenv("__GLX_VENDOR_LIBRARY_NAME", "mesa", 1);
 
   const fs::path own = own_folder(folder);
   if (!vendor.empty()) {

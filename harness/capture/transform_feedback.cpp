@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include <evalcts/capture/varyings.h>
@@ -30,6 +31,20 @@ VaryingShader copying_shader(Attributes attributes, std::size_t units) {
       copy(fmt::format("texture{}", unit), fmt::format("MultiTexCoord{}", unit), 4);
   shader.source = declarations + "void main() {\n" + body + "  gl_Position = vec4(0.0, 0.0, 0.0, 1.0);\n}\n";
   return shader;
+}
+
+// Returns the shortest shader that copies one attribute of four or less components; none if there are more.
+std::optional<VaryingShader> shortest_shader(Attributes attributes, std::size_t units) {
+  const char* const of = attributes == kPosition ? "gl_Vertex"
+                         : attributes == kColor  ? "gl_Color"
+                         : attributes != 0 && (attributes & ~Attributes{kNormal | kShaderNormal}) == 0
+                             ? "vec4(gl_Normal, 0.0)"
+                         : attributes == kTextureCoordinate0 && units == 1 ? "gl_MultiTexCoord0"
+                                                                           : nullptr;
+  if (!of) return std::nullopt;
+  return VaryingShader{.source = fmt::format("void main() {{ gl_Position = {}; }}", of),
+                       .varyings = {"gl_Position"},
+                       .floats = 4};
 }
 
 class TransformFeedback final : public Capture {
@@ -71,12 +86,14 @@ class TransformFeedback final : public Capture {
     if (!all_units) observation.attributes &= ~Attributes{kTextureCoordinatesOther};
     if (request.nothing_more) observation.attributes &= request.attributes;
     observation.units = all_units ? units_ : 1;
+    std::optional<VaryingShader> shader;
+    if (request.nothing_more) shader = shortest_shader(observation.attributes, observation.units);
+    if (!shader) shader = copying_shader(observation.attributes, observation.units);
     const RecordedVaryings recorded =
-        record_varyings(implementation, copying_shader(observation.attributes, observation.units), script,
-                        kind, request.most_vertices);
+        record_varyings(implementation, *shader, script, kind, request.most_vertices);
     observation.error = recorded.error;
     observation.overflow = recorded.overflow;
-    decode(recorded, kind, observation);
+    decode(recorded, shader->floats, kind, observation);
     return observation;
   }
 
@@ -93,7 +110,9 @@ class TransformFeedback final : public Capture {
     idle_->play(c);
   }
 
-  static void decode(const RecordedVaryings& recorded, PrimitiveKind kind, Observation& observation) {
+  // `floats`: number of recorded values of a vertex.
+  static void decode(const RecordedVaryings& recorded, std::size_t floats, PrimitiveKind kind,
+                     Observation& observation) {
     auto next = recorded.values.begin();
     const auto take = [&next](auto& values) {
       std::copy_n(next, values.size(), values.begin());
@@ -102,6 +121,7 @@ class TransformFeedback final : public Capture {
     const std::size_t size = vertices_of_recorded(kind);
     const GLenum mode = kind == kPoints ? GL_POINTS : kind == kLines ? GL_LINES : GL_TRIANGLES;
     for (std::size_t i = 0; i < recorded.vertices; ++i) {
+      next = recorded.values.begin() + static_cast<std::ptrdiff_t>(i * floats);
       if (kind == kPoints ? i == 0 : i % size == 0) observation.primitives.emplace_back().mode = mode;
       ObservedVertex& vertex = observation.primitives.back().vertices.emplace_back();
       if (observation.attributes & kPosition) take(vertex.position);

@@ -124,7 +124,7 @@ std::string head(const Candidate& failure, const Replayed& replayed, const std::
                  const std::string& title, const std::string& compile) {
   const TestRecord& test = replayed.record ? *replayed.record : *failure.test;
   const ImplementationRecord& implementation = failure.run->implementation;
-  std::string text = "/*\n" + comment(title);
+  std::string text = comment(title);
   if (style == "piglit") text += " *\n" + comment("SPDX-License-Identifier: MIT");
   if (style == "full") {
     text += comment(
@@ -136,12 +136,12 @@ std::string head(const Candidate& failure, const Replayed& replayed, const std::
     text += " *\n" + comment(fmt::format("{}: {} [{}]", rule->id, rule->text, rule->source));
   const std::string where = fmt::format("{} ({})", implementation.version, implementation.renderer);
   if (!compile.empty()) text += " *\n *   " + compile + "\n";
-  text += " *\n" + comment(compile.empty() ? fmt::format("Observed with {}.", where)
-                                           : fmt::format("Exit code 1: the failure shows, as with {}; 0: it "
-                                                         "does not; 2: the program cannot start.",
-                                                         where));
-  if (style == "full") text += comment("The argument, if there is one, is another library to try it on.");
-  text += " */\n";
+  text += " *\n" + comment(fmt::format("Observed with {}.", where));
+  if (style == "full")
+    text += comment(
+        fmt::format("{} The argument, if there is one, is another library to try it on.", kExitCodes));
+  text[0] = '/';
+  text.insert(text.size() - 1, " */");
   if (style == "full" && (replayed.hung || failure.test->verdict == Verdict::kTimeout))
     text += fmt::format("#define SECONDS {} /* until this counts as a hang */\n",
                         std::clamp(static_cast<int>(failure.run->timeout.value_or(10.0)), 1, 10));
@@ -256,7 +256,8 @@ int reproduce_or_throw(const ReproduceOptions& options) {
   const std::string done = fmt::format("{} {}", replaced ? "Replaced" : "Wrote", from_here(file));
   if (is_piglit)
     std::cout << fmt::format(
-        "{}, a test of piglit: put it into tests/spec/gl-1.0 and name it there in CMakeLists.gl.txt.\n",
+        "{}, a test of piglit: put it into tests/spec/gl-1.0, and name it in CMakeLists.gl.txt there and in "
+        "tests/opengl.py.\n",
         done);
   else
     std::cout << fmt::format("{}; build and start it with\n\n  {}\n\n", done, line(from_here(file)));

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 
+#include <evalcts/backends/implementation.h>
+#include <evalcts/backends/mesa_build.h>
 #include <evalcts/cli/places.h>
 #include <evalcts/cli/specified_run.h>
 #include <evalcts/gl/c_program.h>
@@ -17,6 +20,20 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kSeconds = 10;  // time limit for the compilation of a program and for its run
+
+// Returns the libraries that a program loaded, from the files of the dynamic linker in `folder`.
+std::vector<std::string> loaded_libraries(const fs::path& folder) {
+  constexpr std::string_view kMark = "calling init: ";
+  std::vector<std::string> libraries;
+  for (const fs::directory_entry& file : fs::directory_iterator(folder)) {
+    if (file.path().stem() != "loaded") continue;
+    std::ifstream lines(file.path());
+    for (std::string line; std::getline(lines, line);)
+      if (const std::size_t mark = line.find(kMark); mark != std::string::npos)
+        libraries.push_back(line.substr(mark + kMark.size()));
+  }
+  return libraries;
+}
 
 }  // namespace
 
@@ -42,8 +59,11 @@ std::string compile_line(const std::vector<std::string>& options, const std::str
   std::vector<std::string> command = {"cc", "-o", program, source};
   std::string environment;
   const fs::path library = value_of(options, "--library");
-  const bool uses_osmesa = text.starts_with("#include <GL/osmesa.h>");
-  if (uses_osmesa || text.starts_with("#include <EGL/egl.h>")) {
+  const auto includes = [&](const std::string& header) {
+    return text.find("#include <" + header + ">") != std::string::npos;
+  };
+  const bool uses_osmesa = includes("GL/osmesa.h");
+  if (uses_osmesa || includes("EGL/egl.h")) {
     const bool is_usual = library.empty() || library.filename().string().starts_with(
                                                  "lib" + std::string(uses_osmesa ? "OSMesa" : "EGL") + ".so");
     if (uses_osmesa)
@@ -52,7 +72,7 @@ std::string compile_line(const std::vector<std::string>& options, const std::str
       command.insert(command.end(), {"-lEGL", "-lGL"});
     if (!library.empty() && is_usual)
       environment = "LD_LIBRARY_PATH=" + shell_line({library.parent_path().string()}) + " ";
-  } else if (text.starts_with("#include <GL/glx.h>")) {
+  } else if (includes("GL/glx.h")) {
     command.insert(command.end(), {"-lGL", "-lX11"});
   } else if (value_of(options, "--implementation") == "production") {
     const Places where = places();
@@ -71,7 +91,9 @@ std::string compile_line(const std::vector<std::string>& options, const std::str
 
 bool ProgramRun::crashes() const { return ending && (ending->signalled || ending->value >= 128); }
 
-ProgramRun build_and_run(const std::vector<std::string>& options, const std::string& text) {
+ProgramRun build_and_run(const std::vector<std::string>& options, const std::string& text) try {
+  const std::string mesa_build = value_of(options, "--mesa-build");
+  if (!mesa_build.empty()) use_mesa_build(mesa_build);
   const Scratch scratch;
   const fs::path source = scratch.path() / "program.c", log = scratch.path() / "log";
   write_atomically(source, text);
@@ -89,10 +111,15 @@ ProgramRun build_and_run(const std::vector<std::string>& options, const std::str
     return run;
   }
   fs::remove(log);
-  ChildProcess program({"/bin/sh", "-c", line.substr(both + 4)}, log.string());
+  const std::string variables =
+      mesa_build.empty() ? "" : "LD_DEBUG=libs LD_DEBUG_OUTPUT=" + (scratch.path() / "loaded").string() + " ";
+  ChildProcess program({"/bin/sh", "-c", variables + line.substr(both + 4)}, log.string());
   run.ending = program.wait(kSeconds);
   run.output = read_file(log);
+  if (!mesa_build.empty()) require_mesa_build(mesa_build, loaded_libraries(scratch.path()));
   return run;
+} catch (const CannotStart& error) {
+  return {.not_built = error.what(), .ending = {}, .output = {}};
 }
 
 }  // namespace evalcts::cli

@@ -25,13 +25,16 @@ std::string compile_line(const std::vector<std::string>& options, const std::str
 
 // The end of a C program that was compiled and run.
 struct ProgramRun {
-  std::string not_built;         // the error of the compiler; empty: it was built
+  // The error of the compiler, or the reason why the Mesa of --mesa-build was not used; empty: it was run.
+  std::string not_built;
   std::optional<Ending> ending;  // none: it ran for more than 10 seconds
   std::string output;
 
   bool hangs() const { return not_built.empty() && !ending; }
   bool crashes() const;
 };
+// Builds and runs a C program with the implementation that the options of the suite program choose. With
+// --mesa-build, it sets the environment of this process, see use_mesa_build().
 ProgramRun build_and_run(const std::vector<std::string>& options, const std::string& text);
 
 }  // namespace evalcts::cli

@@ -10,11 +10,13 @@
 namespace evalcts::gl {
 namespace {
 
-constexpr char kGlHeaders[] = R"(#define GL_GLEXT_PROTOTYPES
-#include <GL/gl.h>
-#include <GL/glext.h>
-#include <stdio.h>
-)";
+// Returns the headers with these names, for a program with commands that are newer than GL 1.1. The macro
+// stands first because each of the headers may include GL/gl.h.
+std::string headers(std::initializer_list<const char*> names) {
+  std::string text = "#define GL_GLEXT_PROTOTYPES\n";
+  for (const char* const name : names) text += fmt::format("#include <{}>\n", name);
+  return text + "#include <stdio.h>\n";
+}
 
 constexpr char kPrintVersion[] =
     R"(  printf("%s, %s\n", (const char *)glGetString(GL_VERSION), (const char *)glGetString(GL_RENDERER));
@@ -41,15 +43,16 @@ std::string egl_attributes(GLuint kind) {
 }
 
 CFrame egl(GLuint kind) {
-  return {.headers = fmt::format("#include <EGL/egl.h>\n#include <EGL/eglext.h>\n{}", kGlHeaders),
+  return {.headers = headers({"EGL/egl.h", "EGL/eglext.h", "GL/gl.h"}),
           .main = fmt::format(
               R"(
 int main(void) {{
 {}  EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-  if (!display || !eglInitialize(display, NULL, NULL)) eglInitialize(display = eglGetDisplay(NULL), NULL, NULL);
+  if (!eglInitialize(display, NULL, NULL)) display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+  eglInitialize(display, NULL, NULL);
+  EGLint count, kind[] = {{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE}};
   EGLConfig config;
-  EGLint count;
-  if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(display, (EGLint[]){{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE}}, &config, 1, &count)) return 2;
+  if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(display, kind, &config, 1, &count)) return 2;
   EGLSurface surface = eglCreatePbufferSurface(display, config, (EGLint[]){{EGL_WIDTH, 64, EGL_HEIGHT, 64, EGL_NONE}});
   if (!eglMakeCurrent(display, surface, surface, eglCreateContext(display, config, NULL, {}))) return 2;
 {})",
@@ -60,7 +63,7 @@ int main(void) {{
 CFrame osmesa(GLuint kind) {
   if (kind > EVALCTS_CORE_PROFILE) throw NoCProgram("OSMesa makes no contexts of this kind");
   return {
-      .headers = fmt::format("#include <GL/osmesa.h>\n{}", kGlHeaders),
+      .headers = headers({"GL/osmesa.h"}),
       .main = fmt::format(
           R"(
 int main(void) {{
@@ -78,7 +81,7 @@ int main(void) {{
 
 CFrame indirect_glx(GLuint kind) {
   if (kind != 0) throw NoCProgram("short programs make no indirect contexts of this kind");
-  return {.headers = fmt::format("#include <GL/glx.h>\n{}", kGlHeaders),
+  return {.headers = headers({"GL/glx.h"}),
           .main = fmt::format(
               R"(
 int main(void) {{
@@ -102,14 +105,13 @@ int version_of(const Case& script) {
   return version;
 }
 
-CFrame piglit(const CProgram& program, GLuint kind) {
+CFrame piglit(const CProgram& program, GLuint kind, bool has_errors) {
   if (kind > EVALCTS_FORWARD_COMPATIBLE) throw NoCProgram("piglit makes no contexts of this kind");
   const std::string version =
       kind == EVALCTS_CORE_PROFILE ? "core_version = 32"
       : kind == EVALCTS_FORWARD_COMPATIBLE
           ? "core_version = 31"
           : fmt::format("compat_version = {}", program.script ? version_of(*program.script) : 20);
-  const bool has_errors = program.check && program.check->answer.is_error;
   return {.headers = fmt::format(R"(#include "piglit-util-gl.h"
 
 PIGLIT_GL_TEST_CONFIG_BEGIN
@@ -133,8 +135,8 @@ piglit_display(void)
 
 }  // namespace
 
-CFrame c_frame(const CProgram& program, GLuint kind) {
-  if (program.style == CStyle::kPiglit) return piglit(program, kind);
+CFrame c_frame(const CProgram& program, GLuint kind, bool has_errors) {
+  if (program.style == CStyle::kPiglit) return piglit(program, kind, has_errors);
   if (!program.context_library.empty() || !program.library_below.empty())
     throw NoCProgram("the commands come from another library than the contexts");
   if (program.context == "osmesa") return osmesa(kind);

@@ -13,7 +13,8 @@ struct CFrame {
 };
 
 // Returns the frame of a program in a short style. `kind`: the kind of its context, see contexts.h; 0: as
-// usual. Throws NoCProgram if the platform's libraries do not make such contexts.
-CFrame c_frame(const CProgram& program, GLuint kind);
+// usual. `has_errors`: the program needs a GL that reports errors. Throws NoCProgram if the platform's
+// libraries do not make such contexts.
+CFrame c_frame(const CProgram& program, GLuint kind, bool has_errors);
 
 }  // namespace evalcts::gl

@@ -90,8 +90,68 @@ const Output* output_of(const Command& command) {
 
 // Returns the last statement of a program in a short style. `fails`: a C expression that is true if it fails.
 std::string return_of(CStyle style, const std::string& fails) {
-  return style == CStyle::kPiglit ? fmt::format("return {} ? PIGLIT_FAIL : PIGLIT_PASS;", fails)
-                                  : fmt::format("return {};", fails);
+  if (style == CStyle::kPiglit)
+    return fails == "0" ? "return PIGLIT_PASS;"
+                        : fmt::format("return {} ? PIGLIT_FAIL : PIGLIT_PASS;", fails);
+  return fails == "0" ? "return 0;" : fmt::format("return {}; /* 1: the failure shows */", fails);
+}
+
+// Returns the text in the layout of piglit: indented by tabs, with the names of functions on their own lines.
+std::string in_layout_of_piglit(const std::string& text) {
+  std::string out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string line = text.substr(begin, end - begin);
+    const std::size_t spaces = std::min(line.find_first_not_of(' '), line.size());
+    line.replace(0, spaces, std::string(spaces / 2, '\t'));
+    if (line.starts_with("static ") && line.ends_with(") {")) {
+      line.replace(line.size() - 2, 2, "\n{");
+      line[line.rfind(' ', line.find('('))] = '\n';
+    }
+    out += line + "\n";
+    begin = end + 1;
+  }
+  return out;
+}
+
+// Returns the name of the variable for the answer of a command of a capture in a short style; null for other
+// commands.
+const char* variable_of(EntryPoint entry) {
+  switch (entry) {
+    case EntryPoint::CreateProgram:
+      return "program";
+    case EntryPoint::CreateShader:
+      return "shader";
+    case EntryPoint::GenBuffers:
+      return "buffer";
+    case EntryPoint::GenQueries:
+      return "query";
+    case EntryPoint::GetQueryObjectuiv:
+      return "primitives";
+    case EntryPoint::GetBufferSubData:
+      return "captured";
+    case EntryPoint::GetError:
+      return "error";
+    default:
+      return nullptr;
+  }
+}
+
+// Returns the C type of the value that a command returns, for a short style.
+const char* type_of_result(EntryPoint entry) {
+  switch (entry) {
+    case EntryPoint::GetString:
+    case EntryPoint::GetStringi:
+      return "const GLubyte *";
+    case EntryPoint::GetError:
+      return "GLenum ";
+    case EntryPoint::CreateProgram:
+    case EntryPoint::CreateShader:
+    case EntryPoint::GenLists:
+      return "GLuint ";
+    default:
+      return "GLint ";
+  }
 }
 
 class Writer {
@@ -161,16 +221,24 @@ class Writer {
       throw NoCProgram("the vertices come from a sink");
   }
 
-  // Omits a capture's commands that check its own success, and count primitives if the check needs no count.
+  // Omits a capture's commands that check its own success, read or count what the check does not need, and
+  // save time.
   void omit_dispensable(std::size_t first_own, std::size_t own) {
     using E = EntryPoint;
     for (const std::set<E>& together : {std::set{E::GetError},
                                         {E::GetProgramiv},
+                                        {E::GetBufferSubData},
                                         {E::GenQueries, E::BeginQuery, E::EndQuery, E::GetQueryObjectuiv}}) {
       std::set<std::size_t> found;
       for (std::size_t i = 0; i < commands_.size(); ++i)
         if ((i < first_own || i >= first_own + own) && together.contains(commands_[i].entry)) found.insert(i);
       if (std::ranges::none_of(found, [&](std::size_t i) { return is_checked(i); })) omitted_.merge(found);
+    }
+    for (std::size_t i = 0; i < first_own; ++i) {
+      const auto* const argument = commands_[i].entry == E::Enable
+                                       ? std::get_if<std::int64_t>(&commands_[i].arguments.front())
+                                       : nullptr;
+      if (argument && *argument == GL_RASTERIZER_DISCARD) omitted_.insert(i);
     }
   }
 
@@ -213,14 +281,17 @@ class Writer {
 
   std::string write_short() {
     reject_what_needs_the_full_style();
-    const CFrame frame = c_frame(program_, first_kind());
+    const CFrame frame = c_frame(program_, first_kind(), program_.check && program_.check->answer.is_error);
     const bool all_own = program_.own == SIZE_MAX;
     const std::size_t first = all_own ? 0 : program_.first_own;
     const std::size_t own = all_own ? commands_.size() : program_.own;
     omit_dispensable(first, own);
     omit_other_questions(first, own);
+    own_ = {first, first + own};
+    name_variables();
     variables();
-    line("\nstatic void draw(void) {{");
+    if (!text_.empty()) text_ += "\n";
+    line("static void draw(void) {{");
     body(first, own);
     text_ += "}\n";
     const std::string statements = check();  // and its declarations
@@ -231,11 +302,13 @@ class Writer {
     text_ += statements + "}\n";
     std::string head = frame.headers;
     const bool needs_headers = program_.style != CStyle::kPiglit;  // piglit's header includes them
-    for (const auto& [word, header] :
-         {std::pair{"NAN", "math.h"}, {"INFINITY", "math.h"}, {"mem", "string.h"}})
+    for (const auto& [word, header] : {std::pair{"NAN", "math.h"},
+                                       {"INFINITY", "math.h"},
+                                       {"memcmp(", "string.h"},
+                                       {"memset(", "string.h"}})
       if (needs_headers && text_.find(word) != std::string::npos && head.find(header) == std::string::npos)
         head += fmt::format("#include <{}>\n", header);
-    return head + "\n" + text_;
+    return head + "\n" + (program_.style == CStyle::kPiglit ? in_layout_of_piglit(text_) : text_);
   }
 
   template <class... T>
@@ -295,6 +368,39 @@ class Writer {
 
   // --- the commands ---
 
+  bool is_own(std::size_t index) const { return index >= own_.first && index < own_.second; }
+
+  // Chooses the names of variables for a short style.
+  void name_variables() {
+    std::map<std::string, int> uses;
+    for (std::size_t i = 0; i < commands_.size(); ++i) {
+      const char* const name = variable_of(commands_[i].entry);
+      if (!name || omitted_.contains(i) || (returns_value(commands_[i].entry) && !keeps(i))) continue;
+      const int use = ++uses[name];
+      names_[static_cast<int>(i)] = use == 1 ? name : fmt::format("{}{}", name, use);
+    }
+  }
+
+  // Return the names of the variables for the result of a command, its array, and an element of the array.
+  std::string result_name(int command) const {
+    const auto name = names_.find(command);
+    return name != names_.end() ? name->second : fmt::format("result_{}", command);
+  }
+  std::string array_name(int command) const {
+    const auto name = names_.find(command);
+    return name != names_.end() ? name->second : fmt::format("array_{}", command);
+  }
+  std::string element_name(int command, std::size_t element) const {
+    return is_scalar(command) ? array_name(command) : fmt::format("{}[{}]", array_name(command), element);
+  }
+
+  // Returns true if a variable of the capture stands for an array of one element.
+  bool is_scalar(int command) const {
+    const Output* const output = output_of(commands_.at(static_cast<std::size_t>(command)));
+    return output && output->count == 1 && names_.contains(command) && !checks_written_elements() &&
+           !(program_.check && compares_arrays(*program_.check));
+  }
+
   // Writes the arrays that commands fill, and the results that later commands or the check use.
   void variables() {
     std::map<std::string, std::vector<std::string>> by_type;
@@ -303,15 +409,21 @@ class Writer {
       const EntryPoint entry = commands_[i].entry;
       if (const Output* output = output_of(commands_[i])) {
         const bool is_guarded = is_full() || checks_written_elements();
-        by_type[std::string("static ") + c_type(output->type) + " "].push_back(fmt::format(
-            "array_{}[{}]", i,
-            is_guarded ? output->count + kGuardElements : std::max<std::size_t>(output->count, 1)));
+        const std::string name = array_name(static_cast<int>(i));
+        by_type[std::string("static ") + c_type(output->type) + " "].push_back(
+            is_scalar(static_cast<int>(i))
+                ? name
+                : fmt::format(
+                      "{}[{}]", name,
+                      is_guarded ? output->count + kGuardElements : std::max<std::size_t>(output->count, 1)));
       }
-      if (!keeps(i)) continue;
+      if (!keeps(i) || is_declared_by_its_call(i)) continue;
+      const std::string name = result_name(static_cast<int>(i));
       if (entry == EntryPoint::GetString || entry == EntryPoint::GetStringi)
-        by_type["static const GLubyte "].push_back(fmt::format("*result_{}", i));
+        by_type["static const GLubyte "].push_back("*" + name);
       else
-        by_type[is_full() ? "static long long " : "static GLint "].push_back(fmt::format("result_{}", i));
+        by_type[is_full() ? "static long long " : std::string("static ") + type_of_result(entry)].push_back(
+            name);
     }
     for (const auto& [type, names] : by_type) line("{}{};", type, fmt::join(names, ", "));
   }
@@ -327,18 +439,26 @@ class Writer {
     return kept_.count(static_cast<int>(index)) && returns_value(commands_[index].entry);
   }
 
+  // Returns true for a result in the main function of a short style.
+  bool is_declared_by_its_call(std::size_t index) const { return !is_full() && !is_own(index); }
+
   // Returns the statements for one command.
   std::vector<std::string> statements(std::size_t index) {
     const Command& command = commands_[index];
     if (!is_full() && command.entry == EntryPoint::ContextOfKindEVALCTS) return {};  // the frame makes it
     std::vector<std::string> lines, after_call;
     std::map<std::size_t, std::string> texts;  // of arguments, by position
+    const int at = static_cast<int>(index);
     for (std::size_t i = 0; i < command.arguments.size(); ++i) {
       if (std::holds_alternative<Output>(command.arguments[i])) {
         if (is_full() || checks_written_elements())
-          lines.push_back(fmt::format("memset(array_{0}, 0xA5, sizeof array_{0});", index));
-        texts[i] = fmt::format("array_{}", index);
+          lines.push_back(fmt::format("memset({0}, 0xA5, sizeof {0});", array_name(at)));
+        texts[i] = (is_scalar(at) ? "&" : "") + array_name(at);
       }
+      if (const auto* result = std::get_if<ResultOf>(&command.arguments[i]))
+        texts[i] = result->element < 0
+                       ? result_name(result->command)
+                       : element_name(result->command, static_cast<std::size_t>(result->element));
       const auto* input = std::get_if<Input>(&command.arguments[i]);
       if (!input) continue;
       const std::string name = fmt::format("in_{}{}", index, i == 0 ? "" : fmt::format("_{}", i));
@@ -354,8 +474,9 @@ class Writer {
             fmt::format("memset({0}, 0x4B, sizeof {0}); /* overwritten after the call */", name));
       }
     }
+    const char* const declared = is_declared_by_its_call(index) ? type_of_result(command.entry) : "";
     lines.push_back(
-        (keeps(index) ? fmt::format("result_{} = ", index) : "") +
+        (keeps(index) ? fmt::format("{}{} = ", declared, result_name(at)) : "") +
         to_c(command, [&](std::size_t i) { return texts.contains(i) ? texts[i] : std::string(); }));
     for (std::string& statement : after_call)
       if (!statement.empty()) lines.push_back(std::move(statement));
@@ -417,8 +538,12 @@ class Writer {
     return statements;
   }
 
-  void end_check(const std::string& holds) {
-    if (!is_full()) return line("  {}", return_of(program_.style, fmt::format("!({})", holds)));
+  // Writes the end of the check: `holds` and `fails` are C expressions. `fails` may be empty: not `holds`.
+  void end_check(const std::string& holds, const std::string& fails = "") {
+    if (!is_full())
+      return line("  {}", return_of(program_.style, !fails.empty() ? fails
+                                                    : holds == "1" ? "0"
+                                                                   : fmt::format("!({})", holds)));
     if (holds == "1") return line("  return 0;");
     line("  const int holds = {};", holds);
     line("  puts(holds ? \"the failure does not show\" : \"the failure shows\");");
@@ -438,16 +563,16 @@ class Writer {
     const int command = answer.command.index;
     switch (answer.kind) {
       case Answer::Kind::kReturned:
-        return fmt::format("(double)result_{}", command);
+        return "(double)" + result_name(command);
       case Answer::Kind::kElement:
-        return fmt::format("(double)array_{}[{}]", command, answer.element);
+        return "(double)" + element_name(command, answer.element);
       case Answer::Kind::kWritten:
         declarations_ += fmt::format(
             "\n/* How many elements hold something else than the filler. */\nstatic size_t written(void) {{\n"
-            "  size_t bytes = sizeof array_{0};\n"
-            "  while (bytes && ((unsigned char *)array_{0})[bytes - 1] == 0xA5) --bytes;\n"
-            "  return (bytes + sizeof *array_{0} - 1) / sizeof *array_{0};\n}}\n",
-            command);
+            "  size_t bytes = sizeof {0};\n"
+            "  while (bytes && ((unsigned char *){0})[bytes - 1] == 0xA5) --bytes;\n"
+            "  return (bytes + sizeof *{0} - 1) / sizeof *{0};\n}}\n",
+            array_name(command));
         return "(double)written()";
       case Answer::Kind::kLeftOver:
         return "(double)glGetError()";
@@ -505,34 +630,78 @@ class Writer {
   }
 
   void check_within(const Check& check) {
+    if (!is_full()) return check_within_in_short(check);
     line("  const double got = {};", answer_text(check.answer));
     const std::string what = subject(check), expected = interval(check);
-    if (check.answer.is_error && is_full()) {
+    if (check.answer.is_error) {
       declarations_ += kErrorName;
       print_outcome(what, expected, "%s", "error_name((GLenum)got)");
-    } else if (check.answer.is_error) {
-      const double error = check.accepted.empty() ? 0 : check.accepted.front().first;
-      print_outcome(what, fmt::format("{} (0x{:04X})", expected, static_cast<GLenum>(error)), "0x%04X",
-                    "(GLenum)got");
     } else if (is_whole(check.answer)) {
       print_outcome(what, expected, "%.0f", "got");
-    } else if (is_full()) {
-      print_outcome(what, expected, "%.9g (%a)", "got, got");
     } else {
-      print_outcome(what, in_plain_numbers(expected), "%.9g", "got");
+      print_outcome(what, expected, "%.9g (%a)", "got, got");
     }
-    std::string holds;
+    end_check(holds(check, "got", shortest_constant));
+  }
+
+  // Returns a C expression that is true if the answer `got` is accepted.
+  static std::string holds(const Check& check, const std::string& got, std::string (*constant)(double)) {
+    std::string text;
     for (const auto& [low, high] : check.accepted) {
-      if (!holds.empty()) holds += " || ";
-      if (std::isnan(low)) {
-        holds += "got != got";
-      } else if (low == high) {
-        holds += fmt::format("got == {}", shortest_constant(low));
-      } else {
-        holds += fmt::format("(got >= {} && got <= {})", shortest_constant(low), shortest_constant(high));
-      }
+      if (!text.empty()) text += " || ";
+      const std::string range = fmt::format("{0} >= {1} && {0} <= {2}", got, constant(low), constant(high));
+      text += std::isnan(low)              ? fmt::format("{0} != {0}", got)
+              : low == high                ? fmt::format("{} == {}", got, constant(low))
+              : check.accepted.size() == 1 ? range
+                                           : "(" + range + ")";
     }
-    end_check(holds.empty() ? "0" : holds);
+    return text.empty() ? "0" : text;
+  }
+
+  // Returns the value as a constant of an integer type if C has one of type int or unsigned int.
+  static std::string integer_constant(double value) {
+    if (value != std::trunc(value) || value <= -2147483648.0 || value > 4294967295.0)
+      return c_constant(value);
+    return fmt::format("{:.0f}{}", value, value > 2147483647.0 ? "u" : "");
+  }
+
+  void check_within_in_short(const Check& check) {
+    const Answer& answer = check.answer;
+    std::string got = answer_text(answer);
+    if (got.starts_with("(double)")) got = got.substr(8);
+    if (answer.kind == Answer::Kind::kLeftOver) {
+      line("  const GLenum left_over = {};", got);
+      got = "left_over";
+    }
+    const std::string what = subject(check), expected = interval(check);
+    const bool is_single =
+        check.accepted.size() == 1 && check.accepted.front().first == check.accepted.front().second;
+    if (answer.is_error) {
+      const double error = check.accepted.empty() ? 0 : check.accepted.front().first;
+      print_outcome(what, fmt::format("{} (0x{:04X})", expected, static_cast<GLenum>(error)), "0x%04X", got);
+      if (is_single && expected.starts_with("GL_"))
+        return end_check("", fmt::format("{} != {}", got, expected));
+    } else {
+      const std::string_view format = format_of(answer);
+      print_outcome(what, in_plain_numbers(expected), std::string(format),
+                    format == "%lld" ? "(long long)" + got : got);
+    }
+    const auto constant = is_whole(answer) ? integer_constant : shortest_constant;
+    if (is_single) return end_check("", fmt::format("{} != {}", got, constant(check.accepted.front().first)));
+    end_check(holds(check, got, constant));
+  }
+
+  // Returns the conversion of printf for an answer of a short style.
+  const char* format_of(const Answer& answer) const {
+    if (answer.kind == Answer::Kind::kWritten) return "%zu";
+    const std::size_t command = static_cast<std::size_t>(answer.command.index);
+    if (answer.kind == Answer::Kind::kReturned)
+      return std::string_view(type_of_result(commands_.at(command).entry)) == "GLint " ? "%d" : "%u";
+    const Output* const output =
+        answer.kind == Answer::Kind::kElement ? output_of(commands_.at(command)) : nullptr;
+    if (!output || output->type == Scalar::kU32) return "%u";
+    if (output->type == Scalar::kF32 || output->type == Scalar::kF64) return "%.9g";
+    return output->type == Scalar::kI64 ? "%lld" : "%d";
   }
 
   // Returns the value as a constant of type float if that is exact.
@@ -549,20 +718,20 @@ class Writer {
     if (const Output* output = output_of(command)) {
       print_array(a, output->count);
       print_array(b, output->count);
-      holds = fmt::format("memcmp(array_{0}, array_{1}, sizeof array_{0}) == 0", a, b);
+      holds = fmt::format("memcmp({0}, {1}, sizeof {0}) == 0", array_name(a), array_name(b));
     }
     if (keeps(static_cast<std::size_t>(b))) {
-      line("  printf(\"%lld\\n%lld\\n\", (long long)result_{}, (long long)result_{});", a, b);
-      holds += fmt::format("{}result_{} == result_{}", holds.empty() ? "" : " && ", a, b);
+      line("  printf(\"%lld\\n%lld\\n\", (long long){}, (long long){});", result_name(a), result_name(b));
+      holds += fmt::format("{}{} == {}", holds.empty() ? "" : " && ", result_name(a), result_name(b));
     }
     end_check(holds.empty() ? "1" : holds);
   }
 
   void print_array(int index, std::size_t count) {
     line(
-        "  for (size_t i = 0; i < {}; ++i) printf(\"%s%.9g\", i ? \" \" : \"  \", (double)array_{}[i]);\n  "
+        "  for (size_t i = 0; i < {}; ++i) printf(\"%s%.9g\", i ? \" \" : \"  \", (double){}[i]);\n  "
         "puts(\"\");",
-        count, index);
+        count, array_name(index));
   }
 
   // Returns the recorded elements of an array, without those at its end that the command did not write.
@@ -575,6 +744,11 @@ class Writer {
                                                   recorded.bytes.end(), is_filler))
       recorded.bytes.resize(recorded.bytes.size() - size);
     return recorded;
+  }
+
+  // Returns true if the check compares arrays, byte by byte.
+  bool compares_arrays(const Check& check) const {
+    return check.rule == Check::Rule::kSame || (check.rule == Check::Rule::kUnlike && !only_integer(check));
   }
 
   // Returns the recorded answer if the check depends on one integer.
@@ -595,8 +769,13 @@ class Writer {
     if (const std::optional<double> number = only_integer(check)) {
       const Ref ref = check.recorded.front();
       const bool is_array = output_of(commands_.at(static_cast<std::size_t>(ref.index))) != nullptr;
-      line("  const double got = {};",
-           is_array ? fmt::format("array_{}[0]", ref.index) : fmt::format("result_{}", ref.index));
+      const std::string got = is_array ? element_name(ref.index, 0) : result_name(ref.index);
+      if (!is_full()) {
+        print_outcome(subject(check), check.expected,
+                      format_of({is_array ? Answer::Kind::kElement : Answer::Kind::kReturned, ref}), got);
+        return end_check("", fmt::format("{} == {}", got, integer_constant(*number)));
+      }
+      line("  const double got = {};", got);
       print_outcome(subject(check), check.expected, "%.0f", "got");
       return end_check(fmt::format("got != {}", c_constant(*number)));
     }
@@ -608,10 +787,10 @@ class Writer {
         if (recorded.bytes.empty()) continue;
         declarations_ += fmt::format("static const {} recorded_{}[] = {{{}}};\n", c_type(recorded.type),
                                      ref.index, elements_of(recorded));
-        same += fmt::format("{0}memcmp(array_{1}, recorded_{1}, sizeof recorded_{1}) == 0",
-                            same.empty() ? "" : " && ", ref.index);
+        same += fmt::format("{0}memcmp({1}, recorded_{2}, sizeof recorded_{2}) == 0",
+                            same.empty() ? "" : " && ", array_name(ref.index), ref.index);
       } else if (keeps(static_cast<std::size_t>(ref.index))) {
-        same += fmt::format("{}result_{} == {}LL", same.empty() ? "" : " && ", ref.index,
+        same += fmt::format("{}{} == {}LL", same.empty() ? "" : " && ", result_name(ref.index),
                             program_.trace->result(ref));
       }
     }
@@ -646,7 +825,9 @@ class Writer {
   const CProgram& program_;
   const std::vector<Command>& commands_;
   std::set<int> kept_;
-  std::set<std::size_t> omitted_;  // commands that are not written
+  std::set<std::size_t> omitted_;                            // commands that are not written
+  std::pair<std::size_t, std::size_t> own_ = {0, SIZE_MAX};  // the commands of draw() in a short style
+  std::map<int, std::string> names_;                         // of variables, by command
   std::map<std::pair<int, std::size_t>, std::string> slots_;
   std::string text_, declarations_;
 };
@@ -664,12 +845,16 @@ std::string to_c(const CProgram& program) { return Writer(program).write(); }
 
 std::string to_c(const CProgram& program, const std::vector<std::string>& statements,
                  const std::string& fails, GLuint kind) {
-  const CFrame frame = c_frame(program, kind);
-  std::string text = frame.headers + frame.main;
-  const bool dies = fails.empty();
-  if (dies && program.style != CStyle::kPiglit) text += "  fflush(stdout);\n";
+  const bool has_errors = std::ranges::any_of(statements, [](const std::string& statement) {
+    return statement.find("glGetError") != std::string::npos;
+  });
+  const CFrame frame = c_frame(program, kind, has_errors);
+  std::string text = frame.main;
+  const bool dies = fails.empty(), is_piglit = program.style == CStyle::kPiglit;
+  if (dies && !is_piglit) text += "  fflush(stdout);\n";
   for (const std::string& statement : statements) text += "  " + statement + "\n";
-  return text + fmt::format("  {}\n}}\n", return_of(program.style, dies ? "0" : fails));
+  text += fmt::format("  {}\n}}\n", return_of(program.style, dies ? "0" : fails));
+  return frame.headers + (is_piglit ? in_layout_of_piglit(text) : text);
 }
 
 }  // namespace evalcts::gl

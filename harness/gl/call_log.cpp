@@ -127,7 +127,7 @@ std::string argument(const Value& value, char kind, std::size_t most_elements) {
   if (const auto* output = std::get_if<Output>(&value))
     return fmt::format("({}[{}]){{0}}", c_type(output->type), std::max<std::size_t>(output->count, 1));
   if (const auto* strings = std::get_if<Strings>(&value)) {
-    std::string text = "(const GLchar*[]){";
+    std::string text = "(const GLchar *[]){";
     for (std::size_t i = 0; i < strings->values.size(); ++i)
       text += (i ? ", " : "") + quoted(strings->values[i]);
     return text + "}";

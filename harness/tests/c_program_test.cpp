@@ -348,6 +348,12 @@ TEST_F(CProgram, TestsOfPiglitReturnAResult) {
   if (right.code == 2) GTEST_SKIP() << "EGL makes no context here";
   EXPECT_EQ(right.code, 0) << right.text;
   EXPECT_EQ(outcome(3).code, 1);
+  const OrderQuery query(2);
+  EXPECT_TRUE(contains(short_program(query.c, query.check, gl::CStyle::kPiglit),
+                       "static void\ndraw(void)\n{\n\tstatic GLfloat in_0_5[] = "));
+  EXPECT_TRUE(contains(gl::to_c({.style = gl::CStyle::kPiglit, .context = "egl", .library = ""},
+                                {"GLenum error = glGetError();"}, "error != GL_INVALID_ENUM", 0),
+                       "PIGLIT_HAS_ERRORS"));
 }
 
 // The production evaluator, but with one wrong value.

@@ -677,7 +677,7 @@ TEST_F(CommandLine, ExamplesOfKnownBugsShowThem) {
                                        .library = "libEGL.so.1"},
                                       bug.example, bug.fails,
                                       bug.context == KnownBug::kCoreProfile ? EVALCTS_CORE_PROFILE : 0);
-    const Outcome built = start({"/usr/bin/env", "cc", "-Wall", "-Werror", "-o", program, source,
+    const Outcome built = start({"/usr/bin/env", "cc", "-Wall", "-Wextra", "-Werror", "-o", program, source,
                                  is_indirect ? "-lX11" : "-lEGL", "-lGL"});
     ASSERT_EQ(built.code, 0) << bug.id << built.text;
     const std::string driver = bug.affects.renderer.empty() ? "llvmpipe" : bug.affects.renderer;

@@ -164,6 +164,35 @@ TEST_P(OffScreenLibraries, KnownFailuresBelongToTheBugOfTheBaseline) {
   EXPECT_EQ(evalcts({"check", id, "--implementation", GetParam()}).code, 1);
 }
 
+// Known bugs have short programs, which compile without warnings.
+TEST_P(OffScreenLibraries, ShortProgramsHaveAtMost60Lines) {
+  reduces_failures_ = true;
+  evalcts({"run", "--implementation", GetParam(), "--depth", "quick", "--filter", "Findings.*", "--output",
+           folder_.string()});
+  const std::string file = (folder_ / "short.c").string();
+  const std::vector<std::string> libraries = GetParam() == std::string("osmesa")
+                                                 ? std::vector<std::string>{"-lOSMesa"}
+                                                 : std::vector<std::string>{"-lEGL", "-lGL"};
+  const json result = results(GetParam());
+  for (const json& bug : result["bugs"]) {
+    if (as_text(bug["known"]).empty()) continue;
+    const std::string id = bug["id"].get<std::string>();
+    const Outcome written =
+        evalcts({"reproduce", id, "--style", "short", "--run", folder_.string(), "--output", file});
+    if (written.code != 0) continue;  // it needs the full style
+    const std::string text = read_file(file);
+    EXPECT_LE(std::ranges::count(text, '\n'), 60) << text;
+    std::vector<std::string> compiler = {
+        "/usr/bin/env", "cc", "-Wall", "-Wextra", "-Werror", "-o", (folder_ / "short").string(), file};
+    compiler.insert(compiler.end(), libraries.begin(), libraries.end());
+    const Outcome built = start(compiler);
+    EXPECT_EQ(built.code, 0) << id << built.text;
+    const Outcome shown = start({"/usr/bin/env", "timeout", "20", (folder_ / "short").string()});
+    EXPECT_NE(shown.code, 0) << id << shown.text;
+    EXPECT_NE(shown.code, 2) << id << shown.text;
+  }
+}
+
 // Restored state hides bugs of the initial state and of long primitives, so tests of these use fresh
 // contexts.
 TEST_P(OffScreenLibraries, TheWarmContextChangesNoVerdict) {
@@ -722,6 +751,11 @@ class MesaBuild : public ProgramTest {
       const std::string name = path.filename().string();
       if (name.starts_with("libEGL.so") || name.starts_with("libGL")) continue;  // libglvnd
       std::filesystem::copy_file(std::filesystem::canonical(path), build() / name);
+      // Up to Mesa 24.3, its other libraries load this one.
+      const std::filesystem::path glapi = path.parent_path() / "libglapi.so.0";
+      if (std::filesystem::exists(glapi))
+        std::filesystem::copy_file(glapi, build() / "libglapi.so.0",
+                                   std::filesystem::copy_options::overwrite_existing);
     }
     return std::filesystem::exists(build() / "libEGL_mesa.so.0");
   }
@@ -752,6 +786,11 @@ TEST_F(MesaBuild, ReplacesTheSystems) {
   const json entry = json_of("ulp.json")["implementations"][0];
   EXPECT_EQ(as_text(entry["status"]), "complete") << entry;
   EXPECT_TRUE(contains(entry["rows"][0]["worst_ulp"]["replay"].dump(), "--mesa-build")) << entry;
+  // The C program of a known bug.
+  const auto check_example = [&] {
+    return evalcts({"check", "mesa-mesh-triangle-strips", "--mesa-build", build().string()});
+  };
+  EXPECT_TRUE(contains(check_example().text, "the example of mesa-mesh-triangle-strips with "));
   const std::filesystem::path driver = build() / "swrast_dri.so";
   if (!std::filesystem::exists(driver)) return;  // Mesa 24.2 and newer has one library for all drivers
 
@@ -763,6 +802,8 @@ TEST_F(MesaBuild, ReplacesTheSystems) {
   EXPECT_EQ(without_drivers.code, 125);
   EXPECT_TRUE(contains(without_drivers.text, "swrast_dri.so' was loaded, which is not in '"))
       << without_drivers.text;
+  const Outcome example = check_example();
+  EXPECT_EQ(example.code, 125) << example.text;
   EXPECT_EQ(ulp({"--filter", "curve/2/lines", "--values", "10"}).code, 2);
 }
 
