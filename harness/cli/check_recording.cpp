@@ -191,8 +191,10 @@ CheckOutcome check_recording(const RecordingCheck& check) {
       [&](std::uint64_t commands) { line.show("recording", fmt::format("{} commands read", commands)); });
   if (programs.empty()) {
     line.print("");
-    std::cout << "cannot be judged: the recording has no evaluator commands in these frames";
-    if (!recording.others().empty()) std::cout << "; other commands: " << list_of(recording.others());
+    std::cout << "cannot be judged: in these frames no evaluator command is executed";
+    if (!recording.commands().empty())
+      std::cout << ", directly or in a display list; recorded commands: " << list_of(recording.commands());
+    if (!recording.others().empty()) std::cout << "; only counted: " << list_of(recording.others());
     std::cout << "\n";
     return CheckOutcome::kCannotBeJudged;
   }

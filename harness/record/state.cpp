@@ -118,7 +118,7 @@ Drawing State::drawing_of(const gl::Command& command) const {
   if (command.entry == EntryPoint::EvalMesh1) drawing.vertices = steps(command, 1);
   if (command.entry == EntryPoint::EvalMesh2) drawing.vertices = 2 * steps(command, 1) * steps(command, 3);
   for (const GLuint name : called_lists(command))
-    if (const auto list = lists_.find(name); list != lists_.end()) drawing.add(list->second.drawing);
+    if (const auto list = lists_.find(name); list != lists_.end()) drawing.add(list->second->drawing);
   return drawing;
 }
 
@@ -152,8 +152,7 @@ void State::apply(const gl::Command& command, const Accepts& accepts) {
     compiled_ = List{static_cast<GLuint>(gl::integer_of(command, 0)),
                      gl::integer_of(command, 1) == GL_COMPILE_AND_EXECUTE};
   } else if (command.entry == EntryPoint::EndList && !is_inside_ && compiled_) {
-    const GLuint name = compiled_->name;
-    lists_[name] = std::move(*compiled_);
+    lists_[compiled_->name] = std::make_shared<const List>(std::move(*compiled_));
     compiled_.reset();
   } else if (command.entry != EntryPoint::NewList && command.entry != EntryPoint::EndList) {
     const bool is_compiled =
@@ -172,10 +171,12 @@ void State::execute(const gl::Command& command, const Accepts& accepts, int dept
     if (depth < kMostNesting)
       for (const GLuint name : called_lists(command))
         if (const auto list = lists_.find(name); list != lists_.end())
-          for (const gl::Command& each : list->second.commands) execute(each, accepts, depth + 1);
+          for (const gl::Command& each : list->second->commands) execute(each, accepts, depth + 1);
     return;
   }
-  if (!accepts(command)) return;
+  const gl::Role role = gl::role_of(command.entry);
+  if (gl::emits_vertex(command.entry) || gl::is_evaluation(command.entry) || gl::asks(command.entry)) return;
+  if (role != gl::Role::kCurrentValue && !accepts(command)) return;
   if (command.entry == EntryPoint::Begin) is_inside_ = true;
   if (command.entry == EntryPoint::End) is_inside_ = false;
   if (command.entry == EntryPoint::DeleteLists)
@@ -203,7 +204,7 @@ void State::collect_lists(const std::vector<gl::Command>& commands, std::vector<
       const auto list = lists_.find(name);
       if (list == lists_.end() || std::ranges::count(called, name) > 0) continue;
       called.push_back(name);
-      collect_lists(list->second.commands, called);
+      collect_lists(list->second->commands, called);
     }
 }
 
@@ -213,7 +214,7 @@ gl::Case State::commands_before(const std::vector<gl::Command>& following) const
   collect_lists(following, called);
   for (const GLuint name : called) {
     before.add(with_numbers(gl::EntryPoint::NewList, {name, GL_COMPILE}));
-    for (const gl::Command& command : lists_.at(name).commands) before.add(command);
+    for (const gl::Command& command : lists_.at(name)->commands) before.add(command);
     before.add(with_numbers(gl::EntryPoint::EndList, {}));
   }
   // Maps can be defined only while unit 0 is active (EV-MAP1-ERR-ACTIVETEX).

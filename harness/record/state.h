@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -69,7 +70,7 @@ class State {
   Parts parts_;
   std::uint64_t time_ = 0;
   std::vector<Pushed> stack_;
-  std::map<GLuint, List> lists_;
+  std::map<GLuint, std::shared_ptr<const List>> lists_;  // shared by the copies of a state
   std::optional<List> compiled_;
   bool is_inside_ = false;
 };

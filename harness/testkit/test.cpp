@@ -26,7 +26,8 @@
 namespace evalcts {
 namespace {
 
-constexpr std::size_t kFailuresInFull = 8;
+constexpr std::size_t kFailuresInFull = 8;  // and the first one of each further kind and place of differences
+constexpr std::size_t kFirst = 64;          // mismatches, behind which kFirstMismatches judges no vertices
 
 // Runs a function that creates or moves contexts. Throws NotObservable if the library rejects this.
 void run_with_contexts(const std::function<void()>& function) {
@@ -337,8 +338,8 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
       !has_surplus_error || !control_.error_without_evaluators(script, {observation.error});
   JudgeOptions options = options_for(script, *capture, required);
   options.attributes = judged_attributes;
-  if (thoroughness == Thoroughness::kFirstWrongVertex)
-    options.most = 1;
+  if (thoroughness == Thoroughness::kFirstMismatches)
+    options.most = kFirst;
   else if (prediction.vertex_count() <= kMostMeasured)
     options.measured = required;
   if (!judges_errors) missing_.insert("errors (explicit commands raise them as well)");
@@ -524,7 +525,12 @@ void Test::fail(Failure failure, const std::function<std::vector<std::string>()>
   record_.mismatches.push_back(failure.case_identity + ": " + failure.what);
   if (last_failed_case_ != cases_) ++failed_cases_;
   last_failed_case_ = cases_;
-  if (record_.failures.size() >= kFailuresInFull) return;
+  const auto is_like_this = [&](const Failure& kept) {
+    return kept.difference.kind == failure.difference.kind &&
+           kept.difference.place == failure.difference.place;
+  };
+  if (record_.failures.size() >= kFailuresInFull && std::ranges::any_of(record_.failures, is_like_this))
+    return;
   if (calls) failure.calls = calls();
   record_.failures.push_back(std::move(failure));
 }
