@@ -134,7 +134,7 @@ std::string summary(const RunResult& result, const std::map<std::string, const P
   if (!result.has_started()) return fmt::format("{}: {}\n", implementation.name, result.reason);
   std::uint64_t passed = 0, wrong = 0;
   Accuracy accuracy;
-  std::map<std::string, std::uint64_t> unobserved;
+  std::map<std::string, std::uint64_t> unobserved, incomplete;
   std::string lines;
   std::size_t listed = 0;
   for (const TestRecord& test : result.tests) {
@@ -142,6 +142,7 @@ std::string summary(const RunResult& result, const std::map<std::string, const P
     if (test.verdict == Verdict::kPass) {
       if (test.accuracy) accuracy.add(*test.accuracy);
       passed += program.times;
+      if (!test.unobserved.empty()) incomplete[test.unobserved] += program.times;
     } else if (is_failure(test.verdict)) {
       wrong += program.times;
       if (++listed <= kMostListed) lines += line_of(test, program, result);
@@ -154,6 +155,8 @@ std::string summary(const RunResult& result, const std::map<std::string, const P
                   implementation.renderer, counted(wrong, "program"), passed);
   text += lines;
   if (listed > kMostListed) text += fmt::format("  and {} more\n", listed - kMostListed);
+  for (const auto& [what, times] : incomplete)
+    text += fmt::format("  {} of the right ones without: {}\n", times, what);
   for (const auto& [why, times] : unobserved)
     text += fmt::format("  {} not observed: {}\n", counted(times, "program"), why);
   if (accuracy.values > 0)

@@ -110,6 +110,10 @@ void add_commands(const RunRequest& request, TestRecord& record) {
       request.implementation.name.empty() ? "library" : request.implementation.name;
   std::vector<std::string> rerun = shared_options(request);
   const bool is_recorded = !request.recording.empty();
+  const auto frame = [](const std::string& test) {  // "Recording.Frame12/3"
+    const std::size_t begin = test.rfind("Frame") + 5;
+    return test.substr(begin, test.find('/') - begin);
+  };
   if (is_recorded) rerun.erase(rerun.begin(), rerun.begin() + 4);  // depth and seed
   rerun.insert(rerun.begin(), {request.program, is_recorded ? "check" : "run"});
   if (is_recorded) rerun.insert(rerun.begin() + 2, request.recording);
@@ -122,7 +126,10 @@ void add_commands(const RunRequest& request, TestRecord& record) {
     rerun.insert(rerun.end(), {"--memory", std::to_string(limits.memory >> 20)});
   // Processes that share the tests would separate the test from its history.
   if (record.history && !request.first_pass) rerun.insert(rerun.end(), {"--jobs", "1"});
-  rerun.insert(rerun.end(), {"--filter", filter});
+  if (is_recorded)
+    rerun.insert(rerun.end(), {"--frames", frame(record.name)});
+  else
+    rerun.insert(rerun.end(), {"--filter", filter});
   record.rerun = shell_line(rerun);
 
   std::vector<std::string> debug = suite_command(request);

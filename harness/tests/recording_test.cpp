@@ -14,11 +14,13 @@
 #include <evalcts/record/format.h>
 #include <evalcts/record/programs.h>
 #include <evalcts/record/recording.h>
+#include "program.h"
 #include "recording_file.h"
 
 namespace evalcts {
 namespace {
 
+using nlohmann::json;
 using record::Recording;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -282,6 +284,77 @@ TEST_F(Recordings, ProgramsDrawWhatTheWholeDraws) {
   }
   EXPECT_GT(split, 300u);
   EXPECT_GT(vertices, 300u);
+}
+
+// --- evalcts check -----------------------------------------------------------------------------------------
+
+class CheckRecording : public ProgramTest {
+ protected:
+  CheckRecording() {
+    gl::Case map;  // the wrong sink takes all domains for [0,1]
+    map.Map1f(GL_MAP1_VERTEX_3, 0.0f, 2.0f, 3, 2, std::vector<float>{0, 0, 0, 1, 2, 3});
+    map.Enable(GL_MAP1_VERTEX_3);
+    recorded_.context(1);
+    recorded_.commands(map);
+    for (int i = 0; i < 3; ++i) {
+      recorded_.commands(points());
+      recorded_.frame();
+    }
+    recorded_.write(file_);
+  }
+  Outcome check(std::vector<std::string> options) {
+    options.insert(options.begin(), {"check", file_, "--output", folder_.string()});
+    return evalcts(options);
+  }
+
+  RecordingFile recorded_;
+  const std::string file_ = folder_ / "points.evalrec";
+};
+
+TEST_F(CheckRecording, SaysWhatIsRightAndWhatIsWrong) {
+  const Outcome right = check({"--library", SMALLEST_SINK});
+  EXPECT_EQ(right.code, 0) << right.text;
+  EXPECT_TRUE(
+      contains(right.text, "viewer -fast: 3 programs in 1 context, 2 of them different; vertices: 3\n"))
+      << right.text;
+  EXPECT_TRUE(contains(right.text, ": 0 programs wrong, 3 right\n")) << right.text;
+  const Outcome wrong = check({"--library", WRONG_SINK});
+  EXPECT_EQ(wrong.code, 1) << wrong.text;
+  EXPECT_TRUE(contains(wrong.text, ": 3 programs wrong, 0 right\n  Frame0/1: 1 of 1 vertices: position."))
+      << wrong.text;
+  EXPECT_TRUE(contains(wrong.text, "\n  Frame1/1, 2 times: 1 of 1 vertices: position.")) << wrong.text;
+  EXPECT_TRUE(contains(wrong.text, "1 distinct bug")) << wrong.text;
+  const json test = test_named(results("library"), "Recording.Frame1/1");
+  EXPECT_TRUE(contains(test["rerun"], " check " + file_ + " --library ")) << test["rerun"];
+  EXPECT_TRUE(as_text(test["rerun"]).ends_with(" --frames 1")) << test["rerun"];
+  const Outcome reproduced = evalcts({"reproduce", "Recording.Frame1/1", "--run", folder_.string()});
+  EXPECT_TRUE(contains(reproduced.text, "a sink")) << reproduced.text;  // has no C program
+}
+
+TEST_F(CheckRecording, JudgesSeveralImplementations) {
+  const Outcome both = check({"--implementation", "production", "--implementation", "reference"});
+  EXPECT_EQ(both.code, 0) << both.text;
+  for (const char* const name : {"production", "reference"})
+    EXPECT_EQ(as_text(test_named(results(name), "Recording.Frame0/1")["verdict"]), "pass");
+}
+
+TEST_F(CheckRecording, BadInputIsNamed) {
+  const auto expect_unknown = [&](const Outcome& outcome, const std::string& why) {
+    EXPECT_EQ(outcome.code, 125) << outcome.text;
+    EXPECT_TRUE(contains(outcome.text, why)) << outcome.text;
+  };
+  expect_unknown(check({"--implementation", "production", "--frames", "9"}),
+                 "no evaluator command is executed");
+  expect_unknown(check({"--implementation", "production", "--frames", "2..1"}), "is not A..B or A");
+  expect_unknown(check({}), "check needs --implementation");
+  const std::string whole = recorded_.text();
+  std::ofstream(file_, std::ios::binary | std::ios::trunc) << whole.substr(0, 100);
+  expect_unknown(check({"--implementation", "production"}), "ends within its header");
+  std::ofstream(file_, std::ios::binary | std::ios::trunc)
+      << whole.substr(0, whole.size() - record::kAlignment + 140);
+  const Outcome cut = check({"--implementation", "production"});
+  EXPECT_EQ(cut.code, 0) << cut.text;
+  EXPECT_TRUE(contains(cut.text, "note: the file is damaged or was cut")) << cut.text;
 }
 
 }  // namespace
