@@ -38,7 +38,8 @@ struct Command {
 };
 
 extern const Command kRunCommand, kBugsCommand, kListCommand, kCoverageCommand, kExplainCommand,
-    kReproduceCommand, kReportCommand, kWaiveCommand, kCheckCommand, kRecordCommand, kFaultsCommand, kFuzzCommand;
+    kReproduceCommand, kReportCommand, kWaiveCommand, kCheckCommand, kRecordCommand, kFaultsCommand,
+    kFuzzCommand;
 
 // Commands of evalcts-lab, a program of its own because most users do not need it. In evalcts they have no
 // definition.

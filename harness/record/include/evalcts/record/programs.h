@@ -27,8 +27,8 @@ struct Frames {
 };
 
 // Returns the programs of the recording that use evaluators, in the order of their frames. Equal programs are
-// one. A program ends behind a frame, or behind some thousand vertices, where no primitive and no display list
-// is open. `progress`: called with the number of commands that were read; may be empty.
+// one. A program ends behind a frame, or behind some thousand vertices, where no primitive and no display
+// list is open. `progress`: called with the number of commands that were read; may be empty.
 std::vector<Program> programs_of(const Recording& recording, const Frames& frames,
                                  const std::function<void(std::uint64_t)>& progress = {});
 
