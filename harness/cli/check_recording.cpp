@@ -4,6 +4,7 @@
 #include <evalcts/reports.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
@@ -11,6 +12,7 @@
 #include <iostream>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include <evalcts/cli/places.h>
 #include <evalcts/cli/terminal.h>
@@ -23,6 +25,7 @@
 #include "distinct_bugs.h"
 #include "pages.h"
 #include "run_folders.h"
+#include "wrap.h"
 
 namespace evalcts::cli {
 namespace {
@@ -32,6 +35,19 @@ using record::Program;
 
 constexpr double kBugSeconds = 60;       // time limit for the reduction of failing programs
 constexpr std::size_t kMostListed = 10;  // failing programs, and commands that were only counted
+
+// Returns the lines as they are printed: on a terminal, long ones are wrapped.
+std::string printed(const std::string& lines) {
+  if (screen_of(STDOUT_FILENO).columns == 0) return clean(lines);
+  std::string text;
+  std::istringstream rest(clean(lines));
+  for (std::string line; std::getline(rest, line);) {
+    const std::size_t indent = line.find_first_not_of(' ');
+    text +=
+        std::string(indent, ' ') + wrapped(line.substr(indent), terminal_columns(), "    ", indent) + "\n";
+  }
+  return text;
+}
 
 std::string counted(std::uint64_t count, const std::string& thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
@@ -205,7 +221,7 @@ CheckOutcome check_recording(const RecordingCheck& check) {
   const FolderLock lock = claim(output, check.command);
   const fs::path file = fs::absolute(output / "programs.txt");
   record::write_programs(file, programs);
-  line.print(clean(describe(recording, programs)));
+  line.print(printed(describe(recording, programs)));
   std::map<std::string, const Program*> by_name;
   RunRequest request;
   for (const Program& program : programs) {
@@ -237,7 +253,7 @@ CheckOutcome check_recording(const RecordingCheck& check) {
     });
     find_bugs(result, request, line);
     write_atomically(output / fmt::format("results-{}.json", result.file_label()), to_text(result));
-    line.print(clean(summary(result, by_name)));
+    line.print(printed(summary(result, by_name)));
     const auto has = [&](const auto& is_meant) {
       return std::ranges::any_of(result.tests,
                                  [&](const TestRecord& test) { return is_meant(test.verdict); });

@@ -1,6 +1,8 @@
 // Writes the distinct bugs for a terminal, each with its minimal program.
 #include <fmt/format.h>
 
+#include <set>
+
 #include "evalcts/reports.h"
 #include "text.h"
 
@@ -50,11 +52,11 @@ std::string bug_text(const Bug& bug, std::size_t number, const Catalogue& catalo
 }  // namespace
 
 std::string bug_list(const RunResult& record, const Catalogue& catalogue, bool colour, bool verbose) {
-  std::size_t explained = 0;
-  for (const Bug& bug : record.bugs) explained += bug.tests.size();
+  std::set<std::string> explained;  // a recorded program may show several bugs
+  for (const Bug& bug : record.bugs) explained.insert(bug.tests.begin(), bug.tests.end());
   std::string out =
       bold(fmt::format("{}: {} behind {}", record.heading("(unnamed)"),
-                       count(record.bugs.size(), "distinct bug"), count(explained, "failing test")),
+                       count(record.bugs.size(), "distinct bug"), count(explained.size(), "failing test")),
            colour) +
       "\n";
   for (std::size_t i = 0; i < record.bugs.size(); ++i)
