@@ -171,7 +171,7 @@ void Recording::read_header() {
         fmt::format("is a recording of version {}, and this evalcts reads version {}; use the evalcts that "
                     "recorded it, or record again",
                     clean(std::string(1, header.magic[sizeof kMagic - 1])), kMagic[sizeof kMagic - 1]));
-  if (header.size > size_ || header.text_length > header.size - sizeof header)
+  if (header.size > size_ || header.size < sizeof header || header.text_length > header.size - sizeof header)
     throw BadRecording("ends within its header; record again");
   const nlohmann::json text =
       parse_json(std::string(reinterpret_cast<const char*>(data_) + sizeof header, header.text_length));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <fstream>
 #include <limits>
 
@@ -130,7 +131,17 @@ TEST_F(Recordings, DamageIsNamedAndTheRestIsRead) {
   EXPECT_TRUE(contains(cut.problem(), "damaged or was cut"));
   EXPECT_EQ(commands_of(cut, 0), gl::to_text(curve()));
 
-  // Each byte of the chunks may have any value.
+  // Each byte of the header and of the chunks may have any value.
+  for (std::size_t at = 0; at < sizeof(record::FileHeader); ++at)
+    for (const char value : {'\0', '\xFF'}) {
+      std::string damaged = whole;
+      damaged[at] = value;
+      rejection_of(damaged);
+    }
+  std::string small = whole;
+  small.replace(offsetof(record::FileHeader, size), 8, 8, '\0');
+  small[offsetof(record::FileHeader, text_length) + 5] = '\x7F';
+  EXPECT_TRUE(contains(rejection_of(small), "ends within its header"));
   const std::size_t header = whole.size() - 2 * record::kAlignment;
   for (std::size_t at = header; at < whole.size(); at += at % record::kAlignment < 200 ? 1 : 4999) {
     std::string damaged = whole;
