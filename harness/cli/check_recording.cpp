@@ -112,6 +112,7 @@ void find_bugs(RunResult& result, const RunRequest& request, ProgressLine& line)
   }
   find_distinct_bugs(result, request, kBugSeconds, line);
   result.tests.resize(count);
+  result.summarize();
   for (Bug& bug : result.bugs) {
     for (std::string& test : bug.tests) test.resize(std::min(test.find(kNumber), test.size()));
     const auto repeated = std::ranges::unique(bug.tests);

@@ -332,6 +332,7 @@ TEST_F(CheckRecording, SaysWhatIsRightAndWhatIsWrong) {
       << wrong.text;
   EXPECT_TRUE(contains(wrong.text, "\n  Frame1/1, 2 times: 1 of 1 vertices: position.")) << wrong.text;
   EXPECT_TRUE(contains(wrong.text, "1 distinct bug")) << wrong.text;
+  EXPECT_EQ(results("library")["summary"]["fail"], 2);
   const json test = test_named(results("library"), "Recording.Frame1/1");
   EXPECT_TRUE(contains(test["rerun"], " check " + file_ + " --library ")) << test["rerun"];
   EXPECT_TRUE(as_text(test["rerun"]).ends_with(" --frames 1")) << test["rerun"];
