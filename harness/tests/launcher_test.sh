@@ -29,7 +29,7 @@ required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-
 required=${required//$'\n '/}
 benchmarks='libbenchmark-dev libmpfr-dev libeigen3-dev libsisl-dev libocct-modeling-data-dev libosd-dev libglu1-mesa-dev'
 everything="$required libosmesa6 xvfb python3 git bsdutils libmpfi-dev libosmesa6-dev gfortran nodejs libgles2 pkg-config libpng-dev clang clang-tidy-14
-  clang-format-14 gcovr chromium chromium-driver python3-selenium help2man codespell doxygen parallel dpkg-dev mmdebstrap
+  clang-format-14 gcovr chromium chromium-driver python3-selenium help2man codespell doxygen parallel dpkg-dev file mmdebstrap
   $benchmarks"
 everything=${everything//$'\n '/}
 
