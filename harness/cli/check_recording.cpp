@@ -14,8 +14,10 @@
 #include <set>
 #include <sstream>
 
+#include <evalcts/cli/command.h>
 #include <evalcts/cli/places.h>
 #include <evalcts/cli/terminal.h>
+#include <evalcts/results/conclusion.h>
 #include <evalcts/results/requirements.h>
 #include <evalcts/results/serialization.h>
 #include <evalcts/results/text.h>
@@ -185,6 +187,24 @@ std::string summary(const RunResult& result, const std::map<std::string, const P
   return text;
 }
 
+// Returns kGood only if all programs ran and most of them were observed.
+CheckOutcome outcome_of(const RunResult& result) {
+  const Conclusion conclusion = conclusion_of(result);
+  if (std::ranges::any_of(result.tests, [](const TestRecord& test) { return is_failure(test.verdict); }))
+    return CheckOutcome::kBad;
+  const bool is_judged = result.is_complete() && conclusion.internal_errors == 0 &&
+                         !warn_if_mostly_unobserved(result.implementation.name, conclusion.observed,
+                                                    conclusion.supported, "programs");
+  return is_judged ? CheckOutcome::kGood : CheckOutcome::kCannotBeJudged;
+}
+
+// Returns the outcome for two implementations.
+CheckOutcome worse(CheckOutcome a, CheckOutcome b) {
+  for (const CheckOutcome outcome : {CheckOutcome::kBad, CheckOutcome::kCannotBeJudged})
+    if (a == outcome || b == outcome) return outcome;
+  return CheckOutcome::kGood;
+}
+
 }  // namespace
 
 std::optional<record::Frames> parse_frames(const std::string& text) {
@@ -245,6 +265,7 @@ CheckOutcome check_recording(const RecordingCheck& check) {
   std::vector<RunResult> results;
   CheckOutcome outcome = CheckOutcome::kGood;
   for (const ImplementationOptions& implementation : check.implementations) {
+    if (interrupted) break;
     request.implementation = implementation;
     request.name = implementation.name.empty() ? "library" : implementation.name;
     Pace pace;
@@ -255,23 +276,16 @@ CheckOutcome check_recording(const RecordingCheck& check) {
     find_bugs(result, request, line);
     write_atomically(output / fmt::format("results-{}.json", result.file_label()), to_text(result));
     line.print(printed(summary(result, by_name)));
-    const auto has = [&](const auto& is_meant) {
-      return std::ranges::any_of(result.tests,
-                                 [&](const TestRecord& test) { return is_meant(test.verdict); });
-    };
-    if (has([](Verdict verdict) { return is_failure(verdict); }))
-      outcome = CheckOutcome::kBad;
-    else if (!has([](Verdict verdict) { return verdict == Verdict::kPass; }) &&
-             outcome == CheckOutcome::kGood)
-      outcome = CheckOutcome::kCannotBeJudged;
+    outcome = worse(outcome, outcome_of(result));
     if (!result.bugs.empty())
       line.print(reports::bug_list(result, catalogue(), shows_colour(), false) + "\n");
     results.push_back(std::move(result));
   }
   write_pages(output, results, {});
   if (check.output.empty()) set_latest(output);
+  if (interrupted) std::cerr << "evalcts: interrupted; the results so far are in the output folder\n";
   std::cout << fmt::format("Report: {}\n", (output / "index.html").string());
-  return outcome;
+  return interrupted ? worse(outcome, CheckOutcome::kCannotBeJudged) : outcome;
 }
 
 }  // namespace evalcts::cli

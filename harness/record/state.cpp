@@ -2,7 +2,6 @@
 #include "state.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 #include <evalcts/gl/roles.h>

@@ -238,6 +238,9 @@ TEST_F(Recordings, OtherPartsOfTheGlAndRejectedCommandsChangeNothing) {
   ASSERT_EQ(all.size(), 2u);
   EXPECT_FALSE(contains(all[0].commands, "LIGHTING"));
   EXPECT_FALSE(contains(all[1].commands, "5.0"));
+  // One GetError for each kind of error is behind the program that raises one.
+  const gl::Case first = gl::parse_case(all[0].commands);
+  EXPECT_EQ(std::ranges::count(first.commands(), gl::EntryPoint::GetError, &gl::Command::entry), 1 + 6);
 }
 
 constexpr float kUndefined = -12345;  // in place of NaN, which is unequal to itself

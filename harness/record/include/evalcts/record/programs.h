@@ -17,7 +17,6 @@ struct Program {
   std::string name;  // "Frame12/3", the third program of frame 12; "Context2Frame12/3" if there are several
   std::string commands;        // JSON text (gl/case_json.h)
   std::uint64_t vertices = 0;  // that it has to draw
-  std::uint64_t frame = 0;     // the first in which these commands were made, from 0
   std::uint64_t times = 1;     // number of programs of the recording that are equal to this one
 };
 
