@@ -22,7 +22,7 @@ from selenium.webdriver.support.select import Select
 BROWSER, DRIVER = "/usr/bin/chromium", "/usr/bin/chromedriver"
 DESKTOP, PHONE = (1400, 900), (390, 740)
 PATIENCE = 20
-LOAD_SECONDS = 90  # enough on a busy machine; page_benchmark.py measures the time
+LOAD_SECONDS = 90  # enough on a busy machine
 ALL = "#on=osmesa&on=reference&on=glx"  # shows the columns of three.html without failures, too
 VERDICTS = ("pass", "pass", "pass", "fail", "quality-warning", "not-observable", "crash", "pass")
 
