@@ -27,10 +27,10 @@ machine=$top/machine        # state of the scripts below
 required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-json3-dev libfmt-dev libvalijson-dev
   libhwy-dev libkainjow-mustache-dev libgl-dev libegl-dev'
 required=${required//$'\n '/}
-benchmarks='libbenchmark-dev libmpfr-dev libeigen3-dev libsisl-dev libocct-modeling-data-dev libosd-dev libglu1-mesa-dev'
+benchmarks='libbenchmark-dev libmpfr-dev libeigen3-dev libosd-dev'
 everything="$required libosmesa6 xvfb python3 git bsdutils libmpfi-dev libosmesa6-dev gfortran nodejs libgles2 pkg-config libpng-dev clang clang-tidy-14
   clang-format-14 gcovr chromium chromium-driver python3-selenium help2man codespell doxygen parallel dpkg-dev file mmdebstrap
-  $benchmarks"
+  libglu1-mesa-dev $benchmarks"
 everything=${everything//$'\n '/}
 
 # --- the machine -------------------------------------------------------------------------------------------
@@ -523,7 +523,7 @@ scenario "bench: without a peer, but not without Google Benchmark"
 echo "$required libosmesa6 xvfb libbenchmark-dev libosd-dev" | tr ' ' '\n' >"$machine/installed"
 evalcts bench --no-install
 exits 7
-says "libsisl-dev is not installed: without SISL, for comparison in bench"
+says "libeigen3-dev is not installed: without Eigen, for comparison in bench"
 says_not libosd-dev
 sed -i /libbenchmark-dev/d "$machine/installed"
 evalcts bench --no-install

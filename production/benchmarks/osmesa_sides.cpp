@@ -2,12 +2,12 @@
 // transform feedback buffer, and nothing is rasterized.
 #include <GL/gl.h>
 #include <GL/glext.h>
+#include <dlfcn.h>
 
 #include <array>
 #include <stdexcept>
 #include <string>
 
-#include "shared_object.h"
 #include "side.h"
 
 namespace evalcts::bench {
@@ -17,11 +17,12 @@ namespace {
 using CreateContext = void* (*)(GLenum format, void* share);
 using MakeCurrent = GLboolean (*)(void* context, void* buffer, GLenum type, GLsizei width, GLsizei height);
 
-#define EVALCTS_GL(name) decltype(&::name) name = library.find<decltype(&::name)>(#name)
-#define EVALCTS_GL_EXT(type, name) type name = library.find<type>(#name)
+#define EVALCTS_GL(name) decltype(&::name) name = find<decltype(&::name)>(#name)
+#define EVALCTS_GL_EXT(type, name) type name = find<type>(#name)
 // One current context for all benchmarks, with a buffer that takes the positions.
 struct OSMesa {
-  SharedObject library{"libOSMesa.so.8"};
+  // The library is opened at run time, so that the benchmarks are not linked to a GL. It is never closed.
+  void* library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
   EVALCTS_GL(glBegin);
   EVALCTS_GL(glEnd);
   EVALCTS_GL(glEnable);
@@ -47,10 +48,17 @@ struct OSMesa {
   EVALCTS_GL_EXT(PFNGLBEGINTRANSFORMFEEDBACKPROC, glBeginTransformFeedback);
   EVALCTS_GL_EXT(PFNGLENDTRANSFORMFEEDBACKPROC, glEndTransformFeedback);
 
+  // Throws std::runtime_error with the message of the loader.
+  template <class Function>
+  Function find(const char* symbol) const {
+    void* const address = library ? dlsym(library, symbol) : nullptr;
+    if (!address) throw std::runtime_error(dlerror());
+    return reinterpret_cast<Function>(address);
+  }
+
   OSMesa() {
-    void* const context = library.find<CreateContext>("OSMesaCreateContext")(GL_RGBA, nullptr);
-    if (!context ||
-        !library.find<MakeCurrent>("OSMesaMakeCurrent")(context, pixels.data(), GL_UNSIGNED_BYTE, 16, 16))
+    void* const context = find<CreateContext>("OSMesaCreateContext")(GL_RGBA, nullptr);
+    if (!context || !find<MakeCurrent>("OSMesaMakeCurrent")(context, pixels.data(), GL_UNSIGNED_BYTE, 16, 16))
       throw std::runtime_error("OSMesa gives no context");
     GLuint buffer = 0;
     glGenBuffers(1, &buffer);
