@@ -1,5 +1,5 @@
 // The GL-named entry points. They convert the forms of a command (count, type, v) to one and pass it to the
-// context.
+// context. Macros define the forms for both types: `f` is the letter, `real` the type.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -66,13 +66,13 @@ void issue_color(glev_context* context, const Real* v) {
   context->issue(glev::ColorCommand{load<kCount>(std::array<float, 4>{0, 0, 0, 1}, v)});
 }
 
-template <class Real>
+template <std::size_t kCount, class Real>
 void issue_normal(glev_context* context, const Real* v) {
-  if (!rejected(context, v)) context->issue(glev::NormalCommand{load<3>(std::array<float, 3>{}, v)});
+  if (!rejected(context, v)) context->issue(glev::NormalCommand{load<kCount>(std::array<float, 3>{}, v)});
 }
 
 template <std::size_t kCount, class Real>
-void issue_tex_coord(glev_context* context, glev_enum texture, const Real* v) {
+void issue_tex_coord(glev_context* context, const Real* v, glev_enum texture = GLEV_TEXTURE0) {
   if (rejected(context, v)) return;
   context->issue(glev::MultiTexCoordCommand{texture, load<kCount>(std::array<float, 4>{0, 0, 0, 1}, v)});
 }
@@ -149,47 +149,34 @@ glev_enum glevGetError(glev_context* context) { return context->get_error(); }
 
 // ---- Maps and enables
 
-void glevMap1f(glev_context* context, glev_enum target, glev_float u1, glev_float u2, glev_int stride,
-               glev_int order, const glev_float* points) {
-  context->issue_define_map(1, target, {{{widen(u1), widen(u2), stride, order}, {}}}, points);
-}
-void glevMap1d(glev_context* context, glev_enum target, glev_double u1, glev_double u2, glev_int stride,
-               glev_int order, const glev_double* points) {
-  context->issue_define_map(1, target, {{{u1, u2, stride, order}, {}}}, points);
-}
+#define GLEV_MAP(f, real)                                                                             \
+  void glevMap1##f(glev_context* context, glev_enum target, real u1, real u2, glev_int stride,        \
+                   glev_int order, const real* points) {                                              \
+    context->issue_define_map(1, target, {{{widened(u1), widened(u2), stride, order}, {}}}, points);  \
+  }                                                                                                   \
+  void glevMap2##f(glev_context* context, glev_enum target, real u1, real u2, glev_int ustride,       \
+                   glev_int uorder, real v1, real v2, glev_int vstride, glev_int vorder,              \
+                   const real* points) {                                                              \
+    context->issue_define_map(                                                                        \
+        2, target,                                                                                    \
+        {{{widened(u1), widened(u2), ustride, uorder}, {widened(v1), widened(v2), vstride, vorder}}}, \
+        points);                                                                                      \
+  }
+GLEV_MAP(f, glev_float)
+GLEV_MAP(d, glev_double)
+#undef GLEV_MAP
 
-void glevMap2f(glev_context* context, glev_enum target, glev_float u1, glev_float u2, glev_int ustride,
-               glev_int uorder, glev_float v1, glev_float v2, glev_int vstride, glev_int vorder,
-               const glev_float* points) {
-  context->issue_define_map(
-      2, target, {{{widen(u1), widen(u2), ustride, uorder}, {widen(v1), widen(v2), vstride, vorder}}},
-      points);
-}
-void glevMap2d(glev_context* context, glev_enum target, glev_double u1, glev_double u2, glev_int ustride,
-               glev_int uorder, glev_double v1, glev_double v2, glev_int vstride, glev_int vorder,
-               const glev_double* points) {
-  context->issue_define_map(2, target, {{{u1, u2, ustride, uorder}, {v1, v2, vstride, vorder}}}, points);
-}
-
-void glevGetMapdv(glev_context* context, glev_enum target, glev_enum query, glev_double* v) {
-  context->get_map(target, query, kUnlimited, v);
-}
-void glevGetMapfv(glev_context* context, glev_enum target, glev_enum query, glev_float* v) {
-  context->get_map(target, query, kUnlimited, v);
-}
-void glevGetMapiv(glev_context* context, glev_enum target, glev_enum query, glev_int* v) {
-  context->get_map(target, query, kUnlimited, v);
-}
-
-void glevGetnMapdv(glev_context* context, glev_enum target, glev_enum query, glev_int size, glev_double* v) {
-  context->getn_map(target, query, size, v);
-}
-void glevGetnMapfv(glev_context* context, glev_enum target, glev_enum query, glev_int size, glev_float* v) {
-  context->getn_map(target, query, size, v);
-}
-void glevGetnMapiv(glev_context* context, glev_enum target, glev_enum query, glev_int size, glev_int* v) {
-  context->getn_map(target, query, size, v);
-}
+#define GLEV_GET_MAP(f, type)                                                                                \
+  void glevGetMap##f##v(glev_context* context, glev_enum target, glev_enum query, type* v) {                 \
+    context->get_map(target, query, kUnlimited, v);                                                          \
+  }                                                                                                          \
+  void glevGetnMap##f##v(glev_context* context, glev_enum target, glev_enum query, glev_int size, type* v) { \
+    context->getn_map(target, query, size, v);                                                               \
+  }
+GLEV_GET_MAP(f, glev_float)
+GLEV_GET_MAP(d, glev_double)
+GLEV_GET_MAP(i, glev_int)
+#undef GLEV_GET_MAP
 
 void glevEnable(glev_context* context, glev_enum cap) { context->issue(glev::SetEnabledCommand{cap, true}); }
 void glevDisable(glev_context* context, glev_enum cap) {
@@ -201,40 +188,33 @@ glev_boolean glevIsEnabled(glev_context* context, glev_enum cap) {
 
 // ---- Evaluation
 
-void glevEvalCoord1f(glev_context* context, glev_float u) { eval_coord(context, u); }
-void glevEvalCoord1d(glev_context* context, glev_double u) { eval_coord(context, u); }
-void glevEvalCoord1fv(glev_context* context, const glev_float* u) {
-  if (!rejected(context, u)) eval_coord(context, *u);
-}
-void glevEvalCoord1dv(glev_context* context, const glev_double* u) {
-  if (!rejected(context, u)) eval_coord(context, *u);
-}
-
-void glevEvalCoord2f(glev_context* context, glev_float u, glev_float v) { eval_coord(context, u, v); }
-void glevEvalCoord2d(glev_context* context, glev_double u, glev_double v) { eval_coord(context, u, v); }
-void glevEvalCoord2fv(glev_context* context, const glev_float* u) {
-  if (!rejected(context, u)) eval_coord(context, u[0], u[1]);
-}
-void glevEvalCoord2dv(glev_context* context, const glev_double* u) {
-  if (!rejected(context, u)) eval_coord(context, u[0], u[1]);
-}
+#define GLEV_EVAL_COORD(f, real)                                                               \
+  void glevEvalCoord1##f(glev_context* context, real u) { eval_coord(context, u); }            \
+  void glevEvalCoord1##f##v(glev_context* context, const real* u) {                            \
+    if (!rejected(context, u)) eval_coord(context, *u);                                        \
+  }                                                                                            \
+  void glevEvalCoord2##f(glev_context* context, real u, real v) { eval_coord(context, u, v); } \
+  void glevEvalCoord2##f##v(glev_context* context, const real* u) {                            \
+    if (!rejected(context, u)) eval_coord(context, u[0], u[1]);                                \
+  }
+GLEV_EVAL_COORD(f, glev_float)
+GLEV_EVAL_COORD(d, glev_double)
+#undef GLEV_EVAL_COORD
 
 // ---- Grids and meshes
 
-void glevMapGrid1f(glev_context* context, glev_int n, glev_float u1, glev_float u2) {
-  context->issue(glev::SetGridCommand{1, {{{widen(u1), widen(u2), n}, {}}}});
-}
-void glevMapGrid1d(glev_context* context, glev_int n, glev_double u1, glev_double u2) {
-  context->issue(glev::SetGridCommand{1, {{{u1, u2, n}, {}}}});
-}
-void glevMapGrid2f(glev_context* context, glev_int un, glev_float u1, glev_float u2, glev_int vn,
-                   glev_float v1, glev_float v2) {
-  context->issue(glev::SetGridCommand{2, {{{widen(u1), widen(u2), un}, {widen(v1), widen(v2), vn}}}});
-}
-void glevMapGrid2d(glev_context* context, glev_int un, glev_double u1, glev_double u2, glev_int vn,
-                   glev_double v1, glev_double v2) {
-  context->issue(glev::SetGridCommand{2, {{{u1, u2, un}, {v1, v2, vn}}}});
-}
+#define GLEV_MAP_GRID(f, real)                                                                        \
+  void glevMapGrid1##f(glev_context* context, glev_int n, real u1, real u2) {                         \
+    context->issue(glev::SetGridCommand{1, {{{widened(u1), widened(u2), n}, {}}}});                   \
+  }                                                                                                   \
+  void glevMapGrid2##f(glev_context* context, glev_int un, real u1, real u2, glev_int vn, real v1,    \
+                       real v2) {                                                                     \
+    context->issue(                                                                                   \
+        glev::SetGridCommand{2, {{{widened(u1), widened(u2), un}, {widened(v1), widened(v2), vn}}}}); \
+  }
+GLEV_MAP_GRID(f, glev_float)
+GLEV_MAP_GRID(d, glev_double)
+#undef GLEV_MAP_GRID
 
 void glevEvalPoint1(glev_context* context, glev_int i) { context->issue(glev::EvalPointCommand{1, i, 0}); }
 void glevEvalPoint2(glev_context* context, glev_int i, glev_int j) {
@@ -254,214 +234,72 @@ void glevEvalMesh2(glev_context* context, glev_enum mode, glev_int i1, glev_int 
 void glevBegin(glev_context* context, glev_enum mode) { context->issue(glev::BeginCommand{mode}); }
 void glevEnd(glev_context* context) { context->issue(glev::EndCommand{}); }
 
-void glevVertex2fv(glev_context* context, const glev_float* v) { issue_vertex<2>(context, v); }
-void glevVertex2f(glev_context* context, glev_float x, glev_float y) {
-  const glev_float v[] = {x, y};
-  glevVertex2fv(context, v);
-}
-void glevVertex2dv(glev_context* context, const glev_double* v) { issue_vertex<2>(context, v); }
-void glevVertex2d(glev_context* context, glev_double x, glev_double y) {
-  const glev_double v[] = {x, y};
-  glevVertex2dv(context, v);
-}
+// ---- Vertices and current values
 
-void glevVertex3fv(glev_context* context, const glev_float* v) { issue_vertex<3>(context, v); }
-void glevVertex3f(glev_context* context, glev_float x, glev_float y, glev_float z) {
-  const glev_float v[] = {x, y, z};
-  glevVertex3fv(context, v);
-}
-void glevVertex3dv(glev_context* context, const glev_double* v) { issue_vertex<3>(context, v); }
-void glevVertex3d(glev_context* context, glev_double x, glev_double y, glev_double z) {
-  const glev_double v[] = {x, y, z};
-  glevVertex3dv(context, v);
-}
+#define GLEV_PARAMETERS_1(real) real x
+#define GLEV_PARAMETERS_2(real) real x, real y
+#define GLEV_PARAMETERS_3(real) real x, real y, real z
+#define GLEV_PARAMETERS_4(real) real x, real y, real z, real w
+#define GLEV_VALUES_1 x
+#define GLEV_VALUES_2 x, y
+#define GLEV_VALUES_3 x, y, z
+#define GLEV_VALUES_4 x, y, z, w
 
-void glevVertex4fv(glev_context* context, const glev_float* v) { issue_vertex<4>(context, v); }
-void glevVertex4f(glev_context* context, glev_float x, glev_float y, glev_float z, glev_float w) {
-  const glev_float v[] = {x, y, z, w};
-  glevVertex4fv(context, v);
-}
-void glevVertex4dv(glev_context* context, const glev_double* v) { issue_vertex<4>(context, v); }
-void glevVertex4d(glev_context* context, glev_double x, glev_double y, glev_double z, glev_double w) {
-  const glev_double v[] = {x, y, z, w};
-  glevVertex4dv(context, v);
-}
+#define GLEV_FORMS(command, issue, count, f, real)                                                    \
+  void glev##command##count##f##v(glev_context* context, const real* v) { issue<count>(context, v); } \
+  void glev##command##count##f(glev_context* context, GLEV_PARAMETERS_##count(real)) {                \
+    const real v[] = {GLEV_VALUES_##count};                                                           \
+    glev##command##count##f##v(context, v);                                                           \
+  }
+#define GLEV_SETTER(command, issue, count)         \
+  GLEV_FORMS(command, issue, count, f, glev_float) \
+  GLEV_FORMS(command, issue, count, d, glev_double)
+GLEV_SETTER(Vertex, issue_vertex, 2)
+GLEV_SETTER(Vertex, issue_vertex, 3)
+GLEV_SETTER(Vertex, issue_vertex, 4)
+GLEV_SETTER(Color, issue_color, 3)
+GLEV_SETTER(Color, issue_color, 4)
+GLEV_SETTER(Normal, issue_normal, 3)
+GLEV_SETTER(TexCoord, issue_tex_coord, 1)
+GLEV_SETTER(TexCoord, issue_tex_coord, 2)
+GLEV_SETTER(TexCoord, issue_tex_coord, 3)
+GLEV_SETTER(TexCoord, issue_tex_coord, 4)
+#undef GLEV_SETTER
+#undef GLEV_FORMS
 
-// ---- Current values
+#define GLEV_TEXTURE_FORMS(count, f, real)                                                       \
+  void glevMultiTexCoord##count##f##v(glev_context* context, glev_enum texture, const real* v) { \
+    issue_tex_coord<count>(context, v, texture);                                                 \
+  }                                                                                              \
+  void glevMultiTexCoord##count##f(glev_context* context, glev_enum texture,                     \
+                                   GLEV_PARAMETERS_##count(real)) {                              \
+    const real v[] = {GLEV_VALUES_##count};                                                      \
+    glevMultiTexCoord##count##f##v(context, texture, v);                                         \
+  }
+#define GLEV_TEXTURE_SETTER(count)         \
+  GLEV_TEXTURE_FORMS(count, f, glev_float) \
+  GLEV_TEXTURE_FORMS(count, d, glev_double)
+GLEV_TEXTURE_SETTER(1)
+GLEV_TEXTURE_SETTER(2)
+GLEV_TEXTURE_SETTER(3)
+GLEV_TEXTURE_SETTER(4)
+#undef GLEV_TEXTURE_SETTER
+#undef GLEV_TEXTURE_FORMS
 
-void glevColor3fv(glev_context* context, const glev_float* v) { issue_color<3>(context, v); }
-void glevColor3f(glev_context* context, glev_float red, glev_float green, glev_float blue) {
-  const glev_float v[] = {red, green, blue};
-  glevColor3fv(context, v);
-}
-void glevColor3dv(glev_context* context, const glev_double* v) { issue_color<3>(context, v); }
-void glevColor3d(glev_context* context, glev_double red, glev_double green, glev_double blue) {
-  const glev_double v[] = {red, green, blue};
-  glevColor3dv(context, v);
-}
-
-void glevColor4fv(glev_context* context, const glev_float* v) { issue_color<4>(context, v); }
-void glevColor4f(glev_context* context, glev_float red, glev_float green, glev_float blue, glev_float alpha) {
-  const glev_float v[] = {red, green, blue, alpha};
-  glevColor4fv(context, v);
-}
-void glevColor4dv(glev_context* context, const glev_double* v) { issue_color<4>(context, v); }
-void glevColor4d(glev_context* context, glev_double red, glev_double green, glev_double blue,
-                 glev_double alpha) {
-  const glev_double v[] = {red, green, blue, alpha};
-  glevColor4dv(context, v);
-}
-
-void glevNormal3fv(glev_context* context, const glev_float* v) { issue_normal(context, v); }
-void glevNormal3f(glev_context* context, glev_float x, glev_float y, glev_float z) {
-  const glev_float v[] = {x, y, z};
-  glevNormal3fv(context, v);
-}
-void glevNormal3dv(glev_context* context, const glev_double* v) { issue_normal(context, v); }
-void glevNormal3d(glev_context* context, glev_double x, glev_double y, glev_double z) {
-  const glev_double v[] = {x, y, z};
-  glevNormal3dv(context, v);
-}
-
-void glevIndexf(glev_context* context, glev_float index) { context->issue(glev::IndexCommand{index}); }
-void glevIndexd(glev_context* context, glev_double index) {
-  context->issue(glev::IndexCommand{static_cast<float>(index)});
-}
-void glevIndexfv(glev_context* context, const glev_float* v) {
-  if (!rejected(context, v)) context->issue(glev::IndexCommand{*v});
-}
-void glevIndexdv(glev_context* context, const glev_double* v) {
-  if (!rejected(context, v)) context->issue(glev::IndexCommand{static_cast<float>(*v)});
-}
+#define GLEV_INDEX(f, real)                                                                \
+  void glevIndex##f##v(glev_context* context, const real* v) {                             \
+    if (!rejected(context, v)) context->issue(glev::IndexCommand{static_cast<float>(*v)}); \
+  }                                                                                        \
+  void glevIndex##f(glev_context* context, real index) { glevIndex##f##v(context, &index); }
+GLEV_INDEX(f, glev_float)
+GLEV_INDEX(d, glev_double)
+#undef GLEV_INDEX
 
 void glevEdgeFlag(glev_context* context, glev_boolean flag) {
   context->issue(glev::EdgeFlagCommand{flag != GLEV_FALSE});
 }
 void glevEdgeFlagv(glev_context* context, const glev_boolean* v) {
   if (!rejected(context, v)) context->issue(glev::EdgeFlagCommand{*v != GLEV_FALSE});
-}
-
-void glevTexCoord1fv(glev_context* context, const glev_float* v) {
-  issue_tex_coord<1>(context, GLEV_TEXTURE0, v);
-}
-void glevTexCoord1f(glev_context* context, glev_float s) {
-  const glev_float v[] = {s};
-  glevTexCoord1fv(context, v);
-}
-void glevTexCoord1dv(glev_context* context, const glev_double* v) {
-  issue_tex_coord<1>(context, GLEV_TEXTURE0, v);
-}
-void glevTexCoord1d(glev_context* context, glev_double s) {
-  const glev_double v[] = {s};
-  glevTexCoord1dv(context, v);
-}
-
-void glevTexCoord2fv(glev_context* context, const glev_float* v) {
-  issue_tex_coord<2>(context, GLEV_TEXTURE0, v);
-}
-void glevTexCoord2f(glev_context* context, glev_float s, glev_float t) {
-  const glev_float v[] = {s, t};
-  glevTexCoord2fv(context, v);
-}
-void glevTexCoord2dv(glev_context* context, const glev_double* v) {
-  issue_tex_coord<2>(context, GLEV_TEXTURE0, v);
-}
-void glevTexCoord2d(glev_context* context, glev_double s, glev_double t) {
-  const glev_double v[] = {s, t};
-  glevTexCoord2dv(context, v);
-}
-
-void glevTexCoord3fv(glev_context* context, const glev_float* v) {
-  issue_tex_coord<3>(context, GLEV_TEXTURE0, v);
-}
-void glevTexCoord3f(glev_context* context, glev_float s, glev_float t, glev_float r) {
-  const glev_float v[] = {s, t, r};
-  glevTexCoord3fv(context, v);
-}
-void glevTexCoord3dv(glev_context* context, const glev_double* v) {
-  issue_tex_coord<3>(context, GLEV_TEXTURE0, v);
-}
-void glevTexCoord3d(glev_context* context, glev_double s, glev_double t, glev_double r) {
-  const glev_double v[] = {s, t, r};
-  glevTexCoord3dv(context, v);
-}
-
-void glevTexCoord4fv(glev_context* context, const glev_float* v) {
-  issue_tex_coord<4>(context, GLEV_TEXTURE0, v);
-}
-void glevTexCoord4f(glev_context* context, glev_float s, glev_float t, glev_float r, glev_float q) {
-  const glev_float v[] = {s, t, r, q};
-  glevTexCoord4fv(context, v);
-}
-void glevTexCoord4dv(glev_context* context, const glev_double* v) {
-  issue_tex_coord<4>(context, GLEV_TEXTURE0, v);
-}
-void glevTexCoord4d(glev_context* context, glev_double s, glev_double t, glev_double r, glev_double q) {
-  const glev_double v[] = {s, t, r, q};
-  glevTexCoord4dv(context, v);
-}
-
-void glevMultiTexCoord1fv(glev_context* context, glev_enum texture, const glev_float* v) {
-  issue_tex_coord<1>(context, texture, v);
-}
-void glevMultiTexCoord1f(glev_context* context, glev_enum texture, glev_float s) {
-  const glev_float v[] = {s};
-  glevMultiTexCoord1fv(context, texture, v);
-}
-void glevMultiTexCoord1dv(glev_context* context, glev_enum texture, const glev_double* v) {
-  issue_tex_coord<1>(context, texture, v);
-}
-void glevMultiTexCoord1d(glev_context* context, glev_enum texture, glev_double s) {
-  const glev_double v[] = {s};
-  glevMultiTexCoord1dv(context, texture, v);
-}
-
-void glevMultiTexCoord2fv(glev_context* context, glev_enum texture, const glev_float* v) {
-  issue_tex_coord<2>(context, texture, v);
-}
-void glevMultiTexCoord2f(glev_context* context, glev_enum texture, glev_float s, glev_float t) {
-  const glev_float v[] = {s, t};
-  glevMultiTexCoord2fv(context, texture, v);
-}
-void glevMultiTexCoord2dv(glev_context* context, glev_enum texture, const glev_double* v) {
-  issue_tex_coord<2>(context, texture, v);
-}
-void glevMultiTexCoord2d(glev_context* context, glev_enum texture, glev_double s, glev_double t) {
-  const glev_double v[] = {s, t};
-  glevMultiTexCoord2dv(context, texture, v);
-}
-
-void glevMultiTexCoord3fv(glev_context* context, glev_enum texture, const glev_float* v) {
-  issue_tex_coord<3>(context, texture, v);
-}
-void glevMultiTexCoord3f(glev_context* context, glev_enum texture, glev_float s, glev_float t, glev_float r) {
-  const glev_float v[] = {s, t, r};
-  glevMultiTexCoord3fv(context, texture, v);
-}
-void glevMultiTexCoord3dv(glev_context* context, glev_enum texture, const glev_double* v) {
-  issue_tex_coord<3>(context, texture, v);
-}
-void glevMultiTexCoord3d(glev_context* context, glev_enum texture, glev_double s, glev_double t,
-                         glev_double r) {
-  const glev_double v[] = {s, t, r};
-  glevMultiTexCoord3dv(context, texture, v);
-}
-
-void glevMultiTexCoord4fv(glev_context* context, glev_enum texture, const glev_float* v) {
-  issue_tex_coord<4>(context, texture, v);
-}
-void glevMultiTexCoord4f(glev_context* context, glev_enum texture, glev_float s, glev_float t, glev_float r,
-                         glev_float q) {
-  const glev_float v[] = {s, t, r, q};
-  glevMultiTexCoord4fv(context, texture, v);
-}
-void glevMultiTexCoord4dv(glev_context* context, glev_enum texture, const glev_double* v) {
-  issue_tex_coord<4>(context, texture, v);
-}
-void glevMultiTexCoord4d(glev_context* context, glev_enum texture, glev_double s, glev_double t,
-                         glev_double r, glev_double q) {
-  const glev_double v[] = {s, t, r, q};
-  glevMultiTexCoord4dv(context, texture, v);
 }
 
 void glevActiveTexture(glev_context* context, glev_enum texture) {
