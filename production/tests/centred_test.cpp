@@ -31,19 +31,7 @@ struct Centred {
                               coefficients.data())) {}
 
   Rational value_at(int k, const Rational& x, const Rational& y) const {
-    const auto basis = [](int degree, const Rational& at) {
-      std::vector<Rational> values;
-      const Rational t = (1 + at) / 2, s = 1 - t;
-      Rational binomial = 1;
-      for (int i = 0; i <= degree; ++i) {
-        Rational value = binomial;
-        for (int j = 0; j < degree; ++j) value *= j < i ? t : s;
-        values.push_back(value);
-        binomial = binomial * (degree - i) / (i + 1);
-      }
-      return values;
-    };
-    return tensor(basis(order[0] - 1, x), basis(order[1] - 1, y), points, components, k).value;
+    return exact_point(points, order, (1 + x) / 2, (1 + y) / 2, {}, components, k).value;
   }
 
   double coefficient(int i, int j, int k) const { return map.centred[4 * (order[0] * j + i) + k]; }

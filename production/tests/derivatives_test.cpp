@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "batches.h"
-#include "nearest.h"
+#include "exact.h"
+#include "src/parameter.h"
 
 namespace glev_tests {
 namespace {
@@ -27,26 +28,6 @@ struct Patch {
   std::vector<double> points;  // v fastest
 };
 
-// Returns derivatives of the Bernstein polynomials of degree order - 1 at t, by the recurrence
-// d B(i, n) / dt = n (B(i - 1, n - 1) - B(i, n - 1)).
-std::vector<Rational> derive_basis(const Rational& t, int order, int derivative) {
-  if (order < 1) return {};
-  std::vector<Rational> basis(static_cast<std::size_t>(order));
-  if (derivative == 0) {
-    Rational whole = 1;
-    for (int i = 1; i < order; ++i) whole *= denominator(t);
-    const std::vector<Integer> integers = integer_basis(t, order);
-    for (std::size_t i = 0; i < basis.size(); ++i) basis[i] = integers[i] / whole;
-    return basis;
-  }
-  const std::vector<Rational> lower = derive_basis(t, order - 1, derivative - 1);
-  for (std::size_t i = 0; i < lower.size(); ++i) {
-    basis[i] -= (order - 1) * lower[i];
-    basis[i + 1] += (order - 1) * lower[i];
-  }
-  return basis;
-}
-
 class Derivatives : public ContextTest {
  protected:
   void define(const Patch& patch) {
@@ -59,14 +40,15 @@ class Derivatives : public ContextTest {
 
   static Rational exact(const Patch& patch, const DerivativeRow& row, std::size_t k, const GridArgument& u,
                         const GridArgument& v) {
-    std::array<std::vector<Rational>, 2> basis;
     Rational width = 1;
     for (const std::size_t d : {0, 1}) {
       const Domain& domain = patch.domain[d];
-      basis[d] = derive_basis(exact_t(domain, d == 0 ? u : v), patch.order[d], row.order[d]);
       for (int i = 0; i < row.order[d]; ++i) width *= to_rational(domain.u2) - to_rational(domain.u1);
     }
-    return tensor(basis[0], basis[1], patch.points, kComponents, k).value / width;
+    return exact_point(patch.points, patch.order, exact_t(patch.domain[0], u), exact_t(patch.domain[1], v),
+                       row.order, kComponents, k)
+               .value /
+           width;
   }
 
   // Expects right results at each argument. `rows`: the floats and doubles of an attribute, packed.
@@ -77,7 +59,7 @@ class Derivatives : public ContextTest {
     for (std::size_t at = 0; at < floats.size(); ++at) {
       const std::size_t e = at / kComponents;
       const Rational value = exact(patch, row, at % kComponents, u[e], v[e]);
-      const float right = nearest_float({numerator(value), denominator(value)});
+      const float right = nearest_float(value);
       const auto where = [&] {
         std::ostringstream out;
         out << std::hexfloat << "attribute " << row.attribute << ", order " << patch.order[0] << " x "

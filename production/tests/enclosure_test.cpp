@@ -4,8 +4,8 @@
 #include <random>
 #include <vector>
 
+#include "exact.h"
 #include "fixture.h"
-#include "nearest.h"
 #include "src/enclosure.h"
 #include "src/kernels.h"
 
@@ -40,18 +40,17 @@ class Enclosures : public ::testing::Test {
     return order == 1 ? Rational(0) : exact_t(domain, at);
   }
 
-  static void expect_contains(const glev::Enclosure& enclosure, const Fraction& exact, const char* name) {
+  static void expect_contains(const glev::Enclosure& enclosure, const Rational& exact, const char* name) {
     ASSERT_LT(enclosure.error, kInfinity) << name;
     const Rational value = to_rational(enclosure.value.high) + to_rational(enclosure.value.low);
-    EXPECT_LE(abs(value - Rational(exact.numerator, exact.denominator)), to_rational(enclosure.error))
-        << name;
+    EXPECT_LE(abs(value - exact), to_rational(enclosure.error)) << name;
   }
 
   static void check(std::array<int, 2> order, const std::vector<double>& points,
                     const std::array<Domain, 2>& domain, const GridArgument& u, const GridArgument& v) {
     const glev::Component component = {points.data(), 1, order, domain};
     const Rational t_u = t_of(order[0], domain[0], u), t_v = t_of(order[1], domain[1], v);
-    const Fraction exact = exact_value(points, order, t_u, t_v);
+    const Rational exact = exact_point(points, order, t_u, t_v).value;
     expect_contains(glev::enclose(component, largest_of(points), u, v), exact, "Enclose");
     for (std::size_t i = 0; const glev::Kernels* kernels = glev::kernels_of(i); ++i)
       expect_contains(kernels->encloses(component, largest_of(points), u, v), exact, kernels->name);
@@ -80,8 +79,7 @@ class Enclosures : public ::testing::Test {
       }
     }
     const Rational t_u = t_of(lower[0], domain[0], u), t_v = t_of(lower[1], domain[1], v);
-    Fraction exact = exact_value(differences, lower, t_u, t_v);
-    exact.numerator *= factor;
+    const Rational exact = factor * exact_point(differences, lower, t_u, t_v).value;
     const glev::Component component = {points.data(), 1, order, domain};
     expect_contains(glev::enclose_derivative(component, derivative, u, v), exact, "EncloseDerivative");
   }

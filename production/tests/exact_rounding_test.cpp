@@ -9,8 +9,8 @@
 #include <immintrin.h>
 #endif
 
+#include "exact.h"
 #include "fixture.h"
-#include "nearest.h"
 #include "src/exact.h"
 
 namespace glev_tests {
@@ -85,7 +85,7 @@ void expect_nearest(const Problem& problem, int modes = std::size(kModes)) {
   const auto t = [&](int k) {
     return problem.order[k] == 1 ? Rational(0) : exact_t(problem.domain[k], problem.at[k]);
   };
-  expect_rounded(problem, nearest_float(exact_value(problem.points, problem.order, t(0), t(1))), modes);
+  expect_rounded(problem, nearest_float(exact_point(problem.points, problem.order, t(0), t(1)).value), modes);
 }
 
 // ---- The oracle
@@ -93,10 +93,7 @@ void expect_nearest(const Problem& problem, int modes = std::size(kModes)) {
 TEST(Nearest, IsWhatTheProcessorRoundsTo) {
   std::mt19937_64 random{kSeed};
   const auto check = [](double x) {
-    const Rational exact = to_rational(x);
-    EXPECT_EQ(float_bits(nearest_float({numerator(exact), denominator(exact)})),
-              float_bits(static_cast<float>(x)))
-        << x;
+    EXPECT_EQ(float_bits(nearest_float(to_rational(x))), float_bits(static_cast<float>(x))) << x;
   };
   for (int i = 0; i < 2000; ++i) {
     const double significand = 1 + static_cast<double>(random() >> 12) * 0x1p-52;
@@ -109,17 +106,13 @@ TEST(Nearest, IsWhatTheProcessorRoundsTo) {
   for (double x :
        {0x1p128 - 0x1p103, std::nextafter(0x1p128 - 0x1p103, 0), 0x1p-150, -0x1p-150, 0x1.8p-149, 0.0})
     check(x);
-  EXPECT_EQ(nearest_float({1, 3}), 1.0f / 3.0f);
+  EXPECT_EQ(nearest_float(Rational(1, 3)), 1.0f / 3.0f);
 }
 
-TEST(Nearest, TheFractionIsThePolynomial) {
-  const std::vector<double> points = {1, -2, 4, 8};
-  const Fraction value = exact_value(points, {4, 1}, Rational(1, 4), 0);
-  EXPECT_EQ(Rational(value.numerator, value.denominator), exact_bezier(2, 6, points, 3).value);
-  EXPECT_EQ(exact_t({2, 6}, {{1, 5, 4}, 2}), Rational(1, 4));
-  // (1 - u)(1 - v) 1 + (1 - u) v 2 + u (1 - v) 3 + u v 5 at 1/3, 1/4
-  const Fraction surface = exact_value({1, 2, 3, kTiny}, {2, 2}, Rational(1, 3), Rational(1, 4));
-  EXPECT_EQ(Rational(surface.numerator, surface.denominator),
+TEST(Nearest, TheOracleKnowsASurface) {
+  EXPECT_EQ(exact_t(glev::Domain{2, 6}, glev::GridArgument{{1, 5, 4}, 2}), Rational(1, 4));
+  // (1 - u)(1 - v) 1 + (1 - u) v 2 + u (1 - v) 3 + u v kTiny at 1/3, 1/4
+  EXPECT_EQ(exact_point({1, 2, 3, kTiny}, {2, 2}, Rational(1, 3), Rational(1, 4)).value,
             Rational(6 + 4 + 9, 12) + to_rational(kTiny) / 12);
 }
 

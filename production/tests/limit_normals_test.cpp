@@ -1,8 +1,8 @@
 // Tests the limits of normals on edges that are a single point: they are near the normals next to the edge,
 // and keep the documented error bound, with 600 binary digits as the oracle.
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
+#include "exact.h"
 #include "nets.h"
 
 namespace glev_tests {
@@ -147,35 +147,6 @@ TEST_F(LimitNormals, ThatAreNotDeterminedAreZero) {
 
 // ---- The error bound
 
-using Wide = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<600, boost::multiprecision::digit_base_2>,
-    boost::multiprecision::et_off>;
-
-// Returns the Bernstein polynomials of a degree at t, or their derivatives by t.
-std::vector<Wide> bernstein(int degree, const Wide& t, bool derivative) {
-  std::vector<Wide> basis(static_cast<std::size_t>(degree) + 1, 0);
-  if (derivative) {
-    if (degree == 0) return basis;
-    const std::vector<Wide> lower = bernstein(degree - 1, t, false);
-    for (std::size_t i = 0; i < lower.size(); ++i)
-      basis[i] -= degree * lower[i], basis[i + 1] += degree * lower[i];
-    return basis;
-  }
-  basis[0] = 1;
-  for (int d = 1; d <= degree; ++d) {
-    for (auto i = static_cast<std::size_t>(d); i > 0; --i) basis[i] = (1 - t) * basis[i] + t * basis[i - 1];
-    basis[0] *= 1 - t;
-  }
-  return basis;
-}
-
-using WideVector = std::array<Wide, 3>;
-
-WideVector cross_product(const WideVector& a, const WideVector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Wide length_of(const WideVector& v) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
-
 struct Limit {
   WideVector normal;
   Wide ratio;  // |m| / |majorant|, as documented at limit_normals
@@ -186,25 +157,22 @@ struct Limit {
 Limit exact_limit(const Net& net, int direction, bool is_last, const Wide& t) {
   const auto components = static_cast<std::size_t>(net.components);
   const int other = 1 - direction;
-  const int n = net.order[0], m = net.order[1];
+  const int m = net.order[1];
   std::array<Wide, 4> p = {0, 0, 0, 1}, across{}, mixed{};
   std::array<double, 4> largest_p = {0, 0, 0, 1}, largest{};
   for (std::size_t k = 0; k < components; ++k) {
-    p[k] = 0;
     const auto point = [&](int i, int j) {
       return net.values[static_cast<std::size_t>(i * m + j) * components + k];
     };
     for (const int derivatives : {0, 1, 2}) {
       std::array<std::vector<Wide>, 2> basis;
-      basis[static_cast<std::size_t>(direction)] =
-          bernstein(net.order[static_cast<std::size_t>(direction)] - 1, is_last ? 1 : 0, derivatives > 0);
+      const Wide end = is_last ? 1 : 0;
+      basis[static_cast<std::size_t>(direction)] = bernstein<Wide>(
+          net.order[static_cast<std::size_t>(direction)], end, 1 - end, derivatives > 0 ? 1 : 0);
       basis[static_cast<std::size_t>(other)] =
-          bernstein(net.order[static_cast<std::size_t>(other)] - 1, t, derivatives > 1);
+          bernstein<Wide>(net.order[static_cast<std::size_t>(other)], t, 1 - t, derivatives > 1 ? 1 : 0);
       Wide& sum = derivatives == 0 ? p[k] : derivatives == 1 ? across[k] : mixed[k];
-      for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < m; ++j)
-          sum += basis[0][static_cast<std::size_t>(i)] * basis[1][static_cast<std::size_t>(j)] * point(i, j);
-      }
+      sum = tensor(basis[0], basis[1], net.values, net.components, static_cast<int>(k)).value;
     }
     for (int i = 0; i < net.order[static_cast<std::size_t>(other)]; ++i) {
       const int last = net.order[static_cast<std::size_t>(direction)] - 1, edge = is_last ? last : 0,

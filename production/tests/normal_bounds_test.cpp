@@ -2,7 +2,6 @@
 // and instruction set gives the same bits.
 #include <algorithm>
 #include <bit>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cfenv>
 #include <cmath>
 #include <cstdint>
@@ -13,15 +12,12 @@
 #include <xmmintrin.h>
 #endif
 
+#include "exact.h"
 #include "fixture.h"
 
 namespace glev_tests {
 namespace normal_bounds {
 namespace {
-
-using Wide = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<600, boost::multiprecision::digit_base_2>,
-    boost::multiprecision::et_off>;
 
 // The bound of |got - n| in each component if |m| is at least kLeast times its majorant.
 constexpr double kBound = 0x1p-25 + 0x1p-30, kLeast = 0x1p-50;
@@ -41,45 +37,9 @@ struct Patch {
 
 struct Oracle {
   std::array<Wide, 4> p, p_u, p_v;  // p_u, p_v: derivatives by the arguments
-  std::array<Wide, 3> normal{};
+  WideVector normal{};
   Wide ratio = 0;  // |m| / majorant; 0: there is no normal
 };
-
-std::vector<Wide> bernstein_basis(int degree, const Wide& t) {
-  std::vector<Wide> basis(degree + 1, 1);
-  Wide power_of_t = 1, power_of_s = 1, binomial = 1;
-  for (int i = 0; i <= degree; ++i, power_of_t *= t) basis[i] *= power_of_t;
-  for (int i = degree; i >= 0; --i, power_of_s *= 1 - t) {
-    basis[i] *= power_of_s * binomial;
-    binomial = binomial * i / (degree - i + 1);
-  }
-  return basis;
-}
-
-// Returns the derivatives of the Bernstein polynomials by t.
-std::vector<Wide> bernstein_slopes(int degree, const Wide& t) {
-  std::vector<Wide> slopes(degree + 1, 0);
-  if (degree == 0) return slopes;
-  const std::vector<Wide> lower = bernstein_basis(degree - 1, t);
-  for (int i = 0; i < degree; ++i) {
-    slopes[i] -= degree * lower[i];
-    slopes[i + 1] += degree * lower[i];
-  }
-  return slopes;
-}
-
-Wide combine(const Patch& patch, int k, const std::vector<Wide>& u, const std::vector<Wide>& v) {
-  Wide sum = 0;
-  for (int i = 0; i < patch.order[0]; ++i) {
-    Wide row = 0;
-    for (int j = 0; j < patch.order[1]; ++j)
-      row += v[j] * patch.points[(i * patch.order[1] + j) * patch.components + k];
-    sum += u[i] * row;
-  }
-  return sum;
-}
-
-Wide length_of(const std::array<Wide, 3>& v) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 // Returns the largest magnitude of component k of control points, or of their differences in a direction.
 double largest_of(const Patch& patch, int k, int direction) {
@@ -104,31 +64,31 @@ Oracle exact_normal(const Patch& patch, int i, int j) {
     const Wide a = patch.grid.ends[2 * d], b = patch.grid.ends[2 * d + 1], u1 = patch.domain[2 * d],
                u2 = patch.domain[2 * d + 1];
     const Wide t = (a + (d == 0 ? i : j) * (b - a) / patch.grid.segments[d] - u1) / (u2 - u1);
-    values[d] = bernstein_basis(patch.order[d] - 1, t);
-    slopes[d] = bernstein_slopes(patch.order[d] - 1, t);
+    values[d] = bernstein<Wide>(patch.order[d], t, 1 - t);
+    slopes[d] = bernstein<Wide>(patch.order[d], t, 1 - t, 1);
   }
   Oracle oracle;
   oracle.p = {0, 0, 0, 1};
   oracle.p_u = oracle.p_v = {0, 0, 0, 0};
   std::array<double, 4> largest = {0, 0, 0, 1}, largest_u{}, largest_v{};
   for (int k = 0; k < patch.components; ++k) {
-    oracle.p[k] = combine(patch, k, values[0], values[1]);
-    oracle.p_u[k] = combine(patch, k, slopes[0], values[1]);
-    oracle.p_v[k] = combine(patch, k, values[0], slopes[1]);
+    oracle.p[k] = tensor(values[0], values[1], patch.points, patch.components, k).value;
+    oracle.p_u[k] = tensor(slopes[0], values[1], patch.points, patch.components, k).value;
+    oracle.p_v[k] = tensor(values[0], slopes[1], patch.points, patch.components, k).value;
     largest[k] = largest_of(patch, k, -1);
     largest_u[k] = (patch.order[0] - 1) * largest_of(patch, k, 0);
     largest_v[k] = (patch.order[1] - 1) * largest_of(patch, k, 1);
   }
-  std::array<Wide, 3> a, b, most_a, most_b, m, majorant;
+  WideVector a, b, most_a, most_b, majorant;
   for (int k = 0; k < 3; ++k) {
     a[k] = oracle.p[3] * oracle.p_u[k] - oracle.p_u[3] * oracle.p[k];
     b[k] = oracle.p[3] * oracle.p_v[k] - oracle.p_v[3] * oracle.p[k];
     most_a[k] = Wide(largest[3]) * largest_u[k] + Wide(largest_u[3]) * largest[k];
     most_b[k] = Wide(largest[3]) * largest_v[k] + Wide(largest_v[3]) * largest[k];
   }
+  const WideVector m = cross_product(a, b);
   for (int k = 0; k < 3; ++k) {
     const int x = (k + 1) % 3, y = (k + 2) % 3;
-    m[k] = a[x] * b[y] - a[y] * b[x];
     majorant[k] = most_a[x] * most_b[y] + most_a[y] * most_b[x];
   }
   const Wide length = length_of(m), most = length_of(majorant);

@@ -37,16 +37,15 @@ class Normals : public ContextTest {
 
   // Returns q_u x q_v, normalised, by the quotient rule; only the length is computed in double.
   std::array<double, 3> exact_normal_at(double u, double v) const {
-    const ExactBasis basis_u = exact_basis(domain_[0], domain_[1], n_, u),
-                     basis_v = exact_basis(domain_[2], domain_[3], m_, v);
+    const Rational t_u = exact_t(domain_[0], domain_[1], u), t_v = exact_t(domain_[2], domain_[3], v);
     std::array<Rational, 4> p = {0, 0, 0, 1}, p_u = {0, 0, 0, 0}, p_v = {0, 0, 0, 0};
     for (int k = 0; k < components_; ++k) {
-      const auto sum = [&](const std::vector<Rational>& a, const std::vector<Rational>& b) {
-        return tensor(a, b, points_, components_, k).value;
+      const auto derivative = [&](std::array<int, 2> order) {
+        return exact_point(points_, {n_, m_}, t_u, t_v, order, components_, k).value;
       };
-      p[k] = sum(basis_u.values, basis_v.values);
-      p_u[k] = sum(basis_u.derivatives, basis_v.values);
-      p_v[k] = sum(basis_u.values, basis_v.derivatives);
+      p[k] = derivative({0, 0});
+      p_u[k] = derivative({1, 0});
+      p_v[k] = derivative({0, 1});
     }
     std::array<Rational, 3> a, b;
     for (int k = 0; k < 3; ++k) {

@@ -28,7 +28,8 @@ class Numerics : public ContextTest {
   // Expects a value within the documented bound, (13n + 4) * 2^-53 of the sum of absolute terms, and one
   // rounding to float.
   void expect_within_bound(double u) {
-    const ExactPoint exact = exact_bezier(u1_, u2_, points_, u);
+    const Sum<Rational> exact =
+        exact_point(points_, {static_cast<int>(points_.size()), 1}, exact_t(u1_, u2_, u));
     const float got = evaluate_at(u);
     ASSERT_TRUE(std::isfinite(got)) << "u = " << u;
     const double n = static_cast<double>(points_.size()) - 1;
@@ -46,7 +47,7 @@ class Numerics : public ContextTest {
 
 TEST_F(Numerics, TheOracleKnowsACubic) {
   // B(3,i,1/4) = 27/64, 27/64, 9/64, 1/64
-  const ExactPoint point = exact_bezier(2, 6, {1, -2, 4, 8}, 3);
+  const Sum<Rational> point = exact_point({1, -2, 4, 8}, {4, 1}, exact_t(2, 6, 3));
   EXPECT_EQ(point.value, Rational(27 - 54 + 36 + 8, 64));
   EXPECT_EQ(point.magnitude, Rational(27 + 54 + 36 + 8, 64));
   EXPECT_EQ(to_rational(-0.375), Rational(-3, 8));

@@ -4,7 +4,8 @@
 #include <limits>
 
 #include "batches.h"
-#include "nearest.h"
+#include "exact.h"
+#include "src/parameter.h"
 
 namespace glev_tests {
 namespace {
@@ -14,6 +15,7 @@ using glev::GridArgument;
 class OrdinaryData : public ContextTest {
  protected:
   static constexpr int kSegments = 24;
+  static constexpr glev::Domain kUnit = {0, 1};
 
   // Expects correctly rounded results of a curve of one component, and of the same points as surfaces that
   // are constant in the other direction.
@@ -26,7 +28,7 @@ class OrdinaryData : public ContextTest {
     enable();
     const std::vector<double> exact(points.begin(), points.end());
     const auto nearest = [&](const GridArgument& at) {
-      return nearest_float(exact_value(exact, {order, 1}, exact_t({0, 1}, at), 0));
+      return nearest_float(exact_point(exact, {order, 1}, exact_t(kUnit, at)).value);
     };
     expect([&](const GridArgument& u, const GridArgument&) { return nearest(u); });
   }
@@ -39,7 +41,7 @@ class OrdinaryData : public ContextTest {
     enable();
     const std::vector<double> exact(points.begin(), points.end());
     expect([&](const GridArgument& u, const GridArgument& v) {
-      return nearest_float(exact_value(exact, {n, m}, exact_t({0, 1}, u), exact_t({0, 1}, v)));
+      return nearest_float(exact_point(exact, {n, m}, exact_t(kUnit, u), exact_t(kUnit, v)).value);
     });
   }
 
@@ -150,7 +152,7 @@ TEST_F(OrdinaryData, BicubicModelsOnDyadicGrids) {
         for (int j = 0; j <= 4; ++j) {
           for (int i = 0; i <= segments; ++i) {
             const float right =
-                nearest_float(exact_value(exact, {n, m}, Rational(i, segments), Rational(j, 4)));
+                nearest_float(exact_point(exact, {n, m}, Rational(i, segments), Rational(j, 4)).value);
             const float got = mesh[static_cast<std::size_t>(j * (segments + 1) + i) * kPointSize + k];
             ASSERT_EQ(std::bit_cast<std::uint32_t>(got), std::bit_cast<std::uint32_t>(right))
                 << target << ", orders " << n << " x " << m << ", " << segments << " segments, " << i << ", "

@@ -3,8 +3,8 @@
 #include <cfenv>
 #include <cmath>
 
+#include "exact.h"
 #include "guarded.h"
-#include "nearest.h"
 #include "nets.h"
 
 namespace glev_tests {
@@ -423,8 +423,8 @@ TEST_F(Patches, VerticesAreCorrectlyRounded) {
                 results[((p * side + static_cast<std::size_t>(j)) * side + static_cast<std::size_t>(i)) *
                             components +
                         c];
-            const float nearest =
-                nearest_float(exact_value(own, net.order, Rational(i, segments), Rational(j, segments)));
+            const float nearest = nearest_float(
+                exact_point(own, net.order, Rational(i, segments), Rational(j, segments)).value);
             ASSERT_EQ(std::bit_cast<std::uint32_t>(got), std::bit_cast<std::uint32_t>(nearest))
                 << "patch " << p << " of " << net.count << ", (" << i << ", " << j << ") / " << segments;
           }

@@ -4,7 +4,8 @@
 #include <limits>
 
 #include "batches.h"
-#include "nearest.h"
+#include "exact.h"
+#include "src/parameter.h"
 
 namespace glev_tests {
 namespace {
@@ -21,20 +22,7 @@ struct GivenNet {
     return order[direction] == 1 ? Rational(0) : exact_t(domain[direction], at);
   }
   Rational value_at(const std::vector<double>& of, const GridArgument& u, const GridArgument& v) const {
-    const Fraction value = exact_value(of, order, t_of(0, u), t_of(1, v));
-    return {value.numerator, value.denominator};
-  }
-  ExactPoint exact_at(const GridArgument& u, const GridArgument& v) const {
-    const auto basis = [&](int direction, const Rational& t) {
-      std::vector<Rational> values;
-      const int n = order[direction] - 1;
-      Rational power = 1;
-      for (const Integer& value : integer_basis(t, n + 1)) values.push_back(Rational(value));
-      for (int i = 0; i < n; ++i) power *= Rational(denominator(t));
-      for (Rational& value : values) value /= power;
-      return values;
-    };
-    return tensor(basis(0, t_of(0, u)), basis(1, t_of(1, v)), points);
+    return exact_point(of, order, t_of(0, u), t_of(1, v)).value;
   }
 };
 
@@ -69,7 +57,7 @@ class Precision : public ContextTest {
 
   // Expects that the error of a double result is within the documented bound.
   void expect_double(const GivenNet& net, const GridArgument& u, const GridArgument& v, double got) {
-    const ExactPoint exact = net.exact_at(u, v);
+    const Sum<Rational> exact = exact_point(net.points, net.order, net.t_of(0, u), net.t_of(1, v));
     const Rational error = abs(to_rational(got) - exact.value);
     if (abs(exact.value) * (Integer(1) << 40) >= exact.magnitude) {
       const auto nearest = std::fabs(exact.value.convert_to<double>());

@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "exact.h"
 #include "fixture.h"
-#include "nearest.h"
 
 namespace glev_tests {
 namespace {

@@ -37,8 +37,8 @@ class SurfaceNumerics : public ContextTest {
 
   // Expects a value within the documented bound and one rounding to float.
   void expect_within_bound(double u, double v) {
-    const ExactPoint exact = tensor(exact_basis(domain_[0], domain_[1], n_, u).values,
-                                    exact_basis(domain_[2], domain_[3], m_, v).values, points_);
+    const Sum<Rational> exact = exact_point(points_, {n_, m_}, exact_t(domain_[0], domain_[1], u),
+                                            exact_t(domain_[2], domain_[3], v));
     const float got = evaluate_texcoord(u, v);
     ASSERT_TRUE(std::isfinite(got)) << u << "," << v;
     const double degrees = n_ + m_ - 2;
@@ -56,10 +56,11 @@ class SurfaceNumerics : public ContextTest {
 };
 
 TEST_F(SurfaceNumerics, TheOracleKnowsABiquadratic) {
-  const ExactBasis basis = exact_basis(2, 6, 3, 3);  // t = 1/4
-  EXPECT_EQ(basis.values, (std::vector<Rational>{Rational(9, 16), Rational(6, 16), Rational(1, 16)}));
-  EXPECT_EQ(basis.derivatives, (std::vector<Rational>{Rational(-3, 2), 1, Rational(1, 2)}));
-  const ExactPoint point = tensor({1, 2}, {3, 5}, {1, -2, 4, 8});
+  const Rational t(1, 4), s(3, 4);
+  EXPECT_EQ(bernstein(3, t, s), (std::vector<Rational>{Rational(9, 16), Rational(6, 16), Rational(1, 16)}));
+  EXPECT_EQ(bernstein(3, t, s, 1), (std::vector<Rational>{Rational(-3, 2), 1, Rational(1, 2)}));
+  EXPECT_EQ(bernstein(3, t, s, 2), (std::vector<Rational>{2, -4, 2}));
+  const Sum<Rational> point = tensor<Rational>({1, 2}, {3, 5}, {1, -2, 4, 8});
   EXPECT_EQ(point.value, 3 - 10 + 2 * (12 + 40));
   EXPECT_EQ(point.magnitude, 3 + 10 + 2 * (12 + 40));
 }

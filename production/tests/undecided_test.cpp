@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "batches.h"
-#include "nearest.h"
+#include "exact.h"
 
 namespace glev_tests {
 namespace {
@@ -31,7 +31,7 @@ class NextToARootOutside : public Undecided {
 
   static void expect_right(float got, const Rational& t) {
     const std::vector<double> exact(std::begin(kRoot), std::end(kRoot));
-    EXPECT_EQ(float_bits(got), float_bits(nearest_float(exact_value(exact, {4, 1}, t, 0))))
+    EXPECT_EQ(float_bits(got), float_bits(nearest_float(exact_point(exact, {4, 1}, t).value)))
         << static_cast<double>(t);
   }
   static void expect_right_at(const std::vector<double>& arguments, const Floats& positions) {
@@ -127,7 +127,7 @@ TEST_F(Undecided, CurvesOfTheHighestOrderNextToTheirEnd) {
   const std::vector<double> exact(points.begin(), points.end());
   for (std::size_t i = 0; i < u.size(); ++i)
     EXPECT_EQ(float_bits(values[i]),
-              float_bits(nearest_float(exact_value(exact, {kMax, 1}, to_rational(u[i]), 0))))
+              float_bits(nearest_float(exact_point(exact, {kMax, 1}, to_rational(u[i])).value)))
         << u[i];
 }
 
