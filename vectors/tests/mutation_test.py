@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The vectors detect each wrong evaluator and each wrong state machine, and do not reject the correct ones.
 
-detections.json, which record_detections.py writes, records the case and the test of the suite that detect each.
+detections.json records the first case that detects each; for an evaluator, the first one of its theme. With --write, this program
+writes the file.
 """
 
 import json
@@ -18,6 +19,7 @@ from wrong_state_machines import WRONG_STATE_MACHINES, machine_of
 
 VECTORS = Path(__file__).resolve().parent.parent
 RECORD = Path(__file__).resolve().with_name("detections.json")
+TABLES = {"evaluator": WRONG_EVALUATORS, "state machine": WRONG_STATE_MACHINES}
 
 
 @lru_cache(None)
@@ -49,9 +51,8 @@ class WrongOnes(unittest.TestCase):
     def recorded(self, kind, table):
         """Returns the ids of the recorded cases by name."""
         detections = json.loads(RECORD.read_text())
-        found = {name.partition(": ")[2]: entry["vectors"] for name, entry in detections.items()
-                 if name.startswith(kind)}
-        self.assertEqual(set(found), set(table), "the record is not complete: run record_detections.py")
+        found = {name.partition(": ")[2]: case for name, case in detections.items() if name.startswith(kind)}
+        self.assertEqual(set(found), set(table), "the record is not complete: run mutation_test.py --write")
         return found
 
     def test_evaluators(self):
@@ -91,5 +92,20 @@ class RightOnes(unittest.TestCase):
             self.assertEqual(wrong_state_machine(Machine, case), "", case["id"])
 
 
+def write():
+    """Writes the first case that detects each. Raises ValueError if one is not detected."""
+    detections = {}
+    for kind, table in TABLES.items():
+        for name, entry in table.items():
+            case = first_detected(kind, entry)
+            if not case:
+                raise ValueError(f"no case detects the wrong {kind} '{name}'")
+            detections[f"{kind}: {name}"] = case["id"]
+    RECORD.write_text(json.dumps(detections, indent=1) + "\n")
+
+
 if __name__ == "__main__":
-    unittest.main()
+    if sys.argv[1:] == ["--write"]:
+        write()
+    else:
+        unittest.main()
