@@ -43,7 +43,7 @@ NOT_RUN = {
     "CI services": "needs the environment of a CI service",
     "release": "makes a commit and a tag",
     "bisection": "needs the repository of a library: the test harness.CommandLine.ChecksDecideABisection does the same",
-    "recording": "needs an application: the tests harness.Record.* do the same",
+    "recording": "needs an application: the tests harness.Record.* and harness.Convert.* do the same",
     "virgl": "needs a server, and takes twenty minutes",
     "gl4es": "needs a build of gl4es",
 }
@@ -51,7 +51,8 @@ NOT_RUN = {
 NOT_RUN_EXAMPLES = {
     "evalcts faults": "faults",
     "(git bisect|evalcts check)": "bisection",
-    "evalcts record": "recording",
+    "evalcts (record|convert)": "recording",
+    "apitrace trace": "recording",
     "evalcts (reproduce|bugs|waive|report --history)": "last run",
     "evalcts vectors lint$": "vectors.lint",
     "evalcts vectors write": "vectors write",

@@ -131,7 +131,7 @@ int check(const CheckOptions& options) {
   if (chosen.empty())
     return cannot_judge("check needs --implementation, --library, --context or --mesa-build");
   if (record::is_recording(options.name)) {
-    const auto frames = options.frames.empty() ? record::Frames() : parse_frames(options.frames);
+    const auto frames = options.frames.empty() ? record::Frames() : record::parse_frames(options.frames);
     if (!frames) return cannot_judge(fmt::format("--frames '{}' is not A..B or A", options.frames));
     return static_cast<int>(check_recording({options.name, chosen, *frames, options.output,
                                              options.seconds_per_test, options.command, options.program}));

@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <iostream>
 #include <map>
@@ -206,22 +205,6 @@ CheckOutcome worse(CheckOutcome a, CheckOutcome b) {
 }
 
 }  // namespace
-
-std::optional<record::Frames> parse_frames(const std::string& text) {
-  record::Frames frames;
-  const char* const end = text.data() + text.size();
-  auto [at, error] = std::from_chars(text.data(), end, frames.first);
-  if (error != std::errc()) return {};
-  frames.last = frames.first;
-  if (at == end) return frames;
-  if (!std::string_view(at, end).starts_with("..")) return {};
-  std::tie(at, error) = [&] {
-    const auto last = std::from_chars(at + 2, end, frames.last);
-    return std::pair(last.ptr, last.ec);
-  }();
-  if (error != std::errc() || at != end || frames.last < frames.first) return {};
-  return frames;
-}
 
 CheckOutcome check_recording(const RecordingCheck& check) {
   const record::Recording recording{fs::path(check.file)};

@@ -1,7 +1,6 @@
 // Judges the evaluator commands of a recorded program on implementations.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +24,5 @@ enum class CheckOutcome { kGood = 0, kBad = 1, kCannotBeJudged = 125 };
 // Judges the programs of the recording on each implementation, prints what is wrong, and writes results and
 // pages as `evalcts run` does. Throws BadRecording, CannotStart or CannotWrite.
 CheckOutcome check_recording(const RecordingCheck& check);
-
-// Parses "10..12" or "10". Returns none if the text is neither.
-std::optional<record::Frames> parse_frames(const std::string& text);
 
 }  // namespace evalcts::cli

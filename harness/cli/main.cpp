@@ -6,5 +6,5 @@ int main(int argc, char** argv) {
   return command_line(argc, argv,
                       {kRunCommand, kBugsCommand, kListCommand, kCoverageCommand, kExplainCommand,
                        kReproduceCommand, kReportCommand, kWaiveCommand, kCheckCommand, kRecordCommand,
-                       kFaultsCommand, kFuzzCommand, kUlp, kVectors});
+                       kFaultsCommand, kFuzzCommand, kUlp, kVectors, kConvert});
 }

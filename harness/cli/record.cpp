@@ -19,6 +19,8 @@
 #include <string_view>
 
 #include <evalcts/cli/command.h>
+#include <evalcts/cli/recordings.h>
+#include <evalcts/record/programs.h>
 #include <evalcts/record/recording.h>
 #include <evalcts/results/text.h>
 
@@ -32,9 +34,23 @@ using record::Recording;
 struct RecordOptions {
   std::string output = "recording.evalrec";
   std::string limit = "1024";  // MiB
-  std::string frames;          // "A..B"; empty: all
+  std::string frames;          // "A..B" or "A"; empty: all
   std::vector<std::string> program;
 };
+
+// Returns the first few of the counted commands: "glEvalCoord1f 300, glEnd 2".
+std::string first_of(const std::vector<Counted>& commands) {
+  constexpr std::size_t kMostNamed = 8;
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < std::min(commands.size(), kMostNamed); ++i)
+    texts.push_back(fmt::format("{} {}", commands[i].name, commands[i].times));
+  if (commands.size() > kMostNamed) texts.push_back(fmt::format("{} more", commands.size() - kMostNamed));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string count_of(std::uint64_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
 
 // Returns the recorder, in a build or in an installation; an empty path if there is none.
 fs::path recorder_library() {
@@ -112,7 +128,8 @@ int run_program(const RecordOptions& options, const fs::path& file, const fs::pa
   variables.push_back("EVALCTS_RECORD=" + file.string());
   variables.push_back(
       fmt::format("EVALCTS_RECORD_LIMIT={}", static_cast<std::uint64_t>(std::stod(options.limit) * 1048576)));
-  if (!options.frames.empty()) variables.push_back("EVALCTS_RECORD_FRAMES=" + options.frames);
+  if (const auto frames = record::parse_frames(options.frames))
+    variables.push_back(fmt::format("EVALCTS_RECORD_FRAMES={}..{}", frames->first, frames->last));
   const auto pointers = [](std::vector<std::string>& texts) {
     std::vector<char*> all;
     for (std::string& text : texts) all.push_back(text.data());
@@ -154,14 +171,10 @@ int run_program(const RecordOptions& options, const fs::path& file, const fs::pa
   return status;
 }
 
-// Returns the first few of the counted commands: "glEvalCoord1f 300, glEnd 2".
-std::string first_of(const std::vector<Counted>& commands) {
-  constexpr std::size_t kMostNamed = 8;
-  std::vector<std::string> texts;
-  for (std::size_t i = 0; i < std::min(commands.size(), kMostNamed); ++i)
-    texts.push_back(fmt::format("{} {}", commands[i].name, commands[i].times));
-  if (commands.size() > kMostNamed) texts.push_back(fmt::format("{} more", commands.size() - kMostNamed));
-  return fmt::format("{}", fmt::join(texts, ", "));
+}  // namespace
+
+std::string check_frames(const std::string& text) {
+  return record::parse_frames(text) ? "" : "'" + text + "' is not A..B or A with 0 <= A <= B";
 }
 
 bool is_of_evaluators(const Counted& command) {
@@ -169,31 +182,26 @@ bool is_of_evaluators(const Counted& command) {
                              [&](const char* prefix) { return command.name.starts_with(prefix); });
 }
 
-std::string count_of(std::uint64_t count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
-// Prints what a recording contains.
-void print(const fs::path& file, const Recording& recording) {
+std::string summary_of(const fs::path& file, const Recording& recording) {
   std::vector<Counted> evaluators, others;
   for (const Counted& command : recording.commands())
     (is_of_evaluators(command) ? evaluators : others).push_back(command);
-  const auto times = [](const std::vector<Counted>& commands) {
-    return std::accumulate(commands.begin(), commands.end(), std::uint64_t{0},
-                           [](std::uint64_t sum, const Counted& each) { return sum + each.times; });
+  const auto line = [](const std::vector<Counted>& commands, const std::string& noun, const char* end = "") {
+    if (commands.empty()) return std::string();
+    const auto times =
+        std::accumulate(commands.begin(), commands.end(), std::uint64_t{0},
+                        [](std::uint64_t sum, const Counted& each) { return sum + each.times; });
+    return fmt::format("  {}{}: {}\n", count_of(times, noun), end, first_of(commands));
   };
-  const double mebibytes = static_cast<double>(fs::file_size(file)) / 1048576;
-  std::cout << fmt::format("recorded {}: {:.1f} MiB, {}, {}\n", file.string(), mebibytes,
-                           count_of(recording.frames(), "frame"), count_of(recording.contexts(), "context"));
-  std::cout << fmt::format("  {}: {}\n", count_of(times(evaluators), "evaluator command"),
-                           first_of(evaluators));
-  if (!others.empty())
-    std::cout << fmt::format("  {}: {}\n", count_of(times(others), "other command"), first_of(others));
-  if (!recording.others().empty())
-    std::cout << fmt::format("  {}: {}\n", count_of(times(recording.others()), "command") + " only counted",
-                             first_of(recording.others()));
-  if (!recording.problem().empty()) std::cout << "  " << recording.problem() << "\n";
+  std::string text = fmt::format(
+      "{}: {:.1f} MiB, {}, {}\n", file.string(), static_cast<double>(fs::file_size(file)) / 1048576,
+      count_of(recording.frames(), "frame"), count_of(recording.contexts(), "context"));
+  text += line(evaluators, "evaluator command") + line(others, "other command") +
+          line(recording.others(), "command", " only counted");
+  return recording.problem().empty() ? text : text + "  " + recording.problem() + "\n";
 }
+
+namespace {
 
 // Returns what was seen instead of evaluators, and what to do.
 std::string why_nothing(const RecordOptions& options, std::vector<Counted> seen) {
@@ -251,21 +259,12 @@ int record_program(const RecordOptions& options) {
       ++kept;
       name = kept == 1 ? file : fs::path(fmt::format("{}.{}", file.string(), kept));
       if (name != each) fs::rename(each, name);
-      print(name, recording);
+      std::cout << "recorded " << summary_of(name, recording);
     } catch (const record::BadRecording& error) {
       std::cerr << "evalcts: " << error.what() << "\n";
     }
   }
   return kept > 0 ? kNothingUnexpected : wrong_use(why_nothing(options, seen));
-}
-
-std::string check_frames(const std::string& text) {
-  unsigned long long first = 0, last = 0;
-  int length = 0;
-  if (std::sscanf(text.c_str(), "%llu..%llu%n", &first, &last, &length) == 2 &&
-      static_cast<std::size_t>(length) == text.size() && first <= last && text[0] != '-')
-    return {};
-  return "'" + text + "' is not A..B with 0 <= A <= B";
 }
 
 std::function<int()> define_record(CLI::App& app, const Call&) {
@@ -279,8 +278,9 @@ std::function<int()> define_record(CLI::App& app, const Call&) {
   app.add_option("--limit", options->limit,
                  "largest size of the file in MiB, at which the recording ends (default: 1024)")
       ->check(positive_number);
-  app.add_option("--frames", options->frames,
-                 "record drawing and queries in these frames only, as A..B from 0; state is always recorded")
+  app.add_option(
+         "--frames", options->frames,
+         "record drawing and queries in these frames only, as A..B or A, from 0; state is always recorded")
       ->check(check_frames);
   return [options] { return record_program(*options); };
 }

@@ -5,6 +5,6 @@
 
 namespace evalcts::cli {
 
-extern const Command kUlpCommand, kVectorsCommand;
+extern const Command kUlpCommand, kVectorsCommand, kConvertCommand;
 
 }  // namespace evalcts::cli

@@ -5,5 +5,5 @@
 
 int main(int argc, char** argv) {
   using namespace evalcts::cli;
-  return command_line(argc, argv, {kUlpCommand, kVectorsCommand});
+  return command_line(argc, argv, {kUlpCommand, kVectorsCommand, kConvertCommand});
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <fstream>
 #include <map>
 #include <utility>
@@ -136,6 +137,19 @@ class Splitter {
 };
 
 }  // namespace
+
+std::optional<Frames> parse_frames(const std::string& text) {
+  Frames frames;
+  const char* const end = text.data() + text.size();
+  const auto [middle, error] = std::from_chars(text.data(), end, frames.first);
+  if (error != std::errc()) return {};
+  frames.last = frames.first;
+  if (middle == end) return frames;
+  if (!std::string_view(middle, end).starts_with("..")) return {};
+  const auto [stop, last_error] = std::from_chars(middle + 2, end, frames.last);
+  if (last_error != std::errc() || stop != end || frames.last < frames.first) return {};
+  return frames;
+}
 
 std::vector<Program> programs_of(const Recording& recording, const Frames& frames,
                                  const std::function<void(std::uint64_t)>& progress) {

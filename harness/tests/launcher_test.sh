@@ -25,10 +25,10 @@ tree="$top/a tree"          # the checkout; the space is on purpose
 bin=$top/bin                # all that is on the PATH
 machine=$top/machine        # state of the scripts below
 required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-json3-dev libfmt-dev libvalijson-dev
-  libhwy-dev libkainjow-mustache-dev libgl-dev libegl-dev'
+  libhwy-dev libkainjow-mustache-dev libsnappy-dev libgl-dev libegl-dev'
 required=${required//$'\n '/}
 benchmarks='libbenchmark-dev libmpfr-dev libeigen3-dev libosd-dev'
-everything="$required libosmesa6 xvfb python3 git bsdutils libmpfi-dev libosmesa6-dev gfortran nodejs libgles2 pkg-config libpng-dev clang clang-tidy-14
+everything="$required libosmesa6 xvfb python3 git bsdutils libmpfi-dev libosmesa6-dev apitrace gfortran nodejs libgles2 pkg-config libpng-dev clang clang-tidy-14
   clang-format-14 gcovr chromium chromium-driver python3-selenium help2man codespell doxygen parallel dpkg-dev file mmdebstrap
   libglu1-mesa-dev $benchmarks"
 everything=${everything//$'\n '/}
@@ -251,7 +251,7 @@ exits 7
 says "libosmesa6 is not installed: without the implementation osmesa"
 evalcts test --no-install --preset clang
 exits 2
-says "  sudo apt-get install --no-install-recommends libosmesa6 xvfb git bsdutils libmpfi-dev libosmesa6-dev gfortran nodejs libgles2 pkg-config libpng-dev clang libglu1-mesa-dev help2man"
+says "  sudo apt-get install --no-install-recommends libosmesa6 xvfb git bsdutils libmpfi-dev libosmesa6-dev apitrace gfortran nodejs libgles2 pkg-config libpng-dev clang libglu1-mesa-dev help2man"
 called_not apt-get
 called_not ctest
 
@@ -558,7 +558,7 @@ calls_are "configure release;build complete;ctest --preset complete --no-tests=i
 scenario "test: installs for its stages"
 evalcts test --preset debug
 exits 0
-called "libosmesa6 xvfb python3 git bsdutils libmpfi-dev libosmesa6-dev gfortran nodejs libgles2 pkg-config libpng-dev libglu1-mesa-dev help2man parallel ["
+called "libosmesa6 xvfb python3 git bsdutils libmpfi-dev libosmesa6-dev apitrace gfortran nodejs libgles2 pkg-config libpng-dev libglu1-mesa-dev help2man parallel ["
 called "ctest --preset debug in"
 called_not release
 

@@ -132,11 +132,12 @@ void read_command_line(const std::string& text) {
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   using namespace cli;
-  const int code = command_line(static_cast<int>(arguments.size()), pointers.data(),
-                                {kRunCommand, kBugsCommand, kListCommand, kCoverageCommand, kExplainCommand,
-                                 kReproduceCommand, kReportCommand, kWaiveCommand, kCheckCommand,
-                                 kRecordCommand, kFaultsCommand, kFuzzCommand, kUlpCommand, kVectorsCommand},
-                                true);
+  const int code =
+      command_line(static_cast<int>(arguments.size()), pointers.data(),
+                   {kRunCommand, kBugsCommand, kListCommand, kCoverageCommand, kExplainCommand,
+                    kReproduceCommand, kReportCommand, kWaiveCommand, kCheckCommand, kRecordCommand,
+                    kFaultsCommand, kFuzzCommand, kUlpCommand, kVectorsCommand, kConvertCommand},
+                   true);
   if (!quiet || (code != 0 && code != 2) || (code == 2 && words.str().empty())) std::abort();
 }
 

@@ -14,14 +14,27 @@
 #include <evalcts/record/format.h>
 #include <evalcts/record/programs.h>
 #include <evalcts/record/recording.h>
+#include <evalcts/record/writer.h>
 #include "program.h"
-#include "recording_file.h"
 
 namespace evalcts {
 namespace {
 
 using nlohmann::json;
 using record::Recording;
+
+class RecordingFile : public record::RecordingWriter {
+ public:
+  RecordingFile() : RecordingWriter({"viewer", "-fast"}, {{"glLightfv", 7}, {"glRectf", 9}}) {}
+  void context(std::uint64_t number, std::uint32_t of_thread = 0) {
+    thread(of_thread);
+    RecordingWriter::context(number);
+  }
+  void commands(const gl::Case& script) {
+    for (const gl::Command& each : script.commands()) command(each);
+  }
+  void write(const std::filesystem::path& file) const { std::ofstream(file, std::ios::binary) << text(); }
+};
 
 class Recordings : public testing::Test {
  protected:
@@ -155,7 +168,7 @@ TEST_F(Recordings, DamageIsNamedAndTheRestIsRead) {
 TEST_F(Recordings, WhatCannotBeReplayedIsLeftOut) {
   RecordingFile recorded;
   recorded.context(1);
-  recorded.unknown_array();
+  recorded.command(curve().commands()[0], false);
   recorded.commands(points());
   recorded.write(file_);
   const Recording recording(file_);

@@ -93,12 +93,9 @@ Json call_of(const gl::Command& command) {
   return call;
 }
 
-// The JSON text of all calls of a case has at most this size.
-constexpr std::size_t kMostBytesOfCalls = 60'000;
-
-// Returns the first commands of a case, up to the first without a form, and within kMostBytesOfCalls.
-// Commands of other parts of the GL are left out.
-gl::Case with_form(const gl::Case& script) {
+// Returns the first commands of a case, up to the first without a form, and within so many bytes of JSON
+// text. Commands of other parts of the GL are left out.
+gl::Case with_form(const gl::Case& script, std::size_t most_bytes) {
   gl::Case first_context;
   for (const gl::Command& command : script.commands()) {
     if (gl::name_of(command.entry).ends_with("EVALCTS")) break;
@@ -115,7 +112,7 @@ gl::Case with_form(const gl::Case& script) {
     } catch (const HasNoForm&) {
       break;
     }
-    if (bytes > kMostBytesOfCalls) break;
+    if (bytes > most_bytes) break;
     start.add(command);
   }
   return start;
@@ -498,8 +495,9 @@ class PossibleEnds {
 }  // namespace
 
 gl::Case cut_off(const gl::Case& whole, std::size_t most_bytes) {
-  constexpr std::size_t kAtLeastMore = 3'000;  // bytes behind the first place at which the case may end
-  const gl::Case script = with_form(whole);
+  constexpr std::size_t kAtLeastMore = 3'000;        // bytes behind the first place at which the case may end
+  constexpr std::size_t kMostBytesOfCalls = 60'000;  // if `most_bytes` is less
+  const gl::Case script = with_form(whole, std::max(kMostBytesOfCalls, most_bytes));
   const Specified specified = specify(script, kMaxEvalOrder);
   Steps steps(script, specified);
   PossibleEnds possible(script, specified);

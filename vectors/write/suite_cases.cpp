@@ -110,4 +110,28 @@ Document sequences(const std::string& kind, const std::string& description,
   return document;
 }
 
+Sequences sequences_of_programs(const std::vector<SuiteCase>& programs) {
+  constexpr std::size_t kMostBytesOfProgram = 1'000'000;
+  Document document("state", "Programs of a recording, each with the state that it needs.");
+  document.explain("recorded", "commands of an application");
+  Sequences sequences;
+  for (const SuiteCase& program : programs) {
+    try {
+      const gl::Case script = cut_off(program.script, kMostBytesOfProgram);
+      Names flags = {"recorded"};
+      for (const auto& [flag, meaning] : flags_of(script)) {
+        document.explain(flag, meaning);
+        flags.push_back(flag);
+      }
+      document.add(fmt::format("state.{}.1", program.test), program.requirements, flags, sequence(script));
+      if (script.commands().size() < program.script.commands().size()) ++sequences.shortened;
+    } catch (const HasNoForm&) {
+      continue;
+    }
+  }
+  sequences.cases = document.size();
+  sequences.text = document.text();
+  return sequences;
+}
+
 }  // namespace evalcts::vectors

@@ -21,6 +21,14 @@ struct SuiteCase {
   gl::Case script;
 };
 
+// The cases of recorded programs as a file of the kind "state".
+struct Sequences {
+  std::string text;
+  std::size_t cases = 0;      // programs that have a form in the vectors
+  std::size_t shortened = 0;  // cases that end before their programs
+};
+Sequences sequences_of_programs(const std::vector<SuiteCase>& programs);
+
 // A file that was written.
 struct WrittenFile {
   std::string kind;

@@ -49,6 +49,9 @@ inline constexpr Command kUlp = {
 inline constexpr Command kVectors = {
     "vectors", "write and check golden vectors, and judge the answers of other programs by them", "",
     nullptr};
+inline constexpr Command kConvert = {
+    "convert", "make a recording of a trace of apitrace; vectors, C programs or meshes of a recording", "",
+    nullptr};
 
 // Options of several commands.
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct Program {
 struct Frames {
   std::uint64_t first = 0, last = std::numeric_limits<std::uint64_t>::max();
 };
+// Returns the frames of "A..B" or "A"; nothing if the text has another form.
+std::optional<Frames> parse_frames(const std::string& text);
 
 // Returns the programs of the recording that use evaluators, in the order of their frames. Equal programs are
 // one. A program ends behind a frame, or behind some thousand vertices, where no primitive and no display
