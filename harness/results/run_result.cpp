@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <functional>
 #include <iterator>
 #include <map>
 #include <numeric>
@@ -139,36 +138,6 @@ const Bug* RunResult::bug_of(const std::string& test) const {
   for (const Bug& bug : bugs)
     if (std::ranges::binary_search(bug.tests, test)) return &bug;
   return nullptr;
-}
-
-std::string CrashGroup::call() const {
-  const auto most = std::ranges::max_element(calls, {}, [](const auto& call) { return call.second; });
-  if (most == calls.end()) return {};
-  return calls.size() == 1 ? most->first : fmt::format("{} and {} more", most->first, calls.size() - 1);
-}
-
-std::string CrashGroup::word() const { return verdict == Verdict::kTimeout ? "hang" : "crash"; }
-
-std::string CrashGroup::place() const {
-  return verdict == Verdict::kTimeout ? call() : fmt::format("{}: {}", call(), where);
-}
-
-std::vector<CrashGroup> crash_groups(const RunResult& result) {
-  std::map<std::pair<Verdict, std::string>, CrashGroup> groups;
-  for (const TestRecord& test : result.tests) {
-    const std::string place = test.place_of_death();
-    if (place.empty()) continue;
-    CrashGroup& group = groups[{test.verdict, place}];
-    group.verdict = test.verdict;
-    group.where = place;
-    ++group.calls[test.crash->call.empty() ? "no command" : test.crash->call];
-    group.tests.push_back(&test);
-  }
-  std::vector<CrashGroup> sorted;
-  for (auto& [place, group] : groups) sorted.push_back(std::move(group));
-  std::ranges::stable_sort(sorted, std::greater(),
-                           [](const CrashGroup& group) { return group.tests.size(); });
-  return sorted;
 }
 
 std::string RunResult::heading(const std::string& unnamed) const {

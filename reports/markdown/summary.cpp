@@ -73,16 +73,6 @@ std::string changes_of(const Comparison& pair) {
   return out;
 }
 
-// Returns one line for all crashes or hangs at the same place, with the GL command.
-std::string crashes_of(const Column& column) {
-  std::string out;
-  for (const CrashGroup& group : crash_groups(column.record))
-    out += fmt::format("* {}: {} of {} in {}; the first is {}\n", markdown_code(column.label), group.word(),
-                       count(group.tests.size(), "test"), markdown_code(group.place()),
-                       markdown_code(group.tests.front()->name));
-  return out;
-}
-
 std::string failures_of(const Column& column) {
   std::vector<const TestRecord*> tests;
   for (const TestRecord& test : column.record.tests)
@@ -150,10 +140,6 @@ std::string markdown_summary(const std::vector<RunResult>& results, const std::v
   std::string bugs;
   for (const Column& column : columns) bugs += bugs_of(column);
   if (!bugs.empty()) out += "\n### Bugs\n" + bugs;
-
-  std::string crashes;
-  for (const Column& column : columns) crashes += crashes_of(column);
-  if (!crashes.empty()) out += "\n### Crashes and hangs by place\n\n" + crashes;
 
   std::string failures;
   for (const Column& column : columns) failures += failures_of(column);

@@ -18,7 +18,6 @@ constexpr std::size_t kMostRows = 4;  // of the screen, for one line of the text
 constexpr std::size_t kAllRows = std::string::npos;
 constexpr std::size_t kMostInFull = 8;  // failures, without --verbose
 constexpr std::size_t kMostBugs = 24;
-constexpr std::size_t kMostCrashGroups = 4;
 constexpr std::size_t kLinesInFull = 8;  // lines of the screen for a failure, with commands of two lines each
 constexpr std::size_t kLinesAtEnd = 7;   // lines of the screen after the failures, with the prompt
 
@@ -295,17 +294,8 @@ void write_why_unobserved(Screen& screen, const RunResult& record) {
                     Colour::kYellow);
 }
 
-// Writes one line for all crashes or hangs at the same place, and one about the commands that other tests
-// omit because of them.
-void write_crashes(Screen& screen, const RunResult& record, bool all) {
-  const std::vector<CrashGroup> groups = crash_groups(record);
-  for (std::size_t i = 0; i < groups.size() && (all || i < kMostCrashGroups); ++i)
-    screen.line(fmt::format("  {} of {} in {}", groups[i].word(), count(groups[i].tests.size(), "test"),
-                            groups[i].place()),
-                Colour::kRed);
-  if (!all && groups.size() > kMostCrashGroups)
-    screen.line(fmt::format("  and crashes or hangs at {} other places", groups.size() - kMostCrashGroups),
-                Colour::kRed);
+// Writes one line about the commands that tests omit because the library crashes in them or rejects them.
+void write_left_out(Screen& screen, const RunResult& record) {
   std::set<std::string> calls;
   std::size_t tests = 0;
   for (const TestRecord& test : record.tests) {
@@ -381,7 +371,7 @@ std::string terminal_summary(const RunResult& record, const Catalogue& catalogue
   Screen screen(colour, columns, verbose ? kAllRows : kMostRows);
   write_head(screen, record);
   write_why_unobserved(screen, record);
-  write_crashes(screen, record, verbose);
+  write_left_out(screen, record);
 
   std::vector<const TestRecord*> failing, others;  // tests to write in full, and in one line
   for (const TestRecord& test : record.tests) {

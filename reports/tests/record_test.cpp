@@ -327,30 +327,19 @@ TEST(RunResult, SeverityPutsTheUnexpectedFirst) {
   EXPECT_EQ(severity("internal-error", true), severity("internal-error", false));
 }
 
-// Crashes are one group if their innermost frames are equal, ignoring the C library, recursion and
-// outer frames.
-TEST(RunResult, CrashesAreGroupedByTheirInnermostFrames) {
-  const auto crash = [](const char* name, const char* call, const std::vector<std::string>& frames) {
-    return json{{"name", name},
-                {"verdict", "crash"},
-                {"crash", {{"call", call}, {"commands_before", 3}, {"frames", frames}}}};
+// The place of a crash is that of its innermost frames, ignoring the C library, recursion and outer frames.
+TEST(RunResult, CrashesHaveAPlace) {
+  const auto place = [](const char* verdict, const std::vector<std::string>& frames) {
+    const json crash = {{"call", "glMap1f(GL_MAP1_INDEX, ...)"}, {"frames", frames}};
+    const RunResult result =
+        read_run_result({{"tests", {{{"name", "A.b"}, {"verdict", verdict}, {"crash", crash}}}}});
+    EXPECT_EQ(parse_run_result(to_text(result)).tests[0].crash->frames, frames);
+    return result.tests[0].place_of_death();
   };
-  const RunResult result =
-      read_run_result({{"tests",
-                        {crash("A.one", "glEnd()", {"libGL.so.1 glEnd+0x8"}),
-                         crash("A.two", "glMap1f(GL_MAP1_INDEX, ...)",
-                               {"libc.so.6+0x1", "gl+0x2", "gl+0x3", "gl+0x4", "gl+0x5"}),
-                         crash("A.three", "glMap1d(GL_MAP1_INDEX, ...)",
-                               {"libc.so.6+0x9", "gl+0x2", "gl+0x3", "gl+0x3", "gl+0x4"}),
-                         json{{"name", "A.four"}, {"verdict", "crash"}}}}});
-  const std::vector<CrashGroup> groups = crash_groups(result);
-  ASSERT_EQ(groups.size(), 2u);
-  EXPECT_EQ(groups[0].where, "gl+0x2 < gl+0x3 < gl+0x4");
-  EXPECT_EQ(groups[0].tests.size(), 2u);
-  EXPECT_EQ(groups[0].call(), "glMap1d(GL_MAP1_INDEX, ...) and 1 more");
-  EXPECT_EQ(groups[1].where, "libGL.so.1 glEnd+0x8");
-  EXPECT_EQ(groups[1].call(), "glEnd()");
-  EXPECT_EQ(parse_run_result(to_text(result)).tests[1].crash->frames, result.tests[1].crash->frames);
+  EXPECT_EQ(place("crash", {"libc.so.6+0x1", "gl+0x2", "gl+0x3", "gl+0x3", "gl+0x4", "gl+0x5"}),
+            "gl+0x2 < gl+0x3 < gl+0x4");
+  EXPECT_EQ(place("crash", {"libGL.so.1 glEnd+0x8"}), "libGL.so.1 glEnd+0x8");
+  EXPECT_EQ(place("timeout", {"gl+0x2"}), "glMap1f");
 }
 
 TEST(RunResult, TextOfAFile) {

@@ -118,19 +118,4 @@ struct RunResult {
   std::string file_label() const;
 };
 
-// Tests in which the library crashes or hangs at the same place.
-struct CrashGroup {
-  Verdict verdict = Verdict::kCrash;  // kCrash or kTimeout
-  std::string where;                  // see TestRecord::place_of_death()
-  std::map<std::string, int> calls;   // the commands in flight, with the number of tests
-  std::vector<const TestRecord*> tests;
-  // Returns the command in flight in most of the tests, and the number of other commands: "glEnd()
-  // and 2 more".
-  std::string call() const;
-  std::string word() const;   // "crash" or "hang"
-  std::string place() const;  // call(), followed by ": frame < caller" for a crash
-};
-// Returns the groups of crashes and hangs that have a report, the largest first. They point into `result`.
-std::vector<CrashGroup> crash_groups(const RunResult& result);
-
 }  // namespace evalcts
