@@ -1,4 +1,4 @@
-// Tests the bytes of the XML; check_pages.py reads it with a parser and checks the verdicts.
+// Tests single values of the XML; check_pages.py reads it with a parser and checks the verdicts.
 #include <gtest/gtest.h>
 
 #include "evalcts/reports.h"
@@ -11,19 +11,6 @@ using nlohmann::json;
 
 json one_test(const json& test) {
   return {{"status", "complete"}, {"implementation", {{"name", "x"}}}, {"tests", {test}}};
-}
-
-TEST(Junit, SameInputSameBytes) {
-  EXPECT_EQ(junit_of(read_sample("results-osmesa.json")), junit_of(read_sample("results-osmesa.json")));
-}
-
-TEST(Junit, HostileTextIsEscapedAndAllowed) {
-  const std::string xml = junit_of(hostile_record());
-  EXPECT_FALSE(contains(xml, "<script"));
-  EXPECT_TRUE(contains(xml, "&lt;script&gt;"));
-  for (const char c : xml) {
-    EXPECT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= 0x20) << static_cast<int>(c);
-  }
 }
 
 TEST(Junit, NoTests) {
