@@ -40,10 +40,6 @@ std::string time_of(const RunResult& result) {
   return join(parts, ", ");
 }
 
-std::string count(std::uint64_t n, std::string_view noun) {
-  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
-}
-
 std::string join(const std::vector<std::string>& parts, std::string_view separator) {
   return fmt::format("{}", fmt::join(parts, separator));
 }

@@ -24,9 +24,6 @@ std::string duration(double seconds);
 // Returns the start and the duration of a run, "2026-11-28 11:27 UTC, 2 min 47 s", as far as they are known.
 std::string time_of(const RunResult& result);
 
-// Returns "1 test" or "3 tests" for the noun "test".
-std::string count(std::uint64_t n, std::string_view noun);
-
 std::string join(const std::vector<std::string>& parts, std::string_view separator);
 
 // Returns a Markdown code span of the text, on one line, cut to `most` columns. Its fence is longer than any

@@ -122,6 +122,16 @@ std::unique_ptr<Implementation> open_with_context(const ImplementationOptions& o
 
 }  // namespace
 
+std::vector<std::string> ImplementationOptions::words() const {
+  std::vector<std::string> words;
+  for (const auto& [option, value] : {std::pair{"--implementation", name},
+                                      {"--library", library},
+                                      {"--context", context},
+                                      {"--mesa-build", mesa_build}})
+    if (!value.empty()) words.insert(words.end(), {option, value});
+  return words;
+}
+
 const std::vector<ImplementationKind>& implementation_kinds() {
   static const std::vector<ImplementationKind> kKinds = {
       {"osmesa", "Mesa's off-screen library, libOSMesa", "libosmesa6", true},

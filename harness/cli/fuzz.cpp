@@ -46,7 +46,7 @@ int fuzz(const FuzzOptions& options) {
   ProgressLine line;
   fuzz::SearchRequest request = {.suite_program = places().suite_program,
                                  .implementation = implementation,
-                                 .name = implementation.name.empty() ? "library" : implementation.name,
+                                 .name = implementation.label(),
                                  .seed = options.seed,
                                  .programs = options.programs,
                                  .seconds = options.seconds > 0 || options.programs ? options.seconds : 60,

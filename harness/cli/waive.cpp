@@ -24,8 +24,6 @@ struct WaiveOptions {
   bool unwaive = false;
 };
 
-std::string count_of_tests(std::size_t n) { return n == 1 ? "1 test" : fmt::format("{} tests", n); }
-
 // Returns the result with the tests of the failure only.
 RunResult part_of(const RecordedFailure& failure) {
   RunResult part = *failure.run;
@@ -61,12 +59,11 @@ int waive(const WaiveOptions& options) {
     else
       known = &test;
   if (known)
-    std::cout << fmt::format(
-        "{} of {} expected anyway, such as {}: {}\n", part.tests.size() - waived,
-        part.tests.size() == 1 ? "1 test is" : count_of_tests(part.tests.size()) + " are", known->name,
-        clean(known->baseline_reason));
+    std::cout << fmt::format("{} of {} expected anyway, such as {}: {}\n", part.tests.size() - waived,
+                             part.tests.size() == 1 ? "1 test is" : count(part.tests.size(), "test") + " are",
+                             known->name, clean(known->baseline_reason));
   if (waived == 0) return kNothingUnexpected;
-  std::cout << fmt::format("Waived {}: {}\n", count_of_tests(waived), options.reason)
+  std::cout << fmt::format("Waived {}: {}\n", count(waived, "test"), options.reason)
             << write_baseline(chosen_files(options.baseline).folder, baseline.files(), renewed);
   return kNothingUnexpected;
 }

@@ -1,11 +1,12 @@
 // Breaks text between words, counting code points as columns.
 #include "wrap.h"
 
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <sstream>
+
+#include <evalcts/cli/terminal.h>
 
 namespace evalcts::cli {
 namespace {
@@ -38,9 +39,8 @@ std::string wrapped(const std::string& text, std::size_t columns, const std::str
 }
 
 std::size_t terminal_columns() {
-  winsize size{};
-  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 100;
-  return std::clamp<std::size_t>(size.ws_col, 80, 100);
+  const std::size_t columns = screen_of(STDOUT_FILENO).columns;
+  return columns == 0 ? 100 : std::clamp<std::size_t>(columns, 80, 100);
 }
 
 }  // namespace evalcts::cli

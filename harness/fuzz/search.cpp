@@ -8,6 +8,7 @@
 #include <chrono>
 #include <deque>
 #include <fstream>
+#include <iterator>
 #include <map>
 
 #include <evalcts/fuzz/campaign.h>
@@ -114,14 +115,8 @@ class Searcher {
 
   std::vector<std::string> suite_command() const {
     std::vector<std::string> command = {request_.suite_program.string(), "--seed",
-                                        std::to_string(request_.seed), "--die-with-parent"};
-    const auto add = [&](const char* name, const std::string& value) {
-      if (!value.empty()) command.insert(command.end(), {name, value});
-    };
-    add("--implementation", request_.implementation.name);
-    add("--library", request_.implementation.library);
-    add("--context", request_.implementation.context);
-    add("--mesa-build", request_.implementation.mesa_build);
+                                        std::to_string(request_.seed)};
+    std::ranges::copy(request_.implementation.words(), std::back_inserter(command));
     return command;
   }
 
@@ -154,7 +149,7 @@ class Searcher {
     if (run.complete || interrupted || run.cut_short) return;
     if (!run.ending.signalled && run.ending.value == kOwnFault)
       throw std::runtime_error(fmt::format("{}: {}", run.in_flight, last_line(scratch_ / "log")));
-    if (run.in_flight.empty()) return;
+    if (!run.died_in_job()) return;
     const std::uint32_t number = number_of(run.in_flight);
     const std::string in_flight = read_file(in_flight_file(number));
     died(run, number, in_flight);

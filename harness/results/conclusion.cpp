@@ -7,14 +7,6 @@
 #include <evalcts/results/text.h>
 
 namespace evalcts {
-namespace {
-
-// Returns "1 failure" or "2 failures".
-std::string count(std::uint64_t n, const std::string& one, const std::string& many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
-}
-
-}  // namespace
 
 Conclusion conclusion_of(const RunResult& result) {
   Conclusion out;
@@ -32,11 +24,10 @@ Conclusion conclusion_of(const RunResult& result) {
   for (const TestRecord& test : result.tests)
     if (test.is_unexpected_pass()) passes.push_back(test.name);
   const std::uint64_t failures = result.unexpected_count() - out.internal_errors - passes.size();
-  if (out.internal_errors)
-    out.problems.push_back(count(out.internal_errors, "internal error", "internal errors"));
+  if (out.internal_errors) out.problems.push_back(count(out.internal_errors, "internal error"));
   if (failures)
-    out.problems.push_back(known || !result.baseline.empty() ? count(failures, "new failure", "new failures")
-                                                             : count(failures, "failure", "failures"));
+    out.problems.push_back(known || !result.baseline.empty() ? count(failures, "new failure")
+                                                             : count(failures, "failure"));
   std::vector<std::string> notes;
   const auto add = [&](const std::vector<std::string>& names, const char* one, const char* many) {
     if (names.empty()) return;

@@ -116,6 +116,11 @@ std::string plain_error(double error) {
   return digits;
 }
 
+std::string count(std::uint64_t n, std::string_view one, std::string_view many) {
+  if (n == 1) return fmt::format("1 {}", one);
+  return many.empty() ? fmt::format("{} {}s", n, one) : fmt::format("{} {}", n, many);
+}
+
 std::string first_of(const std::vector<std::string>& names) {
   constexpr std::size_t kMostNames = 5;
   const std::size_t shown = std::min(names.size(), kMostNames);

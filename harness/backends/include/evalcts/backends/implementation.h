@@ -107,6 +107,11 @@ struct ImplementationOptions {
   std::string context = {};
   std::string mesa_build =
       {};  // folder of a Mesa to use in place of the system's, see mesa_build.h; empty: none
+
+  // Returns the name in results and file names: `name`, or "library".
+  std::string label() const { return name.empty() ? "library" : name; }
+  // Returns the options of a command that choose this implementation.
+  std::vector<std::string> words() const;
 };
 
 struct ImplementationKind {

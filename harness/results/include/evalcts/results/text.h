@@ -1,7 +1,9 @@
 // Makes text of unknown origin safe to show.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace evalcts {
@@ -24,6 +26,9 @@ std::string in_plain_numbers(const std::string& text);
 // Returns an error in ULP or a condition-aware error with four significant digits: "0.5", "1,676,000".
 // Returns "more than 2^24" for a larger one, because no bit of the value is right then.
 std::string plain_error(double error);
+
+// Returns "1 test" or "3 tests" for the noun "test". `many`: an irregular plural.
+std::string count(std::uint64_t n, std::string_view one, std::string_view many = {});
 
 // Returns the first names: "A, B, C, D, E and 3 more".
 std::string first_of(const std::vector<std::string>& names);
