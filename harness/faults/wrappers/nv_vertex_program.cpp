@@ -1,6 +1,5 @@
 // Faults against section 24.2 of the requirements: maps of vertex attributes, in a provider of this build
-// that stands in for an implementation with NV_vertex_program. (The provider can also make mistakes itself:
-// harness/tests/drills/nv_vertex_program.cpp.)
+// that stands in for an implementation with NV_vertex_program (harness/tests/drills/nv_vertex_program.cpp).
 #include "rules.h"
 
 namespace evalcts::faults::nv_vertex_program {

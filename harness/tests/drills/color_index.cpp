@@ -3,8 +3,8 @@
 // units of 1/1024, in current values, maps and feedback.
 //
 // EVALCTS_DRILL: "coarse" (legal: indices in feedback have 4 fractional bits), "rgba" (RGBA_MODE stays true),
-// "idle" (INDEX maps have no effect), "sticky" (the evaluated index becomes the current index), "few"
-// (feedback does not contain the last vertex).
+// "sticky" (the evaluated index becomes the current index), "few" (feedback does not contain the last
+// vertex).
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -49,7 +49,7 @@ void enable(GLenum cap) {
   REAL(glEnable)(cap);
   if (!is_index_map(cap)) return;
   (cap == GL_MAP1_INDEX ? curves : surfaces) = true;
-  if (is_indexed && !is_drill("idle")) REAL(glEnable)(color_map(cap));
+  if (is_indexed) REAL(glEnable)(color_map(cap));
 }
 
 void disable(GLenum cap) {

@@ -2,13 +2,10 @@
 // which is implemented by ARB_vertex_program and conventional maps. While a primitive is drawn in program
 // mode, conventional maps stand in for the maps of attributes that have a conventional map.
 //
-// EVALCTS_DRILL names a mistake: mode (attribute maps are used without a program), priority (conventional
-// maps have precedence), vertex (attribute 0 does not emit a vertex), normal (automatic normals are
-// normalised), homogeneous (automatic normals ignore w), current (evaluated values become current), k
-// (strides of 3 are accepted), init (the initial order is 2), stack (EVAL_BIT does not contain the enables).
+// EVALCTS_DRILL "homogeneous": automatic normals ignore w. Other mistakes are faults
+// (harness/faults/wrappers/nv_vertex_program.cpp).
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -120,9 +117,8 @@ void push_attrib(GLbitfield bits) {
   REAL(glPushAttrib)(bits);
 }
 void pop_attrib() {
-  const GLbitfield bits = is_drill("stack") ? GL_ENABLE_BIT : GL_ENABLE_BIT | GL_EVAL_BIT;
   if (!state.stack.empty()) {
-    if (state.stack.back().first & bits) state.enabled = state.stack.back().second;
+    if (state.stack.back().first & (GL_ENABLE_BIT | GL_EVAL_BIT)) state.enabled = state.stack.back().second;
     state.stack.pop_back();
   }
   REAL(glPopAttrib)();
@@ -130,8 +126,7 @@ void pop_attrib() {
 
 void define(Map& map, int dimension, const GLfloat* domain, const GLint* stride, const GLint* order,
             const GLfloat* points) {
-  const int least = is_drill("k") ? 3 : 4;
-  if (domain[0] == domain[1] || stride[0] < least || (dimension && stride[1] < least) || order[0] < 1)
+  if (domain[0] == domain[1] || stride[0] < 4 || (dimension && stride[1] < 4) || order[0] < 1)
     return raise(GL_INVALID_VALUE);
   map.points.clear();
   std::copy_n(order, 1 + dimension, map.order);
@@ -164,7 +159,7 @@ bool query(GLenum target, GLenum what, T* values) {
   if (!find(target, dimension, attribute)) return false;
   const Map& map = state.maps[dimension][attribute];
   if (what == GL_ORDER) {
-    for (int i = 0; i <= dimension; ++i) values[i] = static_cast<T>(map.order[i] + is_drill("init"));
+    for (int i = 0; i <= dimension; ++i) values[i] = static_cast<T>(map.order[i]);
   } else {
     for (std::size_t i = 0; i < map.points.size(); ++i) values[i] = static_cast<T>(map.points[i]);
   }
@@ -203,9 +198,8 @@ void set_conventional(GLenum target, int dimension, const GLint* order, const GL
 }
 
 void begin(GLenum mode) {
-  const bool counts = state.program || is_drill("mode");
-  state.drawing = counts;
-  if (counts) {
+  state.drawing = state.program;
+  if (state.program) {
     REAL(glGetFloatv)(GL_CURRENT_COLOR, state.color);
     REAL(glGetFloatv)(GL_CURRENT_NORMAL, state.normal);
     REAL(glGetFloatv)(GL_CURRENT_TEXTURE_COORDS, state.texture);
@@ -215,8 +209,7 @@ void begin(GLenum mode) {
       for (const int attribute : {0, 2, 3, 8}) {
         const GLenum target = conventional(attribute, dimension);
         const bool was_on = REAL(glIsEnabled)(target);
-        if (!is_on(dimension, attribute) || (was_on && is_drill("priority"))) continue;
-        if (attribute == 0 && is_drill("vertex")) continue;
+        if (!is_on(dimension, attribute)) continue;
         std::array<GLint, 2> order{};
         std::array<GLfloat, 4> domain{};
         REAL(glGetMapiv)(target, GL_ORDER, order.data());
@@ -255,10 +248,7 @@ void end() {
   state.replaced_domains.clear();
   if (state.automatic) REAL(glEnable)(GL_AUTO_NORMAL);
   REAL(glNormal3fv)(state.normal);
-  if (is_drill("current"))
-    REAL(glColor4f)(1, 0, 1, 0);
-  else
-    REAL(glColor4fv)(state.color);
+  REAL(glColor4fv)(state.color);
   REAL(glTexCoord4fv)(state.texture);
 }
 
@@ -301,11 +291,9 @@ void eval_coord2f(GLfloat u, GLfloat v) {
       a[i] = is_drill("homogeneous") ? d.u[i] : (d.u[i] * w - d.value[i] * d.u[3]) / (w * w);
       b[i] = is_drill("homogeneous") ? d.v[i] : (d.v[i] * w - d.value[i] * d.v[3]) / (w * w);
     }
-    double m[] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-    const double length = is_drill("normal") ? std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) : 1;
     REAL(glNormal3f)
-    (static_cast<GLfloat>(m[0] / length), static_cast<GLfloat>(m[1] / length),
-     static_cast<GLfloat>(m[2] / length));
+    (static_cast<GLfloat>(a[1] * b[2] - a[2] * b[1]), static_cast<GLfloat>(a[2] * b[0] - a[0] * b[2]),
+     static_cast<GLfloat>(a[0] * b[1] - a[1] * b[0]));
   }
   REAL(glEvalCoord2f)(u, v);
 }
