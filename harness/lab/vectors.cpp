@@ -78,7 +78,7 @@ int write_vectors(const VectorsOptions& options) {
   }
   std::size_t cases = 0, bytes = 0;
   try {
-    vectors::write_all(folder, cases_of_suite, [&](const vectors::WrittenFile& written) {
+    vectors::write_all(places().vectors, folder, cases_of_suite, [&](const vectors::WrittenFile& written) {
       std::cout << fmt::format("{:<12} {:>5} cases {:>9} bytes\n", written.kind, written.cases,
                                written.bytes);
       cases += written.cases;
@@ -130,7 +130,7 @@ namespace {
 std::function<int()> define_vectors(CLI::App& app, const Call&) {
   const auto options = std::make_shared<VectorsOptions>();
   app.require_subcommand(1);
-  CLI::App* const write = app.add_subcommand("write", "write the shipped vectors again, byte for byte");
+  CLI::App* const write = app.add_subcommand("write", "write the shipped vectors again, with all answers computed");
   write->footer(R"(Examples:
   $ evalcts vectors write
   $ evalcts vectors write --output new)");

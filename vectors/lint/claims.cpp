@@ -10,16 +10,14 @@
 #include <memory>
 
 #include <evalcts/gl/tokens.h>
-#include "lint/numbers.h"
 #include "lint/themes.h"
 #include "lint/value_case.h"
-#include "write/exact_ends.h"
+#include "write/numbers.h"
 
 namespace evalcts::vectors {
 namespace {
 
 using nlohmann::json;
-using reference::Argument;
 
 bool is_accepted(const json& accept, const Rational& x) {
   return accept.is_null() || (x >= Rational(number(accept[0])) && x <= Rational(number(accept[1])));
@@ -27,16 +25,22 @@ bool is_accepted(const json& accept, const Rational& x) {
 
 // Returns true if the exact value at another argument in the direction is not accepted, in some component.
 bool shows(const json& entry, bool along_v, double argument) {
-  const auto map = std::make_shared<const Map>(read_map(entry["map"]));
-  Argument u = read_argument(entry["u"]);
-  std::optional<Argument> v;
-  if (entry.contains("v")) v = read_argument(entry["v"]);
-  (along_v ? *v : u) = Argument::coordinate(argument);
+  Problem problem = problem_of(entry);
+  (along_v ? *problem.v : problem.u) = Argument::coordinate(argument);
+  const auto map = std::make_shared<const Map>(problem.map);
   for (int c = 0; c < map->components(); ++c) {
-    const Rational value = exact(reference::Component(reference::Sample(map, c, u, v)));
+    const Rational value = exact(reference::Component(reference::Sample(map, c, problem.u, problem.v)));
     if (!is_accepted(entry["components"][static_cast<std::size_t>(c)]["accept"], value)) return true;
   }
   return false;
+}
+
+// Returns N * du + from with du = (to - from)/N and N = `segments`, with each operation rounded to the type;
+// if `fused`, the product is not rounded.
+double counted_end(int segments, double from, double to, Type type, bool fused) {
+  const Rational step = rounded(Rational(rounded(Rational(to) - from, type)) / segments, type);
+  const Rational way = step * segments;
+  return rounded((fused ? way : Rational(rounded(way, type))) + from, type);
 }
 
 // Returns true if the case is at the first or last point of a grid and distinguishes its exact argument:
@@ -50,7 +54,7 @@ bool tells_exact_end(const json& entry, bool last) {
     if (point["index"] != (last ? segments : 0)) continue;
     const double first = number(point["first"]), end = number(point["last"]);
     bool all = true;
-    for (const Type type : {Type::kSingle, type_of(entry)})
+    for (const Type type : {Type::kSingle, problem_of(entry).type})
       for (const bool fused : {false, true}) {
         const double counted = last ? counted_end(segments, first, end, type, fused)
                                     : counted_end(segments, end, first, type, fused);

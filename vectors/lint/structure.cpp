@@ -6,6 +6,7 @@
 #include <evalcts/vectors/json_schema.h>
 #include <evalcts/vectors/lint.h>
 #include "schema_text.h"
+#include "write/problem.h"
 
 namespace evalcts::vectors {
 namespace {
@@ -45,36 +46,10 @@ const JsonSchema& case_schema(const std::string& kind, const json& entry) {
   return found == kSchemas.end() ? kSchemas.at("sequence") : found->second;
 }
 
-// Returns the number of components of a target, which is the same in both dimensions.
-std::size_t components_of(const std::string& target) {
-  static const std::map<std::string, std::size_t> kTable = {
-      {"COLOR_4", 4},         {"INDEX", 1},           {"NORMAL", 3},
-      {"TEXTURE_COORD_1", 1}, {"TEXTURE_COORD_2", 2}, {"TEXTURE_COORD_3", 3},
-      {"TEXTURE_COORD_4", 4}, {"VERTEX_3", 3},        {"VERTEX_4", 4}};
-  return kTable.at(target.substr(std::string_view("GL_MAP1_").size()));
-}
-
-void check_points(const json& points, const std::string& where, std::size_t components) {
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].size() != components)
-      complain(fmt::format("{}/{}", where, i),
-               fmt::format("{} values, expected {}", points[i].size(), components));
-}
-
 // Checks the counts that follow from the target of the map, for cases that have a map.
 void check_counts(const json& entry, const std::string& id) {
-  const json& map = entry["map"];
-  const std::string target = map["target"];
-  const std::size_t k = components_of(target);
-  const std::string points = id + "/map/points";
-  if (map["domain"].size() == 2) {
-    check_points(map["points"], points, k);
-  } else {
-    for (std::size_t i = 0; i < map["points"].size(); ++i) {
-      check_points(map["points"][i], fmt::format("{}/{}", points, i), k);
-      if (map["points"][i].size() != map["points"][0].size()) complain(points, "rows of different length");
-    }
-  }
+  const std::string target = entry["map"]["target"];
+  const auto k = static_cast<std::size_t>(problem_of(entry).map.components());
   if (entry.contains("components") && entry["components"].size() != k)
     complain(id, fmt::format("'components' has {} entries for {} components", entry["components"].size(), k));
   if (entry.contains("quotients") && !target.ends_with("VERTEX_4")) complain(id, "quotients without w");
@@ -100,7 +75,12 @@ void check_structure(const json& file) {
     const std::string id = has_id ? entry["id"].get<std::string>() : fmt::format("case {}", i + 1);
     if (const std::string complaint = case_schema(file["kind"], entry).complaint(entry); !complaint.empty())
       throw Malformed(id + complaint);
-    if (entry.contains("map")) check_counts(entry, id);
+    if (!entry.contains("map")) continue;
+    try {
+      check_counts(entry, id);
+    } catch (const std::invalid_argument& problem) {
+      complain(id, problem.what());
+    }
   }
 }
 

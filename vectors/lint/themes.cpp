@@ -12,8 +12,8 @@
 #include <map>
 #include <memory>
 
-#include "lint/numbers.h"
 #include "value_case.h"
+#include "write/numbers.h"
 
 namespace evalcts::vectors {
 namespace {
@@ -31,6 +31,12 @@ Claim some_value(bool (*holds)(const Rational& value, const Rational& magnitude)
       if (holds(c.values[i], c.magnitudes[i])) return true;
     return false;
   };
+}
+
+// Returns the number of the type adjacent to x in the direction of `towards`.
+double next_after(double x, double towards, Type type) {
+  if (type == Type::kReal) return std::nextafter(x, towards);
+  return std::nextafter(static_cast<float>(x), static_cast<float>(towards));
 }
 
 // Returns the distance of x from the midpoint of the adjacent numbers of the type, as a fraction of their

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "write/values.h"
+#include "write/problem.h"
 
 namespace evalcts::vectors {
 

@@ -14,9 +14,9 @@
 #include <evalcts/gl/tokens.h>
 #include <evalcts/vectors/pipe.h>
 #include "estimate.h"
-#include "lint/numbers.h"
 #include "question.h"
 #include "write/normals.h"
+#include "write/numbers.h"
 
 namespace evalcts::vectors {
 namespace {

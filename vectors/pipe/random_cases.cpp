@@ -13,6 +13,12 @@ namespace {
 // Rounds to the type in hardware, which gives the same result on every machine.
 double to_type(double x, Type type) { return type == Type::kSingle ? static_cast<float>(x) : x; }
 
+// Returns a multiple of 1/16 of magnitude up to 8.
+double simple(Dice& dice) { return static_cast<double>(dice.between(-128, 128)) / 16; }
+
+// Returns a number with all significant bits of the type and a magnitude from 2^-3 to 2^4.
+double full(Dice& dice, Type type) { return dice.scaled(bits_of(type), -3, 3); }
+
 }  // namespace
 
 RandomCases::RandomCases(const std::string& kind, std::uint64_t seed)
@@ -91,7 +97,7 @@ void RandomCases::fill_surface() {
 
 void RandomCases::draw() {
   id_ = prefix_ + std::to_string(++number_);
-  problem_.type = kTypes[dice_.below(2)];
+  problem_.type = dice_.below(2) == 0 ? Type::kSingle : Type::kReal;
   const bool two = !is_curve_ && (!is_grid_ || dice_.one_in(2));
   Map& map = problem_.map;
   map.points.clear();

@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "write/values.h"
+#include "dice.h"
+#include "write/problem.h"
 
 namespace evalcts::vectors {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "write/dice.h"
+#include "pipe/dice.h"
 #include "write/text.h"
 
 namespace evalcts::vectors {

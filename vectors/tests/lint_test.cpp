@@ -242,7 +242,7 @@ bool is_well_formed(const char* place, const json& number) {
 }
 
 TEST(Lint, KnowsTheFormsOfNumbers) {
-  for (const char* number : {"0x0p+0", "-0x0p+0", "0x1p+0", "-0x1.8p-3", "0x1.fffffep+127", "0x1p-1074"})
+  for (const char* number : {"0x0p+0", "-0x0p+0", "0x1p+0", "-0x1.8p-3", "0x1.fffffep+127", "0x1p-149"})
     EXPECT_TRUE(is_well_formed("/cases/0/u", number)) << number;
   for (const json& number :
        {json("0.5"), json(0.5), json("0x1.p+0"), json("0x1.80p+0"), json("0x1p0"), json("0x1p-0"),
@@ -264,7 +264,7 @@ TEST(Lint, CountsWithTheTargets) {
   EXPECT_EQ(complaint(file), "malformed: map1_eval.ordinary.1: 'components' has 3 entries for 4 components");
   file = sample("map1_eval");
   file["cases"][0]["map"]["points"][0].erase(0);
-  EXPECT_EQ(complaint(file), "malformed: map1_eval.ordinary.1/map/points/0: 3 values, expected 4");
+  EXPECT_EQ(complaint(file), "malformed: map1_eval.ordinary.1: 3 values of a control point, expected 4");
   file = sample("map2_eval");
   file["cases"][2]["map"]["domain"].erase(0);
   EXPECT_NE(complaint(file), "");

@@ -11,9 +11,9 @@
 #include <sstream>
 
 #include <evalcts/results/hash.h>
-#include "lint/numbers.h"
 #include "pipe/random_cases.h"
 #include "write/normals.h"
+#include "write/numbers.h"
 #include "write/text.h"
 
 namespace evalcts::vectors {
@@ -40,6 +40,21 @@ TEST(RandomCases, AreTheSameEverywhere) {
   EXPECT_EQ(fnv1a<std::uint64_t>(all), 10210271564166180473u);
   EXPECT_EQ(questions("grid", 7, 20), questions("grid", 7, 30).substr(0, questions("grid", 7, 20).size()));
   EXPECT_NE(questions("grid", 8, 1), questions("grid", 7, 1));
+}
+
+TEST(Dice, KeepTheirPromises) {
+  Dice dice("promises");
+  for (int i = 0; i < 2000; ++i) {
+    const double real = dice.real(53);
+    ASSERT_TRUE(real >= -1 && real < 1);
+    const double single = dice.significand(24);
+    ASSERT_EQ(single, static_cast<float>(single));
+    ASSERT_TRUE(std::abs(single) >= 1 && std::abs(single) < 2);
+    const double scaled = std::abs(dice.scaled(10, -3, 4));
+    ASSERT_TRUE(scaled >= 0x1p-3 && scaled < 0x1p5);
+    const int number = dice.between(-2, 2);
+    ASSERT_TRUE(number >= -2 && number <= 2);
+  }
 }
 
 // Returns an answer to a case that depends on `turn`: the correct one, one near the limits of acceptance, or

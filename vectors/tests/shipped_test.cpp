@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include <evalcts/results/files.h>
@@ -51,6 +52,102 @@ TEST(ShippedCases, AreTransposedInPairs) {
     for (std::size_t j = 0; j < points.size(); ++j)
       for (std::size_t k = 0; k < turned.size(); ++k) EXPECT_EQ(points[j][k], turned[k][j]) << one["id"];
   }
+}
+
+// --- Writing
+
+class WrittenCases : public testing::Test {
+ protected:
+  WrittenCases() { fs::create_directories(folder_); }
+  ~WrittenCases() override { fs::remove_all(folder_); }
+  // Returns the text of the file that is written if the file of the kind has these cases and the other ones
+  // have none.
+  std::string written(const std::string& kind, const nlohmann::json& cases) const {
+    for (const char* const each : {"map1_eval", "map2_eval", "grid", "auto_normal"}) {
+      const bool has_cases = each == kind;
+      const nlohmann::json file = {{"description", "Words."},
+                                   {"notes", has_cases ? shipped(kind)["notes"] : nlohmann::json::object()},
+                                   {"cases", has_cases ? cases : nlohmann::json::array()}};
+      std::ofstream(folder_ / (std::string(each) + ".json")) << file;
+    }
+    write_all(
+        folder_, folder_, [] { return std::vector<SuiteCase>(); }, [](const WrittenFile&) {});
+    return read_file(folder_ / (kind + ".json"));
+  }
+  // Returns the reason for which such a file is not written.
+  std::string complaint(const std::string& kind, const nlohmann::json& cases) const {
+    try {
+      written(kind, cases);
+      return "";
+    } catch (const std::runtime_error& problem) {
+      const std::string text = problem.what();
+      return text.substr(text.find(".json: ") + 7);
+    }
+  }
+  // Returns a shipped file with its first cases.
+  static const nlohmann::json& shipped(const std::string& kind) {
+    static std::map<std::string, nlohmann::json> files;
+    nlohmann::json& file = files[kind];
+    if (file.is_null()) {
+      file = parse_json(read_file(fs::path(VECTORS_FOLDER) / (kind + ".json")));
+      file["cases"].erase(file["cases"].begin() + 10, file["cases"].end());
+    }
+    return file;
+  }
+
+ private:
+  const fs::path folder_ = fs::path(testing::TempDir()) / ("evalcts-written-" + std::to_string(getpid()));
+};
+
+TEST_F(WrittenCases, GetTheirAnswers) {
+  for (const char* const kind : {"map1_eval", "map2_eval", "grid", "auto_normal"}) {
+    const nlohmann::json& cases = shipped(kind)["cases"];
+    nlohmann::json questions = nlohmann::json::array();
+    for (const auto& entry : cases) {
+      nlohmann::json question;
+      for (const char* const member : {"id", "requirements", "flags", "map", "u", "v", "intermediate"})
+        if (entry.contains(member)) question[member] = entry[member];
+      for (const char* const name : {"u", "v"})
+        if (question.contains(name) && question[name].is_object()) question[name].erase("exact");
+      if (question.contains("intermediate")) question["intermediate"] = nullptr;
+      questions.push_back(question);
+    }
+    EXPECT_EQ(parse_json(written(kind, questions))["cases"], cases) << kind;
+  }
+}
+
+TEST_F(WrittenCases, HaveProblemsThatAreDescribed) {
+  const nlohmann::json curve = shipped("map1_eval")["cases"][0], surface = shipped("map2_eval")["cases"][0];
+  const auto changed = [&](nlohmann::json entry, const char* place, const nlohmann::json& value) {
+    entry[nlohmann::json::json_pointer(place)] = value;
+    const std::string kind = entry.contains("v") ? "map2_eval" : "map1_eval";
+    return complaint(kind, nlohmann::json::array({entry}));
+  };
+  EXPECT_EQ(changed(curve, "/u", "0.5"), "");
+  EXPECT_EQ(changed(curve, "/u", "0.1"), R"(map1_eval.ordinary.1: "0.1" is not a finite binary32)");
+  EXPECT_EQ(changed(curve, "/u", "inf"), R"(map1_eval.ordinary.1: "inf" is not a finite binary32)");
+  EXPECT_EQ(changed(curve, "/u", "half"), "map1_eval.ordinary.1: 'half' is not a number");
+  EXPECT_EQ(changed(curve, "/map/type", "i"), R"(map1_eval.ordinary.1: the type "i" is neither "f" nor "d")");
+  EXPECT_EQ(changed(curve, "/map/target", "GL_MAP1"),
+            R"(map1_eval.ordinary.1: "GL_MAP1" is not the target of a map)");
+  EXPECT_EQ(changed(curve, "/map/domain/0", curve["map"]["domain"][1]),
+            "map1_eval.ordinary.1: the ends of the domain are equal");
+  EXPECT_EQ(changed(curve, "/map/domain", surface["map"]["domain"]),
+            "map1_eval.ordinary.1: 4 ends of the domain, expected 2");
+  EXPECT_EQ(changed(curve, "/map/points", nlohmann::json::array()),
+            "map1_eval.ordinary.1: no control points");
+  EXPECT_EQ(changed(curve, "/map/points/0", nlohmann::json::array()),
+            "map1_eval.ordinary.1: 0 values of a control point, expected 4");
+  EXPECT_TRUE(changed(surface, "/map/points/1", nlohmann::json::array())
+                  .starts_with("map2_eval.ordinary.1: 0 control points in a row, expected"));
+  EXPECT_EQ(changed(curve, "/flags/0", "other"), "map1_eval.ordinary.1: map1_eval: no note on 'other'");
+  EXPECT_EQ(complaint("map1_eval", nlohmann::json::array({curve, curve})),
+            "map1_eval.ordinary.1: the id 'map1_eval.ordinary.1' occurs twice");
+  EXPECT_EQ(complaint("auto_normal", nlohmann::json::array({curve})),
+            "map1_eval.ordinary.1: only surfaces of vertices have automatic normals");
+  nlohmann::json incomplete = curve;
+  incomplete.erase("u");
+  EXPECT_TRUE(complaint("map1_eval", nlohmann::json::array({incomplete})).ends_with("key 'u' not found"));
 }
 
 // --- The command line

@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "write/dice.h"
+#include "pipe/dice.h"
 #include "write/text.h"
 
 namespace evalcts::vectors {

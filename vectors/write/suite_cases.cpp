@@ -1,4 +1,4 @@
-// Makes errors.json, get_map.json and state.json from the cases of the suite.
+// Makes files of sequences from the cases of the suite and from recorded programs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 #include <evalcts/gl/roles.h>
 #include <evalcts/vectors/write.h>
-#include "kinds.h"
 #include "sequences.h"
+#include "suite_cases.h"
 
 namespace evalcts::vectors {
 namespace {
@@ -113,12 +113,12 @@ Document sequences(const std::string& kind, const std::string& description,
 Sequences sequences_of_programs(const std::vector<SuiteCase>& programs) {
   constexpr std::size_t kMostBytesOfProgram = 1'000'000;
   Document document("state", "Programs of a recording, each with the state that it needs.");
-  document.explain("recorded", "commands of an application");
   Sequences sequences;
   for (const SuiteCase& program : programs) {
     try {
       const gl::Case script = cut_off(program.script, kMostBytesOfProgram);
-      Names flags = {"recorded"};
+      Names flags = {function_of(program.test)};
+      document.explain(flags.front(), "a frame of the recording");
       for (const auto& [flag, meaning] : flags_of(script)) {
         document.explain(flag, meaning);
         flags.push_back(flag);

@@ -1,36 +1,16 @@
 // Makes the members of cases about evaluated values (INTERPRETING.md, "Maps" and "Values").
 #pragma once
 
-#include <reference/component.h>
-
-#include <optional>
-
 #include "document.h"
-#include "maps.h"
+#include "problem.h"
 
 namespace evalcts::vectors {
-
-using reference::Argument;
 
 // The GL version (10 * major + minor) whose guaranteed ranges the vectors use. Later versions guarantee the
 // same, earlier ones less.
 inline constexpr int kNewestVersion = 21;
 
-// A map and its argument. Surfaces have `v`.
-struct Problem {
-  Map map;
-  Type type;
-  Argument u;
-  std::optional<Argument> v = {};
-};
-
-// Return a direction with this domain, and an argument that is not a point of a grid.
-Direction along(int order, const Ends& ends = {0, 1});
-Argument at(double u);
-// Returns u1 + i/parts * (u2 - u1) for a random i from 0 to `parts`, rounded to the type.
-double inside(Dice& dice, const Direction& u, Type type, int parts = 32);
-
-// Returns the member "map". Throws std::logic_error if a number is not of the type.
+// Returns the member "map".
 Json map_as_json(const Map& map, Type type);
 // Returns a hexadecimal number, or an object for a point of a grid.
 Json argument_as_json(const Argument& argument);

@@ -1,4 +1,4 @@
-// Generates the files of vectors, byte for byte the same on every machine.
+// Writes the files of vectors, byte for byte the same on every machine.
 #pragma once
 
 #include <filesystem>
@@ -35,9 +35,11 @@ struct WrittenFile {
   std::size_t cases, bytes;
 };
 // Writes KIND.json to the folder for each kind, atomically, and calls `wrote` after each file with its kind
-// and its numbers of cases and bytes. `cases_of_suite` returns the cases of all tests whose cases are
-// vectors, in their order. Throws std::runtime_error if a file cannot be written.
-void write_all(const std::filesystem::path& folder,
+// and its numbers of cases and bytes. Values and normals are those of the files in `inputs`: their ids,
+// requirements, flags, maps and arguments are copied, and their answers, which may be missing there, are
+// computed. `cases_of_suite` returns the cases of all tests whose cases are vectors, in their order. Throws
+// std::runtime_error if a file cannot be written, or a case cannot be read or computed.
+void write_all(const std::filesystem::path& inputs, const std::filesystem::path& folder,
                const std::function<std::vector<SuiteCase>()>& cases_of_suite,
                const std::function<void(const WrittenFile&)>& wrote);
 

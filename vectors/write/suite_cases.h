@@ -1,4 +1,4 @@
-// The functions that make the seven files.
+// Makes errors.json, get_map.json and state.json from the cases of the suite.
 #pragma once
 
 #include <string>
@@ -9,10 +9,6 @@
 
 namespace evalcts::vectors {
 
-Document map1_eval();
-Document map2_eval();
-Document grid();
-Document auto_normal();
 // Makes a file of sequences, "errors", "get_map" or "state", from those of the cases that belong to it.
 Document sequences(const std::string& kind, const std::string& description,
                    const std::vector<SuiteCase>& cases);

@@ -4,14 +4,20 @@
 #include <reference/rational.h>
 
 #include <cstdlib>
+#include <stdexcept>
 
 #include <evalcts/results/json.h>
 
 namespace evalcts::vectors {
 
-// Reads a floating-point number, such as "0x1.8p-3" or "inf".
+// Reads a floating-point number, such as "0x1.8p-3" or "inf". Throws std::exception if the text is not a
+// number.
 inline double number(const nlohmann::json& text) {
-  return std::strtod(text.get_ref<const std::string&>().c_str(), nullptr);
+  const auto& word = text.get_ref<const std::string&>();
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  if (word.empty() || *end != '\0') throw std::invalid_argument("'" + word + "' is not a number");
+  return value;
 }
 
 // Reads a rational number, such as "-3/8".

@@ -47,11 +47,6 @@ class Dice {
     const double value = significand(bits);
     return std::ldexp(value, between(least, most));
   }
-  // Returns a power of two from 2^least to 2^most with a random sign.
-  double power(int least, int most) {
-    const double value = sign();
-    return std::ldexp(value, between(least, most));
-  }
 
  private:
   std::mt19937_64 random_;
