@@ -286,17 +286,12 @@ Match two_triangles(const Distance& distance, const Quad& q, const std::vector<O
   return best;
 }
 
-// A captured point, line or polygon.
-struct Piece {
-  GLenum mode;
-  std::vector<ObservedVertex> vertices;
-};
-
-std::vector<Piece> pieces_of(const Observation& observation) {
-  std::vector<Piece> pieces;
+// Returns the captured points, lines and polygons.
+std::vector<ObservedPrimitive> pieces_of(const Observation& observation) {
+  std::vector<ObservedPrimitive> pieces;
   for (const ObservedPrimitive& primitive : observation.primitives) {
     if (primitive.mode != GL_POINTS) {
-      if (!primitive.vertices.empty()) pieces.push_back({primitive.mode, primitive.vertices});
+      if (!primitive.vertices.empty()) pieces.push_back(primitive);
     } else {
       for (const ObservedVertex& vertex : primitive.vertices) pieces.push_back({GL_POINTS, {vertex}});
     }
@@ -362,7 +357,8 @@ class Sums {
 // have either direction.
 class MeshMatch {
  public:
-  MeshMatch(const Distance& distance, const std::vector<Piece>& seen) : distance_(distance), seen_(seen) {}
+  MeshMatch(const Distance& distance, const std::vector<ObservedPrimitive>& seen)
+      : distance_(distance), seen_(seen) {}
 
   bool pieces(const std::span<ExpectedPiece> expected) {
     Sums sums;
@@ -374,7 +370,7 @@ class MeshMatch {
     sums.sort();
     for (std::size_t n = 0; n < expected.size(); ++n, ++next_) {
       if (next_ == seen_.size()) return false;
-      const Piece& piece = seen_[next_];
+      const ObservedPrimitive& piece = seen_[next_];
       double sum = 0;
       for (const ObservedVertex& vertex : piece.vertices) sum += distance_.sum(vertex);
       Match best;
@@ -402,6 +398,16 @@ class MeshMatch {
     return true;
   }
 
+  // Matches the next captured piece, or the next two triangles, with a quad.
+  bool quad(const Quad& expected) {
+    const std::size_t count = pieces_of_quad();
+    if (count == 0) return false;
+    append(count == 2 ? two_triangles(distance_, expected, seen_[next_].vertices, seen_[next_ + 1].vertices)
+                      : turned(distance_, {expected.begin(), expected.end()}, seen_[next_].vertices));
+    next_ += count;
+    return true;
+  }
+
   bool quads(const std::vector<Quad>& expected) {
     Sums sums;
     for (std::size_t i = 0; i < expected.size(); ++i)
@@ -409,7 +415,7 @@ class MeshMatch {
     sums.sort();
     std::vector<bool> found(expected.size());
     for (std::size_t n = 0; n < expected.size(); ++n) {
-      const std::size_t count = size(next_) == 3 && size(next_ + 1) == 3 ? 2 : size(next_) == 4 ? 1 : 0;
+      const std::size_t count = pieces_of_quad();
       if (count == 0) return false;
       const auto far = [&](const Quad& quad) {
         double sum = 0;
@@ -430,11 +436,7 @@ class MeshMatch {
         return true;
       });
       if (nearest == expected.size() || comparisons_ > kMostComparisons) return false;
-      found[nearest] = true;
-      const Quad& quad = expected[nearest];
-      append(count == 2 ? two_triangles(distance_, quad, seen_[next_].vertices, seen_[next_ + 1].vertices)
-                        : turned(distance_, {quad.begin(), quad.end()}, seen_[next_].vertices));
-      next_ += count;
+      found[nearest] = quad(expected[nearest]);
     }
     return true;
   }
@@ -443,7 +445,11 @@ class MeshMatch {
   std::vector<std::size_t> take_vertices() { return std::move(vertices_); }
 
  private:
-  std::size_t size(std::size_t i) const { return i < seen_.size() ? seen_[i].vertices.size() : 0; }
+  // Returns how many pieces the next captured quad consists of: 1, 2 for triangles, 0 if it is no quad.
+  std::size_t pieces_of_quad() const {
+    const auto size = [&](std::size_t i) { return i < seen_.size() ? seen_[i].vertices.size() : 0; };
+    return size(next_) == 3 && size(next_ + 1) == 3 ? 2 : size(next_) == 4 ? 1 : 0;
+  }
   void append(const Match& match) {
     vertices_.insert(vertices_.end(), match.vertices.begin(), match.vertices.end());
   }
@@ -451,7 +457,7 @@ class MeshMatch {
   // If most pieces are nowhere near where they should be, every piece would be compared with every other.
   static constexpr std::size_t kMostComparisons = 5'000'000;
   const Distance& distance_;
-  const std::vector<Piece>& seen_;
+  const std::vector<ObservedPrimitive>& seen_;
   std::size_t next_ = 0, comparisons_ = 0;
   std::vector<std::size_t> vertices_;
 };
@@ -494,7 +500,7 @@ std::optional<Topology> match_meshes(const Prediction& prediction, const Topolog
     mesh_of.insert(mesh_of.end(), primitive.vertices.size(), primitive.mesh);
   }
   std::vector<ExpectedPiece> expected = pieces_of(topology, mesh_of);
-  const std::vector<Piece> seen = pieces_of(observation);
+  const std::vector<ObservedPrimitive> seen = pieces_of(observation);
   const Distance distance(prediction, observation);
   MeshMatch match(distance, seen);
   for (std::size_t first = 0, end = 0; first < expected.size(); first = end) {
@@ -514,31 +520,17 @@ std::optional<Topology> match_meshes(const Prediction& prediction, const Topolog
 std::optional<Topology> match_quads(const Prediction& prediction, const Observation& observation) {
   const std::optional<std::vector<Quad>> quads = quads_of(prediction);
   if (!quads || quads->empty()) return {};
-  const std::vector<ObservedPrimitive>& seen = observation.primitives;
   // A strip that is captured unchanged is not a quad, even if it has four vertices.
   const auto is_strip = [](const ObservedPrimitive& primitive) {
     return primitive.mode == GL_QUAD_STRIP || primitive.mode == GL_TRIANGLE_STRIP;
   };
-  if (std::ranges::any_of(seen, is_strip)) return {};
+  if (std::ranges::any_of(observation.primitives, is_strip)) return {};
   const Distance distance(prediction, observation);
-  Topology topology{shape_of(observation), {}};
-  std::size_t next = 0;
-  const auto triangle = [&](std::size_t i) { return i < seen.size() && seen[i].vertices.size() == 3; };
-  for (const Quad& quad : *quads) {
-    Match match;
-    if (triangle(next) && triangle(next + 1)) {
-      match = two_triangles(distance, quad, seen[next].vertices, seen[next + 1].vertices);
-      next += 2;
-    } else if (next < seen.size() && seen[next].vertices.size() == 4) {
-      match = turned(distance, {quad.begin(), quad.end()}, seen[next].vertices);
-      next += 1;
-    } else {
-      return {};
-    }
-    topology.vertices.insert(topology.vertices.end(), match.vertices.begin(), match.vertices.end());
-  }
-  if (next != seen.size()) return {};
-  return topology;
+  MeshMatch match(distance, observation.primitives);
+  for (const Quad& quad : *quads)
+    if (!match.quad(quad)) return {};
+  if (!match.complete()) return {};
+  return Topology{shape_of(observation), match.take_vertices()};
 }
 
 }  // namespace evalcts
