@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <optional>
+#include <map>
 #include <utility>
 #include <vector>
 
 #include <evalcts/gl/call_log.h>
+#include <evalcts/gl/numbers.h>
 #include <evalcts/gl/roles.h>
 #include <evalcts/gl/tokens.h>
 #include <evalcts/runner/delta_debugging.h>
@@ -24,88 +25,64 @@ using gl::EntryPoint;
 // A cause shows in many forms of a program, which the plainest form identifies. Each function
 // `Command(Command)` below returns a plainer form of the command, or the command itself.
 
-// Returns element i of an array of floats or doubles, or the number itself.
-double number(const gl::Value& argument, std::size_t i = 0) {
-  if (const auto* single = std::get_if<float>(&argument)) return *single;
-  if (const auto* real = std::get_if<double>(&argument)) return *real;
-  const auto* input = std::get_if<gl::Input>(&argument);
-  if (!input || input->bytes.size() < (i + 1) * size_of(input->type)) return 0;
-  if (input->type == gl::Scalar::kF32) {
-    float single = 0;
-    std::memcpy(&single, input->bytes.data() + i * sizeof single, sizeof single);
-    return single;
-  }
-  double real = 0;
-  if (input->type == gl::Scalar::kF64) std::memcpy(&real, input->bytes.data() + i * sizeof real, sizeof real);
-  return real;
+// Returns the coordinates of an EvalCoord command, at least two: 0 for those that it does not have.
+std::vector<double> coordinates_of(const Command& command) {
+  std::vector<double> coordinates;
+  for (const gl::Value& argument : command.arguments)
+    if (const auto* const input = std::get_if<gl::Input>(&argument))
+      coordinates = gl::elements(*input);
+    else if (!std::holds_alternative<std::nullptr_t>(argument))
+      coordinates.push_back(gl::number(argument));
+  coordinates.resize(std::max<std::size_t>(coordinates.size(), 2));
+  return coordinates;
 }
-float single(const gl::Value& argument, std::size_t i = 0) { return static_cast<float>(number(argument, i)); }
 
 Command in_one_dimension(Command command) {
-  const std::vector<gl::Value>& a = command.arguments;
-  const auto curve_target = [&]() -> gl::Value {
-    const auto* target = std::get_if<std::int64_t>(&a.at(0));
-    if (!target || *target < GL_MAP2_COLOR_4 || *target > GL_MAP2_VERTEX_4) return a.at(0);
-    return *target - GL_MAP2_COLOR_4 + GL_MAP1_COLOR_4;
-  };
-  const auto drawn = [](const gl::Value& mode) {
-    const auto* of = std::get_if<std::int64_t>(&mode);
-    return of && *of == GL_FILL ? gl::Value(std::int64_t{GL_LINE}) : mode;
-  };
-  switch (command.entry) {
-    case EntryPoint::Enable:
-    case EntryPoint::Disable:
-    case EntryPoint::IsEnabled:
-    case EntryPoint::GetMapfv:
-    case EntryPoint::GetMapdv:
-    case EntryPoint::GetMapiv:
-      command.arguments[0] = curve_target();
-      return command;
-    case EntryPoint::Map2f:
-      return {EntryPoint::Map1f, {curve_target(), a[1], a[2], a[3], a[4], a[9]}};
-    case EntryPoint::Map2d:
-      return {EntryPoint::Map1d, {curve_target(), a[1], a[2], a[3], a[4], a[9]}};
-    case EntryPoint::MapGrid2f:
-      return {EntryPoint::MapGrid1f, {a[0], a[1], a[2]}};
-    case EntryPoint::MapGrid2d:
-      return {EntryPoint::MapGrid1d, {a[0], a[1], a[2]}};
-    case EntryPoint::EvalCoord2f:
-      return {EntryPoint::EvalCoord1f, {a[0]}};
-    case EntryPoint::EvalCoord2d:
-      return {EntryPoint::EvalCoord1d, {a[0]}};
-    case EntryPoint::EvalCoord2fv:
-      return {EntryPoint::EvalCoord1f, {single(a[0])}};
-    case EntryPoint::EvalCoord2dv:
-      return {EntryPoint::EvalCoord1d, {number(a[0])}};
-    case EntryPoint::EvalPoint2:
-      return {EntryPoint::EvalPoint1, {a[0]}};
-    case EntryPoint::EvalMesh2:
-      return {EntryPoint::EvalMesh1, {drawn(a[0]), a[1], a[2]}};
-    default:
-      return command;
+  using enum EntryPoint;
+  // The commands for curves, and the arguments that they have.
+  static const std::map<EntryPoint, std::pair<EntryPoint, std::vector<std::size_t>>> kForCurves = {
+      {Enable, {Enable, {0}}},
+      {Disable, {Disable, {0}}},
+      {IsEnabled, {IsEnabled, {0}}},
+      {GetMapfv, {GetMapfv, {0, 1, 2}}},
+      {GetMapdv, {GetMapdv, {0, 1, 2}}},
+      {GetMapiv, {GetMapiv, {0, 1, 2}}},
+      {Map2f, {Map1f, {0, 1, 2, 3, 4, 9}}},
+      {Map2d, {Map1d, {0, 1, 2, 3, 4, 9}}},
+      {MapGrid2f, {MapGrid1f, {0, 1, 2}}},
+      {MapGrid2d, {MapGrid1d, {0, 1, 2}}},
+      {EvalCoord2f, {EvalCoord1f, {0}}},
+      {EvalCoord2d, {EvalCoord1d, {0}}},
+      {EvalCoord2fv, {EvalCoord1f, {0}}},
+      {EvalCoord2dv, {EvalCoord1d, {0}}},
+      {EvalPoint2, {EvalPoint1, {0}}},
+      {EvalMesh2, {EvalMesh1, {0, 1, 2}}}};
+  const auto found = kForCurves.find(command.entry);
+  if (found == kForCurves.end()) return command;
+  Command curve{found->second.first, {}};
+  for (const std::size_t i : found->second.second) curve.arguments.push_back(command.arguments[i]);
+  gl::Value& first = curve.arguments[0];
+  auto* const token = std::get_if<std::int64_t>(&first);
+  if (curve.entry == EvalCoord1f || curve.entry == EvalCoord1d) {
+    first = gl::real(coordinates_of(command)[0], curve.entry == EvalCoord1d);
+  } else if (curve.entry == EvalMesh1) {
+    if (token && *token == GL_FILL) *token = GL_LINE;
+  } else if (gl::parameter_kinds(curve.entry)[0] == 'e') {
+    if (token && *token >= GL_MAP2_COLOR_4 && *token <= GL_MAP2_VERTEX_4)
+      *token += GL_MAP1_COLOR_4 - GL_MAP2_COLOR_4;
   }
+  return curve;
 }
 
 // Replaces commands that evaluate at a point by EvalCoord1f and EvalCoord2f.
 Command as_coordinate(Command command) {
-  const std::vector<gl::Value>& a = command.arguments;
-  switch (command.entry) {
-    case EntryPoint::EvalCoord1d:
-    case EntryPoint::EvalCoord1fv:
-    case EntryPoint::EvalCoord1dv:
-      return {EntryPoint::EvalCoord1f, {single(a[0])}};
-    case EntryPoint::EvalCoord2d:
-      return {EntryPoint::EvalCoord2f, {single(a[0]), single(a[1])}};
-    case EntryPoint::EvalCoord2fv:
-    case EntryPoint::EvalCoord2dv:
-      return {EntryPoint::EvalCoord2f, {single(a[0], 0), single(a[0], 1)}};
-    case EntryPoint::EvalPoint1:
-      return {EntryPoint::EvalCoord1f, {0.0f}};
-    case EntryPoint::EvalPoint2:
-      return {EntryPoint::EvalCoord2f, {0.0f, 0.0f}};
-    default:
-      return command;
-  }
+  const gl::Role role = gl::role_of(command.entry);
+  if (role != gl::Role::kEvalCoord && role != gl::Role::kEvalPoint) return command;
+  const std::vector<double> at =
+      role == gl::Role::kEvalCoord ? coordinates_of(command) : std::vector<double>(2);
+  const auto u = static_cast<float>(at[0]), v = static_cast<float>(at[1]);
+  if (gl::dimension_of(command.entry) == 1) return {EntryPoint::EvalCoord1f, {u}};
+  return {EntryPoint::EvalCoord2f, {u, v}};
 }
 
 Command as_points(Command command) {
@@ -323,18 +300,18 @@ class Shrinker {
       command.arguments[k] = std::move(simpler);
       return replace(i, std::move(command));
     };
+    const auto with_simpler = [&](auto now) {
+      using Number = decltype(now);
+      for (const Number simpler : {Number(0), Number(1), static_cast<Number>(rounded(now)), Number(0.5)}) {
+        if (simpler == now) return false;
+        if (with(simpler)) return true;
+      }
+      return false;
+    };
     if (const auto* single = std::get_if<float>(&value)) {
-      const float now = *single;
-      for (const float simpler : {0.0f, 1.0f, static_cast<float>(rounded(now)), 0.5f}) {
-        if (simpler == now) return false;
-        if (with(simpler)) return true;
-      }
+      return with_simpler(*single);
     } else if (const auto* real = std::get_if<double>(&value)) {
-      const double now = *real;
-      for (const double simpler : {0.0, 1.0, rounded(now), 0.5}) {
-        if (simpler == now) return false;
-        if (with(simpler)) return true;
-      }
+      return with_simpler(*real);
     } else if (const auto* integer = std::get_if<std::int64_t>(&value)) {
       if (gl::parameter_kinds(best_.commands()[i].entry)[k] != '.') return false;
       const std::int64_t now = *integer;
