@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include <evalcts/backends/context_in_front.h>
 #include <evalcts/gl/tokens.h>
 
 namespace evalcts {
@@ -341,10 +342,11 @@ Case available(const Case& commands, const gl::Table& table) {
 }
 
 // The context that all handles share.
-class Shared {
+class Shared final : public ContextInFront {
  public:
   Shared(std::unique_ptr<Context> context, const ImplementationInfo& info, Programs programs)
-      : context_(std::move(context)), table_(context_->table()), programs_(programs) {
+      : ContextInFront(std::move(context)), programs_(programs) {
+    inner().make_current();
     table_.OtherContextEVALCTS = table_.SharingContextEVALCTS = nullptr;  // all cases must use one context
     table_.ContextOfKindEVALCTS = nullptr;
     table_.CopyContextEVALCTS = nullptr;
@@ -352,25 +354,22 @@ class Shared {
     table_.RecordRequestsEVALCTS = nullptr;
     table_.RecordedRequestsEVALCTS = nullptr;
     // The initial viewport is the size of a window that only the implementation knows.
-    if (gl::has(context_->table(), EntryPoint::Viewport)) {
+    if (gl::has(inner().table(), EntryPoint::Viewport)) {
       Case question;
       const gl::Ref viewport = question.GetIntegerv(GL_VIEWPORT, gl::out<GLint>(4));
-      const std::vector<GLint> v = context_->play(question).values<GLint>(viewport);
+      const std::vector<GLint> v = inner().play(question).values<GLint>(viewport);
       restoring_.Viewport(v[0], v[1], v[2], v[3]);
       restoring_.Scissor(v[0], v[1], v[2], v[3]);
     }
-    restoring_.append(available(restoring_commands(info), context_->table()));
+    restoring_.append(available(restoring_commands(info), inner().table()));
   }
 
-  const gl::Table& table() const { return table_; }
-  bool has_sink() const { return context_->has_sink(); }
-  Attributes emitted_attributes() const { return context_->emitted_attributes(); }
-  std::vector<ObservedPrimitive> take_emitted() { return context_->take_emitted(); }
+  std::map<std::string, GLuint>* kept_programs() override {
+    return programs_ == Programs::kKept ? &kept_ : nullptr;
+  }
 
-  std::map<std::string, GLuint>* kept_programs() { return programs_ == Programs::kKept ? &kept_ : nullptr; }
-
-  gl::Trace play(const Case& script) {
-    gl::Trace trace = gl::play(script, table_);
+  gl::Trace play(const Case& script) override {
+    gl::Trace trace = Context::play(script);
     remains_.add(script, trace);
     return trace;
   }
@@ -380,31 +379,23 @@ class Shared {
     Case commands = available(remains.closing(), table());
     commands.append(restoring_);
     commands.append(available(remains.deleting(kept_), table()));
-    context_->play(commands);  // also drains the errors
-    context_->take_emitted();
+    inner().make_current();  // other contexts are used in between
+    inner().play(commands);  // also drains the errors
+    take_emitted();
   }
 
  private:
-  std::unique_ptr<Context> context_;
-  gl::Table table_;
   Programs programs_;
   std::map<std::string, GLuint> kept_;
   Case restoring_;
   Remains remains_;
 };
 
-class Handle final : public Context {
+class Handle final : public ContextInFront {
  public:
-  explicit Handle(Shared& shared) : shared_(shared) {}
-  const gl::Table& table() const override { return shared_.table(); }
-  gl::Trace play(const Case& script) override { return shared_.play(script); }
-  std::map<std::string, GLuint>* kept_programs() override { return shared_.kept_programs(); }
-  bool has_sink() const override { return shared_.has_sink(); }
-  Attributes emitted_attributes() const override { return shared_.emitted_attributes(); }
-  std::vector<ObservedPrimitive> take_emitted() override { return shared_.take_emitted(); }
-
- private:
-  Shared& shared_;
+  using ContextInFront::ContextInFront;
+  gl::Trace play(const Case& script) override { return inner().play(script); }
+  std::map<std::string, GLuint>* kept_programs() override { return inner().kept_programs(); }
 };
 
 class ReusedContext final : public ImplementationInFront {
@@ -414,81 +405,33 @@ class ReusedContext final : public ImplementationInFront {
 
   std::unique_ptr<Context> create_context() override {
     const bool is_first = !shared_;
-    if (is_first) shared_.emplace(inner().create_context(), info_, programs_);
+    if (is_first) shared_ = std::make_shared<Shared>(inner().create_context(), info_, programs_);
     if (!is_first || info_.shares_state) shared_->restore();
-    return std::make_unique<Handle>(*shared_);
+    return std::make_unique<Handle>(shared_);
   }
   std::unique_ptr<Context> create_beside() override { return nullptr; }
 
  private:
   ImplementationInfo info_;
   Programs programs_;
-  std::optional<Shared> shared_;
+  std::shared_ptr<Shared> shared_;
 };
 
 // State besides enables, materials and maps that a query answers.
-constexpr GLenum kQueried[] = {GL_CURRENT_COLOR,
-                               GL_CURRENT_NORMAL,
-                               GL_CURRENT_TEXTURE_COORDS,
-                               GL_CURRENT_INDEX,
-                               GL_EDGE_FLAG,
-                               GL_CURRENT_SECONDARY_COLOR,
-                               GL_CURRENT_FOG_COORD,
-                               GL_CURRENT_RASTER_COLOR,
-                               GL_MATRIX_MODE,
-                               GL_MODELVIEW_MATRIX,
-                               GL_PROJECTION_MATRIX,
-                               GL_TEXTURE_MATRIX,
-                               GL_ACTIVE_TEXTURE,
-                               GL_TEXTURE_BINDING_2D,
-                               GL_SHADE_MODEL,
-                               GL_POLYGON_MODE,
-                               GL_CULL_FACE_MODE,
-                               GL_FRONT_FACE,
-                               GL_LINE_STIPPLE_PATTERN,
-                               GL_LINE_STIPPLE_REPEAT,
-                               GL_POINT_SIZE,
-                               GL_FOG_MODE,
-                               GL_FOG_DENSITY,
-                               GL_FOG_START,
-                               GL_FOG_END,
-                               GL_FOG_COLOR,
-                               GL_FOG_COORD_SRC,
-                               GL_LIGHT_MODEL_AMBIENT,
-                               GL_LIGHT_MODEL_TWO_SIDE,
-                               GL_LIGHT_MODEL_LOCAL_VIEWER,
-                               GL_COLOR_MATERIAL_FACE,
-                               GL_COLOR_CLEAR_VALUE,
-                               GL_COLOR_WRITEMASK,
-                               GL_DEPTH_WRITEMASK,
-                               GL_RENDER_MODE,
-                               GL_ATTRIB_STACK_DEPTH,
-                               GL_CURRENT_PROGRAM,
-                               GL_ARRAY_BUFFER_BINDING,
-                               GL_UNPACK_ALIGNMENT,
-                               GL_PACK_ALIGNMENT,
-                               GL_LIST_INDEX,
-                               GL_VIEWPORT,
-                               GL_MAP1_GRID_DOMAIN,
-                               GL_MAP1_GRID_SEGMENTS,
-                               GL_MAP2_GRID_DOMAIN,
-                               GL_MAP2_GRID_SEGMENTS,
-                               GL_PROVOKING_VERTEX,
-                               GL_PRIMITIVE_RESTART_INDEX};
-
-// A context that is made current again before each case, because other contexts are used in between.
-class BesideContext final : public Context {
- public:
-  explicit BesideContext(std::unique_ptr<Context> inner) : inner_(std::move(inner)) {}
-  const gl::Table& table() const override { return inner_->table(); }
-  gl::Trace play(const gl::Case& script) override {
-    inner_->make_current();
-    return inner_->play(script);
-  }
-
- private:
-  std::unique_ptr<Context> inner_;
-};
+// clang-format off
+constexpr GLenum kQueried[] = {
+    GL_CURRENT_COLOR, GL_CURRENT_NORMAL, GL_CURRENT_TEXTURE_COORDS, GL_CURRENT_INDEX, GL_EDGE_FLAG,
+    GL_CURRENT_SECONDARY_COLOR, GL_CURRENT_FOG_COORD, GL_CURRENT_RASTER_COLOR, GL_MATRIX_MODE,
+    GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_TEXTURE_MATRIX, GL_ACTIVE_TEXTURE, GL_TEXTURE_BINDING_2D,
+    GL_SHADE_MODEL, GL_POLYGON_MODE, GL_CULL_FACE_MODE, GL_FRONT_FACE, GL_LINE_STIPPLE_PATTERN,
+    GL_LINE_STIPPLE_REPEAT, GL_POINT_SIZE, GL_FOG_MODE, GL_FOG_DENSITY, GL_FOG_START, GL_FOG_END,
+    GL_FOG_COLOR, GL_FOG_COORD_SRC, GL_LIGHT_MODEL_AMBIENT, GL_LIGHT_MODEL_TWO_SIDE,
+    GL_LIGHT_MODEL_LOCAL_VIEWER, GL_COLOR_MATERIAL_FACE, GL_COLOR_CLEAR_VALUE, GL_COLOR_WRITEMASK,
+    GL_DEPTH_WRITEMASK, GL_RENDER_MODE, GL_ATTRIB_STACK_DEPTH, GL_CURRENT_PROGRAM, GL_ARRAY_BUFFER_BINDING,
+    GL_UNPACK_ALIGNMENT, GL_PACK_ALIGNMENT, GL_LIST_INDEX, GL_VIEWPORT, GL_MAP1_GRID_DOMAIN,
+    GL_MAP1_GRID_SEGMENTS, GL_MAP2_GRID_DOMAIN, GL_MAP2_GRID_SEGMENTS, GL_PROVOKING_VERTEX,
+    GL_PRIMITIVE_RESTART_INDEX};
+// clang-format on
 
 class Beside final : public ImplementationInFront {
  public:
@@ -496,7 +439,7 @@ class Beside final : public ImplementationInFront {
   std::unique_ptr<Context> create_context() override {
     std::unique_ptr<Context> context = inner().create_beside();
     if (!context) throw CannotStart("no further context can be created");
-    return std::make_unique<BesideContext>(std::move(context));
+    return context;
   }
 };
 
