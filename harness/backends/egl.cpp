@@ -318,19 +318,13 @@ class EglContexts final : public ContextMaker {
 
   // Chooses a configuration. Returns false if there is none.
   bool choose_config() {
-    const EGLint wanted[] = {EGL_RENDERABLE_TYPE,
-                             opengl() ? EGL_OPENGL_BIT : EGL_OPENGL_ES2_BIT,
-                             EGL_SURFACE_TYPE,
-                             surfaceless_ ? 0 : EGL_PBUFFER_BIT,
-                             EGL_RED_SIZE,
-                             surfaceless_ ? 0 : 8,
-                             EGL_ALPHA_SIZE,
-                             surfaceless_ ? 0 : 8,
-                             EGL_DEPTH_SIZE,
-                             surfaceless_ ? 0 : 24,
-                             EGL_STENCIL_SIZE,
-                             surfaceless_ ? 0 : 8,
+    // clang-format off
+    const EGLint wanted[] = {EGL_RENDERABLE_TYPE, opengl() ? EGL_OPENGL_BIT : EGL_OPENGL_ES2_BIT,
+                             EGL_SURFACE_TYPE, surfaceless_ ? 0 : EGL_PBUFFER_BIT,
+                             EGL_RED_SIZE, surfaceless_ ? 0 : 8, EGL_ALPHA_SIZE, surfaceless_ ? 0 : 8,
+                             EGL_DEPTH_SIZE, surfaceless_ ? 0 : 24, EGL_STENCIL_SIZE, surfaceless_ ? 0 : 8,
                              EGL_NONE};
+    // clang-format on
     EGLint count = 0;
     if (!egl_.ChooseConfig(display_, wanted, &config_, 1, &count)) throw failure("eglChooseConfig");
     if (count == 0) config_ = nullptr;

@@ -309,25 +309,11 @@ class GlxContexts final : public ContextMaker {
 
   void choose_configuration(const std::string& where) {
     // Mesa would present a single-buffered surface at each flush, which fails with BadMatch for a pbuffer.
-    const int wanted[] = {GLX_RENDER_TYPE,
-                          GLX_RGBA_BIT,
-                          GLX_DRAWABLE_TYPE,
-                          GLX_PBUFFER_BIT,
-                          GLX_DOUBLEBUFFER,
-                          True,
-                          GLX_RED_SIZE,
-                          8,
-                          GLX_GREEN_SIZE,
-                          8,
-                          GLX_BLUE_SIZE,
-                          8,
-                          GLX_ALPHA_SIZE,
-                          8,
-                          GLX_DEPTH_SIZE,
-                          24,
-                          GLX_STENCIL_SIZE,
-                          8,
-                          None};
+    // clang-format off
+    const int wanted[] = {GLX_RENDER_TYPE, GLX_RGBA_BIT, GLX_DRAWABLE_TYPE, GLX_PBUFFER_BIT,
+                          GLX_DOUBLEBUFFER, True, GLX_RED_SIZE, 8, GLX_GREEN_SIZE, 8, GLX_BLUE_SIZE, 8,
+                          GLX_ALPHA_SIZE, 8, GLX_DEPTH_SIZE, 24, GLX_STENCIL_SIZE, 8, None};
+    // clang-format on
     int count = 0;
     GLXFBConfig* found = glx_.ChooseFBConfig(display_, xlib_.DefaultScreen(display_), wanted, &count);
     if (found && count > 0) configuration_ = found[0];

@@ -56,19 +56,11 @@ class OSMesaContexts final : public ContextMaker {
     const auto create = library_.find_as<CreateContextAttribs>("OSMesaCreateContextAttribs");
     if (!create || kind != EVALCTS_CORE_PROFILE) return ContextMaker::create_of_kind(kind);
     // Attributes with the values of GL/osmesa.h, which is not installed everywhere.
-    const int attributes[] = {0x22 /* FORMAT */,
-                              GL_RGBA,
-                              0x30 /* DEPTH_BITS */,
-                              24,
-                              0x31 /* STENCIL_BITS */,
-                              8,
-                              0x33 /* PROFILE */,
-                              0x34 /* CORE_PROFILE */,
-                              0x36 /* CONTEXT_MAJOR_VERSION */,
-                              3,
-                              0x37 /* CONTEXT_MINOR_VERSION */,
-                              2,
-                              0};
+    // clang-format off
+    const int attributes[] = {0x22 /* FORMAT */, GL_RGBA, 0x30 /* DEPTH_BITS */, 24, 0x31 /* STENCIL_BITS */, 8,
+                              0x33 /* PROFILE */, 0x34 /* CORE_PROFILE */,
+                              0x36 /* CONTEXT_MAJOR_VERSION */, 3, 0x37 /* CONTEXT_MINOR_VERSION */, 2, 0};
+    // clang-format on
     return current(create(attributes, nullptr));
   }
   void make_current(void* context) override {

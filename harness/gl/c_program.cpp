@@ -563,9 +563,9 @@ class Writer {
     const int command = answer.command.index;
     switch (answer.kind) {
       case Answer::Kind::kReturned:
-        return "(double)" + result_name(command);
+        return result_name(command);
       case Answer::Kind::kElement:
-        return "(double)" + element_name(command, answer.element);
+        return element_name(command, answer.element);
       case Answer::Kind::kWritten:
         declarations_ += fmt::format(
             "\n/* How many elements hold something else than the filler. */\nstatic size_t written(void) {{\n"
@@ -573,13 +573,13 @@ class Writer {
             "  while (bytes && ((unsigned char *){0})[bytes - 1] == 0xA5) --bytes;\n"
             "  return (bytes + sizeof *{0} - 1) / sizeof *{0};\n}}\n",
             array_name(command));
-        return "(double)written()";
+        return "written()";
       case Answer::Kind::kLeftOver:
-        return "(double)glGetError()";
+        return "glGetError()";
       case Answer::Kind::kEmittedValue:
-        return fmt::format("(double)emitted[{}]", answer.element);
+        return fmt::format("emitted[{}]", answer.element);
       case Answer::Kind::kEmittedVertices:
-        return "(double)emitted_vertices";
+        return "emitted_vertices";
     }
     return "0";
   }
@@ -631,7 +631,7 @@ class Writer {
 
   void check_within(const Check& check) {
     if (!is_full()) return check_within_in_short(check);
-    line("  const double got = {};", answer_text(check.answer));
+    line("  const double got = (double){};", answer_text(check.answer));
     const std::string what = subject(check), expected = interval(check);
     if (check.answer.is_error) {
       declarations_ += kErrorName;
@@ -668,7 +668,6 @@ class Writer {
   void check_within_in_short(const Check& check) {
     const Answer& answer = check.answer;
     std::string got = answer_text(answer);
-    if (got.starts_with("(double)")) got = got.substr(8);
     if (answer.kind == Answer::Kind::kLeftOver) {
       line("  const GLenum left_over = {};", got);
       got = "left_over";

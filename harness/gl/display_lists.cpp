@@ -27,18 +27,10 @@ bool is_compiled(const Command& command) {
                                       "TexCoord", "Index", "EdgeFlag", "SecondaryColor", "FogCoord",
                                       "Begin",    "End",   "Enable",   "Disable",        "MultiTexCoord",
                                       "Material"};
-  constexpr std::array kOthers = {"EndList",
-                                  "BeginQuery",
-                                  "EndQuery",
-                                  "BeginTransformFeedback",
-                                  "EndTransformFeedback",
-                                  "BeginConditionalRender",
-                                  "EndConditionalRender",
-                                  "EnableClientState",
-                                  "DisableClientState",
-                                  "NormalPointer",
-                                  "TexCoordPointer"};
-  if (std::ranges::count(kOthers, name) > 0) return false;
+  for (const char* other : {"EndList", "BeginQuery", "EndQuery", "BeginTransformFeedback",
+                            "EndTransformFeedback", "BeginConditionalRender", "EndConditionalRender",
+                            "EnableClientState", "DisableClientState", "NormalPointer", "TexCoordPointer"})
+    if (name == other) return false;
   if (name == "ActiveTexture" || name == "PushAttrib" || name == "PopAttrib") return true;
   return std::ranges::any_of(kBeginnings, [&](const char* start) { return name.starts_with(start); });
 }

@@ -92,26 +92,14 @@ std::string primitive_name(GLenum mode) {
 }
 
 std::string error_name(GLenum error) {
-  switch (error) {
-    case GL_NO_ERROR:
-      return "GL_NO_ERROR";
-    case GL_INVALID_ENUM:
-      return "GL_INVALID_ENUM";
-    case GL_INVALID_VALUE:
-      return "GL_INVALID_VALUE";
-    case GL_INVALID_OPERATION:
-      return "GL_INVALID_OPERATION";
-    case GL_STACK_OVERFLOW:
-      return "GL_STACK_OVERFLOW";
-    case GL_STACK_UNDERFLOW:
-      return "GL_STACK_UNDERFLOW";
-    case GL_OUT_OF_MEMORY:
-      return "GL_OUT_OF_MEMORY";
-    case GL_INVALID_FRAMEBUFFER_OPERATION:
-      return "GL_INVALID_FRAMEBUFFER_OPERATION";
-    default:
-      return fmt::format("0x{:04X}", error);
-  }
+#define NAMED(name) std::pair(GLenum{name}, #name)
+  for (const auto& [code, name] :
+       {NAMED(GL_NO_ERROR), NAMED(GL_INVALID_ENUM), NAMED(GL_INVALID_VALUE), NAMED(GL_INVALID_OPERATION),
+        NAMED(GL_STACK_OVERFLOW), NAMED(GL_STACK_UNDERFLOW), NAMED(GL_OUT_OF_MEMORY),
+        NAMED(GL_INVALID_FRAMEBUFFER_OPERATION)})
+    if (code == error) return name;
+#undef NAMED
+  return fmt::format("0x{:04X}", error);
 }
 
 const std::vector<GLenum>& all_targets() {
