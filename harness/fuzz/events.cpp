@@ -16,38 +16,36 @@ static void from_json(const json& in, Difference& difference) {
   difference = parse_difference(in).value_or(Difference());
 }
 
+namespace gl {
+static void to_json(json& out, const Case& program) { out = to_json(program); }
+static void from_json(const json& in, Case& program) { program = case_from_json(in); }
+}  // namespace gl
+
 namespace fuzz {
 
-static void to_json(json& out, const Finding& finding) {
-  const Failure& failure = finding.failure;
-  out = {{"program", gl::to_json(finding.program)},
-         {"cause", finding.cause},
-         {"title", finding.title},
-         {"requirement", finding.requirement},
-         {"known", finding.known},
-         {"outside_evaluators", finding.outside_evaluators},
-         {"difference", failure.difference},
-         {"what", failure.what},
-         {"message", failure.message},
-         {"expected", failure.expected},
-         {"captured", failure.captured},
-         {"calls", failure.calls}};
+// Calls `visit` with the name and the value of each field.
+template <class AnyFinding, class Visit>
+static void for_each_field(AnyFinding& finding, const Visit& visit) {
+  auto& failure = finding.failure;
+  visit("program", finding.program);
+  visit("cause", finding.cause);
+  visit("title", finding.title);
+  visit("requirement", finding.requirement);
+  visit("known", finding.known);
+  visit("outside_evaluators", finding.outside_evaluators);
+  visit("difference", failure.difference);
+  visit("what", failure.what);
+  visit("message", failure.message);
+  visit("expected", failure.expected);
+  visit("captured", failure.captured);
+  visit("calls", failure.calls);
 }
 
+static void to_json(json& out, const Finding& finding) {
+  for_each_field(finding, [&](const char* name, const auto& field) { out[name] = field; });
+}
 static void from_json(const json& in, Finding& finding) {
-  Failure& failure = finding.failure;
-  finding.program = gl::case_from_json(in.at("program"));
-  in.at("cause").get_to(finding.cause);
-  in.at("title").get_to(finding.title);
-  in.at("requirement").get_to(finding.requirement);
-  in.at("known").get_to(finding.known);
-  in.at("outside_evaluators").get_to(finding.outside_evaluators);
-  in.at("difference").get_to(failure.difference);
-  in.at("what").get_to(failure.what);
-  in.at("message").get_to(failure.message);
-  in.at("expected").get_to(failure.expected);
-  in.at("captured").get_to(failure.captured);
-  in.at("calls").get_to(failure.calls);
+  for_each_field(finding, [&](const char* name, auto& field) { in.at(name).get_to(field); });
 }
 
 // Functions that convert a type, whose members are the fields.
