@@ -191,10 +191,12 @@ CheckOutcome outcome_of(const RunResult& result) {
   const Conclusion conclusion = conclusion_of(result);
   if (std::ranges::any_of(result.tests, [](const TestRecord& test) { return is_failure(test.verdict); }))
     return CheckOutcome::kBad;
-  const bool is_judged = result.is_complete() && conclusion.internal_errors == 0 &&
-                         !warn_if_mostly_unobserved(result.implementation.name, conclusion.observed,
-                                                    conclusion.supported, "programs");
-  return is_judged ? CheckOutcome::kGood : CheckOutcome::kCannotBeJudged;
+  if (!result.is_complete() || conclusion.internal_errors > 0) return CheckOutcome::kCannotBeJudged;
+  if (!is_mostly_unobserved(conclusion.observed, result.tests.size())) return CheckOutcome::kGood;
+  std::cerr << fmt::format(
+      "evalcts: {}: only {} of {} different programs could be observed, which decides nothing\n",
+      result.implementation.name, conclusion.observed, result.tests.size());
+  return CheckOutcome::kCannotBeJudged;
 }
 
 // Returns the outcome for two implementations.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <set>
 #include <string_view>
 #include <type_traits>
 
@@ -163,7 +164,12 @@ bool ends_a_frame(const std::string& name) {
          name == "glFrameTerminatorGREMEDY";
 }
 
-void add(TraceCall call, record::RecordingWriter& recording) {
+// The context of a thread whose context the trace does not name, because it was trimmed, or traced without
+// the window system that the program uses.
+constexpr std::uint64_t kUnnamedContext = 1;
+
+// `threads`: those whose context is known.
+void add(TraceCall call, record::RecordingWriter& recording, std::set<std::uint32_t>& threads) {
   if (call.is_fake) return;
   recording.thread(call.thread);
   const auto context = [&](const std::map<std::string, std::size_t>& places) -> std::optional<std::uint64_t> {
@@ -174,7 +180,9 @@ void add(TraceCall call, record::RecordingWriter& recording) {
   if (const auto current = context(kMakeCurrent)) {
     const bool fails = call.result && call.result->kind == Kind::kInteger && call.result->integer == 0 &&
                        !call.name.starts_with("CGL");
-    if (!fails) recording.context(*current);
+    if (fails) return;
+    recording.context(*current);
+    threads.insert(call.thread);
   } else if (const auto destroyed = context(kDestroy)) {
     recording.destroy(*destroyed);
   } else if (ends_a_frame(call.name)) {
@@ -191,6 +199,7 @@ void add(TraceCall call, record::RecordingWriter& recording) {
       recording.count(name);
       return;
     }
+    if (threads.insert(call.thread).second) recording.context(kUnnamedContext);
     call.arguments.resize(found->second.parameters);
     const gl::Command command = found->second.command(call.arguments);
     recording.command(command, is_complete(command));
@@ -201,9 +210,10 @@ void add(TraceCall call, record::RecordingWriter& recording) {
 
 Imported import_trace(const std::filesystem::path& file) {
   TraceReader reader(file);
+  std::set<std::uint32_t> threads;
   Imported imported{record::RecordingWriter({reader.program()}), ""};
   try {
-    while (std::optional<TraceCall> call = reader.next()) add(std::move(*call), imported.recording);
+    while (std::optional<TraceCall> call = reader.next()) add(std::move(*call), imported.recording, threads);
     if (reader.is_cut()) imported.problem = "the trace ends within a call, and the program may have gone on";
   } catch (const BadTrace&) {
     imported.problem = "the trace is damaged, and only its beginning was read";

@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstddef>
 #include <fstream>
 #include <limits>
+#include <thread>
 
 #include <evalcts/fuzz/random_program.h>
 #include <evalcts/gl/case_json.h>
@@ -361,6 +364,48 @@ TEST_F(CheckRecording, JudgesSeveralImplementations) {
   EXPECT_EQ(both.code, 0) << both.text;
   for (const char* const name : {"production", "reference"})
     EXPECT_EQ(as_text(test_named(results(name), "Recording.Frame0/1")["verdict"]), "pass");
+}
+
+// The wrong sink hangs in a map of order 6.
+TEST_F(CheckRecording, AnInterruptedCheckDecidesNothing) {
+  gl::Case map;
+  map.Map1f(GL_MAP1_VERTEX_3, 0.0f, 1.0f, 3, 6, std::vector<float>(18, 1.0f));
+  map.Enable(GL_MAP1_VERTEX_3);
+  map.append(points());
+  RecordingFile hanging;
+  hanging.context(1);
+  hanging.commands(map);
+  hanging.write(file_);
+  const std::filesystem::path reached = folder_ / "reached", log = folder_ / "command.log";
+  setenv("EVALCTS_DRILL", "hang", 1);
+  setenv("EVALCTS_DRILL_FILE", reached.c_str(), 1);
+  ChildProcess check({EVALCTS_PROGRAM, "check", file_, "--output", folder_.string(), "--library", WRONG_SINK},
+                     log.string());
+  for (int i = 0; i < 1000 && !std::filesystem::exists(reached); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  kill(check.id(), SIGINT);
+  const auto ending = check.wait(20);
+  unsetenv("EVALCTS_DRILL_FILE");
+  ASSERT_TRUE(ending);
+  EXPECT_EQ(ending->value, 125) << read_file(log);
+  EXPECT_TRUE(contains(read_file(log), "evalcts: interrupted; the results so far")) << read_file(log);
+}
+
+// The smallest sink has no surfaces.
+TEST_F(CheckRecording, AnUnobservedCheckDecidesNothing) {
+  gl::Case map;
+  map.Map2f(GL_MAP2_VERTEX_3, 0.0f, 1.0f, 3, 2, 0.0f, 1.0f, 6, 2, std::vector<float>(12, 1.0f));
+  map.Enable(GL_MAP2_VERTEX_3);
+  map.Begin(GL_POINTS);
+  map.EvalCoord2f(0.5f, 0.5f);
+  map.End();
+  RecordingFile surface;
+  surface.context(1);
+  surface.commands(map);
+  surface.write(file_);
+  const Outcome outcome = check({"--library", SMALLEST_SINK});
+  EXPECT_EQ(outcome.code, 125) << outcome.text;
+  EXPECT_TRUE(contains(outcome.text, "programs could be observed, which decides nothing")) << outcome.text;
 }
 
 TEST_F(CheckRecording, BadInputIsNamed) {

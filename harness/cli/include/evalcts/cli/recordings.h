@@ -1,4 +1,4 @@
-// What the commands about recordings share. Implemented in record.cpp.
+// Helpers of the commands about recordings. Implemented in record.cpp.
 #pragma once
 
 #include <filesystem>
