@@ -267,7 +267,7 @@ scenario "the first call installs, builds, hands over; the second only builds"
 evalcts run --filter 'a  b' -- --no-install
 exits 7
 says "installing $required libosmesa6 xvfb"
-says "15 packages, 7.5 MB to download, 31 MB on disk"
+says "16 packages, 8.0 MB to download, 33 MB on disk"
 says "<program><run><--filter><a  b><--><--no-install>"
 says "$top/elsewhere"
 says "lock is free"
@@ -342,14 +342,14 @@ evalcts run
 exits 2
 says "Fedora's packages, as far as their names are known (untested):"
 check "the line" grep -qxF "  sudo dnf install gcc-c++ cmake ninja-build boost-devel gtest-devel cli11-devel json-devel \
-fmt-devel valijson-devel highway-devel libglvnd-devel mesa-libEGL-devel xorg-x11-server-Xvfb" <<<"$output"
+fmt-devel valijson-devel highway-devel snappy-devel libglvnd-devel mesa-libEGL-devel xorg-x11-server-Xvfb" <<<"$output"
 check "what has no name there" grep -qxF "  libkainjow-mustache-dev" <<<"$output"
 says_not nlohmann-json3-dev
 rm "$bin/dnf"
 script pacman </dev/null
 evalcts run
 exits 2
-check "the line" grep -qxF "  sudo pacman -S --needed gcc cmake ninja boost gtest cli11 nlohmann-json fmt highway libglvnd \
+check "the line" grep -qxF "  sudo pacman -S --needed gcc cmake ninja boost gtest cli11 nlohmann-json fmt highway snappy libglvnd \
 mesa xorg-server-xvfb" <<<"$output"
 rm "$machine/no-configure"
 evalcts run
