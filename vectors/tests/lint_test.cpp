@@ -182,17 +182,6 @@ TEST(Lint, TellsThemesApart) {
   }
 }
 
-TEST(Lint, KnowsThatRefusedQueriesAnswerNothing) {
-  json file = shipped("get_map", "get_map.GetMap.BetweenBeginAndEnd/GetMapfv.1");
-  EXPECT_EQ(complaint(file), "");
-  file["cases"][0]["steps"][1]["answers"] = parse_json(R"([["0x0p+0"]])");
-  EXPECT_EQ(complaint(file),
-            "get_map.GetMap.BetweenBeginAndEnd/GetMapfv.1: step 1: a rejected query has an answer");
-  file = shipped("get_map", "get_map.GetMap.BadQuery/GetMapfv.1");
-  file["cases"][0]["steps"][0]["answers"] = parse_json(R"([["0x0p+0"]])");
-  EXPECT_EQ(complaint(file), "get_map.GetMap.BadQuery/GetMapfv.1: step 0: a rejected query has an answer");
-}
-
 TEST(Lint, SaysWhatIsMalformed) {
   const std::string enumeration = "Failed to match against any enum values.";
   const auto superfluous = [](const std::string& member) {

@@ -26,9 +26,9 @@ struct Report {
 };
 
 // Returns the findings in the text of a file: duplicate ids, requirements that are not in `requirements`,
-// flags without a note, notes without a case, a wrong number of tests, cases that do not have the property
-// that their theme or a requirement claims, and answers of rejected queries. Throws Malformed if the text is
-// not JSON or check_structure() fails.
+// flags without a note, notes without a case, a wrong number of tests, and cases that do not have the
+// property that their theme or a requirement claims. Throws Malformed if the text is not JSON or
+// check_structure() fails.
 Report lint(const std::string& text, const std::set<std::string>& requirements);
 
 }  // namespace evalcts::vectors
