@@ -68,7 +68,9 @@ void write_c_programs(const fs::path& file, const std::vector<Program>& programs
     if (programs.size() > 1)
       name.replace_filename(fmt::format("{}-{}.c", file.stem().string(), object_name(program.name)));
     const gl::Case script = gl::parse_case(program.commands);
-    const gl::Check no_error = {.answer = {gl::Answer::Kind::kLeftOver}, .accepted = {{0, 0}}};
+    const gl::Check no_error = {.answer = {.kind = gl::Answer::Kind::kLeftOver, .is_error = true},
+                                .accepted = {{GL_NO_ERROR, GL_NO_ERROR}},
+                                .what = "the error that is left"};
     write(name,
           gl::to_c({.style = gl::CStyle::kShort,
                     .context = "egl",
