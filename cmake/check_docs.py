@@ -52,7 +52,6 @@ NOT_RUN_EXAMPLES = {
     "evalcts faults": "faults",
     "(git bisect|evalcts check)": "bisection",
     "evalcts (record|convert)": "recording",
-    "apitrace trace": "recording",
     "evalcts (reproduce|bugs|waive|report --history)": "last run",
     "evalcts vectors lint$": "vectors.lint",
     "evalcts vectors write": "vectors write",

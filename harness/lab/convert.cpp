@@ -148,7 +148,7 @@ std::function<int()> define_convert(CLI::App& app, const Call&) {
 
 const Command kConvertCommand = {
     kConvert.name, kConvert.description,
-    R"(  $ apitrace trace -o game.trace ./game && evalcts convert game.trace -o game.evalrec
+    R"(  $ evalcts convert game.trace -o game.evalrec
   $ evalcts convert game.evalrec --frames 12 -o teapot.obj
   $ evalcts convert game.evalrec -o game.json)",
     define_convert};
