@@ -107,10 +107,9 @@ int cannot_judge(const std::string& why) {
 std::optional<int> check_example(const KnownBug& bug, const ImplementationOptions& implementation) {
   if (bug.example.empty() || !implementation.context.empty()) return {};
   const bool is_osmesa = implementation.library.find("libOSMesa.so") != std::string::npos;
-  const std::string name = !implementation.name.empty() ? implementation.name : is_osmesa ? "osmesa" : "egl";
-  const std::vector<std::string> options = {"--implementation", name,
-                                            "--library",        implementation.library,
-                                            "--mesa-build",     implementation.mesa_build};
+  ImplementationOptions named = implementation;
+  if (named.name.empty()) named.name = is_osmesa ? "osmesa" : "egl";
+  const std::vector<std::string> options = named.words();
   ProgramRun run;
   try {
     run = build_and_run(options, example_program(bug, options, "short"));
@@ -152,7 +151,7 @@ int check(const CheckOptions& options) {
   RunRequest request;
   request.suite_program = places().suite_program;
   request.implementation = implementation;
-  request.name = implementation.name.empty() ? "library" : implementation.name;
+  request.name = implementation.label();
   request.limits.seconds_per_test = options.seconds_per_test;
   request.jobs = usual_jobs();
   request.output = scratch.path();

@@ -8,7 +8,6 @@
 #include <evalcts/fuzz/bugs.h>
 #include <evalcts/results/baseline.h>
 #include <evalcts/runner/interruption.h>
-#include "recorded.h"
 
 namespace evalcts::cli {
 
@@ -23,21 +22,23 @@ void find_distinct_bugs(RunResult& result, const RunRequest& request, double sec
   const std::filesystem::path scratch = request.output / ("scratch-bugs-" + result.file_label());
   std::filesystem::remove_all(scratch);
   std::filesystem::create_directory(scratch);
-  fuzz::BugRequest bugs = {.suite_command = replay_options(result),
+  fuzz::BugRequest bugs = {.suite_command = result.suite_command,
                            .jobs = request.jobs,
                            .seconds = seconds,
                            .scratch = scratch,
                            .limits = request.limits};
-  bugs.suite_command.insert(bugs.suite_command.begin(), request.suite_program.string());
+  const std::vector<std::string> captures = captures_option(result.implementation);
+  bugs.suite_command.insert(bugs.suite_command.end(), captures.begin(), captures.end());
   // The baseline names the bugs of known failures. It is applied to the result itself later, after
   // --write-baseline.
-  RunResult judged = result;
-  if (result.has_started()) Baseline(request.baseline, result.implementation, result.pass).apply(judged, {});
-  fuzz::find_bugs(judged, bugs, [&](std::size_t done, std::size_t total) {
+  RunResult with_baseline = result;
+  if (result.has_started())
+    Baseline(request.baseline, result.implementation, result.pass).apply(with_baseline, {});
+  fuzz::find_bugs(with_baseline, bugs, [&](std::size_t done, std::size_t total) {
     line.show(request.name, fmt::format("reducing failing tests, {} of {}", done, total));
   });
-  result.bugs = std::move(judged.bugs);
-  result.bugs_note = std::move(judged.bugs_note);
+  result.bugs = std::move(with_baseline.bugs);
+  result.bugs_note = std::move(with_baseline.bugs_note);
   fuzz::set_aside_shared_bugs(result);
   std::filesystem::remove_all(scratch);
 }

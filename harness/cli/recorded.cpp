@@ -13,6 +13,7 @@
 #include <evalcts/results/files.h>
 #include <evalcts/results/serialization.h>
 #include <evalcts/results/text.h>
+#include <evalcts/runner/runner.h>
 #include "result_files.h"
 
 namespace evalcts::cli {
@@ -136,14 +137,11 @@ std::vector<std::string> replay_options(const RunResult& run) {
       throw FormatError(fmt::format("suite_command: '{} {}' is not a command that judges", option, value));
     options.insert(options.end(), {option, value});
   }
-  std::string captures;
-  for (const CaptureRecord& capture : run.implementation.captures) {
-    if (!capture.available) continue;
-    if (!is_word(capture.name))
+  for (const CaptureRecord& capture : run.implementation.captures)
+    if (capture.available && !is_word(capture.name))
       throw FormatError(fmt::format("implementation.captures: '{}' is not a capture", capture.name));
-    captures += (captures.empty() ? "" : ",") + capture.name;
-  }
-  options.insert(options.end(), {"--captures", captures.empty() ? "none" : captures});
+  const std::vector<std::string> captures = captures_option(run.implementation);
+  options.insert(options.end(), captures.begin(), captures.end());
   return options;
 }
 

@@ -84,14 +84,13 @@ Replayed replay(const Candidate& failure, const std::string& program, const std:
   const fs::path log = scratch.path() / "log", program_file = scratch.path() / "program.c";
   std::vector<std::string> command = replay_options(*failure.run);
   command.insert(command.begin(), places().suite_program.string());
-  command.insert(command.end(),
-                 {"--die-with-parent", "--reproduce", program_file.string(), "--style", style});
+  command.insert(command.end(), {"--reproduce", program_file.string(), "--style", style});
   Worker worker(command, log, {failure.run->timeout.value_or(Limits().seconds_per_test)});
   worker.give(program.empty() ? Job{.kind = "test", .name = failure.name()}
                               : Job{.kind = "case", .name = "program", .data = program});
   worker.finish();
   const WorkerRun& run = worker.wait();
-  if (run.finished.empty() && run.in_flight.empty())
+  if (!run.began_a_job())
     throw CannotReproduce(fmt::format("{} no longer starts:\n{}", failure.label(), read_file(log)));
   Replayed result;
   if (!run.records.empty()) result.record = run.records.begin()->second;

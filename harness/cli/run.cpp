@@ -69,6 +69,7 @@ struct RunOptions {
 namespace fs = std::filesystem;
 
 int exit_code_of(const RunResult& result, const RunOptions& options) {
+  // The defaults are tried; only a named implementation has to start.
   if (!result.has_started()) return options.names_implementations() ? kWrongUse : kNothingUnexpected;
   const Conclusion conclusion = conclusion_of(result);
   if (conclusion.internal_errors) return kOwnFault;
@@ -122,14 +123,14 @@ std::string wrong_options(const RunOptions& options) {
       return fmt::format("unknown implementation '{}'; see 'evalcts list implementations'", name);
   if (const std::string wrong = wrong_reading(options.interpretations); !wrong.empty())
     return wrong + "; see 'evalcts list interpretations'";
+  if (options.write_baseline && (options.baseline.empty() || options.baseline == "none"))
+    return "--write-baseline needs the folder to write into: --baseline DIR";
   return {};
 }
 
 // Returns the name of the result files of an implementation.
 std::string result_name(const RunOptions& options, const ImplementationOptions& implementation) {
-  return !options.label.empty()        ? options.label
-         : implementation.name.empty() ? "library"
-                                       : implementation.name;
+  return options.label.empty() ? implementation.label() : options.label;
 }
 
 // Returns the part of the name of the run's folder that names the implementations.
@@ -235,7 +236,8 @@ AppliedBaseline apply_baseline(RunResult& result, const RunOptions& options, con
   Baseline baseline(choice, result.implementation, result.pass);
   // If the chosen files are for one pass, the other pass must not write them.
   const bool is_chosen = choice.name.empty() || (baseline.files() && baseline.files()->name == choice.name);
-  if (options.write_baseline && is_chosen) try {
+  if (options.write_baseline && is_chosen) {
+    try {
       const BaselineFiles renewed = baseline.renewed(result, choice, result.file_label());
       if (baseline.files() || !renewed.entries.empty() || result.pass == Pass::kFreshContexts)
         applied.written = write_baseline(chosen_files(options.baseline).folder, baseline.files(), renewed);
@@ -245,6 +247,7 @@ AppliedBaseline apply_baseline(RunResult& result, const RunOptions& options, con
     } catch (const BadBaseline& error) {
       applied.problem = error.what();
     }
+  }
   baseline.apply(result, all_tests);
   result.stale_baseline_entries = baseline.stale_entries(all_tests);
   if (baseline.files()) applied.files = baseline.files()->name;
@@ -266,8 +269,6 @@ int run(const RunOptions& options, const std::string& shard) {
   if (const std::string wrong = wrong_options(options); !wrong.empty()) return wrong_use(wrong);
   RunRequest request = request_of(options, shard);
   const std::vector<ImplementationOptions> chosen = chosen_implementations(options);
-  if (options.write_baseline && (options.baseline.empty() || options.baseline == "none"))
-    return wrong_use("--write-baseline needs the folder to write into: --baseline DIR");
   if (options.baseline == "none")
     request.baseline.known_bugs = false;
   else
@@ -309,6 +310,7 @@ int run(const RunOptions& options, const std::string& shard) {
       AppliedBaseline applied;
       if (request.baseline.known_bugs && result.has_started())
         applied = apply_baseline(result, options, request, all_tests);
+      // The runner has written the results without bugs and baseline, in case this process is killed.
       write_atomically(output / fmt::format("results-{}.json", label), to_text(result));
       write_atomically(output / fmt::format("junit-{}.xml", label), reports::junit(result));
       const ScreenSize screen = screen_of(STDOUT_FILENO);

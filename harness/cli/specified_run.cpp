@@ -24,9 +24,8 @@ Scratch::~Scratch() {
 bool run_on_specification(const std::vector<std::string>& tests,
                           const std::function<void(const Event&)>& each) {
   constexpr double kPatience = 60;  // seconds
-  Worker worker({places().suite_program.string(), "--implementation", "reference", "--depth", "quick",
-                 "--die-with-parent"},
-                {}, {kPatience});
+  Worker worker({places().suite_program.string(), "--implementation", "reference", "--depth", "quick"}, {},
+                {kPatience});
   for (const std::string& test : tests) worker.give({.kind = "test", .name = test, .traces_cases = true});
   worker.finish();
   return worker.wait({}, each).complete;

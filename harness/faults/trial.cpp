@@ -286,32 +286,31 @@ class Trial {
     bool is_bad = false;
     std::string latest_end;
     const std::vector<std::string> arguments = subject.arguments();
-    const Pool pool{.command =
-                        [&] {
-                          std::vector<std::string> command = {request_.suite_program.string(), "--depth",
-                                                              name_of(depth), "--die-with-parent"};
-                          command.insert(command.end(), arguments.begin(), arguments.end());
-                          return command;
-                        },
-                    .log = request_.scratch / fmt::format("{}-{}.log", subject.label(), name_of(depth)),
-                    .limits = {request_.seconds_per_test},
-                    .each =
-                        [&](const Event& event) {
-                          const auto* const finished = std::get_if<TestFinished>(&event);
-                          if (!finished) return;
-                          verdicts[finished->record.name] = finished->record;
-                          is_bad = is_bad || is_failure(finished->record.verdict);
-                        },
-                    .ended =
-                        [&](const WorkerRun& run) {
-                          latest_end = run.cannot_start.empty() ? describe(run.ending) : run.cannot_start;
-                          if (run.in_flight.empty()) return;
-                          ++deaths;
-                          is_bad = true;
-                          verdicts[run.in_flight] =
-                              record_of(run.in_flight, run.hung ? Verdict::kTimeout : Verdict::kCrash,
-                                        describe(run.ending));
-                        }};
+    const Pool pool{
+        .command =
+            [&] {
+              std::vector<std::string> command = {request_.suite_program.string(), "--depth", name_of(depth)};
+              command.insert(command.end(), arguments.begin(), arguments.end());
+              return command;
+            },
+        .log = request_.scratch / fmt::format("{}-{}.log", subject.label(), name_of(depth)),
+        .limits = {request_.seconds_per_test},
+        .each =
+            [&](const Event& event) {
+              const auto* const finished = std::get_if<TestFinished>(&event);
+              if (!finished) return;
+              verdicts[finished->record.name] = finished->record;
+              is_bad = is_bad || is_failure(finished->record.verdict);
+            },
+        .ended =
+            [&](const WorkerRun& run) {
+              latest_end = run.cannot_start.empty() ? describe(run.ending) : run.cannot_start;
+              if (!run.died_in_job()) return;
+              ++deaths;
+              is_bad = true;
+              verdicts[run.in_flight] = record_of(
+                  run.in_flight, run.hung ? Verdict::kTimeout : Verdict::kCrash, describe(run.ending));
+            }};
     pool.run([&]() -> std::optional<Job> {
       if (next == tests.size() || deaths == kMostDeaths || (until_bad && is_bad)) return std::nullopt;
       return Job{.kind = "test", .name = tests[next++]};

@@ -200,7 +200,7 @@ class BugSearch {
   void reduce(const std::vector<FailingCase>& cases) {
     std::size_t next = 0;
     const Pool pool{
-        .command = [this] { return suite_command(); },
+        .command = [this] { return request_.suite_command; },
         .log = request_.scratch / "reduce.log",
         .limits = {kSecondsOfCase, request_.limits.memory},
         .workers = static_cast<std::size_t>(std::max(request_.jobs, 1)),
@@ -226,17 +226,11 @@ class BugSearch {
     });
   }
 
-  std::vector<std::string> suite_command() const {
-    std::vector<std::string> command = request_.suite_command;
-    command.push_back("--die-with-parent");
-    return command;
-  }
-
   // --- crashes and hangs
 
   // Runs the program in a separate process. Returns the death of the library, if it dies.
   std::optional<Difference> run_alone(const gl::Case& program, double patience) const {
-    return fuzz::death_of(run_program(suite_command(), program, request_.scratch / "alone.log",
+    return fuzz::death_of(run_program(request_.suite_command, program, request_.scratch / "alone.log",
                                       {patience, request_.limits.memory}));
   }
 

@@ -34,7 +34,7 @@ WorkerRun run_program(const std::vector<std::string>& command, const gl::Case& p
 
 std::optional<Difference> death_of(const WorkerRun& run) {
   const bool is_own_fault = !run.ending.signalled && run.ending.value == kOwnFault;
-  if (run.complete || interrupted || run.in_flight.empty() || is_own_fault) return std::nullopt;
+  if (run.complete || interrupted || !run.died_in_job() || is_own_fault) return std::nullopt;
   if (run.hung) return Difference{Difference::kHang, run.crash ? run.crash->command() : "", ""};
   return Difference{Difference::kCrash, run.crash ? run.crash->group() : "", ""};
 }

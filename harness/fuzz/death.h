@@ -11,9 +11,6 @@
 
 namespace evalcts::fuzz {
 
-// Exit status of the suite program after a fault of its own.
-inline constexpr int kOwnFault = 3;
-
 // Runs the program in a process of its own. `command`: starts the suite program with the implementation.
 WorkerRun run_program(const std::vector<std::string>& command, const gl::Case& program,
                       const std::filesystem::path& log, const Limits& limits);

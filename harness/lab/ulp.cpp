@@ -206,22 +206,11 @@ int work(const UlpOptions& options) {
 
 // --- the process that starts the workers
 
-// Returns the words that choose the implementation.
-std::vector<std::string> words_of(const ImplementationOptions& implementation) {
-  std::vector<std::string> words;
-  for (const auto& [option, value] : {std::pair{"--implementation", implementation.name},
-                                      {"--library", implementation.library},
-                                      {"--context", implementation.context},
-                                      {"--mesa-build", implementation.mesa_build}})
-    if (!value.empty()) words.insert(words.end(), {option, value});
-  return words;
-}
-
 // Returns the command that evaluates the input of one of the worst results again.
 std::vector<std::string> replay_of(const UlpOptions& options, const ImplementationOptions& implementation,
                                    const json& row, const json& worst) {
   std::vector<std::string> command = {options.program, "ulp"};
-  const std::vector<std::string> chosen = words_of(implementation);
+  const std::vector<std::string> chosen = implementation.words();
   command.insert(command.end(), chosen.begin(), chosen.end());
   if (row.contains("target")) command.insert(command.end(), {"--target", row["target"]});
   // A value that begins with '-' must be in the same word as its option.
@@ -287,7 +276,7 @@ json measure_implementation(const UlpOptions& options, const ImplementationOptio
     }
   };
   std::vector<std::string> command = {fs::read_symlink("/proc/self/exe").string(), "ulp"};
-  for (const std::string& word : words_of(implementation)) command.push_back(word);
+  for (const std::string& word : implementation.words()) command.push_back(word);
   for (const std::string& target : options.targets) command.push_back("--target=" + target);
   command.push_back("--filter=" + options.filter);
   command.push_back(fmt::format("--values={}", options.values));
@@ -399,7 +388,7 @@ std::vector<ImplementationOptions> chosen_implementations(const UlpOptions& opti
 
 int ulp(const UlpOptions& options) {
   if (!options.worker.empty()) return work(options);
-  const bool is_default = options.names.empty() && words_of(options.common).empty();
+  const bool is_default = options.names.empty() && options.common.words().empty();
   const std::vector<ImplementationOptions> implementations = chosen_implementations(options);
   const std::string& mesa = completed(options.common).mesa_build;
   if (!mesa.empty() && !uses_mesa_build(mesa)) {
@@ -426,9 +415,7 @@ int ulp(const UlpOptions& options) {
                    {"implementations", json::array()}};
   int code = kNothingUnexpected;
   for (const ImplementationOptions& each : implementations) {
-    const std::string name = !options.label.empty() ? options.label
-                             : each.name.empty()    ? "library"
-                                                    : each.name;
+    const std::string name = options.label.empty() ? each.label() : options.label;
     json entry = measure_implementation(options, each, name, output, line);
     line.print(table_text(entry, options.targets.size() > 1) + "\n");
     if (as_text(entry["status"]) == "crashed") code = std::max(code, kUnexpected);

@@ -24,45 +24,62 @@ bool is_in_map_command(const WorkerRun& run) {
 
 }  // namespace
 
-void DeathConfirmation::record(const std::vector<WorkerRun>& ended) {
-  std::vector<const WorkerRun*> first, like_others, hung_like_others, rest;
-  std::map<const SameCrashes*, std::size_t> chosen;
-  for (const WorkerRun& run : ended) {
-    if (run.in_flight.empty()) continue;
-    if (run.hung && run.crash && !run.crash->call.empty() && !request_.first_pass &&
-        !hangs_.try_emplace(place_of(run), run.in_flight).second) {
-      hung_like_others.push_back(&run);
-      continue;
-    }
-    const bool has_like = !request_.first_pass && is_in_map_command(run);
-    const SameCrashes* const same = has_like ? &same_crashes_[place_of(run)] : nullptr;
-    (same && same->confirmed + chosen[same]++ >= kSameCrashes ? like_others : first).push_back(&run);
+void DeathConfirmation::confirm_and_record(const std::vector<WorkerRun>& deaths) {
+  std::vector<const WorkerRun*> first, like_others, rest;
+  std::map<std::string, std::size_t> chosen;
+  for (const WorkerRun& run : deaths) {
+    if (!request_.is_second_pass() && (hangs_like_another(run) || has_enough_like_it(run, chosen)))
+      like_others.push_back(&run);
+    else
+      first.push_back(&run);
   }
   confirm(first);
-  for (const WorkerRun* run : like_others) {
-    const SameCrashes& same = same_crashes_[place_of(*run)];
-    if (interrupted || same.others > 0 || same.confirmed < kSameCrashes)
+  for (const WorkerRun* run : like_others)
+    if (interrupted || !(run->hung ? record_as_same_hang(*run) : record_as_same_crash(*run)))
       rest.push_back(run);
-    else
-      records_.add(
-          run->in_flight, Verdict::kCrash,
-          fmt::format("{}; as in {} tests that were run again alone", describe(*run), same.confirmed), {},
-          run->crash);
-  }
-  for (const WorkerRun* run : hung_like_others) {
-    const std::string& representative = hangs_.at(place_of(*run));
-    if (interrupted || !hung_alone_.contains(representative)) {
-      rest.push_back(run);
-      continue;
-    }
-    const Verdict verdict = records_.find(representative)->verdict;
-    records_.add(
-        run->in_flight, verdict,
-        fmt::format("{}{}; as in {}, which was run again alone",
-                    verdict == Verdict::kNotObservable ? "pipeline: " : "", describe(*run), representative),
-        {}, run->crash);
-  }
   confirm(rest);
+}
+
+// True if an earlier test hung at the same place.
+bool DeathConfirmation::hangs_like_another(const WorkerRun& run) {
+  return run.hung && run.crash && !run.crash->call.empty() &&
+         !hangs_.try_emplace(place_of(run), run.in_flight).second;
+}
+
+// True if enough other tests with the same crash in a map command have been confirmed or chosen to be
+// confirmed. Otherwise counts this one in `chosen`, by place.
+bool DeathConfirmation::has_enough_like_it(const WorkerRun& run,
+                                           std::map<std::string, std::size_t>& chosen) const {
+  if (!is_in_map_command(run)) return false;
+  const auto same = same_crashes_.find(place_of(run));
+  const std::size_t confirmed = same == same_crashes_.end() ? 0 : same->second.confirmed;
+  std::size_t& chosen_here = chosen[place_of(run)];
+  if (confirmed + chosen_here >= kSameCrashes) return true;
+  ++chosen_here;
+  return false;
+}
+
+// Records a hang like that of a test that hung again alone. Returns false if that test did not.
+bool DeathConfirmation::record_as_same_hang(const WorkerRun& run) {
+  const std::string& representative = hangs_.at(place_of(run));
+  if (!hung_alone_.contains(representative)) return false;
+  const Verdict verdict = records_.find(representative)->verdict;
+  records_.add(
+      run.in_flight, verdict,
+      fmt::format("{}{}; as in {}, which was run again alone",
+                  verdict == Verdict::kNotObservable ? "pipeline: " : "", describe(run), representative),
+      {}, run.crash);
+  return true;
+}
+
+// Records a crash like those of tests that crashed again alone. Returns false if too few did, or one did not.
+bool DeathConfirmation::record_as_same_crash(const WorkerRun& run) {
+  const SameCrashes& same = same_crashes_[place_of(run)];
+  if (same.others > 0 || same.confirmed < kSameCrashes) return false;
+  records_.add(run.in_flight, Verdict::kCrash,
+               fmt::format("{}; as in {} tests that were run again alone", describe(run), same.confirmed), {},
+               run.crash);
+  return true;
 }
 
 // Runs each of these tests alone in a new process, with its cases traced to get the calls, and records it.
@@ -86,17 +103,23 @@ bool DeathConfirmation::dies_with_explicit_vertices(const std::string& test, con
   const WorkerRun control = processes_.run_in_turn(
       {{.kind = "test", .name = test, .cases = cases->second.size(), .runs_control = true}},
       SuiteProcesses::Like::kAlone);
-  return !interrupted && !control.in_flight.empty();
+  return !interrupted && control.died_in_job();
 }
 
 void DeathConfirmation::count_crash(const WorkerRun& dead, const WorkerRun& alone) {
   if (!is_in_map_command(dead)) return;
   SameCrashes& same = same_crashes_[place_of(dead)];
-  ++(is_in_map_command(alone) && place_of(alone) == place_of(dead) ? same.confirmed : same.others);
+  if (is_in_map_command(alone) && place_of(alone) == place_of(dead))
+    ++same.confirmed;
+  else
+    ++same.others;
 }
 
-// Records the test in which `dead` ended, given its run alone in a new process. If it passes there, its
-// history is searched for.
+// Records the test in which `dead` ended, given its run alone in a new process:
+//   it did not begin: not confirmed
+//   it only needs more time than it had: as it was judged alone
+//   it dies again: confirmed, unless the controls die as well
+//   it passes or fails: a search for its history decides whether it depends on earlier tests or is a flake
 void DeathConfirmation::record_as_alone(const WorkerRun& dead, const WorkerRun& alone) {
   const std::string& test = dead.in_flight;
   const Verdict verdict = verdict_of_death(dead);
@@ -105,7 +128,7 @@ void DeathConfirmation::record_as_alone(const WorkerRun& dead, const WorkerRun& 
     records_.add(test, verdict, how + "; not confirmed, the run was interrupted", {}, dead.crash);
     return;
   }
-  if (alone.in_flight.empty() && alone.finished.empty()) {
+  if (!alone.began_a_job()) {
     records_.add(test, verdict, how + "; not confirmed, because no test began in a new process", {},
                  dead.crash);
     return;
@@ -113,14 +136,15 @@ void DeathConfirmation::record_as_alone(const WorkerRun& dead, const WorkerRun& 
   const auto result = alone.records.find(test);
   const bool has_record = result != alone.records.end();
   const double patience = dead.limits.seconds_per_test;
-  if (dead.hung && patience < request_.limits.seconds_per_test && has_record &&
-      result->second.seconds.value_or(0) > kSlow * patience) {
+  // It had a part of the time only, and other processes may have taken it.
+  const bool had_little_time = dead.hung && patience < request_.limits.seconds_per_test && has_record;
+  if (had_little_time && result->second.seconds.value_or(0) > kSlow * patience) {
     records_.add(TestFinished{result->second});  // the test was only slow
     return;
   }
   if (alone.hung) hung_alone_.insert(test);
   count_crash(dead, alone);
-  if (!alone.in_flight.empty()) {
+  if (alone.died_in_job()) {
     const std::string last_case = alone.last_case ? alone.last_case->identity : "";
     if (alone.last_case && alone.last_case->is_control)
       records_.add(test, Verdict::kNotObservable, fmt::format("pipeline: {} in '{}'", how, last_case));
@@ -135,18 +159,17 @@ void DeathConfirmation::record_as_alone(const WorkerRun& dead, const WorkerRun& 
   const bool fails_alone = has_record && result->second.verdict == Verdict::kFail;
   TestRecord& record =
       records_.add(test, verdict, how + (fails_alone ? "; fails alone" : "; passes alone"), {}, dead.crash);
-  histories_.add_history(record, dead.finished);
-  if (record.flake && has_record && dead.hung && patience < request_.limits.seconds_per_test) {
-    // It had a part of the time only, and other processes may have taken it.
+  const History history = histories_.find_history(record, dead.finished);
+  const bool is_reproduced = history.quality != History::Quality::kNotReproduced;
+  if (!is_reproduced && had_little_time) {
     TestRecord judged = result->second;
     if (fails_alone) judged.message += fmt::format("; once, {}", describe(dead));
     records_.add(TestFinished{std::move(judged)});
     return;
   }
-  if (record.flake && has_record) {
-    record.again = {result->second.verdict, result->second.message};
-    record.flake = !fails_alone;
-  }
+  add_history(record, history, dead.finished.size());
+  record.flake = !is_reproduced && !fails_alone;
+  if (!is_reproduced && has_record) record.again = {result->second.verdict, result->second.message};
 }
 
 }  // namespace evalcts

@@ -27,10 +27,10 @@ class DeathConfirmation {
         histories_(histories),
         progress_(progress) {}
 
-  // Adds a record for each test in flight of these ended processes. A test does not run again if several
+  // Adds a record for each test in which one of these processes died. A test does not run again if several
   // tests with the same crash in a map command have been confirmed and none had another outcome, or if it
   // hangs at a place where another test hangs alone.
-  void record(const std::vector<WorkerRun>& ended);
+  void confirm_and_record(const std::vector<WorkerRun>& deaths);
 
  private:
   // Statistics of crashes in one command with the same innermost frames.
@@ -39,6 +39,10 @@ class DeathConfirmation {
     std::size_t others = 0;     // tests with another outcome when they ran alone
   };
 
+  bool hangs_like_another(const WorkerRun& run);
+  bool has_enough_like_it(const WorkerRun& run, std::map<std::string, std::size_t>& chosen) const;
+  bool record_as_same_hang(const WorkerRun& run);
+  bool record_as_same_crash(const WorkerRun& run);
   void confirm(const std::vector<const WorkerRun*>& dead);
   void record_as_alone(const WorkerRun& dead, const WorkerRun& alone);
   void count_crash(const WorkerRun& dead, const WorkerRun& alone);

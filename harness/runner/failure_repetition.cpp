@@ -46,17 +46,16 @@ std::map<std::string, std::vector<std::string>> keep_one_of_each_group(std::vect
 // Explains a failure with another outcome when it ran alone: it depends on earlier tests, it is a flake,
 // which decides nothing, or it fails each time, but not in the same way.
 void explain_difference(TestRecord& record, const Repetition& again, HistorySearch& histories) {
-  const TestRecord before = record;
-  const History::Quality quality = histories.add_history(record, histories.predecessors_of(record.name));
-  if (record.history && !record.history->empty()) return;
-  record = before;
+  const std::vector<std::string> predecessors = histories.predecessors_of(record.name);
+  const History history = histories.find_history(record, predecessors);
+  if (!history.tests.empty()) return add_history(record, history, predecessors.size());
   record.again = again;
   if (is_failure(again.verdict)) {
     record.message +=
         "; when it runs again alone in a new process, it fails in another way: " + again.message;
     return;
   }
-  record.flake = quality != History::Quality::kOutOfTime;
+  record.flake = history.quality != History::Quality::kOutOfTime;
   record.message += fmt::format("; when it runs again alone in a new process, its verdict is {}",
                                 text_of(again.verdict).label);
   if (!record.flake) {
@@ -81,6 +80,12 @@ std::uint64_t repeat_failures(const RunRequest& request, const Baseline& baselin
   }
   std::map<std::string, std::vector<std::string>> rest_of_group;  // by the test that represents the group
   if (names.size() > kMostRerun) rest_of_group = keep_one_of_each_group(names, records);
+  // If a test does not represent its group, the others of the group are repeated, too. `names` grows, so that
+  // the loop below reaches them.
+  const auto repeat_group_of = [&](const std::string& name) {
+    if (const auto rest = rest_of_group.extract(name); !rest.empty())
+      names.insert(names.end(), rest.mapped().begin(), rest.mapped().end());
+  };
   for (int round = 0; round < request.retries; ++round) {
     std::vector<std::string> same;
     const auto jobs = static_cast<std::size_t>(request.jobs);
@@ -92,8 +97,9 @@ std::uint64_t repeat_failures(const RunRequest& request, const Baseline& baselin
       const std::vector<WorkerRun> runs = processes.run_alone(some, false);
       for (std::size_t i = 0; i < some.size() && !interrupted; ++i) {
         TestRecord& record = *records.find(some[i]);
-        if (runs[i].in_flight.empty() && !runs[i].records.contains(some[i])) {
+        if (!runs[i].died_in_job() && !runs[i].records.contains(some[i])) {
           record.message += "; not confirmed, because it did not begin in a new process";
+          repeat_group_of(some[i]);
           continue;
         }
         const std::optional<Repetition> other = other_outcome(record, runs[i]);
@@ -103,9 +109,7 @@ std::uint64_t repeat_failures(const RunRequest& request, const Baseline& baselin
         }
         progress({"searching a history", records.size(), request.tests.size(), some[i]});
         explain_difference(record, *other, histories);
-        // A flake does not represent its group, so the others are repeated, too.
-        const auto rest = rest_of_group.extract(some[i]);
-        if (!rest.empty()) names.insert(names.end(), rest.mapped().begin(), rest.mapped().end());
+        repeat_group_of(some[i]);
       }
     }
     names = std::move(same);

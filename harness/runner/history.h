@@ -18,6 +18,9 @@ struct History {
   };
   Quality quality = Quality::kOutOfTime;
   std::vector<std::string> tests;
+  std::string only_case = {};  // of a single test: the last of its cases that matters; empty: not searched
+
+  bool is_found() const { return quality == Quality::kShortest || quality == Quality::kShortened; }
 };
 
 // Returns true if the failure happens after these tests in this order; empty if time ran out first.

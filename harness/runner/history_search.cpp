@@ -15,8 +15,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kMostSeconds = 30;  // for the search for the history of one failure
 
-std::string message_with_history(const History& history, const std::string& only_case,
-                                 std::size_t predecessors, const std::string& message) {
+std::string message_with_history(const History& history, std::size_t predecessors,
+                                 const std::string& message) {
   switch (history.quality) {
     case History::Quality::kNotReproduced:
       return fmt::format(
@@ -35,12 +35,18 @@ std::string message_with_history(const History& history, const std::string& only
   } else if (!history.tests.empty()) {
     after = fmt::format("{}", fmt::join(history.tests, ", "));
   }
-  if (!only_case.empty()) after += fmt::format(" up to its case '{}'", only_case);
+  if (!history.only_case.empty()) after += fmt::format(" up to its case '{}'", history.only_case);
   if (history.quality == History::Quality::kShortened) after += " (perhaps fewer: time ran out)";
   return fmt::format("after {}: {}", after, message);
 }
 
 }  // namespace
+
+void add_history(TestRecord& record, const History& history, std::size_t predecessors) {
+  record.message = message_with_history(history, predecessors, record.message);
+  record.history_case = history.only_case;
+  if (history.is_found()) record.history = history.tests;
+}
 
 std::vector<std::string> HistorySearch::predecessors_of(const std::string& test) const {
   for (const std::vector<std::string>& sequence : sequences_) {
@@ -51,7 +57,7 @@ std::vector<std::string> HistorySearch::predecessors_of(const std::string& test)
 }
 
 bool HistorySearch::fails_in_first_pass(const TestRecord& record) const {
-  if (!request_.first_pass) return false;
+  if (!request_.is_second_pass()) return false;
   const auto fresh = std::ranges::find(request_.first_pass->tests, record.name, &TestRecord::name);
   return fresh != request_.first_pass->tests.end() && fresh->verdict == record.verdict &&
          (fresh->signature() == record.signature() ||
@@ -69,19 +75,18 @@ std::optional<bool> HistorySearch::happens_again(const TestRecord& record, std::
          !fails_in_first_pass(again->second);
 }
 
-History::Quality HistorySearch::add_history(TestRecord& record,
-                                            const std::vector<std::string>& predecessors) {
+History HistorySearch::find_history(const TestRecord& record, const std::vector<std::string>& predecessors) {
   const auto begin = Clock::now();
   searched_.insert(record.name);
   double seconds = std::min(kMostSeconds, seconds_left_);
   if (record.verdict == Verdict::kTimeout)
     seconds += 4 * processes_.patience();  // each repetition takes as long
   deadline_ = begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-  const std::optional<bool> alone = happens_again(record, {});
+  const std::optional<bool> without_predecessors = happens_again(record, {});
   History history;
-  if (alone && *alone) {
+  if (without_predecessors && *without_predecessors) {
     history.quality = History::Quality::kShortest;
-  } else if (alone) {
+  } else if (without_predecessors) {
     const bool guess_applies = std::ranges::all_of(
         guess_, [&](const std::string& test) { return std::ranges::count(predecessors, test) > 0; });
     history = shortest_history(predecessors, guess_applies ? guess_ : std::vector<std::string>(),
@@ -94,15 +99,10 @@ History::Quality HistorySearch::add_history(TestRecord& record,
   }
   // The search for the case would wait for each hang.
   if (history.tests.size() == 1 && record.verdict != Verdict::kTimeout)
-    record.history_case = case_of_history(record, history.tests[0]);
+    history.only_case = case_of_history(record, history.tests[0]);
   seconds_left_ = std::max(seconds_left_ - std::chrono::duration<double>(Clock::now() - begin).count(), 0.0);
   if (!history.tests.empty()) guess_ = history.tests;
-  record.message = message_with_history(history, record.history_case, predecessors.size(), record.message);
-  if (history.quality == History::Quality::kShortest || history.quality == History::Quality::kShortened)
-    record.history = history.tests;
-  else
-    record.flake = history.quality == History::Quality::kNotReproduced;
-  return history.quality;
+  return history;
 }
 
 // For a history of one test, returns the last of the cases of this test that the failure depends on; empty

@@ -1,5 +1,4 @@
-// Searches for the histories of failures by running tests again in new processes, and writes them into the
-// records of these failures.
+// Searches for the histories of failures by running tests again in new processes.
 #pragma once
 
 #include <set>
@@ -14,6 +13,10 @@ namespace evalcts {
 
 inline constexpr char kHistoryOutOfTime[] = "; the search for the tests that it depends on ran out of time";
 
+// Adds a history that was found, or that none was found, to the message of the failure, and sets `history`
+// and `history_case`. `predecessors`: number of tests among which the history was searched for.
+void add_history(TestRecord& record, const History& history, std::size_t predecessors);
+
 class HistorySearch {
  public:
   // `request` and `processes` must outlive the object.
@@ -25,9 +28,8 @@ class HistorySearch {
   // Returns the tests that ran before the test in the same process.
   std::vector<std::string> predecessors_of(const std::string& test) const;
 
-  // Searches for the shortest part of `predecessors` after which the test fails again. Sets the message,
-  // `history`, `history_case` and `flake` of the record.
-  History::Quality add_history(TestRecord& record, const std::vector<std::string>& predecessors);
+  // Searches for the shortest part of `predecessors` after which the test of the record fails again.
+  History find_history(const TestRecord& record, const std::vector<std::string>& predecessors);
   bool has_searched(const std::string& test) const { return searched_.contains(test); }
 
   // True if the test failed in the first pass with the same verdict and at least the same mismatches. False

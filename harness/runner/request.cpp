@@ -2,6 +2,7 @@
 #include "request.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/utsname.h>
 
 #include <algorithm>
@@ -60,14 +61,8 @@ std::string seen_from_here(const fs::path& path) {
 std::vector<std::string> shared_options(const RunRequest& request) {
   std::vector<std::string> options = {"--depth", name_of(request.depth), "--seed",
                                       std::to_string(request.seed)};
-  if (!request.implementation.name.empty())
-    options.insert(options.end(), {"--implementation", request.implementation.name});
-  if (!request.implementation.library.empty())
-    options.insert(options.end(), {"--library", request.implementation.library});
-  if (!request.implementation.context.empty())
-    options.insert(options.end(), {"--context", request.implementation.context});
-  if (!request.implementation.mesa_build.empty())
-    options.insert(options.end(), {"--mesa-build", request.implementation.mesa_build});
+  const std::vector<std::string> chosen = request.implementation.words();
+  options.insert(options.end(), chosen.begin(), chosen.end());
   for (const std::string& reading : request.readings)
     options.insert(options.end(), {"--interpretation", reading});
   return options;
@@ -87,7 +82,7 @@ RunResult header_of(const RunRequest& request) {
   header.timeout = request.limits.seconds_per_test;
   header.memory = request.limits.memory >> 20;
   header.suite_command = suite_command(request);
-  header.pass = request.first_pass ? Pass::kReuseContext : Pass::kFreshContexts;
+  header.pass = request.is_second_pass() ? Pass::kReuseContext : Pass::kFreshContexts;
   header.shard = request.shard;
   header.implementation.name = request.name;
   header.implementation.machine = machine();
@@ -101,13 +96,18 @@ std::vector<std::string> suite_command(const RunRequest& request) {
   return command;
 }
 
+std::vector<std::string> captures_option(const ImplementationRecord& implementation) {
+  std::vector<std::string> names;
+  for (const CaptureRecord& capture : implementation.captures)
+    if (capture.available) names.push_back(capture.name);
+  return {"--captures", names.empty() ? "none" : fmt::format("{}", fmt::join(names, ","))};
+}
+
 void add_commands(const RunRequest& request, TestRecord& record) {
   // A failure that depends on earlier tests needs them, too.
   std::string filter = record.name;
   for (const std::string& before : record.history.value_or(std::vector<std::string>()))
     filter += ":" + before;
-  const std::string usual_name =
-      request.implementation.name.empty() ? "library" : request.implementation.name;
   std::vector<std::string> rerun = shared_options(request);
   const bool is_recorded = !request.recording.empty();
   const auto frame = [](const std::string& test) {  // "Recording.Frame12/3"
@@ -117,15 +117,15 @@ void add_commands(const RunRequest& request, TestRecord& record) {
   if (is_recorded) rerun.erase(rerun.begin(), rerun.begin() + 4);  // depth and seed
   rerun.insert(rerun.begin(), {request.program, is_recorded ? "check" : "run"});
   if (is_recorded) rerun.insert(rerun.begin() + 2, request.recording);
-  if (request.name != usual_name) rerun.insert(rerun.end(), {"--name", request.name});
-  if (request.first_pass) rerun.push_back("--reuse-context");
+  if (request.name != request.implementation.label()) rerun.insert(rerun.end(), {"--name", request.name});
+  if (request.is_second_pass()) rerun.push_back("--reuse-context");
   const Limits& limits = request.limits;
   if (limits.seconds_per_test != Limits().seconds_per_test)
     rerun.insert(rerun.end(), {"--timeout", fmt::format("{}", limits.seconds_per_test)});
   if (limits.memory != Limits().memory)
     rerun.insert(rerun.end(), {"--memory", std::to_string(limits.memory >> 20)});
   // Processes that share the tests would separate the test from its history.
-  if (record.history && !request.first_pass) rerun.insert(rerun.end(), {"--jobs", "1"});
+  if (record.history && !request.is_second_pass()) rerun.insert(rerun.end(), {"--jobs", "1"});
   if (is_recorded)
     rerun.insert(rerun.end(), {"--frames", frame(record.name)});
   else
@@ -135,12 +135,12 @@ void add_commands(const RunRequest& request, TestRecord& record) {
   std::vector<std::string> debug = suite_command(request);
   debug.front() = seen_from_here(debug.front());
   debug.insert(debug.begin(), {"gdb", "--args"});
-  if (request.first_pass) debug.push_back("--reuse-context");
+  if (request.is_second_pass()) debug.push_back("--reuse-context");
   std::replace(filter.begin(), filter.end(), '-', '?');  // in GoogleTest's filters, '-' starts exclusions
   debug.push_back("--gtest_filter=" + filter);
   record.debug = shell_line(debug);
 
-  if (request.first_pass) return;  // a C program contains only one case, without its history
+  if (request.is_second_pass()) return;  // a C program contains only one case, without its history
   std::vector<std::string> reproduce = {request.program, "reproduce", request.name + ":" + record.name};
   reproduce.insert(reproduce.end(),
                    {"--run", request.run.empty() ? seen_from_here(request.output) : request.run});

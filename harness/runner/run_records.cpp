@@ -19,13 +19,12 @@ RunRecords::RunRecords(const RunRequest& request, std::filesystem::path file)
     : request_(request), file_(std::move(file)) {}
 
 void RunRecords::add(const Event& event) {
-  if (std::holds_alternative<RunEnded>(event) || std::holds_alternative<JobEnded>(event) ||
-      std::holds_alternative<Crashed>(event))
-    return;
   if (const auto* result = std::get_if<TestFinished>(&event))
     records_[result->record.name] = result->record;
   else if (const auto* failed = std::get_if<CaseFailed>(&event))
     failing_cases_[failed->test] = failed->commands;
+  else if (!std::holds_alternative<JobStarted>(event))
+    return;
   std::ofstream file(file_, std::ios::app);
   file << to_line(event);
   if (!file.flush())

@@ -1,4 +1,5 @@
-// The records of a run while it is in progress: in memory, and in the file records-NAME.jsonl.
+// The records of a run while it is in progress: in memory, and in the file records-NAME.jsonl, which shows
+// how far a run came that was cut off. Later changes of a record are only in results-NAME.json.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +19,7 @@ class RunRecords {
   // `file`: the file to append to. Writing throws CannotWrite. `request` must outlive the object.
   RunRecords(const RunRequest& request, std::filesystem::path file);
 
-  // Takes over the records and failing cases of an event, and appends it to the file.
+  // Takes over the records and failing cases of an event, and appends such events and JobStarted to the file.
   void add(const Event& event);
   // Adds the record of a test for which no process wrote one. `last_case`: the case that it died in.
   TestRecord& add(const std::string& test, Verdict verdict, const std::string& message,

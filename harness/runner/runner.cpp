@@ -37,7 +37,7 @@ class Run {
     try {
       if (!start()) return finish(interrupted ? RunStatus::kInterrupted : RunStatus::kNotStarted);
       run_tests();
-      if (request_.first_pass)
+      if (request_.is_second_pass())
         explain_by_history();
       else
         result_.confirmed_by_group =
@@ -67,48 +67,51 @@ class Run {
   // Describes the implementation and proves its captures. Returns false, with the reason in the result, if it
   // does not start.
   bool start() {
-    std::string& reason = result_.reason;
-    const Limits limits = {kSecondsToStart, request_.limits.memory};
-    const fs::path log = file("log", "txt");
-    const std::optional<Description> description =
-        ask<Description>(processes_.command(), {"describe", "describe"}, reason, log, limits);
+    const std::optional<Description> description = ask<Description>(
+        suite_command(request_), {"describe", "describe"}, result_.reason, log_, limits_of_start_);
     if (!description) return false;
     ImplementationRecord& implementation = result_.implementation;
-    const ImplementationRecord named = implementation;
+    const ImplementationRecord header = implementation;
     implementation = description->implementation;
-    implementation.kind = std::exchange(implementation.name, named.name);
-    implementation.machine = named.machine;
+    // The suite program calls itself by its kind; the name of the result is the user's label.
+    implementation.kind = implementation.name;
+    implementation.name = header.name;
+    implementation.machine = header.machine;
     baseline_ = Baseline(request_.baseline, implementation, result_.pass);
+    implementation.captures = prove_captures(description->captures);
+    processes_.set_captures(captures_option(implementation));
+    if (interrupted) result_.reason = "interrupted";
+    return !interrupted;
+  }
+
+  // Proves the captures in parallel.
+  std::vector<CaptureRecord> prove_captures(const std::vector<std::string>& names) const {
     std::map<std::string, CaptureRecord> proofs;
     std::size_t next = 0;
-    Pool{.command = [this] { return processes_.command(); },
-         .log = log,
-         .limits = limits,
-         .workers = std::min<std::size_t>(description->captures.size(), request_.jobs),
+    Pool{.command = [this] { return suite_command(request_); },
+         .log = log_,
+         .limits = limits_of_start_,
+         .workers = std::min<std::size_t>(names.size(), request_.jobs),
          .each =
              [&](const Event& event) {
                if (const auto* proof = std::get_if<CaptureRecord>(&event)) proofs[proof->name] = *proof;
              },
          .ended =
              [&](const WorkerRun& run) {
-               if (!run.in_flight.empty())
-                 proofs[run.in_flight] = {run.in_flight, false, why_no_answer(run, log), ""};
+               if (run.died_in_job())
+                 proofs[run.in_flight] = {run.in_flight, false, why_no_answer(run, log_), ""};
              }}
         .run([&]() -> std::optional<Job> {
-          if (next == description->captures.size()) return std::nullopt;
-          return Job{.kind = "prove", .name = description->captures[next++]};
+          if (next == names.size()) return std::nullopt;
+          return Job{.kind = "prove", .name = names[next++]};
         });
-    std::vector<std::string> available;
-    for (const std::string& name : description->captures) {
+    std::vector<CaptureRecord> captures;
+    for (const std::string& name : names) {
       const auto proof = proofs.find(name);
-      const CaptureRecord capture =
-          proof != proofs.end() ? proof->second : CaptureRecord{name, false, "it does not start", ""};
-      if (capture.available) available.push_back(capture.name);
-      implementation.captures.push_back(capture);
+      captures.push_back(proof != proofs.end() ? proof->second
+                                               : CaptureRecord{name, false, "it does not start", ""});
     }
-    processes_.set_captures(std::move(available));
-    if (interrupted) reason = "interrupted";
-    return !interrupted;
+    return captures;
   }
 
   void run_tests() {
@@ -121,24 +124,23 @@ class Run {
       for (const ListedTest& test : request_.tests)
         if (!records_.find(test.name)) remaining.push_back(test.name);
       if (remaining.empty()) return;
-      const std::size_t before = records_.size(), omitted_before = processes_.omitted_commands().size();
-      const std::vector<WorkerRun> ended = run_in_parallel(remaining);
-      deaths_.record(ended);
-      if (interrupted || records_.size() > before || processes_.omitted_commands().size() > omitted_before ||
+      const std::size_t before = records_.size(), omitted_before = processes_.omitted_calls().size();
+      WorkerRun last;
+      deaths_.confirm_and_record(run_in_parallel(remaining, last));
+      if (interrupted || records_.size() > before || processes_.omitted_calls().size() > omitted_before ||
           ++fruitless < kMostFruitless)
         continue;
-      const WorkerRun& last = ended.back();
       for (const std::string& name : remaining)
         if (!records_.find(name))
           records_.add(name, verdict_of_death(last), describe(last) + " before its first test");
     }
   }
 
-  // Runs the tests in parallel processes and adds their records. Returns the processes that have ended.
-  // `in_flight` is cleared if an interruption killed the process, or if the test is to be run again without
-  // the command in which it crashed.
-  std::vector<WorkerRun> run_in_parallel(const std::vector<std::string>& tests) {
-    std::vector<WorkerRun> ended;
+  // Runs the tests in parallel processes and adds their records. Returns the processes that died in a test,
+  // except those that an interruption killed, and those whose test is run again without the call in which it
+  // crashed. `last`: set to the process that ended last.
+  std::vector<WorkerRun> run_in_parallel(const std::vector<std::string>& tests, WorkerRun& last) {
+    std::vector<WorkerRun> deaths;
     processes_.run_in_parallel(
         tests,
         [&](const Event& event) {
@@ -148,12 +150,11 @@ class Run {
         },
         [&](const WorkerRun& run) {
           histories_.add_sequence(run.finished);
-          ended.push_back(run);
-          if (interrupted) ended.back().in_flight.clear();
+          last = run;
+          if (run.died_in_job() && !interrupted) deaths.push_back(run);
         });
-    for (WorkerRun& run : ended)
-      if (processes_.may_survive_now(run)) run.in_flight.clear();
-    return ended;
+    std::erase_if(deaths, [this](const WorkerRun& run) { return processes_.may_survive_now(run); });
+    return deaths;
   }
 
   // In the second pass, marks tests that also fail in fresh contexts, and searches for the histories of the
@@ -171,7 +172,10 @@ class Run {
       }
       if (baseline_.knows(*record, request_.depth, request_.seed)) continue;
       progress_({"searching a history", records_.size(), request_.tests.size(), test.name});
-      histories_.add_history(*record, histories_.predecessors_of(test.name));
+      const std::vector<std::string> predecessors = histories_.predecessors_of(test.name);
+      const History history = histories_.find_history(*record, predecessors);
+      add_history(*record, history, predecessors.size());
+      record->flake = history.quality == History::Quality::kNotReproduced;
     }
   }
 
@@ -201,8 +205,10 @@ class Run {
   const std::function<void(const Progress&)>& progress_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   RunResult result_;
+  const fs::path log_ = file("log", "txt");
+  const Limits limits_of_start_ = {kSecondsToStart, request_.limits.memory};
   Baseline baseline_;
-  SuiteProcesses processes_{request_, file("log", "txt")};
+  SuiteProcesses processes_{request_, log_};
   RunRecords records_{request_, file("records", "jsonl")};
   HistorySearch histories_{request_, processes_};
   DeathConfirmation deaths_{request_, processes_, records_, histories_, progress_};

@@ -1,9 +1,6 @@
 // Implements SuiteProcesses: the options of the suite program, and pools of workers with these options.
 #include "suite_processes.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 
 #include "request.h"
@@ -24,23 +21,16 @@ double first_patience(double limit) { return std::min(limit, std::max(limit / 3,
 SuiteProcesses::SuiteProcesses(const RunRequest& request, std::filesystem::path log)
     : request_(request), log_(std::move(log)), patience_(first_patience(request.limits.seconds_per_test)) {}
 
-std::vector<std::string> SuiteProcesses::command() const {
-  std::vector<std::string> command = suite_command(request_);
-  command.push_back("--die-with-parent");
-  return command;
-}
-
 std::vector<std::string> SuiteProcesses::command_for_tests() const {
-  std::vector<std::string> command = this->command();
-  command.insert(command.end(),
-                 {"--captures", captures_.empty() ? "none" : fmt::format("{}", fmt::join(captures_, ","))});
-  if (request_.first_pass) command.push_back("--reuse-context");
-  for (const std::string& call : omitted_commands_) command.insert(command.end(), {"--leave-out", call});
+  std::vector<std::string> command = suite_command(request_);
+  command.insert(command.end(), captures_.begin(), captures_.end());
+  if (request_.is_second_pass()) command.push_back("--reuse-context");
+  for (const std::string& call : omitted_calls_) command.insert(command.end(), {"--leave-out", call});
   return command;
 }
 
 bool SuiteProcesses::uses_warm_context() const {
-  return !request_.first_pass && !request_.only_fresh_contexts && !dies_with_second_context_;
+  return !request_.is_second_pass() && !request_.only_fresh_contexts && !dies_with_second_context_;
 }
 
 void SuiteProcesses::run_in_parallel(const std::vector<std::string>& tests, const EachEvent& each,
@@ -49,8 +39,9 @@ void SuiteProcesses::run_in_parallel(const std::vector<std::string>& tests, cons
       .command =
           [this] {
             std::vector<std::string> command = command_for_tests();
-            // A process that has grown is replaced between tests, because a library may lose memory in each
-            // context, and a test of thorough depth may need more than half of the limit.
+            // A process that has grown is replaced between tests, because a library may lose
+            // memory in each context, and a test of thorough depth may need more than half of the
+            // limit.
             const std::uint64_t most = std::min(request_.limits.memory / 4, kMostBetweenTests);
             command.insert(command.end(), {"--renew-above", std::to_string(most >> 20)});
             if (uses_warm_context()) command.push_back("--warm");
@@ -59,7 +50,7 @@ void SuiteProcesses::run_in_parallel(const std::vector<std::string>& tests, cons
       .log = log_,
       .limits = request_.limits,
       .patience = [this] { return patience_; },
-      .workers = std::min(static_cast<std::size_t>(request_.first_pass ? 1 : request_.jobs), tests.size()),
+      .workers = std::min<std::size_t>(request_.is_second_pass() ? 1 : request_.jobs, tests.size()),
       .each = each,
       .ended =
           [&](const WorkerRun& run) {
@@ -75,18 +66,18 @@ void SuiteProcesses::run_in_parallel(const std::vector<std::string>& tests, cons
 
 void SuiteProcesses::learn_from(const WorkerRun& run) {
   // A library that cannot have two contexts may die when the warm context is made.
-  if (!run.complete && run.finished.empty() && run.in_flight.empty()) dies_with_second_context_ = true;
+  if (!run.complete && !run.began_a_job()) dies_with_second_context_ = true;
   // Tests that hang often do so at one place, and each would take until the time limit.
   if (run.hung) patience_ = std::min(patience_, kPatienceAfterHang);
-  if (run.in_flight.empty() || !run.crash || run.crash->call.empty()) return;
+  if (!run.died_in_job() || !run.crash || run.crash->call.empty()) return;
   std::set<std::string>& tests = tests_that_crash_in_[run.crash->call];
   tests.insert(run.in_flight);
-  if (tests.size() == kCrashesBeforeOmission && std::ranges::count(omitted_commands_, run.crash->call) == 0)
-    omitted_commands_.push_back(run.crash->call);
+  if (tests.size() == kCrashesBeforeOmission && std::ranges::count(omitted_calls_, run.crash->call) == 0)
+    omitted_calls_.push_back(run.crash->call);
 }
 
 bool SuiteProcesses::may_survive_now(const WorkerRun& run) const {
-  return !run.in_flight.empty() && run.crash && std::ranges::count(omitted_commands_, run.crash->call) > 0 &&
+  return run.died_in_job() && run.crash && std::ranges::count(omitted_calls_, run.crash->call) > 0 &&
          std::ranges::count(run.command, run.crash->call) == 0;
 }
 
@@ -101,7 +92,7 @@ std::vector<WorkerRun> SuiteProcesses::run_alone(const std::vector<std::string>&
        .is_each_alone = true,
        .ended =
            [&](const WorkerRun& run) {
-             if (!run.in_flight.empty()) runs[run.in_flight] = run;
+             if (run.died_in_job()) runs[run.in_flight] = run;
              if (!run.finished.empty()) runs[run.finished.front()] = run;
            }}
       .run([&]() -> std::optional<Job> {

@@ -17,11 +17,8 @@ class SuiteProcesses {
   // `log`: the file for the output of all processes. `request` must outlive the object.
   SuiteProcesses(const RunRequest& request, std::filesystem::path log);
 
-  // Makes processes that start from now on observe vertices by these captures.
-  void set_captures(std::vector<std::string> captures) { captures_ = std::move(captures); }
-
-  // Returns the suite program with the options of the implementation, for jobs other than tests.
-  std::vector<std::string> command() const;
+  // Makes tests observe vertices by these captures: captures_option(). Must be called before the first test.
+  void set_captures(std::vector<std::string> option) { captures_ = std::move(option); }
 
   // Runs the tests in parallel processes, each of which takes the next free test; in the second pass, in one
   // process. A process that ends or has grown is replaced. `each` and `ended`: see Pool.
@@ -34,11 +31,11 @@ class SuiteProcesses {
   enum class Like { kAlone, kInParallel };
   WorkerRun run_in_turn(const std::vector<Job>& jobs, Like like, const Deadline& deadline = {}) const;
 
-  // Returns the commands that tests omit if they are optional, because several tests crashed in them.
-  const std::vector<std::string>& omitted_commands() const { return omitted_commands_; }
+  // Returns the calls that tests omit if they are optional, because several tests crashed in them.
+  const std::vector<std::string>& omitted_calls() const { return omitted_calls_; }
   // Returns the seconds after which a test that runs in parallel from now on counts as hung.
   double patience() const { return patience_; }
-  // True if the test in flight crashed in a command that new processes omit, but its process did not.
+  // True if the process died in a call that new processes omit, but this one did not.
   bool may_survive_now(const WorkerRun& run) const;
 
  private:
@@ -49,11 +46,11 @@ class SuiteProcesses {
 
   const RunRequest& request_;
   const std::filesystem::path log_;
-  std::vector<std::string> captures_;
+  std::vector<std::string> captures_;      // the option
   bool dies_with_second_context_ = false;  // set if a process died before its first test
   double patience_;
-  std::map<std::string, std::set<std::string>> tests_that_crash_in_;  // by command
-  std::vector<std::string> omitted_commands_;
+  std::map<std::string, std::set<std::string>> tests_that_crash_in_;  // by call
+  std::vector<std::string> omitted_calls_;
 };
 
 }  // namespace evalcts

@@ -14,7 +14,6 @@
 #include <cstring>
 #include <functional>
 #include <memory>
-#include <ranges>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -84,6 +83,7 @@ std::string describe(const WorkerRun& run) {
 }
 
 Worker::Worker(std::vector<std::string> command, const fs::path& log, const Limits& limits) {
+  run_.command = command;
   run_.limits = limits;
   Ends events([](int* ends) { return pipe2(ends, O_CLOEXEC); });
   // A socket can be written without SIGPIPE when the process has ended.
@@ -91,7 +91,6 @@ Worker::Worker(std::vector<std::string> command, const fs::path& log, const Limi
   fcntl(events.reader, F_SETFL, O_NONBLOCK);
   // The process opens the pipe by this name, so that it can open it again if the library closes it.
   command.insert(command.end(), {"--worker", fmt::format("/proc/{}/fd/{}", getpid(), events.writer)});
-  run_.command = command;
   process_.emplace(command, log.string(), ChildProcess::Prints::kLimited, jobs.reader);
   events_ = std::exchange(events.reader, -1);
   events_writer_ = std::exchange(events.writer, -1);
@@ -268,10 +267,9 @@ bool Pool::run(const std::function<std::optional<Job>()>& next) const {
       returned.insert(returned.begin(), done->waiting().begin(), done->waiting().end());
       if (ended) ended(run);
       // Workers that are started from now on may have a better command.
-      const std::vector<std::string> now = command();
-      if (!run.finished.empty() || !run.in_flight.empty())
+      if (run.began_a_job())
         empty_starts = 0;
-      else if (std::ranges::equal(now, run.command | std::views::take(now.size())))
+      else if (run.command == command())
         ++empty_starts;
       while (running.size() < workers && start()) continue;
     }

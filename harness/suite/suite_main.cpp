@@ -33,22 +33,19 @@
 #include <evalcts/results/job_reader.h>
 #include <evalcts/results/serialization.h>
 #include <evalcts/runner/child_process.h>
+#include <evalcts/runner/worker.h>
 #include "crash_report.h"
 #include "session.h"
 
 namespace evalcts {
 namespace {
 
-// Exit codes, as of `evalcts run` (docs/reading-verdicts.md): 2 for wrong use or an implementation that does
-// not start, 3 for an internal error of evalcts.
-constexpr int kCannotStart = 2;
-constexpr int kOwnFault = 3;
+constexpr int kCannotStart = 2;  // exit status for wrong use, or an implementation that does not start
 
 struct Options {
   SessionOptions session;
   std::string depth = "full", worker, programs;
   std::uint64_t renew_above = 0;  // MiB; 0: no limit
-  bool die_with_parent = false;
 };
 
 // Adapts a test to GoogleTest: a failure fails, and a test that was not judged is skipped with the reason.
@@ -150,7 +147,8 @@ void parse(int argc, char** argv, Options& options) {
                  "file with the programs of a recording, which take the place of the tests");
   app.add_option(
       "--worker", options.worker,
-      "run the jobs that standard input has, a line of JSON each, and write events to this file or pipe");
+      "run the jobs that standard input has, a line of JSON each, and write events to this file or pipe; end "
+      "when the process that started this one ends");
   app.add_option("--renew-above", options.renew_above,
                  "end after a job if this process uses more memory than this, in MiB")
       ->needs("--worker");
@@ -167,8 +165,6 @@ void parse(int argc, char** argv, Options& options) {
                "run all cases on one context, whose state is restored by calls in between");
   app.add_flag("--warm", session.warm,
                "run each test on one context first, and again in fresh contexts if it does not pass");
-  app.add_flag("--die-with-parent", options.die_with_parent,
-               "end when the process that started this one ends");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -303,7 +299,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
   parse(argc, argv, options);
   start_with_mesa_build(options.session.implementation.mesa_build, arguments.data());
   if (!options.programs.empty()) use_programs(options.programs);
-  if (options.die_with_parent) {
+  if (!options.worker.empty()) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     std::ofstream("/proc/self/oom_score_adj") << 1000;  // if memory runs out, this process is killed first
   }

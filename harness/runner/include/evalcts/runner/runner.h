@@ -44,6 +44,8 @@ struct RunRequest {
   // The result of the first pass, with fresh contexts, if this run is the second pass; null in
   // the first pass.
   const RunResult* first_pass = nullptr;
+
+  bool is_second_pass() const { return first_pass != nullptr; }
 };
 
 struct Progress {
@@ -57,12 +59,16 @@ struct Progress {
 // function and compared value, and only one of each group is repeated.
 inline constexpr std::size_t kMostRerun = 100;
 
+// Returns the option of the suite program for the captures that are available: {"--captures", "a,b"}.
+std::vector<std::string> captures_option(const ImplementationRecord& implementation);
+
 // Runs the tests, writes results-NAME.json (format "evalcts-results-1") and returns its content. During the
-// run, records-NAME.jsonl in the output folder grows by one line for each event, and log-NAME.txt contains
-// the output of the library and the suite. If the implementation cannot be started, the result has the status
-// "not-started" and the reason. If the folder becomes unwritable (disk full), or no more processes can be
-// started, the run ends with the status "interrupted" and the reason. Throws CannotWrite if results-NAME.json
-// cannot be written; the results are then in records-NAME.jsonl.
+// run, records-NAME.jsonl in the output folder grows by a line for each test that starts, for each first
+// failing case and for each record, and log-NAME.txt contains the output of the library and the suite. If the
+// implementation cannot be started, the result has the status "not-started" and the reason. If the folder
+// becomes unwritable (disk full), or no more processes can be started, the run ends with the status
+// "interrupted" and the reason. Throws CannotWrite if results-NAME.json cannot be written; the results are
+// then in records-NAME.jsonl.
 //
 // A fail that the baseline does not list is repeated alone in a new process, up to `retries` times (see
 // kMostRerun), a crash or timeout once. If the outcome differs and the failure does not happen again after

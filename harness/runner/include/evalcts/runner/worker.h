@@ -20,13 +20,13 @@ namespace evalcts {
 // Time and memory beyond which a library is assumed never to stop. They are far more than any GL needs
 // for a test.
 struct Limits {
-  double seconds_per_test = 45;
+  double seconds_per_test = 45;  // longest time between two events of a process that has a job
   std::uint64_t memory = std::uint64_t{4096} << 20;  // resident memory of a process, in bytes
 };
 
 // Results and end of a worker.
 struct WorkerRun {
-  std::vector<std::string> command;  // that started it
+  std::vector<std::string> command;  // that started it, without the options that Worker adds
   Limits limits;
   std::map<std::string, TestRecord> records;
   std::vector<std::string> finished;     // names of the jobs, in the order in which they ran
@@ -41,7 +41,14 @@ struct WorkerRun {
   std::string cannot_start;  // the reason if the implementation does not start, otherwise empty
   std::string printed;       // the first lines that the process printed
   Ending ending;
+
+  // The next two are for processes that have ended.
+  bool died_in_job() const { return !in_flight.empty(); }
+  bool began_a_job() const { return died_in_job() || !finished.empty(); }
 };
+
+// Exit status of the suite program after a fault of its own.
+inline constexpr int kOwnFault = 3;
 
 // Returns a description of the end of the process: "no answer within 60 seconds in glEnd(), after 12
 // commands", "it used more than 4096 MiB of memory", "the process ended with ... in glEnd(), after 12
