@@ -103,11 +103,11 @@ class BugSearch {
     for (const TestRecord& test : run_.tests)
       if (is_to_be_explained(test))
         for (const KnownBug* const bug : bugs_of_baseline(test)) named.insert(bug);
-    std::vector<FailingCase> to_prove;
+    std::vector<std::string> to_prove;
     for (const KnownBug& bug : known_bugs()) {
       if (!named.contains(&bug) || bug.programs.empty()) continue;
       if (!bug.dies()) {
-        to_prove.push_back({bug.id, bug.programs.front().difference, "", 0, true});
+        to_prove.push_back(bug.id);
         continue;
       }
       for (const KnownProgram& known : known_programs()) {
@@ -119,7 +119,15 @@ class BugSearch {
         break;
       }
     }
-    reduce(to_prove);
+    std::size_t next = 0;
+    run_jobs(
+        [&]() -> std::optional<Job> {
+          if (next == to_prove.size() || seconds_left() <= 0) return std::nullopt;
+          return Job{.kind = "prove-bug", .name = to_prove[next++]};
+        },
+        [&](const Reduction& proof) {
+          if (proof.minimal) proofs_[proof.test] = *proof.minimal;
+        });
     return proofs_;
   }
 
@@ -188,42 +196,46 @@ class BugSearch {
     return tests;
   }
 
-  void take(Reduction reduction) {
-    if (reduction.is_known_bug) {
-      if (reduction.minimal) proofs_[reduction.test] = *std::move(reduction.minimal);
-      return;
-    }
+  void take(const Reduction& reduction) {
     reductions_[reduction.test] = reduction;
     progress_(reductions_.size(), total_);
   }
 
-  void reduce(const std::vector<FailingCase>& cases) {
-    std::size_t next = 0;
-    const Pool pool{
+  // Runs the jobs that `next` returns in workers, and calls `take_result` with their results.
+  void run_jobs(const std::function<std::optional<Job>()>& next,
+                const std::function<void(const Reduction&)>& take_result) const {
+    Pool{
         .command = [this] { return request_.suite_command; },
         .log = request_.scratch / "reduce.log",
         .limits = {kSecondsOfCase, request_.limits.memory},
         .workers = static_cast<std::size_t>(std::max(request_.jobs, 1)),
         .each =
-            [this](const Event& event) {
+            [&](const Event& event) {
               const auto* other = std::get_if<OtherEvent>(&event);
-              if (std::optional<Reduction> reduction = other ? parse_reduction(other->line) : std::nullopt)
-                take(*std::move(reduction));
-            }};
-    pool.run([&]() -> std::optional<Job> {
-      for (; next < cases.size(); ++next) {
-        FailingCase failing = cases[next];
-        const double share =
-            draws_very_much(failing) ? kShareOfLargeCase * request_.seconds : request_.seconds;
-        failing.seconds = std::min(share, seconds_left());
-        if (failing.seconds > 0) {
-          ++next;
-          return Job{.kind = "reduce", .name = failing.test, .data = to_text(failing)};
-        }
-        take({failing.test, {}, kOutOfTime, failing.is_known_bug});
-      }
-      return std::nullopt;
-    });
+              if (const std::optional<Reduction> result = other ? parse_reduction(other->line) : std::nullopt)
+                take_result(*result);
+            }}
+        .run(next);
+  }
+
+  void reduce(const std::vector<FailingCase>& cases) {
+    std::size_t next = 0;
+    run_jobs(
+        [&]() -> std::optional<Job> {
+          for (; next < cases.size(); ++next) {
+            FailingCase failing = cases[next];
+            const double share =
+                draws_very_much(failing) ? kShareOfLargeCase * request_.seconds : request_.seconds;
+            failing.seconds = std::min(share, seconds_left());
+            if (failing.seconds > 0) {
+              ++next;
+              return Job{.kind = "reduce", .name = failing.test, .data = to_text(failing)};
+            }
+            take({failing.test, {}, kOutOfTime});
+          }
+          return std::nullopt;
+        },
+        [this](const Reduction& reduction) { take(reduction); });
   }
 
   // --- crashes and hangs
@@ -244,9 +256,9 @@ class BugSearch {
         take({test->name, {}, kSamePlace});
         continue;
       }
-      Reduction reduction = reduce_death(*test);
+      const Reduction reduction = reduce_death(*test);
       if (reduction.minimal) attempts[place] = kMostTestsOfPlace;
-      take(std::move(reduction));
+      take(reduction);
     }
   }
 
@@ -300,7 +312,7 @@ std::string id_of(const std::string& requirement, const std::string& cause) {
 }
 
 // Returns the requirements that a bad test violates; for other tests, all requirements of the test.
-std::vector<RequirementId> violated_by(const TestRecord& test) {
+std::vector<RequirementId> requirements_to_report(const TestRecord& test) {
   return test.is_bad() ? test.blamed() : test.requirements;
 }
 
@@ -309,7 +321,7 @@ std::vector<RequirementId> violated_by(const TestRecord& test) {
 std::string requirement_of(const std::string& of_program, const std::vector<const TestRecord*>& tests) {
   std::map<std::string, std::size_t> times;
   for (const TestRecord* test : tests)
-    if (const std::vector<RequirementId> violated = violated_by(*test); !violated.empty())
+    if (const std::vector<RequirementId> violated = requirements_to_report(*test); !violated.empty())
       ++times[std::string(violated.front().id)];
   if (times.empty()) return of_program;
   return std::ranges::max_element(times, {}, [](const auto& each) { return each.second; })->first;
@@ -354,7 +366,7 @@ Bug bug_from(const Group& group) {
   bug.verdict = Verdict::kPass;
   for (const TestRecord* test : group.tests) {
     bug.tests.push_back(test->name);
-    const std::vector<RequirementId> violated = violated_by(*test);
+    const std::vector<RequirementId> violated = requirements_to_report(*test);
     explained.insert(violated.begin(), violated.end());
     bug.level = std::max(bug.level, test->level);
     bug.verdict = std::min(bug.verdict, test->verdict);
@@ -405,7 +417,7 @@ Bug bug_from(const Group& group) {
 }  // namespace
 
 std::string likeness_of(const TestRecord& test) {
-  const std::vector<RequirementId> violated = violated_by(test);
+  const std::vector<RequirementId> violated = requirements_to_report(test);
   const std::string_view requirement = violated.empty() ? "" : violated.front().id;
   std::string what = is_death(test.verdict) ? std::string(text_of(test.verdict).word) : "";
   if (what.empty() && !test.failures.empty()) {
@@ -475,18 +487,11 @@ std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduc
   return bugs;
 }
 
-void find_bugs(RunResult& run, const BugRequest& request,
-               const std::function<void(std::size_t, std::size_t)>& progress) {
-  std::map<std::string, Reduction> reductions;
-  BugSearch search(run, request, progress);
-  const Proofs proofs = search.prove_bugs_of_baseline();
-  if (run.pass == Pass::kFreshContexts) {
-    reductions = search.reduce_all();
-  } else {
-    for (const TestRecord& test : run.tests)
-      reductions[test.name] = {test.name, {}, "it depends on what was run before in the same context"};
-  }
-  run.bugs = bugs_of(run, reductions, proofs);
+namespace {
+
+// Returns a sentence on the failing tests that have no minimal program of their own.
+std::string note_on(const RunResult& run, const std::map<std::string, Reduction>& reductions,
+                    const Proofs& proofs) {
   std::size_t tests = 0, named = 0, left = 0, late = 0, dead = 0;
   for (const TestRecord& test : run.tests) {
     if (!is_to_be_explained(test)) continue;
@@ -519,7 +524,24 @@ void find_bugs(RunResult& run, const BugRequest& request,
     notes.push_back(
         fmt::format("for {} of {} {} (--bug-seconds): they belong to the bugs of tests that fail alike", late,
                     tests, kOutOfTime));
-  run.bugs_note = fmt::format("{}", fmt::join(notes, "; "));
+  return fmt::format("{}", fmt::join(notes, "; "));
+}
+
+}  // namespace
+
+void find_bugs(RunResult& run, const BugRequest& request,
+               const std::function<void(std::size_t, std::size_t)>& progress) {
+  std::map<std::string, Reduction> reductions;
+  BugSearch search(run, request, progress);
+  const Proofs proofs = search.prove_bugs_of_baseline();
+  if (run.pass == Pass::kFreshContexts) {
+    reductions = search.reduce_all();
+  } else {
+    for (const TestRecord& test : run.tests)
+      reductions[test.name] = {test.name, {}, "it depends on what was run before in the same context"};
+  }
+  run.bugs = bugs_of(run, reductions, proofs);
+  run.bugs_note = note_on(run, reductions, proofs);
 }
 
 void set_aside_shared_bugs(RunResult& result) {

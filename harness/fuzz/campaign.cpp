@@ -19,7 +19,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kReportEvery = std::chrono::milliseconds(500);
 constexpr int kMostAttempts = 400;         // maximum number of candidates for a reduction
 constexpr std::uint64_t kFreshEvery = 16;  // every 16th program has its own context
 
@@ -43,8 +42,7 @@ class CampaignRunner {
         knows_limit_(max_order_ == subject.info.max_eval_order),
         shared_(SharedContext::of(subject)),
         reducer_(subject, shared_.get(), kMostAttempts,
-                 {.alive = [this] { report_now_and_then(); },
-                  .is_over = [this] { return is_over(); },
+                 {.is_over = [this] { return is_over(); },
                   .try_start = [this](const gl::Case& candidate) { return try_start(candidate); },
                   .finish = [this] { finish(); },
                   .smaller =
@@ -66,12 +64,6 @@ class CampaignRunner {
  private:
   bool is_over() const {
     return job_.seconds > 0 && std::chrono::duration<double>(Clock::now() - begin_).count() >= job_.seconds;
-  }
-
-  void report_now_and_then() {
-    if (Clock::now() - reported_ < kReportEvery) return;
-    report_(StillJudging());
-    reported_ = Clock::now();
   }
 
   void run(std::uint32_t number, ProgramJudged& result) {
@@ -144,7 +136,7 @@ class CampaignRunner {
   const int max_order_;
   const bool knows_limit_;  // true if orders above max_order_ must be rejected
   RandomJob job_;           // the current one
-  Clock::time_point begin_ = Clock::now(), reported_ = begin_;
+  Clock::time_point begin_ = Clock::now();
   std::unique_ptr<SharedContext> shared_;  // may be null
   Reducer reducer_;
 };

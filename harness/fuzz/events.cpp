@@ -54,7 +54,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FindingShrank, number, finding)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FindingMade, number, finding)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProgramJudged, judged, in_full, commands, not_repeated, seconds_of_known)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RandomJob, number, length, seconds, in_fresh_context, in_flight, deadly)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FailingCase, test, difference, commands, seconds, is_known_bug)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FailingCase, test, difference, commands, seconds)
 
 namespace {
 
@@ -62,7 +62,7 @@ std::string dumped(const json& value, int indent) {
   return value.dump(indent, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
-std::string line_of(const char* kind, json event = json::object()) {
+std::string line_of(const char* kind, json event) {
   event["event"] = kind;
   return dumped(event, -1);
 }
@@ -71,7 +71,6 @@ struct EventWriter {
   std::string operator()(const CampaignStarted& start) const { return line_of("campaign", start); }
   std::string operator()(const FindingShrank& smaller) const { return line_of("smaller", smaller); }
   std::string operator()(const FindingMade& found) const { return line_of("finding", found); }
-  std::string operator()(const StillJudging&) const { return line_of("judging"); }
   std::string operator()(const ProgramJudged& result) const { return line_of("judged", result); }
 };
 
@@ -94,7 +93,6 @@ std::optional<CampaignEvent> parse_campaign_event(const std::string& line) {
     if (kind == "campaign") return event.get<CampaignStarted>();
     if (kind == "smaller") return event.get<FindingShrank>();
     if (kind == "finding") return event.get<FindingMade>();
-    if (kind == "judging") return StillJudging{};
     if (kind == "judged") return event.get<ProgramJudged>();
   } catch (const json::exception&) {
   } catch (const std::invalid_argument&) {
@@ -110,12 +108,9 @@ std::string to_text(const FailingCase& failing) {
 RandomJob parse_random_job(const std::string& text) { return parsed<RandomJob>(text); }
 FailingCase parse_failing_case(const std::string& text) { return parsed<FailingCase>(text); }
 
-std::string to_line(const ReductionEvent& event) {
-  const auto* reduction = std::get_if<Reduction>(&event);
-  if (!reduction) return line_of("reducing");
-  json data = {
-      {"test", reduction->test}, {"why_not", reduction->why_not}, {"is_known_bug", reduction->is_known_bug}};
-  if (reduction->minimal) data["finding"] = *reduction->minimal;
+std::string to_line(const Reduction& reduction) {
+  json data = {{"test", reduction.test}, {"why_not", reduction.why_not}};
+  if (reduction.minimal) data["finding"] = *reduction.minimal;
   return line_of("reduction", data);
 }
 
@@ -123,7 +118,7 @@ std::optional<Reduction> parse_reduction(const std::string& line) {
   try {
     const json event = parse_json(line);
     if (event.at("event") != json("reduction")) return std::nullopt;
-    Reduction reduction{event.at("test"), {}, event.at("why_not"), event.at("is_known_bug")};
+    Reduction reduction{event.at("test"), {}, event.at("why_not")};
     if (event.contains("finding")) reduction.minimal = event.at("finding").get<Finding>();
     return reduction;
   } catch (const json::exception&) {

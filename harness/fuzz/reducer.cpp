@@ -167,7 +167,6 @@ Reducer::Judge Reducer::in_shared() const {
 
 std::optional<Finding> Reducer::difference_of(const gl::Case& candidate, const Difference& difference,
                                               const Judge& judge) const {
-  if (hooks_.alive) hooks_.alive();
   if (is_over() ||
       with_what_exists(subject_.info, table_, candidate).commands().size() < candidate.commands().size())
     return {};
@@ -343,7 +342,8 @@ Finding Reducer::reduce(Finding finding) {
     keep_if_interesting(shrink(finding.program, is_interesting_in_shared, kInShared * most_attempts_));
   // Each run of a program that draws very much takes long, so it gets fewer attempts.
   const std::int64_t size = std::max<std::int64_t>(vertices_of(finding.program) / kMostVertices, 1);
-  shrink(gl::Case(finding.program), keep_if_interesting,
+  // The result is in `finding`: keep_if_interesting has kept the smallest program.
+  shrink(finding.program, keep_if_interesting,
          most_attempts_ / static_cast<int>(std::min<std::int64_t>(size, most_attempts_)), smaller);
   // If a command that has to be rejected raises no error or a wrong one, this is closer to the cause than its
   // effects.

@@ -44,7 +44,6 @@ class Reducer {
  public:
   // Functions of the caller that run around each program. Each may be empty.
   struct Hooks {
-    std::function<void()> alive = {};    // called before each program
     std::function<bool()> is_over = {};  // returns true if the time is over; no more programs are run then
     // Called before a program runs. If it returns false, the program is not run, for example because the
     // library has died in it before.

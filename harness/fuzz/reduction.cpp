@@ -22,28 +22,20 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kMostAttempts = 150;  // maximum number of candidates for one program
-constexpr auto kReportReductionEvery = std::chrono::milliseconds(500);
 
 // Answers the jobs of the kind "reduce" of a worker.
 class ReductionJobs {
  public:
-  ReductionJobs(const Subject& subject, std::function<void(const StillReducing&)> report)
+  explicit ReductionJobs(const Subject& subject)
       : subject_(subject),
-        report_(std::move(report)),
         table_(subject.implementation->create_context()->table()),
         max_order_(subject.info.max_order()),
         shared_(SharedContext::of(subject)),
-        reducer_(subject, shared_.get(), kMostAttempts,
-                 {.alive = [this] { report_now_and_then(); }, .is_over = [this] { return is_over(); }}) {}
+        reducer_(subject, shared_.get(), kMostAttempts, {.is_over = [this] { return is_over(); }}) {}
 
   Reduction run(const FailingCase& failing) {
     seconds_ = failing.seconds;
     begin_ = Clock::now();
-    if (failing.is_known_bug) {
-      const std::optional<Finding> proof = reducer_.prove(failing.test);
-      return {failing.test, proof, proof ? "" : "its programs do not fail here as the register describes",
-              true};
-    }
     if (failing.commands.empty())
       return not_reduced(failing, "the test compares several cases, or its case has no plain form as data");
     if (failing.difference.kind.empty())
@@ -76,12 +68,6 @@ class ReductionJobs {
     return {failing.test, {}, why};
   }
 
-  void report_now_and_then() {
-    if (Clock::now() - reported_ < kReportReductionEvery) return;
-    report_(StillReducing());
-    reported_ = Clock::now();
-  }
-
   bool is_over() const {
     return seconds_ > 0 && std::chrono::duration<double>(Clock::now() - begin_).count() >= seconds_;
   }
@@ -97,9 +83,8 @@ class ReductionJobs {
   }
 
   const Subject& subject_;
-  const std::function<void(const StillReducing&)> report_;
   double seconds_ = 0;  // time limit of the current case; 0: none
-  Clock::time_point begin_ = Clock::now(), reported_ = begin_;
+  Clock::time_point begin_ = Clock::now();
   const gl::Table table_;
   const int max_order_;
   std::unique_ptr<SharedContext> shared_;  // may be null
@@ -109,10 +94,15 @@ class ReductionJobs {
 
 }  // namespace
 
-std::function<Reduction(const FailingCase&)> case_reducer(
-    const Subject& subject, const std::function<void(const StillReducing&)>& report) {
-  const auto jobs = std::make_shared<ReductionJobs>(subject, report);
+std::function<Reduction(const FailingCase&)> case_reducer(const Subject& subject) {
+  const auto jobs = std::make_shared<ReductionJobs>(subject);
   return [jobs](const FailingCase& failing) { return jobs->run(failing); };
+}
+
+std::function<std::optional<Finding>(const std::string&)> bug_prover(const Subject& subject) {
+  const std::shared_ptr<SharedContext> shared = SharedContext::of(subject);
+  const auto reducer = std::make_shared<Reducer>(subject, shared.get(), kMostAttempts, Reducer::Hooks());
+  return [shared, reducer](const std::string& bug) { return reducer->prove(bug); };
 }
 
 }  // namespace evalcts::fuzz

@@ -379,6 +379,8 @@ constexpr const char* kKind<JobStarted> = "start";
 template <>
 constexpr const char* kKind<JobEnded> = "done";
 template <>
+constexpr const char* kKind<StillRunning> = "running";
+template <>
 constexpr const char* kKind<CaseStarted> = "case";
 template <>
 constexpr const char* kKind<CaseFailed> = "failing-case";
@@ -403,6 +405,8 @@ void event_fields(A& archive, In<A, JobStarted> event) {
 }
 template <class A>
 void event_fields(A&, In<A, JobEnded>) {}
+template <class A>
+void event_fields(A&, In<A, StillRunning>) {}
 template <class A>
 void event_fields(A& archive, In<A, CaseStarted> event) {
   archive.always("case", event.identity);

@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -19,6 +20,7 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -212,6 +214,8 @@ int run_google_tests(Session& session, Depth depth) {
 
 // --- the worker
 
+constexpr auto kReportEvery = std::chrono::milliseconds(500);
+
 class JobLoop {
  public:
   JobLoop(const Options& options, EventFile& events, Session& session)
@@ -223,7 +227,7 @@ class JobLoop {
       const std::optional<Job> job = parse_job(*line);
       if (!job) throw std::runtime_error("not a job: " + line->substr(0, 200));
       try {
-        run(*job);
+        run_job(*job);
       } catch (const CannotStart& error) {
         report(CannotOpen{error.what()});
         throw;
@@ -245,9 +249,26 @@ class JobLoop {
  private:
   void report(const Event& event) { events_.write(to_line(event)); }
 
-  void run(const Job& job) {
+  // Returns the subject of jobs that run many programs.
+  const Subject& subject_of_programs() {
+    if (!of_programs_) {
+      of_programs_ = session_.subject();
+      of_programs_->before_case = [this](const gl::Case&) { report_now_and_then(); };
+    }
+    return *of_programs_;
+  }
+
+  void report_now_and_then() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - reported_ < kReportEvery) return;
+    reported_ = now;
+    report(StillRunning{});
+  }
+
+  void run_job(const Job& job) {
     if (job.kind == "test") session_.open_for_tests();
-    if (job.kind == "case" || job.kind == "reduce" || job.kind == "fuzz") session_.subject();
+    if (job.kind == "case") session_.subject();
+    if (job.kind == "reduce" || job.kind == "prove-bug" || job.kind == "fuzz") subject_of_programs();
     report(JobStarted{job.name});
     if (job.kind == "list") {
       TestsListed listing;
@@ -267,14 +288,14 @@ class JobLoop {
     } else if (job.kind == "case") {
       session_.run_program(job);
     } else if (job.kind == "reduce") {
-      if (!reduce_)
-        reduce_ = fuzz::case_reducer(session_.subject(), [this](const fuzz::StillReducing& still) {
-          events_.write(fuzz::to_line(still));
-        });
+      if (!reduce_) reduce_ = fuzz::case_reducer(subject_of_programs());
       events_.write(fuzz::to_line(reduce_(fuzz::parse_failing_case(job.data))));
+    } else if (job.kind == "prove-bug") {
+      if (!prove_bug_) prove_bug_ = fuzz::bug_prover(subject_of_programs());
+      events_.write(fuzz::to_line(fuzz::Reduction{job.name, prove_bug_(job.name), ""}));
     } else if (job.kind == "fuzz") {
       if (!judge_random_)
-        judge_random_ = fuzz::campaign(session_.subject(), [this](const fuzz::CampaignEvent& event) {
+        judge_random_ = fuzz::campaign(subject_of_programs(), [this](const fuzz::CampaignEvent& event) {
           events_.write(fuzz::to_line(event));
         });
       judge_random_(fuzz::parse_random_job(job.data));
@@ -288,8 +309,12 @@ class JobLoop {
   Session& session_;
   std::map<std::string, const TestInfo*> tests_;
   JobReader jobs_;
-  std::function<fuzz::Reduction(const fuzz::FailingCase&)> reduce_;  // set by the first job of its kind
-  std::function<void(const fuzz::RandomJob&)> judge_random_;         // set by the first job of its kind
+  std::optional<Subject> of_programs_;
+  std::chrono::steady_clock::time_point reported_;
+  // Each is set by the first job of its kind.
+  std::function<fuzz::Reduction(const fuzz::FailingCase&)> reduce_;
+  std::function<std::optional<fuzz::Finding>(const std::string&)> prove_bug_;
+  std::function<void(const fuzz::RandomJob&)> judge_random_;
 };
 
 int run(int argc, char** argv, const Wrapping& wrapping) {

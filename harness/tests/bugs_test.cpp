@@ -379,7 +379,7 @@ TEST(Reductions, GoThroughTheirText) {
   EXPECT_EQ(gl::to_text(read->minimal->program), gl::to_text(reduction.minimal->program));
   EXPECT_EQ(read->minimal->failure.difference.text(), "position; ; far");
   EXPECT_EQ(read->minimal->title, reduction.minimal->title);
-  EXPECT_FALSE(parse_reduction(to_line(StillReducing())));
+  EXPECT_FALSE(parse_reduction(to_line(StillRunning())));
   EXPECT_FALSE(parse_reduction("{"));
   const FailingCase failing =
       parse_failing_case(to_text(FailingCase{"A.b", {"position", "", ""}, "[]", 1.5}));
@@ -398,7 +398,7 @@ std::vector<Reduction> reduced_on(
   subject.info = inquire(implementation);
   Captures captures(implementation, subject.info, nullptr);
   subject.captures = &captures;
-  const auto reduce = case_reducer(subject, [](const StillReducing&) {});
+  const auto reduce = case_reducer(subject);
   std::vector<Reduction> reductions;
   for (const FailingCase& failing : cases) {
     starts();

@@ -27,7 +27,7 @@ Reduction reduced_on(Implementation& implementation, const Difference& differenc
   subject.info = inquire(implementation);
   Captures captures(implementation, subject.info, nullptr);
   subject.captures = &captures;
-  return case_reducer(subject, [](const StillReducing&) {})({"Test", difference, commands});
+  return case_reducer(subject)({"Test", difference, commands});
 }
 
 bool has(const gl::Case& program, gl::EntryPoint entry) {

@@ -39,7 +39,6 @@ struct FindingMade {
   std::uint32_t number = 0;
   Finding finding;
 };
-struct StillJudging {};  // reported every half second
 struct ProgramJudged {
   bool judged = true;   // at least some effects could be observed
   bool in_full = true;  // all effects could be observed
@@ -47,7 +46,7 @@ struct ProgramJudged {
   bool not_repeated = false;    // the program differed only in the shared context
   double seconds_of_known = 0;  // time spent on a difference without a new cause
 };
-using CampaignEvent = std::variant<CampaignStarted, FindingShrank, FindingMade, StillJudging, ProgramJudged>;
+using CampaignEvent = std::variant<CampaignStarted, FindingShrank, FindingMade, ProgramJudged>;
 
 // Returns a function that judges the program of a job, and reports ProgramJudged after its findings. It
 // reports CampaignStarted at once. Commands that the implementation does not provide are left out of the

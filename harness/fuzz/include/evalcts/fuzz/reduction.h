@@ -4,42 +4,39 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <variant>
 
 #include <evalcts/fuzz/finding.h>
 
 namespace evalcts::fuzz {
 
-// The first failing case of a test, or a known bug that has to be proven.
+// The first failing case of a test.
 struct FailingCase {
-  std::string test;  // the name of the test; the ID of the bug
+  std::string test;
   Difference difference;
   std::string commands;  // JSON text (gl/case_json.h); may be empty
   double seconds = 0;    // time limit; 0: none
-  bool is_known_bug = false;
 };
 
-// The outcome of one reduction. For a known bug: its finding, if one of its programs fails here as the
-// register describes.
+// The outcome of one reduction, or of the proof of a known bug.
 struct Reduction {
-  std::string test;                // as in the FailingCase
-  std::optional<Finding> minimal;  // none if the case could not be reduced
-  std::string why_not;             // the reason in this case
-  bool is_known_bug = false;
+  std::string test;                // as in the FailingCase, or the ID of the bug
+  std::optional<Finding> minimal;  // none if the case could not be reduced, or the bug not be proven
+  std::string why_not;             // the reason why a case could not be reduced
 };
 
-struct StillReducing {};  // reported every half second, which distinguishes a slow case from a hang
-using ReductionEvent = std::variant<StillReducing, Reduction>;
 // Returns a function that reduces cases. If a case has the same plain form (one dimension, EvalCoord1f,
 // points) as an earlier case, the result is shared. `subject` must outlive the function.
-std::function<Reduction(const FailingCase&)> case_reducer(
-    const Subject& subject, const std::function<void(const StillReducing&)>& report);
+std::function<Reduction(const FailingCase&)> case_reducer(const Subject& subject);
+
+// Returns a function that proves a known bug by its ID: it returns the finding of the first program of the
+// bug that fails here as the register describes, or none. `subject` must outlive the function.
+std::function<std::optional<Finding>(const std::string&)> bug_prover(const Subject& subject);
 
 // Convert to text and back. parse_failing_case() throws std::invalid_argument. parse_reduction() returns none
 // if the line is not a Reduction.
 std::string to_text(const FailingCase& failing);
 FailingCase parse_failing_case(const std::string& text);
-std::string to_line(const ReductionEvent& event);
+std::string to_line(const Reduction& reduction);
 std::optional<Reduction> parse_reduction(const std::string& line);
 
 inline constexpr char kOutOfTime[] = "the time for reduction was over";

@@ -34,8 +34,8 @@ std::string to_text(const std::vector<ListedTest>& tests);
 
 struct Job {
   // "list": list all tests. "describe": describe the implementation. "prove": prove the capture `name`.
-  // "test": run the test `name`. "case": judge the program `data`. "reduce" and "fuzz": see reduction.h and
-  // campaign.h.
+  // "test": run the test `name`. "case": judge the program `data`. "reduce", "prove-bug" (`name`: its ID) and
+  // "fuzz": see reduction.h and campaign.h.
   std::string kind;
   std::string name;
   std::optional<std::uint64_t> cases = {};  // of a test: run only so many (it then decides nothing)
@@ -50,10 +50,15 @@ std::optional<Job> parse_job(const std::string& line);
 
 // --- events of a worker, one line each
 
+// A worker opens all that the job needs before it reports this. If it ends earlier, no job is to blame: Pool
+// gives the job to the next worker, and gives up after several such ends. If it ends later, but before
+// JobEnded, it has died in the job (WorkerRun::died_in_job()).
 struct JobStarted {
   std::string name;
 };
 struct JobEnded {};
+// Reported now and then by jobs that run many programs, so that a slow one is no hang.
+struct StillRunning {};
 // Written before each case, only if cases are traced.
 struct CaseStarted {
   std::string identity;
@@ -91,8 +96,9 @@ struct RunEnded {};
 struct OtherEvent {
   std::string line;
 };
-using Event = std::variant<JobStarted, JobEnded, CaseStarted, CaseFailed, TestFinished, TestsListed,
-                           Description, CaptureRecord, CannotOpen, Crashed, RunEnded, OtherEvent>;
+using Event =
+    std::variant<JobStarted, JobEnded, StillRunning, CaseStarted, CaseFailed, TestFinished, TestsListed,
+                 Description, CaptureRecord, CannotOpen, Crashed, RunEnded, OtherEvent>;
 
 std::string to_line(const Event& event);
 // Returns none if the line is not an event, for example because it was cut off.
