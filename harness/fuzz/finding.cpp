@@ -24,7 +24,7 @@ Judged judge_program(const Subject& subject, const gl::Case& program, const Spec
   // do not need.
   record.name = outcomes == Outcomes::kAll ? program.identity() : "a smaller version";
   Test test(subject, record);
-  test.run([&](Test& t) { t.judge(program, specified, outcomes, attributes); });
+  test.run([&](Test& t) { t.judge_specified(program, specified, outcomes, attributes); });
   if (record.verdict == Verdict::kInternalError)
     throw std::logic_error(fmt::format("{}: {}", program.identity(), record.message));
   if (record.verdict == Verdict::kFail) return {record.failures, true, true};

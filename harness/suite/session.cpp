@@ -38,21 +38,11 @@ std::string note_on_driver(const ImplementationInfo& info, const ImplementationO
 
 // Returns the queries of grids that raise an error. Their own tests fail; other tests leave these queries out
 // when they query all state, because the error would be taken for that of another command.
-std::set<std::string> rejected_queries(Implementation& implementation) {
-  const std::unique_ptr<Context> context = implementation.create_context();
-  if (!context->table().GetError) return {};
-  std::set<std::string> rejected;
-  for (const GLenum name :
-       {GL_MAP1_GRID_DOMAIN, GL_MAP1_GRID_SEGMENTS, GL_MAP2_GRID_DOMAIN, GL_MAP2_GRID_SEGMENTS})
-    for (const bool doubles : {false, true}) {
-      gl::Case c;
-      const gl::Ref query =
-          doubles ? c.GetDoublev(name, gl::out<GLdouble>(4)) : c.GetIntegerv(name, gl::out<GLint>(4));
-      const gl::Ref error = c.GetError();
-      if (gl::has(context->table(), c.commands()[0].entry) && context->play(c).error(error) != GL_NO_ERROR)
-        rejected.insert(gl::call_text(c.commands()[static_cast<std::size_t>(query.index)]));
-    }
-  return rejected;
+std::set<std::string> rejected_grid_queries(Implementation& implementation) {
+  std::set<std::string> calls;
+  for (const auto& [get, name] : find_rejected_queries(implementation, kGridQueries))
+    calls.insert(gl::call_text({get, {std::int64_t{name}, gl::Output()}}));
+  return calls;
 }
 
 constexpr float kSpecial = 1e30f;
@@ -99,15 +89,15 @@ gl::Case explicit_specials() {
 // from which topologies are learned. Throws NotObservable if the library survives all controls.
 void run_without_evaluators(const Subject& subject, const gl::Case& script) {
   std::vector<gl::Case> controls = gl::controls_without_evaluators(script);
-  if (predict(script, subject.info.max_order()).vertex_count() == 0) {
+  const Prediction prediction = predict(script, subject.info.max_order());
+  if (prediction.vertex_count() == 0) {
     gl::Case without = script.without_commands();
     for (const gl::Command& command : script.commands())
       if (!gl::is_evaluation(command.entry)) without.add(command);
     controls.front() = gl::with_explicit_vertices(without);
   }
   if (has_specials(script)) controls.push_back(explicit_specials());
-  if (const Prediction prediction = predict(script, subject.info.max_order()); prediction.vertex_count() > 0)
-    controls.push_back(explicit_primitives(prediction));
+  if (prediction.vertex_count() > 0) controls.push_back(explicit_primitives(prediction));
   for (const gl::Case& control : controls) {
     gl::Case supported = control.without_commands();  // a sink need not support all explicit commands
     for (const gl::Command& command : control.commands())
@@ -142,7 +132,7 @@ void Session::open() {
   subject_.implementation = implementation_.get();
   subject_.depth = options_.depth;
   subject_.seed = options_.seed;
-  subject_.crashing_calls = {options_.left_out.begin(), options_.left_out.end()};
+  subject_.omitted_calls = {options_.omitted_calls.begin(), options_.omitted_calls.end()};
   for (const std::string& choice : options_.readings) {
     const std::size_t equals = choice.find('=');
     if (equals == std::string::npos) throw CannotStart("'" + choice + "' is not NAME=READING");
@@ -175,7 +165,7 @@ void Session::open_captures() {
 void Session::open_for_tests() {
   open();
   if (!std::exchange(is_open_for_tests_, true))
-    subject_.crashing_calls.merge(rejected_queries(*implementation_));
+    subject_.omitted_calls.merge(rejected_grid_queries(*implementation_));
   open_captures();
 }
 
@@ -235,14 +225,16 @@ void Session::keep_failing_case() {
 void Session::begin_case(const gl::Case& script, const Job& job) {
   keep_failing_case();
   latest_case_ = script;
+  // The control of the last case takes its place, and ends the test.
   if (job.runs_control && cases_left_ == 1) run_without_evaluators(subject_, script);
+  // Ends the test. Nobody reads its verdict, an internal error.
   if (cases_left_-- == 0) throw std::runtime_error("no further cases of this test were requested");
   if (job.traces_cases)
     report_(CaseStarted{script.identity(), script.is_control(), gl::all_calls(script),
                         gl::to_text_if_possible(script)});
 }
 
-void Session::run(const Subject& subject, const TestInfo& test, const Job& job, TestRecord& record) {
+void Session::run_on(const Subject& subject, const TestInfo& test, const Job& job, TestRecord& record) {
   cases_left_ = job.cases.value_or(std::numeric_limits<std::uint64_t>::max());
   record_ = &record;
   latest_case_ = {};
@@ -262,21 +254,22 @@ bool Session::passes_in_warm_context(const TestInfo& test, const Job& job, TestR
   subject.implementation = &warm_->implementation();
   subject.is_warm = true;
   TestRecord warm = record;
-  run(subject, test, job, warm);
+  run_on(subject, test, job, warm);
   if (!warm_->restore() || warm.verdict != Verdict::kPass) return false;
   record = std::move(warm);
   return true;
 }
 
-// Runs the test in the warm context first, if there is one. A sample of the tests uses fresh contexts only.
-void Session::run(const TestInfo& test, const Job& job, TestRecord& record) {
+// Runs the test in the warm context first, if there is one. Anything but a pass is discarded: the test runs
+// again in fresh contexts, which decide. A sample of the tests uses fresh contexts only.
+void Session::run_warm_then_fresh(const TestInfo& test, const Job& job, TestRecord& record) {
   constexpr std::uint32_t kSample = 16;
   const bool is_in_sample = (fnv1a<std::uint32_t>(record.name) + subject_.seed) % kSample == 0;
   const bool uses_warm_context = warm_ && !warm_->is_hopeless() && !is_in_sample;
   if (uses_warm_context && passes_in_warm_context(test, job, record)) return;
   Subject subject = subject_;
   if (uses_warm_context) subject.warm = warm_.get();
-  run(subject, test, job, record);
+  run_on(subject, test, job, record);
 }
 
 TestRecord Session::run_test(const TestInfo& test, const Job& job) {
@@ -287,7 +280,7 @@ TestRecord Session::run_test(const TestInfo& test, const Job& job) {
   record.level = test.level;
   const auto start = std::chrono::steady_clock::now();
   const Surroundings surroundings;
-  run(test, job, record);
+  run_warm_then_fresh(test, job, record);
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const std::vector<std::string> changed = surroundings.put_back();
   if (!failing_case_.empty()) report_(CaseFailed{record.name, failing_case_});
@@ -304,6 +297,7 @@ TestRecord Session::run_program(const Job& job) {
                                            gl::parse_case(job.data));
   script.set_identity("program");
   const Specified specified = specify(script, of_programs.info.max_order());
+  // kAll judges vertices only if some are due; surplus ones and the order of meshes are judged on their own.
   std::vector<Outcomes> all_outcomes = {Outcomes::kAll};
   if (specified.prediction.vertex_count() == 0) all_outcomes.push_back(Outcomes::kVertices);
   if (specified.prediction.has_meshes()) all_outcomes.push_back(Outcomes::kOrder);

@@ -21,7 +21,7 @@ struct SessionOptions {
   ImplementationOptions implementation;
   std::optional<std::vector<std::string>> captures;  // the captures to use; none: all
   std::vector<std::string> readings;                 // NAME=READING
-  std::vector<std::string> left_out;                 // texts of gl::call_text() of commands that crash
+  std::vector<std::string> omitted_calls;            // texts of gl::call_text() of commands that crash
   Depth depth = Depth::kFull;
   std::uint32_t seed = 1;
   bool reuse_context = false;            // all cases share a context
@@ -55,8 +55,8 @@ class Session {
  private:
   void open();
   void open_captures();
-  void run(const TestInfo& test, const Job& job, TestRecord& record);
-  void run(const Subject& subject, const TestInfo& test, const Job& job, TestRecord& record);
+  void run_warm_then_fresh(const TestInfo& test, const Job& job, TestRecord& record);
+  void run_on(const Subject& subject, const TestInfo& test, const Job& job, TestRecord& record);
   bool passes_in_warm_context(const TestInfo& test, const Job& job, TestRecord& record);
   void begin_case(const gl::Case& script, const Job& job);
   void keep_failing_case();

@@ -158,7 +158,7 @@ void parse(int argc, char** argv, Options& options) {
                  "write the first failure of the test, or the case in flight, to this file as a C program");
   app.add_option("--style", style, "style of the C program")
       ->check(CLI::IsMember({"short", "full", "piglit"}));
-  app.add_option("--leave-out", session.left_out,
+  app.add_option("--leave-out", session.omitted_calls,
                  "a command that crashes, \"glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)\": not run by tests "
                  "that can do without it")
       ->expected(1)

@@ -96,7 +96,7 @@ void CheckedTrace::fail(gl::Check check, const Difference& difference, const std
   failure.captured = captured;
   if (plot_ && !test_.has_plot()) failure.plot = plot_();
   test_.fail(
-      std::move(failure), [&] { return gl::to_c(script, 0, asked.index); }, check);
+      std::move(failure), [&] { return gl::to_c(script, 0, asked.index); }, check, observed_);
 }
 
 void CheckedTrace::expect_error(gl::Ref get_error, const std::vector<GLenum>& allowed) {

@@ -36,7 +36,7 @@ void Conditions::require(int major, int minor, const std::string& or_extension) 
 }
 
 void Conditions::prefer_fresh_contexts() const {
-  if (subject_.is_warm) throw NotObservable("the test needs fresh contexts");
+  if (subject_.is_warm) throw FreshContextsDecide("the test needs fresh contexts");
 }
 
 void Conditions::require_initial_state() const {
@@ -65,9 +65,9 @@ std::vector<gl::Ref> Conditions::append_optional(gl::Case& c, const gl::Case& op
       places.emplace_back();
       continue;
     }
-    if (!subject_.crashing_calls.empty()) {
+    if (!subject_.omitted_calls.empty()) {
       const std::string call = gl::call_text(command);
-      if (subject_.crashing_calls.contains(call)) {
+      if (subject_.omitted_calls.contains(call)) {
         if (std::ranges::count(record_.left_out, call) == 0) record_.left_out.push_back(call);
         places.emplace_back();
         continue;

@@ -80,7 +80,7 @@ std::optional<GLenum> ExplicitControl::error_without_evaluators(const gl::Case& 
 }
 
 void ExplicitControl::run_controls(const std::function<bool(Implementation&)>& fails) {
-  const std::optional<Observed> observed = std::exchange(observed_, std::nullopt);
+  const std::optional<ObservedCase> observed = std::exchange(observed_, std::nullopt);
   if (!observed) return;
   // Each array has mappings of its own, and a process has about 65,000 mappings at most.
   constexpr std::size_t kMostCommands = 2048;

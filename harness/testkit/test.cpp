@@ -16,7 +16,6 @@
 
 #include <evalcts/gl/call_in_flight.h>
 #include <evalcts/gl/call_log.h>
-#include <evalcts/gl/display_lists.h>
 #include <evalcts/results/hash.h>
 #include <evalcts/testkit/reproduction.h>
 #include "blame.h"
@@ -27,7 +26,9 @@ namespace evalcts {
 namespace {
 
 constexpr std::size_t kFailuresInFull = 8;  // and the first one of each further kind and place of differences
-constexpr std::size_t kFirst = 64;          // mismatches, behind which kFirstMismatches judges no vertices
+constexpr std::size_t kMostJudged = 64;     // mismatches, behind which kFirstMismatches judges no vertices
+// The accuracy of cases with more vertices is not recorded, because this takes longer than judging.
+constexpr std::size_t kMostMeasured = 2000;
 
 // Runs a function that creates or moves contexts. Throws NotObservable if the library rejects this.
 void run_with_contexts(const std::function<void()>& function) {
@@ -37,9 +38,6 @@ void run_with_contexts(const std::function<void()>& function) {
     throw NotObservable(std::string("pipeline: a thread has no context: ") + error.what());
   }
 }
-
-// The accuracy of cases with more vertices is not recorded, because this takes longer than judging.
-constexpr std::size_t kMostMeasured = 2000;
 
 Mismatch wrong_error(GLenum got, GLenum expected) {
   Mismatch mismatch;
@@ -73,26 +71,6 @@ std::optional<Observed> observed_in(const Mismatch& mismatch) {
   return std::nullopt;
 }
 
-bool uses_attribute_stack_in_list(const gl::Case& script) {
-  bool is_list_open = false;
-  return std::ranges::any_of(script.commands(), [&](const gl::Command& command) {
-    if (command.entry == gl::EntryPoint::NewList) is_list_open = true;
-    if (command.entry == gl::EntryPoint::EndList) is_list_open = false;
-    return is_list_open &&
-           (command.entry == gl::EntryPoint::PushAttrib || command.entry == gl::EntryPoint::PopAttrib);
-  });
-}
-
-// Returns true if End may be outside of a primitive, also because lists may leave one open.
-bool may_end_outside(const gl::Case& script) {
-  bool is_open = false;
-  return std::ranges::any_of(script.commands(), [&](const gl::Command& command) {
-    if (command.entry == gl::EntryPoint::End) return !std::exchange(is_open, false);
-    if (command.entry == gl::EntryPoint::Begin) is_open = gl::integer_of(command, 0) <= GL_POLYGON;
-    return false;
-  });
-}
-
 }  // namespace
 
 // Counts the case and returns it after delivery. Throws NotObservable or NotSupported if the case cannot be
@@ -100,14 +78,10 @@ bool may_end_outside(const gl::Case& script) {
 gl::DeliveredCase Test::begin_case(const gl::Case& script) {
   ++cases_;
   control_.clear();
+  is_order_wrong_ = false;
   if (subject_.reproduction) subject_.reproduction->begin_case(script);
   gl::DeliveredCase delivered = delivery_.apply(script);
-  lists_used_ = lists_used_ || gl::uses_lists(delivered.script);
-  for (const gl::Command& command : delivered.script.commands())
-    if (command.entry == gl::EntryPoint::NewList)
-      list_modes_.insert(std::get<std::int64_t>(command.arguments[1]));
-  may_end_outside_ = may_end_outside_ || may_end_outside(delivered.script);
-  stack_in_lists_ = stack_in_lists_ || uses_attribute_stack_in_list(delivered.script);
+  probes_.add(delivered.script);
   const auto has_high_order = [&](const gl::Command& command) {
     return gl::largest_order(command) > max_order();
   };
@@ -339,7 +313,7 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
   JudgeOptions options = options_for(script, *capture, required);
   options.attributes = judged_attributes;
   if (thoroughness == Thoroughness::kFirstMismatches)
-    options.most = kFirst;
+    options.most = kMostJudged;
   else if (prediction.vertex_count() <= kMostMeasured)
     options.measured = required;
   if (!judges_errors) missing_.insert("errors (explicit commands raise them as well)");
@@ -430,12 +404,8 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Captu
     std::optional<gl::Check> check;
     if (subject_.reproduction && !subject_.reproduction->is_complete())
       check = check_of(mismatch, mismatches, script, capture, request, judge);
-    const std::vector<RequirementId> decided = decided_;
-    if (const std::optional<Observed> observed = observed_in(mismatch); observed && decided_.empty())
-      blame(*observed);
     fail(
-        std::move(failure), [&] { return gl::all_calls(script); }, check);
-    decided_ = decided;
+        std::move(failure), [&] { return gl::all_calls(script); }, check, observed_in(mismatch));
   }
 }
 
@@ -482,11 +452,6 @@ Difference Test::difference_of(const Mismatch& mismatch) const {
   return mismatch.difference();
 }
 
-void Test::blame(Observed observed) {
-  decided_ = violated_by(observed, record_.requirements);
-  if (decided_ == record_.requirements) decided_.clear();  // all of them
-}
-
 bool Test::has_plot() const {
   return std::ranges::any_of(record_.failures, [](const Failure& other) { return other.plot.has_value(); });
 }
@@ -510,17 +475,16 @@ void Test::follows(const std::string& text, const std::string& reading) {
 }
 
 void Test::fail(Failure failure, const std::function<std::vector<std::string>()>& calls,
-                const std::optional<gl::Check>& check) {
-  fails_in_warm_context_ = subject_.is_warm;  // also if the test catches the exception
-  if (subject_.is_warm) throw NotObservable("fresh contexts decide: " + failure.message);
+                const std::optional<gl::Check>& check, std::optional<Observed> observed) {
+  if (subject_.is_warm) throw FreshContextsDecide("fresh contexts decide: " + failure.message);
   control_.require_explicit_vertices(failure.what);
-  if (!subject_.reproduction) {
-    if (stack_in_lists_) require_attribute_stack_in_lists();
-    if (may_end_outside_ && failure.what == "glGetError") require_error_of_end();
-    if (failure.what == "glGetError") require_errors_in_lists();
-  }
-  for (const RequirementId& id : decided_) violate(id);
-  violates_all_ = violates_all_ || decided_.empty();
+  if (!subject_.reproduction) probes_.require(subject_, failure.what == "glGetError");
+  std::vector<RequirementId> violated = decided_;
+  if (violated.empty() && observed) violated = violated_by(*observed, record_.requirements);
+  if (violated.empty() || violated == record_.requirements)
+    violates_all_ = true;
+  else
+    for (const RequirementId& id : violated) violate(id);
   if (subject_.reproduction) subject_.reproduction->failed(failure, check);
   record_.mismatches.push_back(failure.case_identity + ": " + failure.what);
   if (last_failed_case_ != cases_) ++failed_cases_;
@@ -533,47 +497,6 @@ void Test::fail(Failure failure, const std::function<std::vector<std::string>()>
     return;
   if (calls) failure.calls = calls();
   record_.failures.push_back(std::move(failure));
-}
-
-void Test::require_attribute_stack_in_lists() const {
-  gl::Case c(gl::control("PushAttrib and PopAttrib in a display list"));
-  c.NewList(1, GL_COMPILE);
-  c.PushAttrib(GL_ENABLE_BIT);
-  c.Enable(GL_CULL_FACE);
-  c.PopAttrib();
-  c.EndList();
-  c.CallList(1);
-  const gl::Ref enabled = c.IsEnabled(GL_CULL_FACE);
-  if (subject_.implementation->create_context()->play(c).result(enabled) != GL_FALSE)
-    throw NotObservable("pipeline: display lists lose PushAttrib and PopAttrib of other state as well");
-}
-
-void Test::require_error_of_end() const {
-  gl::Case c(gl::control("End outside of a primitive"));
-  c.End();
-  const gl::Ref error = c.GetError();
-  if (subject_.implementation->create_context()->play(c).error(error) != GL_INVALID_OPERATION)
-    throw NotObservable("pipeline: End outside of a primitive does not raise its error before GetError");
-}
-
-void Test::require_errors_in_lists() const {
-  for (const std::int64_t mode : list_modes_) {
-    const bool executes = mode == GL_COMPILE_AND_EXECUTE;
-    if (!gl().has(gl::EntryPoint::MatrixMode) || (mode != GL_COMPILE && !executes)) continue;
-    gl::Case c(gl::control("MatrixMode of no matrix in a display list"));
-    c.NewList(1, static_cast<GLenum>(mode));
-    c.MatrixMode(GL_NONE);
-    c.EndList();
-    const gl::Ref compiled = c.GetError();
-    c.CallList(1);
-    const gl::Ref called = c.GetError();
-    const gl::Trace trace = subject_.implementation->create_context()->play(c);
-    if (trace.error(compiled) != (executes ? GL_INVALID_ENUM : GL_NO_ERROR) ||
-        trace.error(called) != GL_INVALID_ENUM)
-      throw NotObservable(
-          "pipeline: commands of other state in display lists do not raise their errors when they are due, "
-          "either");
-  }
 }
 
 void Test::violate(const RequirementId& id) {
@@ -612,14 +535,15 @@ void Test::blame_list_or_commands(const std::function<void(Test&)>& body) {
 }
 
 // Returns the verdict if no case fails, and the reason for it.
-Test::Ending Test::end_of(const std::function<void(Test&)>& body) {
+Test::VerdictAndReason Test::end_of(const std::function<void(Test&)>& body) {
   try {
     body(*this);
-    if (fails_in_warm_context_) return {Verdict::kNotObservable, "fresh contexts decide"};
     return {Verdict::kPass, ""};
   } catch (const NotSupported& exception) {
     return {Verdict::kNotSupported, exception.what()};
   } catch (const NotObservable& exception) {
+    return {Verdict::kNotObservable, exception.what()};
+  } catch (const FreshContextsDecide& exception) {
     return {Verdict::kNotObservable, exception.what()};
   } catch (const gl::MissingEntryPoint& exception) {
     return {gl().declaration ? Verdict::kNotSupported : Verdict::kNotObservable, exception.what()};
@@ -631,7 +555,7 @@ Test::Ending Test::end_of(const std::function<void(Test&)>& body) {
 // Returns the mistake of a test that passes without judging what it claims to; empty if there is none.
 std::string Test::mistake() const {
   if (cases_ == 0) return "the test ran no case";
-  if (is_delivered_in_lists() && !lists_used_)
+  if (is_delivered_in_lists() && !probes_.uses_lists())
     return "no case of the test has a command that goes into a display list";
   return {};
 }
@@ -640,13 +564,15 @@ void Test::run(const std::function<void(Test&)>& body) {
   record_.seed = subject_.seed;
   random_.seed(subject_.seed * 2654435761u ^ fnv1a<std::uint32_t>(record_.name));
   // Runs and judges. Controls end the test by exceptions.
-  const Ending ending = end_of(body);
+  const VerdictAndReason ending = end_of(body);
   const bool fails = ending.verdict != Verdict::kInternalError && !record_.mismatches.empty();
   record_.verdict = !fails                             ? ending.verdict
                     : record_.level == Level::kQuality ? Verdict::kQualityWarning
                                                        : Verdict::kFail;
   record_.message = fails ? record_.failures.front().message : ending.why;
   if (fails) {
+    // An empty list stands for all requirements, so they are listed only if other failures violate single
+    // ones.
     if (violates_all_ && !record_.violated.empty())
       for (const RequirementId& id : record_.requirements) violate(id);
     if (record_.verdict == Verdict::kFail && is_delivered_in_lists() && !other_lists_ &&

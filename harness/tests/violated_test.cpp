@@ -196,6 +196,15 @@ TEST(Judged, AnswersAndErrorsOfTheSpecificationAreDue) {
   EXPECT_TRUE(error.message.starts_with("missing error")) << error.message;
 }
 
+TEST(Judged, FailuresViolateWhatTheTestHasDecided) {
+  const Body body = [](evalcts::Test& t) {
+    t.decide({"EV-A"});
+    t.judge(enables());
+  };
+  const TestRecord record = record_of(lenient_queries<false>, {"EV-A", "EV-B"}, body);
+  EXPECT_EQ(record.blamed(), Ids{"EV-A"}) << record.message;
+}
+
 TEST(Judged, ErrorsBetweenBeginAndEndAreDueOnlyIfOtherQueriesRaiseThem) {
   const TestRecord record =
       record_of(lenient_queries<true>, {"EV-A"}, [](evalcts::Test& t) { t.judge(enables()); });

@@ -118,8 +118,9 @@ struct TestRecord {
   // Parts that the test is about, but did not observe, because no capture shows these attributes or these
   // commands are missing: "colour, normal, glMap1d (missing)". The verdict does not cover them.
   std::string unobserved;
-  std::vector<std::string> left_out;  // optional commands that the test omitted because they crash
-  std::optional<Crash> crash;         // for a crash or timeout, if the process could report it
+  std::vector<std::string>
+      left_out;                // optional calls that the test omitted, because they crash or are rejected
+  std::optional<Crash> crash;  // for a crash or timeout, if the process could report it
   std::optional<Accuracy> accuracy;
   std::map<std::string, std::string> readings;  // the implementation's reading of ambiguous passages, by ID
 

@@ -16,6 +16,7 @@
 namespace evalcts {
 
 class Test;
+enum class Observed : unsigned;  // see blame.h
 
 // A failed check is recorded with the calls of the case and does not stop the test.
 class CheckedTrace {
@@ -68,6 +69,8 @@ class CheckedTrace {
   void expect(bool holds, gl::Ref command, const std::string& message, const std::string& expected,
               const std::string& captured);
 
+  // Makes the following checks observations of this kind, see Test::fail().
+  void set_observed(Observed observed) { observed_ = observed; }
   // Checks that fail from here on are shown in this plot, unless a failure of the test has one already.
   // Empty: no plot.
   void set_plot(std::function<std::optional<Plot>()> plot) { plot_ = std::move(plot); }
@@ -93,6 +96,7 @@ class CheckedTrace {
   Test& test_;
   gl::DeliveredCase delivered_;
   gl::Trace trace_;
+  std::optional<Observed> observed_;
   std::function<std::optional<Plot>()> plot_;
   std::size_t failures_ = 0;
 };

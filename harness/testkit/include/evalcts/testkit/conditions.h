@@ -20,6 +20,12 @@ struct NotSupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Ends a test in a warm context, which runs again in fresh contexts. No NotObservable, because tests may
+// catch those.
+struct FreshContextsDecide : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 // The conditions under which a test writes its programs: the implementation, the depth, the form of delivery
 // and random numbers. What a test leaves out is recorded as not observed.
 class Conditions {

@@ -61,7 +61,7 @@ class ExplicitControl {
   void require_explicit_vertices(const std::string& what);
 
  private:
-  struct Observed {
+  struct ObservedCase {
     gl::Case script;
     const Capture* capture;
     Attributes judged;
@@ -80,7 +80,7 @@ class ExplicitControl {
 
   const Subject& subject_;
   bool uses_warm_context_ = true;
-  std::optional<Observed> observed_;
+  std::optional<ObservedCase> observed_;
   std::vector<Mismatch> wrong_;  // the mismatches of the controls, after they have run
 };
 

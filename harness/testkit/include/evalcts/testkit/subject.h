@@ -30,7 +30,7 @@ struct Subject {
   Captures* captures = nullptr;
   Depth depth = Depth::kFull;
   std::uint32_t seed = 1;
-  std::set<std::string> crashing_calls;              // texts of gl::call_text(), see Test::append_optional
+  std::set<std::string> omitted_calls;               // texts of gl::call_text(), see Test::append_optional
   std::map<std::string, std::string> readings;       // the readings that the user chose, by ambiguous passage
   std::function<void(const gl::Case&)> before_case;  // called before each case; may be empty
   Reproduction* reproduction = nullptr;              // set if the first failure is written as a C program

@@ -20,6 +20,7 @@
 #include <evalcts/testkit/checked_trace.h>
 #include <evalcts/testkit/conditions.h>
 #include <evalcts/testkit/explicit_control.h>
+#include <evalcts/testkit/pipeline_probes.h>
 
 namespace evalcts {
 
@@ -40,11 +41,11 @@ class Test : public Conditions {
     if (other_lists_) delivery_.lists = *other_lists_;
   }
 
-  // Makes following failures violate only these requirements, which need not be requirements of the test. An
-  // empty list stands for all requirements of the test.
+  // Makes following failures violate only these requirements, which need not be requirements of the test.
+  // With an empty list, they violate those that the table in blame.cpp gives them, or all requirements of the
+  // test.
   void decide(std::vector<RequirementId> requirements) { decided_ = std::move(requirements); }
 
-  const std::vector<RequirementId>& requirements() const { return record_.requirements; }
   // Returns the requirement of this test with the given ID, or the half of it that the test decides. Throws
   // std::logic_error if the test does not decide it.
   RequirementId requirement(const std::string& id) const;
@@ -70,11 +71,11 @@ class Test : public Conditions {
   // are recorded as unobserved, and if none of them is shown, the test is not-observable. In one test of 32
   // (at thorough depth in all tests), other captures observe the case, too, and must agree.
   void judge_vertices(const gl::Case& script, Attributes about);
-  // The same for some of the outcomes and attributes, with given predictions. Vertices are not judged through
-  // a delivery, behind the first few dozen mismatches, and without a record of the accuracy, because this
-  // takes longer than judging.
-  void judge(const gl::Case& script, const Specified& specified, Outcomes outcomes = Outcomes::kAll,
-             Attributes attributes = kAllAttributes);
+  // Judges some outcomes and attributes by a given specification of the case. Vertices are judged only up to
+  // the first 64 mismatches, and their accuracy is not recorded, because both take longer than the rest.
+  // Throws std::logic_error if the test has a delivery.
+  void judge_specified(const gl::Case& script, const Specified& specified, Outcomes outcomes,
+                       Attributes attributes);
 
   // Makes the answers of these queries of the next judged case a snapshot: an answer violates a requirement
   // only if the same query has had another answer earlier, and the specification says that it does not
@@ -117,11 +118,12 @@ class Test : public Conditions {
   // "readings" of the catalogue. Fails if the user chose another reading.
   void follows(const std::string& text, const std::string& reading);
 
-  // Adds a failure. In a warm context, ends the test by NotObservable instead. Throws NotObservable, too, if
-  // the control of the observed case fails in the same way. `calls`: returns the calls of the case; called
-  // only for failures that are kept in full. `check`: decides the failure in a stand-alone C program.
+  // Adds a failure. In a warm context, throws FreshContextsDecide instead. Throws NotObservable if the
+  // control of the observed case fails in the same way. `calls`: returns the calls of the case; called only
+  // for failures that are kept in full. `check`: decides the failure in a stand-alone C program. `observed`:
+  // by which the table in blame.cpp tells the violated requirements, unless decide() has named them.
   void fail(Failure failure, const std::function<std::vector<std::string>()>& calls = {},
-            const std::optional<gl::Check>& check = {});
+            const std::optional<gl::Check>& check = {}, std::optional<Observed> observed = {});
   // True if a failure has a plot already: one is enough for a test.
   bool has_plot() const;
 
@@ -133,7 +135,7 @@ class Test : public Conditions {
   void run(const std::function<void(Test&)>& body);
 
  private:
-  struct Ending {
+  struct VerdictAndReason {
     Verdict verdict;
     std::string why;
   };
@@ -141,14 +143,12 @@ class Test : public Conditions {
   TextureUnits units() const { return {texture_units(), gl().active_units}; }
   // Specifies the case without its vertices.
   Specified specify_answers(const gl::Case& script) const;
-  Ending end_of(const std::function<void(Test&)>& body);
+  VerdictAndReason end_of(const std::function<void(Test&)>& body);
   std::string mistake() const;
   Difference difference_of(const Mismatch& mismatch) const;
   // Returns the reason if the same query of state gives a wrong answer with explicit commands in place of
   // evaluations as well; otherwise an empty text. `script`: before delivery.
   std::string fault_of_explicit_answer(const gl::Case& script, gl::Ref query);
-  // Makes the next failures violate the requirements to which the table of blame gives the observation.
-  void blame(Observed observed);
   gl::DeliveredCase begin_case(const gl::Case& script);
   // Throws NotObservable or MissingEntryPoint unless the test can use contexts in several threads.
   void require_threads();
@@ -158,7 +158,7 @@ class Test : public Conditions {
   // take effect or raise no error: the library has then lost the Begin, for example in a display list, or
   // raises no errors at all.
   void require_rejections_in_primitives(const gl::Case& script, const Specified& specified);
-  void judge_answers(const gl::Case& script, const gl::DeliveredCase& delivered, const Specified& specified);
+  void check_answers(const gl::Case& script, const gl::DeliveredCase& delivered, const Specified& specified);
   void judge_answer(CheckedTrace& checked, const gl::Case& script, const Specified& specified, gl::Ref query);
   // Returns the first query of the snapshot with which this one must agree; -1 if there is none.
   gl::Ref same_as(const Specified& specified, const gl::Case& script, gl::Ref query) const;
@@ -169,13 +169,6 @@ class Test : public Conditions {
   void note_capture(const Capture& capture);
 
   void violate(const RequirementId& id);
-  // Throws NotObservable if display lists do not push and pop CULL_FACE.
-  void require_attribute_stack_in_lists() const;
-  // Throws NotObservable if End outside of a primitive does not raise INVALID_OPERATION at once.
-  void require_error_of_end() const;
-  // Throws NotObservable if MatrixMode of an invalid enumerant in a list, compiled as the lists of the test,
-  // does not raise INVALID_ENUM at each execution and only then.
-  void require_errors_in_lists() const;
 
   // Sets the violated requirements of a test that failed through display lists, by running it without a list
   // and in a list of the simplest kind. The requirement of the form of lists is violated only if both pass.
@@ -203,16 +196,12 @@ class Test : public Conditions {
                                     const CaptureRequest& request, const OwnJudge& judge);
 
   bool judges_order_of_meshes_ = false;
-  bool is_order_wrong_ = false;  // true if the vertices of a mesh are right in another order
-  std::vector<RequirementId> decided_;
-  bool fails_in_warm_context_ = false;
+  bool is_order_wrong_ = false;           // true if the vertices of a mesh are right in another order
+  std::vector<RequirementId> decided_;    // by decide()
   bool violates_all_ = false;             // a failure violates all requirements of the test
   std::optional<gl::Lists> other_lists_;  // replaces the form of lists of the delivery
-  bool lists_used_ = false;
-  std::set<std::int64_t> list_modes_;  // second arguments of NewList
-  bool may_end_outside_ = false;
-  bool stack_in_lists_ = false;  // true if a case pushes or pops attributes in a list
   ExplicitControl control_;
+  PipelineProbes probes_;
   Attributes unobserved_ = 0;             // required attributes that no capture shows
   std::string fault_outside_evaluators_;  // the reason why an answer of the case is not judged; or empty
   std::set<int> snapshot_;                // positions of the queries of compare_only()

@@ -1,4 +1,5 @@
-// Judges a case by the executable specification: every answer, error and emitted vertex.
+// Implements the part of Test that judges by the executable specification: every answer, error and emitted
+// vertex.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,6 +20,9 @@ namespace {
 
 // Relative tolerance of queries, which may answer in single precision (EV-GETMAP-FLOAT, EV-GETMAP-DOUBLE).
 constexpr double kTolerance = 1e-5;
+
+// The attributes that are judged wherever a capture shows them.
+constexpr Attributes kJudged = kPosition | kColor | kNormal | kTextureCoordinate0;
 
 bool is_real(gl::Scalar type) { return type == gl::Scalar::kF32 || type == gl::Scalar::kF64; }
 
@@ -201,7 +205,7 @@ gl::Ref Test::same_as(const Specified& specified, const gl::Case& script, gl::Re
   return {};
 }
 
-void Test::judge_answers(const gl::Case& script, const gl::DeliveredCase& delivered,
+void Test::check_answers(const gl::Case& script, const gl::DeliveredCase& delivered,
                          const Specified& specified) {
   const std::uint64_t begun = cases_;
   CheckedTrace checked = play(delivered);
@@ -229,26 +233,26 @@ void Test::judge_answers(const gl::Case& script, const gl::DeliveredCase& delive
     const gl::Ref command{static_cast<int>(i)};
     if (!specified.known[i]) continue;
     if (!specified.error_answers[i].empty()) {
-      blame(follows_compiled_command(script, i) ? Observed::kCompilingError : Observed::kError);
+      checked.set_observed(follows_compiled_command(script, i) ? Observed::kCompilingError
+                                                               : Observed::kError);
       const std::size_t failures = checked.failures();
       checked.expect_error_of(raising_command(specified, command), command, specified.error_answers[i]);
       errors_are_right = errors_are_right && checked.failures() == failures;
     } else if (snapshot_.contains(command.index)) {
-      blame(Observed::kChange);
+      checked.set_observed(Observed::kChange);
       // Without an error, an effect is no wonder.
       if (errors_are_right) checked.expect_same(same_as(specified, script, command), command);
     } else if (specified.answers.has_output(command) && !specified.errors[i].empty()) {
-      blame(Observed::kWritten);
+      checked.set_observed(Observed::kWritten);
       checked.expect_nothing_written(command);
     } else if (specified.answers.has_output(command)) {
-      blame(Observed::kAnswer);
+      checked.set_observed(Observed::kAnswer);
       judge_answer(checked, script, specified, command);
     } else {
-      blame(Observed::kAnswer);
+      checked.set_observed(Observed::kAnswer);
       checked.expect_result(command, specified.answers.result(command));
     }
   }
-  decided_.clear();
   snapshot_.clear();
   // If controls have run, a later crash is that of the case again.
   if (cases_ != begun && subject_.before_case) subject_.before_case(delivered.script);
@@ -261,16 +265,13 @@ void Test::compare_only(const std::vector<gl::Ref>& queries) {
     if (query.index >= 0) snapshot_.insert(query.index);
 }
 
-// The attributes that are judged wherever a capture shows them.
-constexpr Attributes kJudged = kPosition | kColor | kNormal | kTextureCoordinate0;
-
 Specified Test::specify_answers(const gl::Case& script) const {
   return specify(script, max_order(), units(), OtherState::kSkipped, Emission::kLeftOut);
 }
 
 void Test::judge(const gl::Case& script) {
   const gl::DeliveredCase delivered = begin_case(script);
-  judge_answers(script, delivered, specify_answers(script));
+  check_answers(script, delivered, specify_answers(script));
   const Prediction prediction = predict(delivered.script, max_order());
   if (prediction.vertex_count() > 0)
     judge_emission(delivered.script, prediction, kJudged, Thoroughness::kAllVertices);
@@ -278,15 +279,15 @@ void Test::judge(const gl::Case& script) {
 
 void Test::judge_answers(const gl::Case& script) {
   const gl::DeliveredCase delivered = begin_case(script);
-  judge_answers(script, delivered, specify_answers(script));
+  check_answers(script, delivered, specify_answers(script));
 }
 
-void Test::judge(const gl::Case& script, const Specified& specified, Outcomes outcomes,
-                 Attributes attributes) {
+void Test::judge_specified(const gl::Case& script, const Specified& specified, Outcomes outcomes,
+                           Attributes attributes) {
   if (!delivery_.name.empty()) throw std::logic_error("a prediction is of the case as it is delivered");
   const gl::DeliveredCase delivered = begin_case(script);
   if (outcomes == Outcomes::kAll || outcomes == Outcomes::kAnswers)
-    judge_answers(script, delivered, specified);
+    check_answers(script, delivered, specified);
   if (outcomes == Outcomes::kAnswers) return;
   if (outcomes == Outcomes::kAll && specified.prediction.vertex_count() == 0) return;
   if (outcomes == Outcomes::kOrder) judge_order_of_meshes();
