@@ -50,10 +50,6 @@ std::string printed(const std::string& lines) {
   return text;
 }
 
-std::string counted(std::uint64_t count, const std::string& thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
-
 std::string list_of(const std::vector<record::Counted>& commands) {
   std::vector<std::string> texts;
   for (const record::Counted& command : commands) {
@@ -73,9 +69,9 @@ std::string describe(const record::Recording& recording, const std::vector<Progr
     all += program.times;
     vertices += program.times * program.vertices;
   }
-  std::string text = fmt::format("{}: {} in {}, {} of them different; vertices: {}\n",
-                                 fmt::join(recording.program(), " "), counted(all, "program"),
-                                 counted(recording.contexts(), "context"), programs.size(), vertices);
+  std::string text =
+      fmt::format("{}: {} in {}, {} of them different; vertices: {}\n", fmt::join(recording.program(), " "),
+                  count(all, "program"), count(recording.contexts(), "context"), programs.size(), vertices);
   if (!recording.problem().empty()) text += fmt::format("note: {}\n", recording.problem());
   if (!recording.left_out().empty())
     text += fmt::format(
@@ -170,13 +166,13 @@ std::string summary(const RunResult& result, const std::map<std::string, const P
   }
   std::string text =
       fmt::format("{}: {} ({}): {} wrong, {} right\n", implementation.name, implementation.version,
-                  implementation.renderer, counted(wrong, "program"), passed);
+                  implementation.renderer, count(wrong, "program"), passed);
   text += lines;
   if (listed > kMostListed) text += fmt::format("  and {} more\n", listed - kMostListed);
   for (const auto& [what, times] : incomplete)
     text += fmt::format("  {} of the right ones without: {}\n", times, what);
   for (const auto& [why, times] : unobserved)
-    text += fmt::format("  {} not observed: {}\n", counted(times, "program"), why);
+    text += fmt::format("  {} not observed: {}\n", count(times, "program"), why);
   if (accuracy.values > 0)
     text += accuracy.not_correctly_rounded == 0
                 ? fmt::format("  right ones: {} evaluated values, correctly rounded\n", accuracy.values)

@@ -48,10 +48,6 @@ std::string first_of(const std::vector<Counted>& commands) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-std::string count_of(std::uint64_t count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 // Returns the recorder, in a build or in an installation; an empty path if there is none.
 fs::path recorder_library() {
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
@@ -191,11 +187,11 @@ std::string summary_of(const fs::path& file, const Recording& recording) {
     const auto times =
         std::accumulate(commands.begin(), commands.end(), std::uint64_t{0},
                         [](std::uint64_t sum, const Counted& each) { return sum + each.times; });
-    return fmt::format("  {}{}: {}\n", count_of(times, noun), end, first_of(commands));
+    return fmt::format("  {}{}: {}\n", count(times, noun), end, first_of(commands));
   };
-  std::string text = fmt::format(
-      "{}: {:.1f} MiB, {}, {}\n", file.string(), static_cast<double>(fs::file_size(file)) / 1048576,
-      count_of(recording.frames(), "frame"), count_of(recording.contexts(), "context"));
+  std::string text = fmt::format("{}: {:.1f} MiB, {}, {}\n", file.string(),
+                                 static_cast<double>(fs::file_size(file)) / 1048576,
+                                 count(recording.frames(), "frame"), count(recording.contexts(), "context"));
   text += line(evaluators, "evaluator command") + line(others, "other command") +
           line(recording.others(), "command", " only counted");
   return recording.problem().empty() ? text : text + "  " + recording.problem() + "\n";

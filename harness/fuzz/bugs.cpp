@@ -123,7 +123,8 @@ class BugSearch {
     run_jobs(
         [&]() -> std::optional<Job> {
           if (next == to_prove.size() || seconds_left() <= 0) return std::nullopt;
-          return Job{.kind = "prove-bug", .name = to_prove[next++]};
+          return Job{
+              .kind = "prove-bug", .name = to_prove[next++], .data = fmt::format("{}", seconds_left())};
         },
         [&](const Reduction& proof) {
           if (proof.minimal) proofs_[proof.test] = *proof.minimal;

@@ -99,10 +99,16 @@ std::function<Reduction(const FailingCase&)> case_reducer(const Subject& subject
   return [jobs](const FailingCase& failing) { return jobs->run(failing); };
 }
 
-std::function<std::optional<Finding>(const std::string&)> bug_prover(const Subject& subject) {
+std::function<std::optional<Finding>(const std::string&, double)> bug_prover(const Subject& subject) {
+  const auto end = std::make_shared<Clock::time_point>();
   const std::shared_ptr<SharedContext> shared = SharedContext::of(subject);
-  const auto reducer = std::make_shared<Reducer>(subject, shared.get(), kMostAttempts, Reducer::Hooks());
-  return [shared, reducer](const std::string& bug) { return reducer->prove(bug); };
+  const auto reducer =
+      std::make_shared<Reducer>(subject, shared.get(), kMostAttempts,
+                                Reducer::Hooks{.is_over = [end] { return Clock::now() >= *end; }});
+  return [=](const std::string& bug, double seconds) {
+    *end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    return reducer->prove(bug);
+  };
 }
 
 }  // namespace evalcts::fuzz

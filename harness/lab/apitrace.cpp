@@ -3,17 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <climits>
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <type_traits>
 
-#include <evalcts/gl/roles.h>
-#include <evalcts/gl/tokens.h>
-#include "trace_reader.h"
+#include <evalcts/record/recording.h>
 
 namespace evalcts::lab {
 namespace {
@@ -23,6 +21,8 @@ using Kind = TraceValue::Kind;
 // Returns a value of a call as a number of a type.
 template <class T>
 T number_of(const TraceValue& value) {
+  if (std::is_integral_v<T> && value.kind == Kind::kReal)
+    throw BadTrace("has a real number in place of an integer");
   return value.kind == Kind::kReal ? static_cast<T>(value.real) : static_cast<T>(value.integer);
 }
 
@@ -54,14 +54,14 @@ gl::Value argument_of(const TraceValue& value) {
 }
 
 // A command that is recorded, by its name in the trace.
-struct Recorded {
+struct RecordedCommand {
   gl::EntryPoint entry;
   std::size_t parameters;
   std::function<gl::Command(const std::vector<TraceValue>&)> command;
 };
 
 template <class Result, class... P>
-Recorded recorded(gl::EntryPoint entry, Result (*)(P...)) {
+RecordedCommand recorded(gl::EntryPoint entry, Result (*)(P...)) {
   const auto command = [entry](const std::vector<TraceValue>& arguments) {
     gl::Command made{entry, {}};
     [[maybe_unused]] auto next = arguments.begin();
@@ -71,8 +71,8 @@ Recorded recorded(gl::EntryPoint entry, Result (*)(P...)) {
   return {entry, sizeof...(P), command};
 }
 
-const std::map<std::string, Recorded>& recorded_commands() {
-  static const std::map<std::string, Recorded> kAll = {
+const std::map<std::string, RecordedCommand>& recorded_commands() {
+  static const std::map<std::string, RecordedCommand> kAll = {
 #define GL_ENTRY(name, kinds) \
   {"gl" #name, recorded(gl::EntryPoint::name, decltype(gl::Table::name)(nullptr))},
 #define OTHER_ENTRY(name, kinds)
@@ -125,32 +125,6 @@ void convert_integers(TraceCall& call) {
   call.name = fmt::format("gl{}{}d", stem, number);
 }
 
-// Returns true if the trace has all elements that the command reads.
-bool is_complete(const gl::Command& command) {
-  const auto elements = [&](std::size_t argument) {
-    const auto* const array = std::get_if<gl::Input>(&command.arguments[argument]);
-    return array ? static_cast<std::int64_t>(array->bytes.size() / gl::size_of(array->type)) : INT64_MAX;
-  };
-  if (command.entry == gl::EntryPoint::CallLists) {
-    const std::int64_t count = gl::integer_of(command, 0), type = gl::integer_of(command, 1);
-    const int bytes = type == GL_BYTE || type == GL_UNSIGNED_BYTE                           ? 1
-                      : type == GL_SHORT || type == GL_UNSIGNED_SHORT || type == GL_2_BYTES ? 2
-                      : type == GL_3_BYTES                                                  ? 3
-                                                                                            : 4;
-    return elements(2) / bytes >= count;
-  }
-  const int components = gl::components_of(static_cast<GLenum>(gl::integer_of(command, 0)));
-  if (gl::role_of(command.entry) != gl::Role::kMap || components == 0 ||
-      !gl::broken_map_rules(command, INT_MAX).empty())
-    return true;
-  std::int64_t needed = components;
-  for (int i = 0; i < gl::dimension_of(command.entry); ++i) {
-    const auto stride = static_cast<std::size_t>(3 + 4 * i);
-    needed += gl::integer_of(command, stride) * (gl::integer_of(command, stride + 1) - 1);
-  }
-  return elements(command.arguments.size() - 1) >= needed;
-}
-
 // Functions of window systems, each with the place of the context among its arguments.
 const std::map<std::string, std::size_t> kMakeCurrent = {
     {"glXMakeCurrent", 2},      {"glXMakeContextCurrent", 3}, {"glXMakeCurrentReadSGI", 3},
@@ -168,9 +142,12 @@ bool ends_a_frame(const std::string& name) {
 // the window system that the program uses.
 constexpr std::uint64_t kUnnamedContext = 1;
 
+constexpr std::uint32_t kMostThreads = 4096;
+
 // `threads`: those whose context is known.
 void add(TraceCall call, record::RecordingWriter& recording, std::set<std::uint32_t>& threads) {
   if (call.is_fake) return;
+  if (call.thread >= kMostThreads) throw BadTrace("has too many threads");
   recording.thread(call.thread);
   const auto context = [&](const std::map<std::string, std::size_t>& places) -> std::optional<std::uint64_t> {
     const auto place = places.find(call.name);
@@ -202,16 +179,16 @@ void add(TraceCall call, record::RecordingWriter& recording, std::set<std::uint3
     if (threads.insert(call.thread).second) recording.context(kUnnamedContext);
     call.arguments.resize(found->second.parameters);
     const gl::Command command = found->second.command(call.arguments);
-    recording.command(command, is_complete(command));
+    recording.command(command, record::has_all_elements(command));
   }
 }
 
 }  // namespace
 
-Imported import_trace(const std::filesystem::path& file) {
+ImportedTrace import_trace(const std::filesystem::path& file) {
   TraceReader reader(file);
   std::set<std::uint32_t> threads;
-  Imported imported{record::RecordingWriter({reader.program()}), ""};
+  ImportedTrace imported{record::RecordingWriter({reader.program()}), ""};
   try {
     while (std::optional<TraceCall> call = reader.next()) add(std::move(*call), imported.recording, threads);
     if (reader.is_cut()) imported.problem = "the trace ends within a call, and the program may have gone on";

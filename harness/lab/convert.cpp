@@ -2,7 +2,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <functional>
 #include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
 
 #include <evalcts/cli/recordings.h>
 #include <evalcts/cli/specified_run.h>
@@ -28,6 +34,11 @@ struct ConvertOptions {
   std::string file;
   std::string output;
   std::string frames;  // "A..B"; empty: all
+};
+
+// Thrown if there is nothing to write. what() states the reason.
+struct CannotConvert : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 // Writes the file and prints its name and content.
@@ -57,17 +68,27 @@ void write_vectors_of(const fs::path& file, const std::vector<Program>& programs
   for (const Program& program : programs)
     cases.push_back({"Recording." + program.name, {"EV-COORD-ASIF"}, gl::parse_case(program.commands)});
   const vectors::Sequences sequences = vectors::sequences_of_programs(cases);
+  if (sequences.cases == 0) throw CannotConvert("no program of these frames has a form in the vectors");
   write(file, sequences.text,
         fmt::format("cases: {} of {}; shortened: {}", sequences.cases, programs.size(), sequences.shortened));
 }
 
-// Each program has a file of its own.
+// A program of a recording ends by asking for errors.
+gl::Case without_last_get_errors(const gl::Case& script) {
+  std::size_t count = script.commands().size();
+  while (count > 0 && script.commands()[count - 1].entry == gl::EntryPoint::GetError) --count;
+  gl::Case shorter;
+  for (std::size_t i = 0; i < count; ++i) shorter.add(script.commands()[i]);
+  return shorter;
+}
+
+// If there are several programs, each has a file of its own.
 void write_c_programs(const fs::path& file, const std::vector<Program>& programs) {
   for (const Program& program : programs) {
     fs::path name = file;
     if (programs.size() > 1)
       name.replace_filename(fmt::format("{}-{}.c", file.stem().string(), object_name(program.name)));
-    const gl::Case script = gl::parse_case(program.commands);
+    const gl::Case script = without_last_get_errors(gl::parse_case(program.commands));
     const gl::Check no_error = {.answer = {.kind = gl::Answer::Kind::kLeftOver, .is_error = true},
                                 .accepted = {{GL_NO_ERROR, GL_NO_ERROR}},
                                 .what = "the error that is left"};
@@ -76,13 +97,13 @@ void write_c_programs(const fs::path& file, const std::vector<Program>& programs
                     .context = "egl",
                     .library = "libEGL.so.1",
                     .script = &script,
-                    .check = &no_error}),
+                    .check = may_raise_an_error(script, reference::kMaxOrder) ? nullptr : &no_error}),
           fmt::format("{}, vertices: {}", program.name, program.vertices));
   }
 }
 
-using Write = void (*)(const fs::path&, const std::vector<Program>&);
-const std::map<std::string, Write> kFormats = {
+using WriteFunction = void (*)(const fs::path&, const std::vector<Program>&);
+const std::map<std::string, WriteFunction> kFormats = {
     {".obj", write_meshes}, {".json", write_vectors_of}, {".c", write_c_programs}};
 
 int convert(const ConvertOptions& options) {
@@ -90,11 +111,11 @@ int convert(const ConvertOptions& options) {
   const bool is_trace = lab::is_trace(file), to_recording = output.extension() == ".evalrec";
   const auto format = kFormats.find(output.extension().string());
   if (format == kFormats.end() && !to_recording)
-    return wrong_use(
-        fmt::format("--output '{}': the name ends in .evalrec, .json, .c or .obj", clean(options.output)));
+    return wrong_use(fmt::format("--output '{}': the name must end in .evalrec, .json, .c or .obj",
+                                 clean(options.output)));
   if (to_recording && !is_trace)
-    return wrong_use(
-        fmt::format("'{}' is no trace of apitrace, of which a recording could be made", clean(options.file)));
+    return wrong_use(fmt::format("'{}' is not a trace of apitrace; only traces are converted to .evalrec",
+                                 clean(options.file)));
   if (to_recording && !options.frames.empty())
     return wrong_use(
         "--frames chooses programs, and a recording of a trace has all frames; give it to check");
@@ -102,8 +123,8 @@ int convert(const ConvertOptions& options) {
   fs::path recorded = file;
   try {
     if (is_trace) {
-      const lab::Imported imported = lab::import_trace(file);
-      recorded = to_recording ? output : scratch.path() / "trace.evalrec";
+      const lab::ImportedTrace imported = lab::import_trace(file);
+      recorded = scratch.path() / "trace.evalrec";
       write_atomically(recorded, imported.recording.text());
       if (!imported.problem.empty()) std::cerr << fmt::format("note: {}\n", imported.problem);
     }
@@ -111,6 +132,7 @@ int convert(const ConvertOptions& options) {
     if (std::ranges::none_of(recording.commands(), is_of_evaluators))
       return wrong_use(fmt::format("'{}' has no evaluator commands", clean(options.file)));
     if (to_recording) {
+      write_atomically(output, read_file(recorded));
       std::cout << "wrote " << summary_of(output, recording);
       return kNothingUnexpected;
     }
@@ -124,6 +146,8 @@ int convert(const ConvertOptions& options) {
   } catch (const record::BadRecording& error) {
     return wrong_use(
         fmt::format("{}; convert reads recordings of 'evalcts record' and traces of apitrace", error.what()));
+  } catch (const CannotConvert& error) {
+    return wrong_use(error.what());
   } catch (const CannotWrite& error) {
     return wrong_use(error.what());
   }
@@ -146,11 +170,10 @@ std::function<int()> define_convert(CLI::App& app, const Call&) {
 
 }  // namespace
 
-const Command kConvertCommand = {
-    kConvert.name, kConvert.description,
-    R"(  $ evalcts convert game.trace -o game.evalrec
+const Command kConvertCommand = {kConvert.name, kConvert.description,
+                                 R"(  $ evalcts convert game.trace -o game.evalrec
   $ evalcts convert game.evalrec --frames 12 -o teapot.obj
   $ evalcts convert game.evalrec -o game.json)",
-    define_convert};
+                                 define_convert};
 
 }  // namespace evalcts::cli

@@ -8,14 +8,14 @@
 #include <cstring>
 #include <utility>
 
-#include "apitrace.h"
-
 namespace evalcts::lab {
 namespace {
 
 constexpr std::uint64_t kOldestVersion = 4, kNewestVersion = 6;
 constexpr std::size_t kLargestBlock = std::size_t{1} << 28;
 constexpr std::uint64_t kMostSignatures = 1 << 20;
+// Of a call that the GL has, and of calls of all threads that have not returned.
+constexpr std::size_t kMostElements = 1 << 21, kMostArguments = 64, kMostPending = 4096;
 constexpr int kDeepest = 64;  // arrays and structures in each other
 
 enum Event { kEnter, kLeave };
@@ -53,7 +53,8 @@ bool is_trace(const std::filesystem::path& file) {
          begin[1] == 't';
 }
 
-TraceReader::TraceReader(const std::filesystem::path& file) : stream_(file, std::ios::binary) {
+TraceReader::TraceReader(const std::filesystem::path& file)
+    : stream_(file, std::ios::binary), left_(std::filesystem::file_size(file) - 2) {
   stream_.ignore(2);
   try {
     const std::uint64_t version = number();
@@ -74,9 +75,16 @@ TraceReader::TraceReader(const std::filesystem::path& file) : stream_(file, std:
 // Returns false at the end of the file.
 bool TraceReader::read_block() {
   unsigned char size[4];
-  if (!stream_.read(reinterpret_cast<char*>(size), sizeof size)) return false;
+  if (left_ == 0) return false;
   std::size_t compressed_size = 0, block_size = 0;
-  for (int i = 3; i >= 0; --i) compressed_size = compressed_size << 8 | size[i];
+  if (stream_.read(reinterpret_cast<char*>(size), sizeof size))
+    for (int i = 3; i >= 0; --i) compressed_size = compressed_size << 8 | size[i];
+  if (left_ < sizeof size || compressed_size > left_ - sizeof size) {
+    is_cut_ = true;
+    left_ = 0;
+    return false;
+  }
+  left_ -= sizeof size + compressed_size;
   if (compressed_size > kLargestBlock) reject_as_damaged();
   std::string compressed(compressed_size, '\0');
   if (!stream_.read(compressed.data(), static_cast<std::streamsize>(compressed_size))) return false;
@@ -110,8 +118,8 @@ std::uint64_t TraceReader::number() {
 std::int64_t TraceReader::signed_number() {
   const int type = byte();
   if (type != kNegative && type != kUnsigned) reject_as_damaged();
-  const auto value = static_cast<std::int64_t>(number());
-  return type == kNegative ? -value : value;
+  const std::uint64_t value = number();
+  return static_cast<std::int64_t>(type == kNegative ? 0 - value : value);
 }
 
 std::string TraceReader::text() {
@@ -140,7 +148,10 @@ TraceValue TraceReader::value(int depth) {
   if (depth > kDeepest) reject_as_damaged();
   const auto elements = [&](std::uint64_t count) {
     std::vector<TraceValue> values;
-    for (; count > 0; --count) values.push_back(value(depth + 1));
+    for (; count > 0; --count) {
+      if (++elements_ > kMostElements) reject_as_damaged();
+      values.push_back(value(depth + 1));
+    }
     return values;
   };
   switch (byte()) {
@@ -151,7 +162,7 @@ TraceValue TraceReader::value(int depth) {
     case kTrue:
       return {Kind::kInteger, 1};
     case kNegative:
-      return {Kind::kInteger, -static_cast<std::int64_t>(number())};
+      return {Kind::kInteger, static_cast<std::int64_t>(0 - number())};
     case kUnsigned:
       return {Kind::kInteger, static_cast<std::int64_t>(number())};
     case kFloat:
@@ -193,7 +204,7 @@ TraceValue TraceReader::value(int depth) {
     }
     case kAddress:
       return {Kind::kPointer, static_cast<std::int64_t>(number())};
-    case kTwoForms:  // for people, and for machines
+    case kTwoForms:  // a text for people, then the value
       value(depth + 1);
       return value(depth + 1);
     case kWideString:
@@ -217,10 +228,11 @@ void TraceReader::skip_frame_of_stack() {
 }
 
 void TraceReader::read_details(TraceCall& call) {
+  elements_ = 0;
   for (int detail = byte(); detail != kEnd; detail = byte()) {
     if (detail == kArgument) {
       const std::uint64_t index = number();
-      if (index > 255) reject_as_damaged();
+      if (index >= kMostArguments) reject_as_damaged();
       if (index >= call.arguments.size()) call.arguments.resize(index + 1);
       call.arguments[index] = value();
     } else if (detail == kResult) {
@@ -255,14 +267,15 @@ std::optional<TraceCall> TraceReader::next() {
           functions_[signature] = text();
           for (std::uint64_t names = number(); names > 0; --names) text();
         }
+        if (pending_.size() == kMostPending) reject_as_damaged();
         call.name = functions_[signature];
         read_details(call);
         pending_.push_back(std::move(call));
       } else if (event == kLeave) {
         const std::uint64_t call_number = number();
-        TraceCall of_no_interest;
+        TraceCall ignored_call;
         const auto found = std::ranges::find(pending_, call_number, &TraceCall::number);
-        read_details(found == pending_.end() ? of_no_interest : *found);
+        read_details(found == pending_.end() ? ignored_call : *found);
         if (found == pending_.end()) continue;
         TraceCall call = std::move(*found);
         pending_.erase(found);

@@ -9,10 +9,19 @@
 #include <fstream>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace evalcts::lab {
+
+// Thrown if a file is not a trace that can be read. what() says what to do.
+struct BadTrace : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Returns true if the file begins like a trace of apitrace.
+bool is_trace(const std::filesystem::path& file);
 
 struct TraceValue {
   enum class Kind {
@@ -50,7 +59,7 @@ class TraceReader {
   // Returns the next call; nothing at the end of the file. Calls that did not return come last. Throws
   // BadTrace if the file is damaged.
   std::optional<TraceCall> next();
-  // True if the file ends within a call.
+  // True if the file ends within a block or within the description of a call.
   bool is_cut() const { return is_cut_; }
 
  private:
@@ -71,6 +80,7 @@ class TraceReader {
   }
 
   std::ifstream stream_;
+  std::uint64_t left_ = 0;  // bytes of the file behind the block
   std::string block_;
   std::size_t place_ = 0;  // in the block
   std::string program_;
@@ -78,6 +88,7 @@ class TraceReader {
   std::vector<std::size_t> members_;    // numbers of members of structures by signature
   std::set<std::uint64_t> enums_, masks_, frames_;
   std::uint64_t calls_ = 0;
+  std::size_t elements_ = 0;       // of the arrays and structures of a call so far
   std::deque<TraceCall> pending_;  // calls that have not returned
   bool is_cut_ = false;
 };

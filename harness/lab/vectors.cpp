@@ -130,7 +130,8 @@ namespace {
 std::function<int()> define_vectors(CLI::App& app, const Call&) {
   const auto options = std::make_shared<VectorsOptions>();
   app.require_subcommand(1);
-  CLI::App* const write = app.add_subcommand("write", "write the shipped vectors again, with all answers computed");
+  CLI::App* const write =
+      app.add_subcommand("write", "write the shipped vectors again, with all answers computed");
   write->footer(R"(Examples:
   $ evalcts vectors write
   $ evalcts vectors write --output new)");

@@ -5,8 +5,12 @@
 #include <fmt/ranges.h>
 #include <reference/rounding.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
+
+#include <evalcts/results/text.h>
 
 namespace evalcts::lab {
 namespace {
@@ -17,6 +21,11 @@ using reference::Rational;
 using reference::Vertex;
 
 using Position = std::array<double, 3>;
+
+template <class Values>
+bool are_finite(const Values& values) {
+  return std::ranges::all_of(values, [](auto value) { return std::isfinite(value); });
+}
 
 // Returns nothing if the position is not finite.
 std::optional<Position> position_of(const Vertex& vertex) {
@@ -36,16 +45,35 @@ std::array<float, kCount> values_of(const std::array<Component, kCount>& compone
   return values;
 }
 
-// The attributes of an object of which a vertex has another value than the initial one.
-struct Shown {
-  bool colors = false, normals = false, coordinates = false;
+// Returns s/q and t/q.
+std::array<float, 2> coordinates_of(const Vertex& vertex) {
+  const auto [s, t, r, q] = values_of(vertex.texture_coordinate.of_unit_0);
+  return {s / q, t / q};
+}
 
-  void see(const Vertex& vertex) {
-    colors = colors || values_of(vertex.color) != std::array{1.0f, 1.0f, 1.0f, 1.0f};
-    normals = normals || rounded(vertex.normal) != std::array{0.0f, 0.0f, 1.0f};
-    coordinates =
-        coordinates || values_of(vertex.texture_coordinate.of_unit_0) != std::array{0.0f, 0.0f, 0.0f, 1.0f};
+// The attributes of an object that are written: those of which a vertex has another value than the initial
+// one, if the values of all vertices are finite.
+struct Attributes {
+  explicit Attributes(const Object& object) {
+    bool finite_colors = true, finite_normals = true, finite_coordinates = true;
+    for (const Primitive& primitive : object.primitives)
+      for (const Vertex& vertex : primitive.vertices) {
+        const auto color = values_of(vertex.color);
+        const auto normal = rounded(vertex.normal);
+        const auto coordinates_here = coordinates_of(vertex);
+        colors = colors || color != std::array{1.0f, 1.0f, 1.0f, 1.0f};
+        normals = normals || normal != std::array{0.0f, 0.0f, 1.0f};
+        coordinates = coordinates || coordinates_here != std::array{0.0f, 0.0f};
+        finite_colors = finite_colors && are_finite(color);
+        finite_normals = finite_normals && are_finite(normal);
+        finite_coordinates = finite_coordinates && are_finite(coordinates_here);
+      }
+    colors = colors && finite_colors;
+    normals = normals && finite_normals;
+    coordinates = coordinates && finite_coordinates;
   }
+
+  bool colors = false, normals = false, coordinates = false;
 };
 
 // Returns the vertices of each point, line or face of a primitive, from 0, as the GL assembles them (GL 2.1
@@ -95,25 +123,24 @@ std::vector<std::vector<std::size_t>> elements_of(GLenum mode, std::size_t count
   return elements;
 }
 
-// Writes the objects. Vertices, texture coordinates and normals are numbered from 1 through the whole file.
-class Text {
+// The text of a file. Vertices, texture coordinates and normals are numbered from 1 through the whole file.
+class ObjText {
  public:
   void add(const Object& object) {
-    Shown shown;
-    for (const Primitive& primitive : object.primitives)
-      for (const Vertex& vertex : primitive.vertices) shown.see(vertex);
+    const Attributes shown(object);
     text_ += fmt::format("o {}\n", object.name);
     std::size_t left_out = 0;
     for (const Primitive& primitive : object.primitives)
       if (!add(primitive, shown)) ++left_out;
     if (left_out > 0)
-      text_ += fmt::format("# Left out, because they have no finite position: {} primitives\n", left_out);
+      text_ +=
+          fmt::format("# Left out, because they have no finite position: {}\n", count(left_out, "primitive"));
   }
   std::string text() const { return text_; }
 
  private:
   // Returns false if the primitive has a vertex without a finite position.
-  bool add(const Primitive& primitive, const Shown& shown) {
+  bool add(const Primitive& primitive, const Attributes& shown) {
     std::string lines;
     for (const Vertex& vertex : primitive.vertices) {
       const std::optional<Position> position = position_of(vertex);
@@ -124,10 +151,7 @@ class Text {
         lines += fmt::format(" {} {} {}", red, green, blue);
       }
       lines += "\n";
-      if (shown.coordinates) {
-        const auto [s, t, r, q] = values_of(vertex.texture_coordinate.of_unit_0);
-        lines += fmt::format("vt {} {}\n", s / q, t / q);
-      }
+      if (shown.coordinates) lines += fmt::format("vt {}\n", fmt::join(coordinates_of(vertex), " "));
       if (shown.normals) lines += fmt::format("vn {}\n", fmt::join(rounded(vertex.normal), " "));
     }
     for (const std::vector<std::size_t>& element : elements_of(primitive.mode, primitive.vertices.size())) {
@@ -143,7 +167,7 @@ class Text {
   }
 
   // Returns "V", "V/VT", "V//VN" or "V/VT/VN". Points have positions only, lines have no normals.
-  std::string reference_to(std::size_t i, std::size_t element_size, const Shown& shown) const {
+  std::string reference_to(std::size_t i, std::size_t element_size, const Attributes& shown) const {
     std::string text = fmt::format("{}", vertices_ + i + 1);
     const bool has_normal = shown.normals && element_size > 2;
     if (element_size > 1 && shown.coordinates) text += fmt::format("/{}", coordinates_ + i + 1);
@@ -158,7 +182,7 @@ class Text {
 }  // namespace
 
 std::string wavefront(const std::vector<Object>& objects) {
-  Text text;
+  ObjText text;
   for (const Object& object : objects) text.add(object);
   return text.text();
 }

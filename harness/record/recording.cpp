@@ -15,6 +15,7 @@
 #include <utility>
 
 #include <evalcts/gl/roles.h>
+#include <evalcts/gl/tokens.h>
 #include <evalcts/record/format.h>
 #include <evalcts/results/json.h>
 #include <evalcts/results/text.h>
@@ -135,6 +136,40 @@ bool is_recording(const fs::path& file) {
   const bool is_read = read(descriptor, begin, sizeof begin) == sizeof begin;
   close(descriptor);
   return is_read && std::memcmp(begin, kMagic, sizeof kMagic - 1) == 0;  // the last byte is the version
+}
+
+bool has_all_elements(const gl::Command& command) {
+  using gl::EntryPoint;
+  if (command.arguments.empty()) return true;
+  const auto* const array = std::get_if<gl::Input>(&command.arguments.back());
+  if (!array) return true;
+  // Products of 32-bit arguments are rounded to double, which does not matter: no array is that large.
+  const auto has = [&](double elements, std::size_t size) {
+    return static_cast<double>(array->bytes.size()) >= elements * static_cast<double>(size);
+  };
+  if (command.entry == EntryPoint::CallLists) {
+    const std::int64_t type = gl::integer_of(command, 1);
+    const std::size_t size = type == GL_BYTE || type == GL_UNSIGNED_BYTE                           ? 1
+                             : type == GL_SHORT || type == GL_UNSIGNED_SHORT || type == GL_2_BYTES ? 2
+                             : type == GL_3_BYTES                                                  ? 3
+                                                                                                   : 4;
+    return has(static_cast<double>(gl::integer_of(command, 0)), size);
+  }
+  double elements = 1;
+  if (gl::role_of(command.entry) == gl::Role::kMap) {
+    elements = std::max(gl::components_of(static_cast<GLenum>(gl::integer_of(command, 0))), 1);
+    for (int i = 0; i < gl::dimension_of(command.entry); ++i) {
+      const auto stride = static_cast<std::size_t>(3 + 4 * i);
+      elements += std::max(static_cast<double>(gl::integer_of(command, stride)), 0.0) *
+                  std::max(static_cast<double>(gl::integer_of(command, stride + 1) - 1), 0.0);
+    }
+  } else {
+    // "Vertex3fv" reads three numbers, and "EdgeFlagv" one.
+    const std::string_view name = gl::name_of(command.entry);
+    if (const std::size_t digit = name.find_first_of("1234"); digit != std::string_view::npos)
+      elements = name[digit] - '0';
+  }
+  return has(elements, gl::size_of(array->type));
 }
 
 Recording::Recording(const fs::path& file) {
@@ -299,7 +334,8 @@ bool Recording::is_replayable(const RecordAt& record) const {
   for (std::size_t i = 0; i < record.kind->letters.size(); ++i)
     if (record.kind->letters[i] == 'p' && number_at<std::uint32_t>(data_ + record.arguments[i]) == kUnknown)
       return false;
-  return record.kind->entry.has_value();
+  if (!record.kind->entry) return false;
+  return record.kind->letters.find('p') == std::string::npos || has_all_elements(command_of(record));
 }
 
 gl::Command Recording::command_of(const RecordAt& record) const {

@@ -2,6 +2,8 @@
 #include <evalcts/record/writer.h>
 
 #include <cstring>
+#include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -27,12 +29,22 @@ std::string letters(Result (*)(P...)) {
 // The commands have the numbers of their entry points; behind them come the events.
 enum Event : std::size_t { kContext = gl::kEntryPointCount, kDestroy, kFrame };
 
+// The letters of the parameters of each entry point.
+const std::vector<std::string>& letters_of_commands() {
+  static const std::vector<std::string> kAll = {
+#define GL_ENTRY(name, kinds) letters(decltype(gl::Table::name)(nullptr)),
+#include <evalcts/gl/entry_points.def>
+#undef GL_ENTRY
+  };
+  return kAll;
+}
+
 // Returns the names of commands and events in the header.
 std::vector<std::string> names() {
   std::vector<std::string> names;
-#define GL_ENTRY(name, kinds) names.push_back(#name ":" + letters(decltype(gl::Table::name)(nullptr)));
-#include <evalcts/gl/entry_points.def>
-#undef GL_ENTRY
+  for (std::size_t i = 0; i < gl::kEntryPointCount; ++i)
+    names.push_back(std::string(gl::name_of(static_cast<gl::EntryPoint>(i)).substr(2)) + ":" +
+                    letters_of_commands()[i]);
   for (const char* const event : {"@context:qq", "@destroy:q", "@frame:q"}) names.emplace_back(event);
   return names;
 }
@@ -42,10 +54,7 @@ std::string bytes_of(const T& value) {
   return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
-std::string padded(std::string text) {
-  text.resize((text.size() + kAlignment - 1) / kAlignment * kAlignment);
-  return text;
-}
+std::size_t aligned(std::size_t size) { return (size + kAlignment - 1) / kAlignment * kAlignment; }
 
 }  // namespace
 
@@ -77,10 +86,17 @@ void RecordingWriter::frame() {
 }
 
 void RecordingWriter::command(const gl::Command& command, bool is_complete) {
+  const std::string& parameters = letters_of_commands().at(static_cast<std::size_t>(command.entry));
+  if (parameters.size() != command.arguments.size())
+    throw std::logic_error("a command with a wrong number of arguments");
   begin(static_cast<std::size_t>(command.entry));
-  for (const gl::Value& value : command.arguments) {
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const gl::Value& value = command.arguments[i];
     if (const auto* number = std::get_if<std::int64_t>(&value)) {
-      put(static_cast<std::int32_t>(*number));
+      if (parameters[i] == 'q')
+        put(*number);
+      else
+        put(static_cast<std::int32_t>(*number));
     } else if (const auto* single = std::get_if<float>(&value)) {
       put(*single);
     } else if (const auto* real = std::get_if<double>(&value)) {
@@ -110,15 +126,15 @@ std::string RecordingWriter::text() const {
   fixed.text_length = header.size();
   fixed.counts = (sizeof fixed + header.size() + 7) / 8 * 8;
   std::string text(fixed.counts, '\0');
-  text = padded(text + counts);
+  text += counts;
+  text.resize(aligned(text.size()));
   fixed.size = text.size();
   text.replace(0, sizeof fixed, bytes_of(fixed));
   text.replace(sizeof fixed, header.size(), header);
   for (const auto& [thread, records] : records_) {
-    Chunk chunk{kChunkMagic, thread, 0, records.size()};
-    std::string whole = padded(std::string(sizeof chunk, '\0') + records);
-    chunk.space = whole.size();
-    text += whole.replace(0, sizeof chunk, bytes_of(chunk));
+    text += bytes_of(Chunk{kChunkMagic, thread, aligned(sizeof(Chunk) + records.size()), records.size()});
+    text += records;
+    text.resize(aligned(text.size()));
   }
   return text;
 }

@@ -292,7 +292,7 @@ class JobLoop {
       events_.write(fuzz::to_line(reduce_(fuzz::parse_failing_case(job.data))));
     } else if (job.kind == "prove-bug") {
       if (!prove_bug_) prove_bug_ = fuzz::bug_prover(subject_of_programs());
-      events_.write(fuzz::to_line(fuzz::Reduction{job.name, prove_bug_(job.name), ""}));
+      events_.write(fuzz::to_line(fuzz::Reduction{job.name, prove_bug_(job.name, std::stod(job.data)), ""}));
     } else if (job.kind == "fuzz") {
       if (!judge_random_)
         judge_random_ = fuzz::campaign(subject_of_programs(), [this](const fuzz::CampaignEvent& event) {
@@ -313,7 +313,7 @@ class JobLoop {
   std::chrono::steady_clock::time_point reported_;
   // Each is set by the first job of its kind.
   std::function<fuzz::Reduction(const fuzz::FailingCase&)> reduce_;
-  std::function<std::optional<fuzz::Finding>(const std::string&)> prove_bug_;
+  std::function<std::optional<fuzz::Finding>(const std::string&, double)> prove_bug_;
   std::function<void(const fuzz::RandomJob&)> judge_random_;
 };
 

@@ -3,8 +3,10 @@
 #include <snappy-c.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <optional>
 
 #include <evalcts/gl/call_log.h>
@@ -111,7 +113,7 @@ class Convert : public ProgramTest {
   // Writes a trace and returns the calls of a context of its recording as C.
   std::vector<std::string> calls_of(const std::string& trace, std::size_t context = 0) {
     write(trace_, trace);
-    const lab::Imported imported = lab::import_trace(trace_);
+    const lab::ImportedTrace imported = lab::import_trace(trace_);
     problem_ = imported.problem;
     write(recording_, imported.recording.text());
     const Recording recording(recording_);
@@ -169,6 +171,14 @@ TEST_F(Convert, ContextsAndThreadsOfATrace) {
 }
 
 TEST_F(Convert, ArraysThatTheTraceLacksAreLeftOut) {
+  // A vertex with two of three elements, and one with an address.
+  TraceText vertices;
+  vertices.call("glXMakeCurrent", {1, 2, 77}).enter("glVertex3fv").argument(0).reals({1, 2}).end().leave(1);
+  vertices.enter("glVertex3fv").argument(0).byte(13).number(4096).end().leave(2);
+  vertices.enter("glVertex3fv").argument(0).reals({1, 2, 3}).end().leave(3);
+  EXPECT_EQ(calls_of(vertices.file()), Calls{"glVertex3fv((GLfloat[]){1.0f, 2.0f, 3.0f});"});
+  EXPECT_EQ(Recording(recording_).left_out()[0].times, 2u);
+
   TraceText trace;
   trace.call("glXMakeCurrent", {1, 2, 77}).enter("glMap1f");
   trace.argument(0).integer(GL_MAP1_VERTEX_3).argument(1).real(0).argument(2).real(1);
@@ -187,6 +197,7 @@ TEST_F(Convert, DamagedTraces) {
   for (std::size_t size = 0; size < file.size(); ++size) {
     try {
       EXPECT_LE(calls_of(file.substr(0, size)).size(), 1u);
+      EXPECT_FALSE(problem_.empty()) << size;
     } catch (const lab::BadTrace&) {
       EXPECT_LT(size, 60u);  // within the header
     }
@@ -195,10 +206,20 @@ TEST_F(Convert, DamagedTraces) {
       damaged[size] = static_cast<char>(damaged[size] ^ bits);
       try {
         calls_of(damaged);
+        record::programs_of(Recording(recording_), {});
       } catch (const lab::BadTrace&) {
       }
     }
   }
+  // Arguments that follow each other without an end, and a call that opens calls without end.
+  TraceText endless;
+  endless.enter("glFlush");
+  for (int i = 0; i < 100000; ++i) endless.argument(63).byte(0);
+  EXPECT_EQ(calls_of(endless.file(1 << 20)), Calls{});
+  TraceText pending;
+  for (int i = 0; i < 100000; ++i) pending.enter("glFlush").end();
+  calls_of(pending.file(1 << 20));
+  EXPECT_TRUE(contains(problem_, "is damaged"));
   trace.enter("glFlush");
   calls_of(trace.file());
   EXPECT_TRUE(contains(problem_, "ends within a call"));
@@ -217,7 +238,7 @@ TEST_F(Convert, WrongUse) {
     EXPECT_EQ(outcome.code, 2) << outcome.text;
     EXPECT_TRUE(contains(outcome.text, message)) << outcome.text;
   };
-  expect({trace_, "-o", "x.png"}, "the name ends in .evalrec, .json, .c or .obj");
+  expect({trace_, "-o", "x.png"}, "the name must end in .evalrec, .json, .c or .obj");
   expect({trace_, "-o", folder_ / "x.obj"}, "has no evaluator commands");
   expect({trace_, "-o", recording_, "--frames", "1"}, "give it to check");
   expect({RECORDED_GLU, "-o", folder_ / "x.obj"}, "convert reads recordings");
@@ -225,7 +246,11 @@ TEST_F(Convert, WrongUse) {
   write(trace_, TraceText().call("glXMakeCurrent", {1, 2, 77}).curve().file());
   expect({trace_, "-o", folder_ / "no" / "x.evalrec"}, "x.evalrec");
   EXPECT_EQ(evalcts({"convert", trace_, "-o", recording_}).code, 0);
-  expect({recording_, "-o", recording_}, "is no trace of apitrace");
+  const std::string kept = read_file(recording_);
+  write(trace_, TraceText().call("glXMakeCurrent", {1, 2, 77}).call("glFlush", {}).file());
+  expect({trace_, "-o", recording_}, "has no evaluator commands");
+  EXPECT_EQ(read_file(recording_), kept);
+  expect({recording_, "-o", recording_}, "is not a trace of apitrace");
   expect({recording_, "-o", folder_ / "x.obj", "--frames", "5"}, "no evaluator command is executed");
 }
 
@@ -261,6 +286,12 @@ TEST_F(Convert, ATraceAgreesWithARecording) {
   const Outcome built = shell("cc -o " + program.string() + " " + c.string() + " -lEGL -lGL");
   EXPECT_EQ(built.code, 0) << built.text;
   EXPECT_EQ(start({program}).code, 0);
+  // The same program with an error.
+  EXPECT_EQ(shell("sed -i 's/^static void draw.*/& glEnable(0);/' " + c.string() + " && cc -o " +
+                  program.string() + " " + c.string() + " -lEGL -lGL")
+                .code,
+            0);
+  EXPECT_EQ(start({program}).code, 1);
   EXPECT_EQ(evalcts({"convert", imported, "-o", c}).code, 0);
   EXPECT_TRUE(fs::exists(folder_ / "x-Frame0-1.c") && fs::exists(folder_ / "x-Frame1-1.c"));
 
@@ -281,7 +312,7 @@ TEST(Wavefront, PositionsAreExactQuotients) {
   c.EvalMesh1(GL_POINT, 0, 0);
   EXPECT_EQ(wavefront_of(c), "o x\nv 0.3333333333333333 0.6666666666666666 1\np 1\n");
   c.EvalMesh1(GL_LINE, 0, 1);
-  EXPECT_TRUE(wavefront_of(c).ends_with("# Left out, because they have no finite position: 1 primitives\n"));
+  EXPECT_TRUE(wavefront_of(c).ends_with("# Left out, because they have no finite position: 1 primitive\n"));
 }
 
 TEST(Wavefront, PrimitivesKeepTheirOrientation) {
@@ -320,6 +351,15 @@ TEST(Wavefront, AttributesThatAreSet) {
   EXPECT_TRUE(text.starts_with("o x\nv 0 2 0 1 0.5 0\nvt 0.5 0.25\nvn 0 1 0\n")) << text;
   EXPECT_TRUE(contains(text, "f 1/1/1 2/2/2 3/3/3\n")) << text;
   EXPECT_TRUE(contains(text, "l 4/4 5/5\n")) << text;
+  // Coordinates that are not finite are left out.
+  gl::Case infinite;
+  infinite.TexCoord4f(1.0f, 1.0f, 0.0f, 0.0f);
+  infinite.append(c);
+  infinite.Begin(GL_POINTS);
+  infinite.TexCoord4f(1.0f, 1.0f, 0.0f, 0.0f);
+  infinite.Vertex2f(0.0f, 0.0f);
+  infinite.End();
+  EXPECT_FALSE(contains(wavefront_of(infinite), "vt "));
 }
 
 }  // namespace

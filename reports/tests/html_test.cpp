@@ -45,6 +45,12 @@ json record_of(const json& data, std::size_t column, const std::string& test) {
   return number < 0 ? json() : data["records"][static_cast<std::size_t>(number)];
 }
 
+TEST(Html, SameInputSameBytes) {
+  const std::vector<json> results{read_sample("results-osmesa.json"), read_sample("results-reference.json")};
+  const json requirements = read_sample("requirements.json");
+  EXPECT_EQ(html_of(results, requirements), html_of(results, requirements));
+}
+
 TEST(Html, HalfOfARequirementHasItsText) {
   const json requirements = {
       {"requirements", {{{"id", "EV-X"}, {"text", "the rule itself"}, {"source", "GL 1.0"}}}}};

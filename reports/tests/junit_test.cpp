@@ -13,6 +13,10 @@ json one_test(const json& test) {
   return {{"status", "complete"}, {"implementation", {{"name", "x"}}}, {"tests", {test}}};
 }
 
+TEST(Junit, SameInputSameBytes) {
+  EXPECT_EQ(junit_of(read_sample("results-osmesa.json")), junit_of(read_sample("results-osmesa.json")));
+}
+
 TEST(Junit, NoTests) {
   const std::string xml = junit_of({{"status", "complete"}, {"tests", json::array()}});
   EXPECT_TRUE(contains(xml, "tests=\"0\" failures=\"0\" errors=\"0\""));

@@ -93,20 +93,29 @@ std::map<std::string, std::vector<Sequence>> exported(const std::string& kind,
 
 }  // namespace
 
+namespace {
+
+// Adds a case with the flags of its script behind `flag`, the theme. `meaning`: of the theme.
+void add(Document& document, const std::string& id, const Names& requirements, const std::string& flag,
+         const std::string& meaning, const gl::Case& script, const Json& content) {
+  Names flags = {flag};
+  document.explain(flag, meaning);
+  for (const auto& [other, its_meaning] : flags_of(script)) {
+    document.explain(other, its_meaning);
+    flags.push_back(other);
+  }
+  document.add(id, requirements, flags, content);
+}
+
+}  // namespace
+
 Document sequences(const std::string& kind, const std::string& description,
                    const std::vector<SuiteCase>& cases) {
   Document document(kind, description);
   for (const auto& [function, of_function] : exported(kind, cases))
-    for (const auto& [suite_case, number, script, content] : of_function) {
-      Names flags = {function};
-      document.explain(function, fmt::format("the test {} of the suite", function));
-      for (const auto& [flag, meaning] : flags_of(script)) {
-        document.explain(flag, meaning);
-        flags.push_back(flag);
-      }
-      document.add(fmt::format("{}.{}.{}", kind, suite_case->test, number), suite_case->requirements, flags,
-                   content);
-    }
+    for (const auto& [suite_case, number, script, content] : of_function)
+      add(document, fmt::format("{}.{}.{}", kind, suite_case->test, number), suite_case->requirements,
+          function, fmt::format("the test {} of the suite", function), script, content);
   return document;
 }
 
@@ -117,13 +126,9 @@ Sequences sequences_of_programs(const std::vector<SuiteCase>& programs) {
   for (const SuiteCase& program : programs) {
     try {
       const gl::Case script = cut_off(program.script, kMostBytesOfProgram);
-      Names flags = {function_of(program.test)};
-      document.explain(flags.front(), "a frame of the recording");
-      for (const auto& [flag, meaning] : flags_of(script)) {
-        document.explain(flag, meaning);
-        flags.push_back(flag);
-      }
-      document.add(fmt::format("state.{}.1", program.test), program.requirements, flags, sequence(script));
+      const Json content = sequence(script);
+      add(document, fmt::format("state.{}.1", program.test), program.requirements, function_of(program.test),
+          "a frame of the recording", script, content);
       if (script.commands().size() < program.script.commands().size()) ++sequences.shortened;
     } catch (const HasNoForm&) {
       continue;

@@ -28,9 +28,10 @@ struct Reduction {
 // points) as an earlier case, the result is shared. `subject` must outlive the function.
 std::function<Reduction(const FailingCase&)> case_reducer(const Subject& subject);
 
-// Returns a function that proves a known bug by its ID: it returns the finding of the first program of the
-// bug that fails here as the register describes, or none. `subject` must outlive the function.
-std::function<std::optional<Finding>(const std::string&)> bug_prover(const Subject& subject);
+// Returns a function that proves a known bug by its ID, within so many seconds (the data of the job): it
+// returns the finding of the first program of the bug that fails here as the register describes, or none.
+// `subject` must outlive the function.
+std::function<std::optional<Finding>(const std::string&, double)> bug_prover(const Subject& subject);
 
 // Convert to text and back. parse_failing_case() throws std::invalid_argument. parse_reduction() returns none
 // if the line is not a Reduction.

@@ -26,6 +26,10 @@ struct Counted {
   std::uint64_t times = 0;
 };
 
+// Returns true if each array that the command reads has all elements that it reads, or is null. False for
+// arrays of an unknown size.
+bool has_all_elements(const gl::Command& command);
+
 class Recording {
  public:
   // Maps the file into memory, which must not change while the object lives. Throws BadRecording.

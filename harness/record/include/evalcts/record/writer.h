@@ -1,4 +1,4 @@
-// Writes recordings (format.h) of commands that come from elsewhere than `evalcts record`.
+// Writes recordings (format.h) of commands that `evalcts record` did not record.
 #pragma once
 
 #include <cstdint>
