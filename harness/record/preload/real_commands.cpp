@@ -59,11 +59,12 @@ std::string_view library_of(void* function) {
   return path;
 }
 
-// Returns true if both functions are one command: libraries export entry points, and lookups return those of
-// the library that dispatches commands.
+// Returns true if both functions, which have the same name, are one command: libraries export entry points,
+// and lookups return those of the library that dispatches commands, or others in the same library.
 bool are_equivalent(void* one, void* other) {
   if (one == other) return true;
   const std::string_view libraries[] = {library_of(one), library_of(other)};
+  if (!libraries[0].empty() && libraries[0] == libraries[1]) return true;
   const auto dispatches = [&](int i, const char* dispatcher, std::initializer_list<const char*> exporters) {
     return libraries[i].starts_with(dispatcher) &&
            std::any_of(exporters.begin(), exporters.end(),
