@@ -105,7 +105,7 @@ std::function<std::optional<Finding>(const std::string&, double)> bug_prover(con
   const auto reducer =
       std::make_shared<Reducer>(subject, shared.get(), kMostAttempts,
                                 Reducer::Hooks{.is_over = [end] { return Clock::now() >= *end; }});
-  return [=](const std::string& bug, double seconds) {
+  return [end, shared, reducer](const std::string& bug, double seconds) {
     *end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     return reducer->prove(bug);
   };
