@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t kOldestVersion = 4, kNewestVersion = 6;
 constexpr std::size_t kLargestBlock = std::size_t{1} << 28;
 constexpr std::uint64_t kMostSignatures = 1 << 20;
-// Of a call that the GL has, and of calls of all threads that have not returned.
+// Limits: elements of the arrays of a call, its arguments, and calls of all threads that have not returned.
 constexpr std::size_t kMostElements = 1 << 21, kMostArguments = 64, kMostPending = 4096;
 constexpr int kDeepest = 64;  // arrays and structures in each other
 

@@ -211,7 +211,7 @@ TEST_F(Convert, DamagedTraces) {
       }
     }
   }
-  // Arguments that follow each other without an end, and a call that opens calls without end.
+  // A call without an end, and calls that do not return.
   TraceText endless;
   endless.enter("glFlush");
   for (int i = 0; i < 100000; ++i) endless.argument(63).byte(0);
