@@ -11,6 +11,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include <evalcts/gl/roles.h>
 #include <evalcts/record/recording.h>
 
 namespace evalcts::lab {
@@ -172,7 +173,12 @@ void add(TraceCall call, record::RecordingWriter& recording, std::set<std::uint3
           core == "glActiveTexture" || core.starts_with("glMultiTexCoord"))
         call.name = core;
     const auto found = recorded_commands().find(call.name);
-    if (found == recorded_commands().end()) {
+    // A query that did not return has no answer.
+    const auto lacks_only_an_answer = [&] {
+      return gl::asks(found->second.entry) && call.arguments.size() + 1 == found->second.parameters;
+    };
+    if (found == recorded_commands().end() ||
+        (call.arguments.size() != found->second.parameters && !lacks_only_an_answer())) {
       recording.count(name);
       return;
     }
@@ -192,8 +198,8 @@ ImportedTrace import_trace(const std::filesystem::path& file) {
   try {
     while (std::optional<TraceCall> call = reader.next()) add(std::move(*call), imported.recording, threads);
     if (reader.is_cut()) imported.problem = "the trace ends within a call, and the program may have gone on";
-  } catch (const BadTrace&) {
-    imported.problem = "the trace is damaged, and only its beginning was read";
+  } catch (const BadTrace& error) {
+    imported.problem = fmt::format("the trace {}; only its beginning was read", error.what());
   }
   return imported;
 }

@@ -43,7 +43,7 @@ enum Type {
   kWideString
 };
 
-[[noreturn]] void reject_as_damaged() { throw BadTrace("is damaged; trace the program again"); }
+[[noreturn]] void reject_as_damaged() { throw BadTrace("is damaged"); }
 
 }  // namespace
 
@@ -68,7 +68,7 @@ TraceReader::TraceReader(const std::filesystem::path& file)
       if (name == "process.name") program_ = property;
     }
   } catch (EndOfFile) {
-    throw BadTrace("ends within its header; trace the program again");
+    throw BadTrace("ends within its header");
   }
 }
 

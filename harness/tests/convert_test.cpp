@@ -178,6 +178,10 @@ TEST_F(Convert, ArraysThatTheTraceLacksAreLeftOut) {
   vertices.enter("glVertex3fv").argument(0).reals({1, 2, 3}).end().leave(3);
   EXPECT_EQ(calls_of(vertices.file()), Calls{"glVertex3fv((GLfloat[]){1.0f, 2.0f, 3.0f});"});
   EXPECT_EQ(Recording(recording_).left_out()[0].times, 2u);
+  // Two of three arguments.
+  EXPECT_EQ(calls_of(TraceText().call("glVertex3i", {1, 2}).call("glFinish", {}).file()),
+            (Calls{"glFinish();", "frame"}));
+  EXPECT_EQ(Recording(recording_).others()[0].name, "glVertex3i");
 
   TraceText trace;
   trace.call("glXMakeCurrent", {1, 2, 77}).enter("glMap1f");
