@@ -127,7 +127,8 @@ std::vector<std::string> ImplementationOptions::words() const {
   for (const auto& [option, value] : {std::pair{"--implementation", name},
                                       {"--library", library},
                                       {"--context", context},
-                                      {"--mesa-build", mesa_build}})
+                                      {"--mesa-build", mesa_build},
+                                      {"--worker", worker}})
     if (!value.empty()) words.insert(words.end(), {option, value});
   return words;
 }

@@ -105,7 +105,7 @@ int cannot_judge(const std::string& why) {
 // Runs the example of a known bug, which may be outside the evaluators. Returns no exit code if it cannot be
 // built or started with this implementation, or if the GL is another one than that of the bug.
 std::optional<int> check_example(const KnownBug& bug, const ImplementationOptions& implementation) {
-  if (bug.example.empty() || !implementation.context.empty()) return {};
+  if (bug.example.empty() || !implementation.context.empty() || !implementation.worker.empty()) return {};
   const bool is_osmesa = implementation.library.find("libOSMesa.so") != std::string::npos;
   ImplementationOptions named = implementation;
   if (named.name.empty()) named.name = is_osmesa ? "osmesa" : "egl";

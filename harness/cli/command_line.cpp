@@ -78,6 +78,12 @@ CLI::Option* add_shard(CLI::App& app, std::string& shard, const std::string& des
   });
 }
 
+CLI::Option* add_worker(CLI::App& app, std::string& worker) {
+  return app.add_option("--worker", worker,
+                        "shell command that starts evalcts-suite elsewhere, where the implementation is: "
+                        "\"ssh host evalcts-suite\", \"wine evalcts-worker.exe\"");
+}
+
 namespace {
 void add_common_options(CLI::App& app, ImplementationOptions& implementation) {
   app.add_option("--library", implementation.library, "shared library to judge instead of the system's");
@@ -88,6 +94,7 @@ void add_common_options(CLI::App& app, ImplementationOptions& implementation) {
                   fmt::join(evalcts::context_names(), ", ")));
   app.add_option("--mesa-build", implementation.mesa_build,
                  "folder that meson built or installed a Mesa into, which is judged instead of the system's");
+  add_worker(app, implementation.worker);
 }
 
 constexpr char kImplementation[] = "implementation to judge (see 'evalcts list implementations')";
@@ -107,9 +114,10 @@ ImplementationOptions completed(ImplementationOptions implementation) {
   const auto make_absolute = [](std::string& path) {
     path = std::filesystem::absolute(path).lexically_normal().string();
   };
-  if (implementation.library.find('/') != std::string::npos) make_absolute(implementation.library);
+  const bool is_here = implementation.worker.empty();
+  if (is_here && implementation.library.find('/') != std::string::npos) make_absolute(implementation.library);
   if (implementation.mesa_build.empty()) return implementation;
-  make_absolute(implementation.mesa_build);
+  if (is_here) make_absolute(implementation.mesa_build);
   if (implementation.name.empty() && implementation.library.empty() && implementation.context.empty())
     implementation.name = "egl";
   return implementation;
@@ -125,6 +133,8 @@ std::vector<ImplementationOptions> completed(const std::vector<std::string>& nam
     if (name == "production" || name == "reference") all.back().mesa_build.clear();
   }
   if (all.empty() && !(whole.library + whole.context + whole.mesa_build).empty()) all.push_back(whole);
+  if (all.empty() && !whole.worker.empty())
+    throw CannotStart("--worker needs --implementation or --library, which say what to open there");
   return all;
 }
 

@@ -133,6 +133,7 @@ std::vector<std::string> replay_options(const RunResult& run) {
   std::vector<std::string> options;
   for (std::size_t i = 1; i < command.size(); i += 2) {
     const std::string &option = command[i], &value = command[i + 1];
+    if (option == "--worker") continue;  // a command of a file is never run
     if (!kHarmless.contains(option) || value.starts_with("-"))
       throw FormatError(fmt::format("suite_command: '{} {}' is not a command that judges", option, value));
     options.insert(options.end(), {option, value});

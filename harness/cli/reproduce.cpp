@@ -33,6 +33,7 @@ struct ReproduceOptions {
   std::string run;      // value of --run
   std::string style;    // "short", "full" or "piglit"; empty: short if the program shows the failure
   std::string output;   // the file to write; empty: a file in the folder of the run
+  std::string worker;   // see ImplementationOptions
   std::string program;  // evalcts as the user typed it
 };
 
@@ -74,29 +75,31 @@ struct Replayed {
   std::string program;  // the C program; empty if none was written
 };
 
-// Runs the test again and writes the C program in a style. `program`: JSON commands that are replayed instead
+// Runs the test again, in a worker elsewhere if that is not empty, and writes the C program in a style. `program`: JSON commands that are replayed instead
 // of the test; empty: none. Throws CannotReproduce if the test does not start.
-Replayed replay(const Candidate& failure, const std::string& program, const std::string& style) {
+Replayed replay(const Candidate& failure, const std::string& worker, const std::string& program,
+                const std::string& style) {
   if (failure.run->suite_command.empty())
     throw CannotReproduce("the results come from another version of evalcts; run the test again:\n  " +
                           (failure.test->rerun.empty() ? "evalcts run" : failure.test->rerun));
   const Scratch scratch;
-  const fs::path log = scratch.path() / "log", program_file = scratch.path() / "program.c";
+  const fs::path log = scratch.path() / "log";
   std::vector<std::string> command = replay_options(*failure.run);
   command.insert(command.begin(), places().suite_program.string());
-  command.insert(command.end(), {"--reproduce", program_file.string(), "--style", style});
-  Worker worker(command, log, {failure.run->timeout.value_or(Limits().seconds_per_test)});
-  worker.give(program.empty() ? Job{.kind = "test", .name = failure.name()}
-                              : Job{.kind = "case", .name = "program", .data = program});
-  worker.finish();
-  const WorkerRun& run = worker.wait();
+  command.insert(command.end(), {"--reproduce", style});
+  if (!worker.empty()) command.insert(command.end(), {"--worker", worker});
+  Worker process(command, log, {failure.run->timeout.value_or(Limits().seconds_per_test)});
+  process.give(program.empty() ? Job{.kind = "test", .name = failure.name()}
+                               : Job{.kind = "case", .name = "program", .data = program});
+  process.finish();
+  const WorkerRun& run = process.wait();
   if (!run.began_a_job())
     throw CannotReproduce(fmt::format("{} no longer starts:\n{}", failure.label(), read_file(log)));
   Replayed result;
   if (!run.records.empty()) result.record = run.records.begin()->second;
   result.hung = run.hung;
   result.ending = describe(run.ending);
-  result.program = read_file(program_file);
+  result.program = run.program;
   return result;
 }
 
@@ -159,7 +162,8 @@ struct Trial {
   bool tried = true;
   std::string problem;
 };
-Trial try_program(const Candidate& failure, const Replayed& replayed) {
+Trial try_program(const Candidate& failure, const std::string& worker, const Replayed& replayed) {
+  if (!worker.empty()) return {false, "its library is elsewhere"};
   const std::vector<std::string> options = replay_options(*failure.run);
   if (!value_of(options, "--mesa-build").empty()) return {false, "it would run on the system's Mesa"};
   const ProgramRun run = build_and_run(options, replayed.program);
@@ -173,7 +177,8 @@ Trial try_program(const Candidate& failure, const Replayed& replayed) {
 
 // Returns the example of a known bug as a program, with a record of the failure; without a program if the
 // implementation is not linked by its name or the example does not show the bug here.
-Replayed example(const Candidate& failure, const KnownBug& known, const std::string& style) {
+Replayed example(const Candidate& failure, const std::string& worker, const KnownBug& known,
+                 const std::string& style) {
   Replayed written;
   written.record = *failure.test;
   written.record->message = known.title;
@@ -184,7 +189,7 @@ Replayed example(const Candidate& failure, const KnownBug& known, const std::str
     return {};
   }
   if (style == "short")
-    if (const Trial trial = try_program(failure, written); trial.tried && !trial.problem.empty()) return {};
+    if (const Trial trial = try_program(failure, worker, written); trial.tried && !trial.problem.empty()) return {};
   return written;
 }
 
@@ -194,23 +199,26 @@ int reproduce_or_throw(const ReproduceOptions& options) {
   BugProgram bug;
   const RecordedFailure recorded = find_failure(runs, options.failure);
   const Candidate failure = replayed_failure(recorded, bug);
+  if (options.worker.empty() && std::ranges::count(failure.run->suite_command, "--worker") > 0)
+    throw CannotReproduce(
+        "these results come from a worker elsewhere; start it with --worker COMMAND, as for the run");
   std::string style = options.style.empty() ? "short" : options.style, note;
   const KnownBug* const known = recorded.bug ? find_known_bug(recorded.bug->known) : nullptr;
   Replayed replayed;
-  if (known && !known->example.empty() && style != "full") replayed = example(failure, *known, style);
+  if (known && !known->example.empty() && style != "full") replayed = example(failure, options.worker, *known, style);
   const bool is_example = !replayed.program.empty();
-  if (!is_example) replayed = replay(failure, bug.commands, style);
+  if (!is_example) replayed = replay(failure, options.worker, bug.commands, style);
   if (options.style.empty() && !is_example) {
     Trial trial;
     if (replayed.program.starts_with("#error "))
       trial.problem = replayed.program.substr(7, replayed.program.find('\n') - 7);
     else if (!replayed.program.empty() && (!replayed.record || replayed.record->verdict == Verdict::kFail))
-      trial = try_program(failure, replayed);
+      trial = try_program(failure, options.worker, replayed);
     if (!trial.tried) note = fmt::format("It was not tried here ({}).\n", trial.problem);
     if (trial.tried && !trial.problem.empty()) {
       note = fmt::format("It has the style 'full', because {}.\n", trial.problem);
       style = "full";
-      replayed = replay(failure, bug.commands, style);
+      replayed = replay(failure, options.worker, bug.commands, style);
     }
   }
 
@@ -297,6 +305,7 @@ std::function<int()> define_reproduce(CLI::App& app, const Call& call) {
          "program shows the failure here, otherwise full)")
       ->check(CLI::IsMember({"short", "full", "piglit"}));
   app.add_option("--output", options->output, "C file to write");
+  add_worker(app, options->worker);
   add_run(app, options->run);
   return [options] { return reproduce(*options); };
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <memory>
 #include <utility>
 
@@ -44,7 +43,7 @@ class CampaignRunner {
         reducer_(subject, shared_.get(), kMostAttempts,
                  {.is_over = [this] { return is_over(); },
                   .try_start = [this](const gl::Case& candidate) { return try_start(candidate); },
-                  .finish = [this] { finish(); },
+                  .finish = [this] { report_(CandidateStarted{job_.number, ""}); },
                   .smaller =
                       [this](const Finding& finding) {
                         report_(FindingShrank{job_.number, finding});
@@ -117,17 +116,12 @@ class CampaignRunner {
     return found;
   }
 
-  // Writes the candidate to the in-flight file before it runs. Returns false if the library has died
-  // in it before.
+  // Reports the candidate before it runs. Returns false if the library has died in it before.
   bool try_start(const gl::Case& candidate) const {
-    if (job_.in_flight.empty()) return true;
-    const std::string text = gl::to_text(candidate);
+    std::string text = gl::to_text(candidate);
     if (std::ranges::count(job_.deadly, text) > 0) return false;
-    std::ofstream(job_.in_flight) << text;
+    report_(CandidateStarted{job_.number, std::move(text)});
     return true;
-  }
-  void finish() const {
-    if (!job_.in_flight.empty()) std::ofstream(job_.in_flight).flush();
   }
 
   const Subject& subject_;

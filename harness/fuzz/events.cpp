@@ -50,10 +50,11 @@ static void from_json(const json& in, Finding& finding) {
 
 // Functions that convert a type, whose members are the fields.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CampaignStarted, max_eval_order)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CandidateStarted, number, program)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FindingShrank, number, finding)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FindingMade, number, finding)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProgramJudged, judged, in_full, commands, not_repeated, seconds_of_known)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RandomJob, number, length, seconds, in_fresh_context, in_flight, deadly)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RandomJob, number, length, seconds, in_fresh_context, deadly)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FailingCase, test, difference, commands, seconds)
 
 namespace {
@@ -69,6 +70,7 @@ std::string line_of(const char* kind, json event) {
 
 struct EventWriter {
   std::string operator()(const CampaignStarted& start) const { return line_of("campaign", start); }
+  std::string operator()(const CandidateStarted& start) const { return line_of("candidate", start); }
   std::string operator()(const FindingShrank& smaller) const { return line_of("smaller", smaller); }
   std::string operator()(const FindingMade& found) const { return line_of("finding", found); }
   std::string operator()(const ProgramJudged& result) const { return line_of("judged", result); }
@@ -91,6 +93,7 @@ std::optional<CampaignEvent> parse_campaign_event(const std::string& line) {
     const json event = parse_json(line);
     const std::string kind = event.at("event");
     if (kind == "campaign") return event.get<CampaignStarted>();
+    if (kind == "candidate") return event.get<CandidateStarted>();
     if (kind == "smaller") return event.get<FindingShrank>();
     if (kind == "finding") return event.get<FindingMade>();
     if (kind == "judged") return event.get<ProgramJudged>();

@@ -90,14 +90,8 @@ class Searcher {
                            .length = request_.length,
                            .seconds = request_.seconds > 0 ? std::max(left, 0.0) + kGrace : 0,
                            .in_fresh_context = request_.fresh_contexts,
-                           .in_flight = in_flight_file(number),
                            .deadly = deadly_[number]};
-    fs::remove(job.in_flight);
     return Job{.kind = "fuzz", .name = fmt::format("program {}", number), .data = to_text(job)};
-  }
-
-  std::string in_flight_file(std::uint32_t number) const {
-    return (scratch_ / fmt::format("in-flight-{}", number)).string();
   }
 
   // Removes the files of an earlier campaign.
@@ -126,10 +120,13 @@ class Searcher {
     if (!of_campaign) return;
     if (const auto* started = std::get_if<CampaignStarted>(&*of_campaign)) {
       max_eval_order_ = started->max_eval_order;
+    } else if (const auto* candidate = std::get_if<CandidateStarted>(&*of_campaign)) {
+      in_flight_[candidate->number] = candidate->program;
     } else if (const auto* smaller = std::get_if<FindingShrank>(&*of_campaign)) {
       smaller_[smaller->number] = smaller->finding;
     } else if (const auto* made = std::get_if<FindingMade>(&*of_campaign)) {
       smaller_.erase(made->number);
+      in_flight_.erase(made->number);
       found(fmt::format("program {}", made->number), made->finding);
     } else if (const auto* result = std::get_if<ProgramJudged>(&*of_campaign)) {
       ++found_.programs;
@@ -151,7 +148,7 @@ class Searcher {
       throw std::runtime_error(fmt::format("{}: {}", run.in_flight, last_line(scratch_ / "log")));
     if (!run.died_in_job()) return;
     const std::uint32_t number = number_of(run.in_flight);
-    const std::string in_flight = read_file(in_flight_file(number));
+    const std::string in_flight = std::exchange(in_flight_[number], {});
     died(run, number, in_flight);
     const auto smaller = smaller_.extract(number);
     if (!in_flight.empty() && deadly_[number].size() < kMostDeaths) {
@@ -238,8 +235,10 @@ class Searcher {
     write_atomically(fs::path(cause.file).replace_extension(".txt"), text);
     // Writes the C program, if the implementation supports it.
     std::vector<std::string> command = suite_command();
-    command.insert(command.end(), {"--reproduce", fs::path(cause.file).replace_extension(".c").string()});
-    run_program(command, cause.finding.program, scratch_ / "write.log", {request_.seconds_per_program});
+    command.insert(command.end(), {"--reproduce", "full"});
+    const WorkerRun run = run_program(command, cause.finding.program, scratch_ / "write.log",
+                                      {request_.seconds_per_program});
+    if (!run.program.empty()) write_atomically(fs::path(cause.file).replace_extension(".c"), run.program);
   }
 
   const SearchRequest& request_;
@@ -250,6 +249,7 @@ class Searcher {
   std::vector<Finding> deaths_;                               // minimal programs in which the library died
   std::uint32_t next_ = 0;                                    // number of the next program
   std::deque<std::uint32_t> again_;                           // programs whose reduction is repeated
+  std::map<std::uint32_t, std::string> in_flight_;            // candidates of reductions (JSON), by program
   std::map<std::uint32_t, Finding> smaller_;                  // smallest programs of reductions, by program
   std::map<std::uint32_t, std::vector<std::string>> deadly_;  // see RandomJob, by program
   std::string latest_end_;                                    // of a worker, in words

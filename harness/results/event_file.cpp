@@ -19,12 +19,18 @@ EventFile::EventFile(const std::filesystem::path& path) : process_(getpid()) {
   open();
 }
 
+EventFile::EventFile(int descriptor) : descriptor_(descriptor), process_(getpid()) { identify(); }
+
 EventFile::~EventFile() {
   if (is_open()) close(descriptor_);
 }
 
 void EventFile::open() {
   descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  identify();
+}
+
+void EventFile::identify() {
   struct stat file {};
   if (descriptor_ < 0 || fstat(descriptor_, &file) != 0)
     throw CannotWrite(fmt::format("cannot write '{}': {}", path_.string(), std::strerror(errno)));
@@ -42,15 +48,18 @@ bool EventFile::is_open() const {
 
 void EventFile::write_in_handler(std::string_view line) const noexcept {
   if (descriptor_ < 0 || getpid() != process_) return;
+  if (path_.empty() && !is_open()) return;
   const int descriptor = is_open() ? descriptor_ : ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   if (descriptor < 0) return;
   [[maybe_unused]] const ssize_t written = ::write(descriptor, line.data(), line.size());
 }
 
 void EventFile::write(const std::string& line) {
-  if (path_.empty()) return;
+  if (path_.empty() && descriptor_ < 0) return;
   if (getpid() != process_) _exit(0);
+  ++lines_;
   if (!is_open()) {
+    if (path_.empty()) _exit(kExitCannotWrite);
     was_closed_ = true;
     open();
   }

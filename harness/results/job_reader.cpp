@@ -1,4 +1,4 @@
-// Implements JobReader.
+// Implements the channels of a worker.
 #include <evalcts/results/job_reader.h>
 
 #include <fcntl.h>
@@ -34,6 +34,12 @@ std::optional<std::string> JobReader::next() {
   std::string line = read_.substr(0, end);
   read_.erase(0, end + 1);
   return line;
+}
+
+int take_standard_output() {
+  const int events = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, kFirstDescriptor);
+  dup2(STDERR_FILENO, STDOUT_FILENO);
+  return events;
 }
 
 }  // namespace evalcts

@@ -3,6 +3,7 @@
 #include <evalcts/results/serialization.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include <evalcts/results/hash.h>
 #include <evalcts/results/json_object.h>
 
 namespace evalcts {
@@ -369,6 +371,12 @@ void fields(A& archive, In<A, Job> job) {
           job.data);
 }
 
+template <class A>
+void fields(A& archive, In<A, WorkerOptions> start) {
+  archive.always("options", start.options);
+  archive("programs", start.programs);
+}
+
 // --- events
 
 // The word for an event, and its fields.
@@ -389,11 +397,15 @@ constexpr const char* kKind<TestFinished> = "result";
 template <>
 constexpr const char* kKind<TestsListed> = "tests";
 template <>
+constexpr const char* kKind<ProgramWritten> = "program";
+template <>
 constexpr const char* kKind<Description> = "description";
 template <>
 constexpr const char* kKind<CaptureRecord> = "capture";
 template <>
 constexpr const char* kKind<CannotOpen> = "cannot-open";
+template <>
+constexpr const char* kKind<Hung> = "hang";
 template <>
 constexpr const char* kKind<Crashed> = "crash";
 template <>
@@ -422,8 +434,13 @@ void event_fields(A& archive, In<A, TestFinished> event) {
   archive.always("record", event.record);
 }
 template <class A>
+void event_fields(A& archive, In<A, ProgramWritten> event) {
+  archive.always("text", event.text);
+}
+template <class A>
 void event_fields(A& archive, In<A, Description> event) {
-  archive.always("implementation", event.implementation, "all_captures", event.captures);
+  archive.always("suite", event.suite, "implementation", event.implementation, "all_captures",
+                 event.captures);
 }
 template <class A>
 void event_fields(A& archive, In<A, CaptureRecord> event) {
@@ -433,6 +450,8 @@ template <class A>
 void event_fields(A& archive, In<A, CannotOpen> event) {
   archive.always("reason", event.reason);
 }
+template <class A>
+void event_fields(A&, In<A, Hung>) {}
 template <class A>
 void event_fields(A& archive, In<A, Crashed> event) {
   archive.always("crash", event.crash);
@@ -586,6 +605,27 @@ std::string to_text(const RunResult& result) {
 
 std::string to_text(const std::vector<ListedTest>& tests) {
   return dumped({{"tests", Writer::to_json(tests)}}, -1);
+}
+
+std::string suite_id(const std::vector<ListedTest>& tests) {
+  std::uint64_t digest = fnv1a<std::uint64_t>("");
+  for (const ListedTest& test : tests)
+    digest = fnv1a(fmt::format("{} {} {} {}\n", test.name, fmt::join(texts_of(test.requirements), ","),
+                               name_of(test.level), name_of(test.from)),
+                   digest);
+  return fmt::format("{}, {} tests, digest {:016x}", EVALCTS_VERSION, tests.size(), digest);
+}
+
+std::string to_line(const WorkerOptions& options) { return dumped(Writer::to_json(options), -1); }
+
+std::optional<WorkerOptions> parse_worker_options(const std::string& line) {
+  return parse_object(line, [](const JsonObject& in) -> std::optional<WorkerOptions> {
+    if (!in.has("options")) return std::nullopt;
+    WorkerOptions start;
+    Reader record(in);
+    fields(record, start);
+    return start;
+  });
 }
 
 std::string to_line(const Job& job) { return dumped(Writer::to_json(job), -1); }

@@ -99,7 +99,7 @@ void adopt_orphans() {
 }
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::string& log, Prints prints,
-                           int input) {
+                           int input, int output) {
   if (prints == Prints::kLimited && !log.empty()) output_.emplace(log);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -114,6 +114,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::s
                                      O_WRONLY | O_CREAT | O_APPEND, 0644);
   }
   posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+  if (output >= 0) posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
 
   // The child gets its own process group, so that Ctrl-C reaches only the runner, which decides when to kill
   // the child. Signals that the runner ignores get their default action back.

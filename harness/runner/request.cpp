@@ -103,6 +103,15 @@ std::vector<std::string> captures_option(const ImplementationRecord& implementat
   return {"--captures", names.empty() ? "none" : fmt::format("{}", fmt::join(names, ","))};
 }
 
+std::string why_other_suite(const RunRequest& request, const Description& description) {
+  if (request.implementation.worker.empty()) return {};
+  const std::string own =
+      suite_id(request.recording.empty() ? list_tests(request.suite_program) : request.tests);
+  if (description.suite == own) return {};
+  return fmt::format("the worker is evalcts {}, this is {}; build both from the same sources",
+                     description.suite, own);
+}
+
 void add_commands(const RunRequest& request, TestRecord& record) {
   // A failure that depends on earlier tests needs them, too.
   std::string filter = record.name;
@@ -132,18 +141,20 @@ void add_commands(const RunRequest& request, TestRecord& record) {
     rerun.insert(rerun.end(), {"--filter", filter});
   record.rerun = shell_line(rerun);
 
+  const std::string& worker = request.implementation.worker;
   std::vector<std::string> debug = suite_command(request);
   debug.front() = seen_from_here(debug.front());
   debug.insert(debug.begin(), {"gdb", "--args"});
   if (request.is_second_pass()) debug.push_back("--reuse-context");
   std::replace(filter.begin(), filter.end(), '-', '?');  // in GoogleTest's filters, '-' starts exclusions
   debug.push_back("--gtest_filter=" + filter);
-  record.debug = shell_line(debug);
+  if (worker.empty()) record.debug = shell_line(debug);
 
   if (request.is_second_pass()) return;  // a C program contains only one case, without its history
   std::vector<std::string> reproduce = {request.program, "reproduce", request.name + ":" + record.name};
   reproduce.insert(reproduce.end(),
                    {"--run", request.run.empty() ? seen_from_here(request.output) : request.run});
+  if (!worker.empty()) reproduce.insert(reproduce.end(), {"--worker", worker});
   record.reproducer = shell_line(reproduce);
 }
 

@@ -70,6 +70,8 @@ class Run {
     const std::optional<Description> description = ask<Description>(
         suite_command(request_), {"describe", "describe"}, result_.reason, log_, limits_of_start_);
     if (!description) return false;
+    result_.reason = why_other_suite(request_, *description);
+    if (!result_.reason.empty()) return false;
     ImplementationRecord& implementation = result_.implementation;
     const ImplementationRecord header = implementation;
     implementation = description->implementation;

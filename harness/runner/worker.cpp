@@ -11,15 +11,18 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include <evalcts/backends/gl_environment.h>
-#include <evalcts/results/event_file.h>
+#include <evalcts/results/files.h>
+#include <evalcts/results/job_reader.h>
 #include <evalcts/runner/interruption.h>
 
 namespace evalcts {
@@ -31,7 +34,10 @@ namespace fs = std::filesystem;
 constexpr int kMostMilliseconds = 20;  // longest time between two checks of the limits
 constexpr double kMostToEnd = 2;       // seconds that the process may take to exit after its last job
 constexpr int kMostEmptyStarts = 2;    // workers in turn that may end before their first job
+constexpr double kMostToArrive = 5;    // seconds that the report of a worker elsewhere may need
 constexpr std::size_t kMostQuotedLines = 3;
+constexpr std::size_t kMostForeign = 4096;  // bytes of lines that are no events
+constexpr char kElsewhere[] = "--worker";
 constexpr char kCannotStartLine[] = "cannot start: ";  // suite_main prints the reason in such a line, too
 // Time that a process that hangs may take to report its command in flight.
 constexpr std::chrono::seconds kMostToReport(1);
@@ -69,6 +75,20 @@ std::string quoted(const std::string& printed, const fs::path& log) {
                      log.string());
 }
 
+// Returns what a worker elsewhere gets instead of the arguments in `command`.
+WorkerOptions options_elsewhere(std::vector<std::string> command, const Limits& limits) {
+  WorkerOptions start;
+  const auto programs = std::ranges::find(command, "--programs");
+  if (programs != command.end()) {
+    start.programs = read_file(*std::next(programs));
+    command.erase(programs, programs + 2);
+  }
+  start.options.assign(command.begin() + 1, command.end());
+  if (std::isfinite(limits.seconds_per_test))
+    start.options.insert(start.options.end(), {"--most-seconds", fmt::format("{}", limits.seconds_per_test)});
+  return start;
+}
+
 }  // namespace
 
 std::string describe(const WorkerRun& run) {
@@ -85,22 +105,34 @@ std::string describe(const WorkerRun& run) {
 Worker::Worker(std::vector<std::string> command, const fs::path& log, const Limits& limits) {
   run_.command = command;
   run_.limits = limits;
+  const auto elsewhere = std::ranges::find(command, kElsewhere);
+  is_elsewhere_ = elsewhere != command.end();
   Ends events([](int* ends) { return pipe2(ends, O_CLOEXEC); });
   // A socket can be written without SIGPIPE when the process has ended.
   Ends jobs([](int* ends) { return socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends); });
   fcntl(events.reader, F_SETFL, O_NONBLOCK);
-  // The process opens the pipe by this name, so that it can open it again if the library closes it.
-  command.insert(command.end(), {"--worker", fmt::format("/proc/{}/fd/{}", getpid(), events.writer)});
-  process_.emplace(command, log.string(), ChildProcess::Prints::kLimited, jobs.reader);
+  if (is_elsewhere_) {
+    // Shells on the way would take the options apart.
+    const std::string start = fmt::format("{} {}", *std::next(elsewhere), kRemote);
+    command.erase(elsewhere, elsewhere + 2);
+    unwritten_ = to_line(options_elsewhere(std::move(command), limits));
+    process_.emplace(std::vector<std::string>{"/bin/sh", "-c", start}, log.string(), ChildProcess::Prints::kLimited, jobs.reader,
+                     events.writer);
+  } else {
+    // The process opens the pipe by this name, so that it can open it again if the library closes it.
+    command.insert(command.end(), {"--events", fmt::format("/proc/{}/fd/{}", getpid(), events.writer)});
+    process_.emplace(command, log.string(), ChildProcess::Prints::kLimited, jobs.reader);
+    events_writer_ = std::exchange(events.writer, -1);
+  }
   events_ = std::exchange(events.reader, -1);
-  events_writer_ = std::exchange(events.writer, -1);
   input_ = std::exchange(jobs.writer, -1);
 }
 
 Worker::~Worker() {
   close_input();
   process_.reset();
-  for (const int descriptor : {events_, events_writer_}) close(descriptor);
+  for (const int descriptor : {events_, events_writer_})
+    if (descriptor >= 0) close(descriptor);
 }
 
 void Worker::give(const Job& job) {
@@ -141,8 +173,12 @@ void Worker::read_events(const EachEvent& each) {
   }
   std::size_t begin = 0;
   for (std::size_t end; (end = partial_.find('\n', begin)) != std::string::npos; begin = end + 1) {
-    const std::optional<Event> event = parse_event(partial_.substr(begin, end - begin));
-    if (!event) continue;
+    const std::string line = partial_.substr(begin, end - begin);
+    const std::optional<Event> event = parse_event(line);
+    if (!event) {
+      if (foreign_.size() < kMostForeign) foreign_ += line + "\n";
+      continue;
+    }
     take(*event);
     if (each) each(*event);
     latest_event_ = Clock::now();
@@ -159,14 +195,15 @@ bool Worker::update(const Deadline& deadline, const EachEvent& each) {
     return false;
   }
   run_.ending = *ending;
-  run_.printed = process_->printed();
+  run_.printed = foreign_ + process_->printed();
   return true;
 }
 
 void Worker::check_limits(const Deadline& deadline) {
   const bool is_working = !waiting_.empty() || !run_.in_flight.empty() || is_finishing_;
-  const double patience =
-      run_.complete ? std::min(run_.limits.seconds_per_test, kMostToEnd) : run_.limits.seconds_per_test;
+  // A worker elsewhere ends by itself if it hangs, and reports where.
+  const double limit = run_.limits.seconds_per_test + (is_elsewhere_ ? kMostToArrive : 0);
+  const double patience = run_.complete ? std::min(limit, kMostToEnd) : limit;
   if (interrupted || (report_deadline_ && Clock::now() > *report_deadline_)) {
     process_->kill();
   } else if (deadline && Clock::now() > *deadline) {
@@ -181,7 +218,7 @@ void Worker::check_limits(const Deadline& deadline) {
     } else if (!report_deadline_) {
       run_.hung = true;
       report_deadline_ = Clock::now() + kMostToReport;
-      process_->abort();  // the signal handler reports the command in flight
+      if (!is_elsewhere_) process_->abort();  // the signal handler reports the command in flight
     }
   }
 }
@@ -204,6 +241,10 @@ void Worker::take(const Event& event) {
     run_.records[result->record.name] = result->record;
   } else if (std::holds_alternative<JobEnded>(event)) {
     run_.finished.push_back(std::exchange(run_.in_flight, {}));
+  } else if (const auto* written = std::get_if<ProgramWritten>(&event)) {
+    run_.program = written->text;
+  } else if (std::holds_alternative<Hung>(event)) {
+    run_.hung = true;
   } else if (const auto* crashed = std::get_if<Crashed>(&event)) {
     run_.crash = crashed->crash;
   } else if (const auto* why = std::get_if<CannotOpen>(&event)) {

@@ -154,9 +154,10 @@ void Session::open_captures() {
   }
   if (reused_) subject_.implementation = reused_.get();
   if (options_.warm && !reused_) warm_ = WarmContext::of(*implementation_, subject_.info);
-  if (!options_.reproduce.empty()) {
-    reproduction_ =
-        std::make_unique<Reproduction>(*subject_.implementation, options_.reproduce, options_.style);
+  if (options_.reproduce) {
+    reproduction_ = std::make_unique<Reproduction>(
+        *subject_.implementation, [this](const std::string& program) { report_(ProgramWritten{program}); },
+        *options_.reproduce);
     subject_.reproduction = reproduction_.get();
     subject_.implementation = &reproduction_->implementation();
   }
@@ -178,6 +179,9 @@ Description Session::describe() {
   open();
   const ImplementationInfo& info = subject_.info;
   Description description;
+  std::vector<ListedTest> tests;
+  for (const TestInfo& test : all_tests()) tests.push_back(test.listed());
+  description.suite = suite_id(tests);
   ImplementationRecord& implementation = description.implementation;
   implementation.name = info.name;
   implementation.library = info.library;

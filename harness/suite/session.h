@@ -26,8 +26,7 @@ struct SessionOptions {
   std::uint32_t seed = 1;
   bool reuse_context = false;            // all cases share a context
   bool warm = false;                     // tests run in a warm context first
-  std::string reproduce;                 // file for the first failure as a C program; empty: none
-  gl::CStyle style = gl::CStyle::kFull;  // of the C program
+  std::optional<gl::CStyle> reproduce;   // report the running case as a C program in this style
 };
 
 class Session {

@@ -16,9 +16,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -31,6 +33,7 @@
 #include <evalcts/gl/roles.h>
 #include <evalcts/record/programs.h>
 #include <evalcts/results/event_file.h>
+#include <evalcts/results/files.h>
 #include <evalcts/results/filter.h>
 #include <evalcts/results/job_reader.h>
 #include <evalcts/results/serialization.h>
@@ -38,16 +41,22 @@
 #include <evalcts/runner/worker.h>
 #include "crash_report.h"
 #include "session.h"
+#include "watchdog.h"
 
 namespace evalcts {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr int kCannotStart = 2;  // exit status for wrong use, or an implementation that does not start
+constexpr char kStandardOutput[] = "-";
 
 struct Options {
   SessionOptions session;
-  std::string depth = "full", worker, programs;
+  std::string depth = "full", events, programs;
+  bool is_worker = false;         // runs jobs
   std::uint64_t renew_above = 0;  // MiB; 0: no limit
+  double most_seconds = 0;        // between two events of a job; 0: no limit
 };
 
 // Adapts a test to GoogleTest: a failure fails, and a test that was not judged is skipped with the reason.
@@ -85,10 +94,6 @@ class GoogleTestAdapter : public testing::Test {
   const TestInfo& info_;
   Session& session_;
 };
-
-ListedTest listed(const TestInfo& info) {
-  return {info.full_name(), info.requirements, info.level, info.from, info.source};
-}
 
 // Makes the programs of a recording the tests of this process. Commands that the implementation does not
 // provide are left out of them, and MultiTexCoord of units that it does not have, which is undefined (GL 1.3
@@ -130,7 +135,7 @@ void parse(int argc, char** argv, Options& options) {
       "Judges one implementation of OpenGL evaluators. Options of GoogleTest (--gtest_...) work, too."};
   SessionOptions& session = options.session;
   std::vector<std::string> captures;
-  std::string style = "full";
+  std::string style;
   app.add_option("--implementation", session.implementation.name,
                  "what to judge, see 'evalcts list implementations'");
   app.add_option("--library", session.implementation.library, "shared library instead of the usual one");
@@ -147,16 +152,19 @@ void parse(int argc, char** argv, Options& options) {
       ->take_all();
   app.add_option("--programs", options.programs,
                  "file with the programs of a recording, which take the place of the tests");
-  app.add_option(
-      "--worker", options.worker,
-      "run the jobs that standard input has, a line of JSON each, and write events to this file or pipe; end "
-      "when the process that started this one ends");
+  auto* const events = app.add_option(
+      "--events", options.events,
+      "run the jobs that standard input has, a line of JSON each, and write events to this file or pipe, or to "
+      "standard output (\"-\"); end when the process that started this one ends. With the only option --remote, "
+      "a worker reads its options from standard input");
   app.add_option("--renew-above", options.renew_above,
                  "end after a job if this process uses more memory than this, in MiB")
-      ->needs("--worker");
-  app.add_option("--reproduce", session.reproduce,
-                 "write the first failure of the test, or the case in flight, to this file as a C program");
-  app.add_option("--style", style, "style of the C program")
+      ->needs(events);
+  app.add_option("--most-seconds", options.most_seconds,
+                 "end if a job reports no event for so long, with the command in flight")
+      ->needs(events);
+  app.add_option("--reproduce", style, "report the running case as a C program in this style")
+      ->needs(events)
       ->check(CLI::IsMember({"short", "full", "piglit"}));
   app.add_option("--leave-out", session.omitted_calls,
                  "a command that crashes, \"glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)\": not run by tests "
@@ -173,7 +181,8 @@ void parse(int argc, char** argv, Options& options) {
     std::exit(app.exit(error) == 0 ? 0 : kCannotStart);
   }
   if (given->count() > 0) session.captures = captures;
-  session.style = gl::c_style_named(style).value_or(gl::CStyle::kFull);
+  session.reproduce = gl::c_style_named(style);
+  options.is_worker = events->count() > 0;
   session.depth = depth_named(options.depth).value_or(Depth::kFull);
   const ImplementationOptions& implementation = session.implementation;
   if (implementation.name.empty() && implementation.library.empty() && implementation.context.empty())
@@ -203,7 +212,7 @@ int run_google_tests(Session& session, Depth depth) {
   const std::string filter = testing::GTEST_FLAG(filter);
   testing::GTEST_FLAG(filter) = with_names_taken_literally(filter);
   for (const TestInfo& info : all_tests())
-    if (is_selected(listed(info), depth, filter))
+    if (is_selected(info.listed(), depth, filter))
       testing::RegisterTest(info.suite.c_str(), info.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
                             [&info, &session] { return new GoogleTestAdapter(info, session); });
   if (!testing::GTEST_FLAG(list_tests)) session.open_for_tests();
@@ -223,9 +232,11 @@ class JobLoop {
 
   // Runs the jobs of standard input. Returns the exit code.
   int run() {
+    if (options_.most_seconds > 0) end_if_hanging(events_, options_.most_seconds);
     while (const std::optional<std::string> line = jobs_.next()) {
       const std::optional<Job> job = parse_job(*line);
       if (!job) throw std::runtime_error("not a job: " + line->substr(0, 200));
+      set_working(true);
       try {
         run_job(*job);
       } catch (const CannotStart& error) {
@@ -233,6 +244,7 @@ class JobLoop {
         throw;
       }
       report(JobEnded{});
+      set_working(false);
       std::cout.flush();
       // Another process continues if this one has little memory left, or if the library has closed files.
       if (events_.was_closed() ||
@@ -272,7 +284,7 @@ class JobLoop {
     report(JobStarted{job.name});
     if (job.kind == "list") {
       TestsListed listing;
-      for (const TestInfo& info : all_tests()) listing.tests.push_back(listed(info));
+      for (const TestInfo& info : all_tests()) listing.tests.push_back(info.listed());
       report(listing);
     } else if (job.kind == "describe") {
       report(session_.describe());
@@ -317,26 +329,51 @@ class JobLoop {
   std::function<void(const fuzz::RandomJob&)> judge_random_;
 };
 
-int run(int argc, char** argv, const Wrapping& wrapping) {
-  std::vector<char*> arguments(argv, argv + argc + 1);  // InitGoogleTest() removes its own
-  testing::InitGoogleTest(&argc, argv);
+// Reads the options of a worker elsewhere from the first line of standard input, and returns them as the
+// arguments of the program. They include --programs with a temporary file.
+std::vector<std::string> remote_arguments(const std::string& program) {
+  std::string line;
+  for (char c; read(STDIN_FILENO, &c, 1) == 1 && c != '\n';) line += c;
+  std::optional<WorkerOptions> start = parse_worker_options(line);
+  if (!start) throw std::runtime_error("the first line of standard input has no options");
+  std::vector<std::string> arguments = {program, "--events", kStandardOutput};
+  std::ranges::move(start->options, std::back_inserter(arguments));
+  if (start->programs.empty()) return arguments;
+  const fs::path file = fs::temp_directory_path() / fmt::format("evalcts-programs-{}", getpid());
+  write_atomically(file, start->programs);
+  arguments.insert(arguments.end(), {"--programs", file.string()});
+  return arguments;
+}
+
+int run(std::vector<std::string> words, const Wrapping& wrapping) {
+  if (words.back() == kRemote) words = remote_arguments(words.front());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  std::vector<char*> of_program = arguments;  // without those of GoogleTest
+  auto count = static_cast<int>(words.size());
+  testing::InitGoogleTest(&count, of_program.data());
   static Options options;
-  parse(argc, argv, options);
+  parse(count, of_program.data(), options);
   start_with_mesa_build(options.session.implementation.mesa_build, arguments.data());
-  if (!options.programs.empty()) use_programs(options.programs);
-  if (!options.worker.empty()) {
+  const bool is_elsewhere = options.events == kStandardOutput;
+  if (!options.programs.empty()) {
+    use_programs(options.programs);
+    if (is_elsewhere) fs::remove(options.programs);
+  }
+  if (options.is_worker) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     std::ofstream("/proc/self/oom_score_adj") << 1000;  // if memory runs out, this process is killed first
   }
   // Never destroyed, because a library that calls exit() inside a test must not run the destructor
   // of its context.
-  static EventFile& events = *new EventFile(options.worker);
+  static EventFile& events = is_elsewhere ? *new EventFile(take_standard_output()) : *new EventFile(options.events);
   report_crashes(events);
   static const std::function<void(const Event&)> report = [](const Event& event) {
     events.write(to_line(event));
   };
   static Session& session = *new Session(options.session, wrapping, report);
-  if (options.worker.empty()) return run_google_tests(session, options.session.depth);
+  if (!options.is_worker) return run_google_tests(session, options.session.depth);
   static JobLoop& jobs = *new JobLoop(options, events, session);
   return jobs.run();
 }
@@ -352,7 +389,7 @@ int suite_main(int argc, char** argv, const Wrapping& wrapping) {
   setrlimit(RLIMIT_CORE, &no_core);  // crashes of the library under test leave no core dumps
   std::signal(SIGXFSZ, SIG_IGN);     // a file that becomes too large must not count as a crash of the library
   try {
-    return run(argc, argv, wrapping);
+    return run({argv, argv + argc}, wrapping);
   } catch (const CannotStart& error) {
     std::cerr << "cannot start: " << error.what() << "\n";
     return kCannotStart;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 
 #include <evalcts/backends/context_in_front.h>
 
@@ -212,8 +211,8 @@ class Experiment {
 
 class Reproduction::Recorder final : public ImplementationInFront {
  public:
-  Recorder(Implementation& inner, std::string file, gl::CStyle style)
-      : ImplementationInFront(inner), file_(std::move(file)), style_(style) {}
+  Recorder(Implementation& inner, Write write, gl::CStyle style)
+      : ImplementationInFront(inner), write_(std::move(write)), style_(style) {}
 
   std::unique_ptr<Context> create_context() override {
     return std::make_unique<RecordingContext>(*this, inner().create_context());
@@ -254,9 +253,7 @@ class Reproduction::Recorder final : public ImplementationInFront {
     } catch (const gl::NoCProgram& why) {
       text = fmt::format("#error {}\n", why.what());
     }
-    std::ofstream stream(file_, std::ios::trunc);
-    stream << text;
-    if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write '{}'", file_));
+    write_(text);
   }
 
  private:
@@ -292,15 +289,15 @@ class Reproduction::Recorder final : public ImplementationInFront {
     std::optional<std::size_t> pass_;  // none before a case is recorded
   };
 
-  std::string file_;
+  Write write_;
   gl::CStyle style_;
   std::vector<Pass> passes_;
   std::vector<gl::EntryPoint> own_;  // of the test's case, without a capture
   bool frozen_ = false, in_control_ = false;
 };
 
-Reproduction::Reproduction(Implementation& implementation, std::string file, gl::CStyle style)
-    : recorder_(std::make_unique<Recorder>(implementation, std::move(file), style)) {}
+Reproduction::Reproduction(Implementation& implementation, Write write, gl::CStyle style)
+    : recorder_(std::make_unique<Recorder>(implementation, std::move(write), style)) {}
 Reproduction::~Reproduction() = default;
 
 Implementation& Reproduction::implementation() { return *recorder_; }

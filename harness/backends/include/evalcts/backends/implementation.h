@@ -108,6 +108,10 @@ struct ImplementationOptions {
   std::string mesa_build =
       {};  // folder of a Mesa to use in place of the system's, see mesa_build.h; empty: none
 
+  // Shell command that starts a worker, which opens the implementation where it runs (see Worker); empty: a
+  // process of this machine.
+  std::string worker = {};
+
   // Returns the name in results and file names: `name`, or "library".
   std::string label() const { return name.empty() ? "library" : name; }
   // Returns the options of a command that choose this implementation.

@@ -60,6 +60,8 @@ CLI::Option* add_repeatable(CLI::App& app, const std::string& name, std::vector<
                             const std::string& description);
 // Adds --implementation, --library, --context and --mesa-build, which choose one implementation.
 void add_implementation(CLI::App& app, ImplementationOptions& implementation);
+// Adds --worker, which is one of these options.
+CLI::Option* add_worker(CLI::App& app, std::string& worker);
 // Adds the same options for several implementations: --implementation may be repeated.
 void add_implementations(CLI::App& app, std::vector<std::string>& names, ImplementationOptions& common);
 // Returns the options with absolute paths, which work in any directory; the name of a library without '/',

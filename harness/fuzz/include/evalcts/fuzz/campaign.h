@@ -21,14 +21,16 @@ struct RandomJob {
   // a program. A difference in the shared context must be reproduced in a fresh context, alone or after some
   // of the earlier programs.
   bool in_fresh_context = false;
-  // File to which each candidate of a reduction is written before it runs, so that the candidate is known if
-  // the library dies in it. The file is empty at other times. An empty name means no file.
-  std::string in_flight = {};
   std::vector<std::string> deadly = {};  // candidates (JSON) in which the library has died; not run again
 };
 
 struct CampaignStarted {
   int max_eval_order = 8;  // the limit with which programs are made
+};
+// A candidate of a reduction, before it runs, so that it is known if the library dies in it.
+struct CandidateStarted {
+  std::uint32_t number = 0;  // of the random program
+  std::string program;       // JSON text; empty: the latest candidate has ended
 };
 // A smaller program of the finding that is being reduced.
 struct FindingShrank {
@@ -46,7 +48,7 @@ struct ProgramJudged {
   bool not_repeated = false;    // the program differed only in the shared context
   double seconds_of_known = 0;  // time spent on a difference without a new cause
 };
-using CampaignEvent = std::variant<CampaignStarted, FindingShrank, FindingMade, ProgramJudged>;
+using CampaignEvent = std::variant<CampaignStarted, CandidateStarted, FindingShrank, FindingMade, ProgramJudged>;
 
 // Returns a function that judges the program of a job, and reports ProgramJudged after its findings. It
 // reports CampaignStarted at once. Commands that the implementation does not provide are left out of the

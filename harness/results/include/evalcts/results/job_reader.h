@@ -1,4 +1,4 @@
-// Reads the jobs of a worker.
+// The channels of a worker: its jobs, and the events of one that has no file for them.
 #pragma once
 
 #include <optional>
@@ -21,5 +21,12 @@ class JobReader {
   int descriptor_;
   std::string read_;
 };
+
+// Returns another descriptor of standard output, whose place standard error takes, so that what a library
+// prints is no event.
+int take_standard_output();
+
+// Makes a worker elsewhere read its options from standard input. It is the only option then.
+inline constexpr char kRemote[] = "--remote";
 
 }  // namespace evalcts

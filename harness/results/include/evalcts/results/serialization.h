@@ -30,6 +30,20 @@ std::string to_text(const RunResult& result);
 // Returns the tests as JSON: {"tests": [{"name", "requirements", "level", "from", "source"}]}.
 std::string to_text(const std::vector<ListedTest>& tests);
 
+// Returns the version of the tests: "0.2.0, 5826 tests, digest 1f3a...". It distinguishes suite programs that
+// were built from different sources, as far as their tests tell.
+std::string suite_id(const std::vector<ListedTest>& tests);
+
+// --- the first line that a worker elsewhere reads
+
+struct WorkerOptions {
+  std::vector<std::string> options;  // of the suite program
+  std::string programs;              // content of the file that --programs names; empty: there is none
+};
+std::string to_line(const WorkerOptions& options);
+// Returns none if the line has another form.
+std::optional<WorkerOptions> parse_worker_options(const std::string& line);
+
 // --- jobs of a worker, one line each
 
 struct Job {
@@ -77,8 +91,14 @@ struct TestFinished {
 struct TestsListed {
   std::vector<ListedTest> tests;
 };
+// The running case as a C program, written before it runs and again with the check of its failure; or "#error
+// REASON" if there is none in this style. Written only if a program was asked for.
+struct ProgramWritten {
+  std::string text;
+};
 // Properties of the implementation that are known before a test runs.
 struct Description {
+  std::string suite;  // suite_id() of the worker
   ImplementationRecord implementation;
   std::vector<std::string> captures;  // names of all captures that can be tried
 };
@@ -86,6 +106,8 @@ struct Description {
 struct CannotOpen {
   std::string reason;
 };
+// A worker elsewhere has found that its job hangs, and ends.
+struct Hung {};
 // The last event of a process that a signal ends.
 struct Crashed {
   Crash crash;
@@ -98,7 +120,7 @@ struct OtherEvent {
 };
 using Event =
     std::variant<JobStarted, JobEnded, StillRunning, CaseStarted, CaseFailed, TestFinished, TestsListed,
-                 Description, CaptureRecord, CannotOpen, Crashed, RunEnded, OtherEvent>;
+                 ProgramWritten, Description, CaptureRecord, CannotOpen, Hung, Crashed, RunEnded, OtherEvent>;
 
 std::string to_line(const Event& event);
 // Returns none if the line is not an event, for example because it was cut off.

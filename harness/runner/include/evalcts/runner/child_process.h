@@ -41,9 +41,10 @@ class ChildProcess {
   enum class Prints { kUnlimited, kLimited };
 
   // Starts the program command[0], a path. Standard input is `input`, a descriptor; negative: it is empty.
-  // Standard output and error are appended to `log` (empty: discarded). Throws CannotSpawn.
+  // Standard output and error are appended to `log` (empty: discarded); only standard error, if standard
+  // output is `output`, a descriptor. Throws CannotSpawn.
   ChildProcess(const std::vector<std::string>& command, const std::string& log,
-               Prints prints = Prints::kUnlimited, int input = -1);
+               Prints prints = Prints::kUnlimited, int input = -1, int output = -1);
   // Kills the process if it is still running.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;

@@ -40,6 +40,7 @@ struct WorkerRun {
   bool complete = false;     // all jobs have ended
   std::string cannot_start;  // the reason if the implementation does not start, otherwise empty
   std::string printed;       // the first lines that the process printed
+  std::string program;       // the latest ProgramWritten; empty: none
   Ending ending;
 
   // The next two are for processes that have ended.
@@ -60,7 +61,9 @@ using EachEvent = std::function<void(const Event& event)>;
 
 class Worker {
  public:
-  // Starts `command`, the suite program with the options of the implementation. All output other than events
+  // Starts `command`, the suite program with the options of the implementation. With "--worker", COMMAND
+  // among them, a shell starts COMMAND --remote instead, which runs the suite program anywhere: it reads
+  // the other options from standard input, and writes events to standard output. All output other than events
   // is appended to `log` (empty: discarded), which keeps kMostPrinted bytes of each test. The process is
   // killed if it reports no event for limits.seconds_per_test while it has a job (it then counts as hung), or
   // if it exceeds limits.memory. Throws CannotSpawn.
@@ -99,6 +102,8 @@ class Worker {
   int input_ = -1;                        // a socket, standard input of the process; -1: closed
   bool is_finishing_ = false;
   std::string unwritten_;  // jobs that the pipe could not take yet
+  bool is_elsewhere_ = false;
+  std::string foreign_;    // the first lines that are no events
   std::string partial_;    // the beginning of an event whose end has not arrived yet
   std::deque<Job> waiting_;
   std::chrono::steady_clock::time_point latest_event_ = std::chrono::steady_clock::now();

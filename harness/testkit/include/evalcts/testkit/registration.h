@@ -36,6 +36,7 @@ struct TestInfo {
   std::string source = {};  // see TestRecord
 
   std::string full_name() const { return suite + "." + name; }
+  ListedTest listed() const { return {full_name(), requirements, level, from, source}; }
 };
 
 // Returns all tests, sorted by suite and name.

@@ -18,10 +18,10 @@ namespace evalcts {
 
 class Reproduction {
  public:
-  // `implementation`: the implementation under test, which must outlive the object. `file`: the C program to
-  // write, or "#error REASON" if there is none in this style. Running a case throws std::runtime_error if the
-  // file cannot be written.
-  Reproduction(Implementation& implementation, std::string file, gl::CStyle style);
+  // `implementation`: the implementation under test, which must outlive the object. `write`: called with each C
+  // program, or "#error REASON" if there is none in this style.
+  using Write = std::function<void(const std::string& program)>;
+  Reproduction(Implementation& implementation, Write write, gl::CStyle style);
   ~Reproduction();
 
   // Returns the recording implementation, on which the test must run.
