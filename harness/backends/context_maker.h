@@ -76,6 +76,9 @@ enum class GlxRendering { kDirect, kIndirect };
 std::unique_ptr<ContextMaker> make_glx_contexts(const std::string& library, GlxRendering rendering,
                                                 const std::string& in_front = "");
 
+// Makes contexts of WGL, of Windows. `library`: a path or a name; empty: opengl32.dll. Throws CannotStart.
+std::unique_ptr<ContextMaker> make_wgl_contexts(const std::string& library);
+
 // Loads a provider, a shared library that implements evalcts_provider.h. Throws CannotStart.
 std::unique_ptr<ContextMaker> load_provider(const std::string& path);
 

@@ -12,6 +12,7 @@
 #include <evalcts/backends/gl_environment.h>
 #include <evalcts/gl/contexts.h>
 #include "context_maker.h"
+#include "framebuffer_object.h"
 #include "shared_library.h"
 
 namespace evalcts {
@@ -84,20 +85,6 @@ struct Candidate {
   std::string name;
   EGLenum platform;  // EGL_NONE: opened by eglGetDisplay
   void* native;
-};
-
-// The commands that make a framebuffer object for a context.
-// clang-format off
-#define FRAMEBUFFER_COMMANDS(X)                                                    \
-  X(GenFramebuffers) X(BindFramebuffer) X(GenRenderbuffers) X(BindRenderbuffer)    \
-  X(RenderbufferStorage) X(FramebufferRenderbuffer) X(CheckFramebufferStatus)      \
-  X(DrawBuffer) X(ReadBuffer) X(Viewport) X(Scissor) X(GetError)
-// clang-format on
-
-struct FramebufferCommands {
-#define X(name) decltype(&::gl##name) name = nullptr;
-  FRAMEBUFFER_COMMANDS(X)
-#undef X
 };
 
 enum class Api { kOpengl, kGles2 };
@@ -241,7 +228,11 @@ class EglContexts final : public ContextMaker {
         if (made->surface == EGL_NO_SURFACE) throw failure("eglCreatePbufferSurface");
       }
       make_current(made.get());
-      if (surfaceless_) bind_framebuffer();
+      if (surfaceless_)
+        framebuffer_.bind([this](const char* name) {
+          void* const own = exported(name);
+          return own ? own : address_of(name);
+        });
     } catch (const CannotStart&) {
       destroy(made.release());
       throw;
@@ -374,55 +365,12 @@ class EglContexts final : public ContextMaker {
     }
   }
 
-  void load_framebuffer_commands() {
-    const auto find = [&](const char* name) {
-      void* own = exported(name);
-      void* address = own ? own : address_of(name);
-      if (!address)
-        throw CannotStart(
-            fmt::format("{} is missing: a context without a surface needs a framebuffer object", name));
-      return address;
-    };
-#define X(name) gl_.name = reinterpret_cast<decltype(gl_.name)>(find("gl" #name));
-    FRAMEBUFFER_COMMANDS(X)
-#undef X
-  }
-
-  // Binds a complete framebuffer object, without which every Begin raises INVALID_FRAMEBUFFER_OPERATION. The
-  // objects are destroyed with the context. Viewport and scissor box of a context without a surface are
-  // initially empty.
-  void bind_framebuffer() {
-    if (!gl_.GetError) load_framebuffer_commands();
-    GLuint framebuffer = 0;
-    GLuint renderbuffers[2] = {};
-    gl_.GenFramebuffers(1, &framebuffer);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    gl_.GenRenderbuffers(2, renderbuffers);
-    gl_.BindRenderbuffer(GL_RENDERBUFFER, renderbuffers[0]);
-    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kFramebufferSide, kFramebufferSide);
-    gl_.BindRenderbuffer(GL_RENDERBUFFER, renderbuffers[1]);
-    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, kFramebufferSide, kFramebufferSide);
-    gl_.BindRenderbuffer(GL_RENDERBUFFER, 0);
-    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, renderbuffers[0]);
-    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, renderbuffers[1]);
-    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, GL_RENDERBUFFER, renderbuffers[1]);
-    gl_.DrawBuffer(GL_COLOR_ATTACHMENT0);
-    gl_.ReadBuffer(GL_COLOR_ATTACHMENT0);
-    gl_.Viewport(0, 0, kFramebufferSide, kFramebufferSide);
-    gl_.Scissor(0, 0, kFramebufferSide, kFramebufferSide);
-    const GLenum status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
-    const GLenum error = gl_.GetError();
-    if (status != GL_FRAMEBUFFER_COMPLETE || error != GL_NO_ERROR)
-      throw CannotStart(fmt::format(
-          "the framebuffer object is not complete (status 0x{:04X}, error 0x{:04X})", status, error));
-  }
-
   bool opengl() const { return api_ == Api::kOpengl; }
 
   SharedLibrary library_;
   Functions egl_;
   Api api_;
-  FramebufferCommands gl_;
+  FramebufferObject framebuffer_;  // of contexts without a surface
   std::string client_extensions_;
   // Stays initialized until the process ends: drivers have exit handlers of their own.
   EGLDisplay display_ = EGL_NO_DISPLAY;

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <link.h>
 
 #include <algorithm>
 #include <array>
@@ -70,6 +69,10 @@ std::string value_of(const char* variable) {
   const char* const value = std::getenv(variable);
   return value ? value : "";
 }
+
+// Beginnings of the names of libraries of GLs, on Linux and on Windows.
+constexpr const char* kFilesOfGl[] = {"libEGL",    "libGL",    "libOSMesa", "libgallium", "libvulkan",
+                                      "libnvidia", "opengl32", "osmesa",    "nvoglv",     "atio"};
 
 // Drivers whose name is part of GL_RENDERER; the first kSoftware of them run on the processor.
 constexpr std::array<std::string_view, 7> kNamed = {"llvmpipe", "softpipe", "swr",   "zink",
@@ -151,18 +154,12 @@ std::string describe_egl_vendors() {
 }
 
 std::vector<std::string> loaded_gl_files() {
-  std::vector<std::string> files;
-  dl_iterate_phdr(
-      [](dl_phdr_info* info, std::size_t, void* all) {
-        const std::string name = fs::path(info->dlpi_name).filename().string();
-        bool is_of_gl = name.find("_dri.so") != std::string::npos;
-        for (const char* const beginning :
-             {"libEGL", "libGL", "libOSMesa", "libgallium", "libvulkan", "libnvidia"})
-          is_of_gl = is_of_gl || name.starts_with(beginning);
-        if (is_of_gl) static_cast<std::vector<std::string>*>(all)->emplace_back(info->dlpi_name);
-        return 0;
-      },
-      &files);
+  std::vector<std::string> files = loaded_libraries();
+  std::erase_if(files, [](const std::string& file) {
+    const std::string name = fs::path(file).filename().string();
+    return name.find("_dri.so") == std::string::npos &&
+           std::ranges::none_of(kFilesOfGl, [&](const char* beginning) { return name.starts_with(beginning); });
+  });
   return files;
 }
 

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +10,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <functional>
+#ifndef _WIN32
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
 
 #include <evalcts/backends/rejected_queries.h>
 #include <evalcts/gl/errors.h>
@@ -34,6 +36,7 @@ struct Interface {
 const Interface kOSMesa = {"osmesa", {"OSMesaCreateContextExt", "OSMesaCreateContext"}};
 const Interface kEgl = {"egl", {"eglGetDisplay"}};
 const Interface kGlx = {"glx", {"glXCreateNewContext"}};
+const Interface kWgl = {"wgl", {"wglCreateContext"}};
 
 bool has_interface(const SharedLibrary& library, const Interface& interface) {
   return std::ranges::any_of(interface.functions,
@@ -59,6 +62,7 @@ const std::vector<NamedContexts>& named_contexts() {
       {"glx", &kGlx, [](Library library) { return make_glx_contexts(library, GlxRendering::kDirect); }},
       {"glx-indirect", &kGlx,
        [](Library library) { return make_glx_contexts(library, GlxRendering::kIndirect); }},
+      {"wgl", &kWgl, [](Library library) { return make_wgl_contexts(library); }},
       {"none", nullptr, [](Library) { return make_no_contexts(); }},
   };
   return kAll;
@@ -67,23 +71,26 @@ const std::vector<NamedContexts>& named_contexts() {
 std::string guessed_kind(const std::string& path) {
   const SharedLibrary library(path);
   if (library.exported("evalcts_sink_open")) return "sink";
-  for (const Interface* interface : {&kOSMesa, &kEgl, &kGlx})
+  for (const Interface* interface : {&kOSMesa, &kEgl, &kGlx, &kWgl})
     if (has_interface(library, *interface)) return interface->name;
   if (library.exported("evalcts_provider_open"))
     throw CannotStart(fmt::format("{0} is a provider of contexts: pass it with --context", path));
   throw CannotStart(fmt::format(
       "{}: choose the interface that creates its contexts with --context ({}, or the path of a provider, see "
       "evalcts_provider.h)",
-      fmt::format("{} exports none of OSMesaCreateContext, eglGetDisplay, glXCreateNewContext and "
-                  "evalcts_sink_open",
+      fmt::format("{} exports none of OSMesaCreateContext, eglGetDisplay, glXCreateNewContext, "
+                  "wglCreateContext and evalcts_sink_open",
                   path),
       fmt::join(context_names(), ", ")));
 }
 
-// Returns true if the library makes contexts of this kind itself. It is loaded in another process, because a
-// layer may have to be loaded once the context below it is current.
+// Returns true if the library makes contexts of this kind itself. Where there is fork(), it is loaded in another
+// process, because a layer may have to be loaded once the context below it is current.
 bool makes_its_contexts(const std::string& path, const NamedContexts& contexts) {
   if (path.empty() || !contexts.interface) return false;
+#ifdef _WIN32
+  return has_interface(SharedLibrary(path), *contexts.interface);
+#else
   const pid_t child = fork();
   if (child < 0) throw CannotStart(fmt::format("fork: {}", std::strerror(errno)));
   if (child == 0) {
@@ -98,6 +105,7 @@ bool makes_its_contexts(const std::string& path, const NamedContexts& contexts) 
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   return WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS;
+#endif
 }
 
 std::unique_ptr<Implementation> open_with_context(const ImplementationOptions& options) {
@@ -145,6 +153,7 @@ const std::vector<ImplementationKind>& implementation_kinds() {
        "libosmesa6", false},
       {"dropin-egl", "the same in front of libEGL, without a window system", "libegl1", false},
       {"dropin-glx", "the same in front of libGL, rendering directly, under an X server", "xvfb", false},
+      {"wgl", "the GL of opengl32.dll on Windows, where a worker judges it (--worker)", "", false},
       {"sink", "an evaluator that is not a GL, given with --library", "", false},
   };
   return kKinds;
@@ -168,6 +177,7 @@ std::unique_ptr<Implementation> open_implementation(const ImplementationOptions&
     const GlxRendering rendering = name == "glx" ? GlxRendering::kDirect : GlxRendering::kIndirect;
     return make_gl_library(name, make_glx_contexts(options.library, rendering), "");
   }
+  if (name == "wgl") return make_gl_library(name, make_wgl_contexts(options.library), "");
   if (name == "dropin" || name == "dropin-egl" || name == "dropin-glx")
     return open_dropin(name, options.library);
   if (name == "sink") return open_sink(options.library);
@@ -180,6 +190,12 @@ std::unique_ptr<Implementation> open_implementation(const ImplementationOptions&
   for (const ImplementationKind& kind : implementation_kinds()) known.push_back(kind.name);
   throw CannotStart(fmt::format("unknown implementation '{}'; known are: {}", name, fmt::join(known, ", ")));
 }
+
+#ifndef _WIN32
+std::unique_ptr<ContextMaker> make_wgl_contexts(const std::string&) {
+  throw CannotStart("WGL needs a worker on Windows, which --worker starts");
+}
+#endif
 
 namespace {
 

@@ -22,6 +22,12 @@ using MakeCurrent = GLboolean (*)(OSMesaContext, void* buffer, GLenum type, GLsi
 using DestroyContext = void (*)(OSMesaContext);
 using GetProcAddress = void* (*)(const char* name);
 
+#ifdef _WIN32
+constexpr char kUsualLibrary[] = "osmesa.dll";
+#else
+constexpr char kUsualLibrary[] = "libOSMesa.so.8";
+#endif
+
 class OSMesaContexts final : public ContextMaker {
  public:
   OSMesaContexts(const std::string& library, const std::string& in_front)
@@ -119,7 +125,7 @@ class OSMesaContexts final : public ContextMaker {
 std::unique_ptr<ContextMaker> make_osmesa_contexts(const std::string& library, const std::string& in_front) {
   if (!library.empty()) return std::make_unique<OSMesaContexts>(library, in_front);
   try {
-    return std::make_unique<OSMesaContexts>("libOSMesa.so.8", in_front);
+    return std::make_unique<OSMesaContexts>(kUsualLibrary, in_front);
   } catch (const CannotStart& error) {
     try {
       return std::make_unique<OSMesaContexts>("libOSMesa.so", in_front);

@@ -131,4 +131,15 @@ std::string SharedLibrary::path() const {
   return map && map->l_name && *map->l_name ? map->l_name : name_;
 }
 
+std::vector<std::string> loaded_libraries() {
+  std::vector<std::string> files;
+  dl_iterate_phdr(
+      [](dl_phdr_info* info, std::size_t, void* all) {
+        static_cast<std::vector<std::string>*>(all)->emplace_back(info->dlpi_name);
+        return 0;
+      },
+      &files);
+  return files;
+}
+
 }  // namespace evalcts

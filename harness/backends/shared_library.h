@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace evalcts {
 
@@ -29,5 +30,8 @@ class SharedLibrary {
   void* handle_;
   void* front_ = nullptr;
 };
+
+// Returns the paths of the libraries that this process has loaded.
+std::vector<std::string> loaded_libraries();
 
 }  // namespace evalcts

@@ -61,7 +61,7 @@ std::vector<const KnownBug*> bugs_of_baseline(const TestRecord& test) {
   return bugs;
 }
 
-Difference death_of(const TestRecord& test) {
+Difference recorded_death(const TestRecord& test) {
   return {test.verdict == Verdict::kTimeout ? Difference::kHang : Difference::kCrash, test.place_of_death(),
           ""};
 }
@@ -73,7 +73,7 @@ const KnownBug* accepted_bug(const TestRecord& test, const Proofs& proofs) {
     if (bug->programs.empty()) return bug;
     const auto proof = proofs.find(bug->id);
     if (proof == proofs.end()) continue;
-    if (!is_death(test.verdict) || proof->second.failure.difference == death_of(test)) return bug;
+    if (!is_death(test.verdict) || proof->second.failure.difference == recorded_death(test)) return bug;
   }
   return nullptr;
 }
@@ -252,7 +252,7 @@ class BugSearch {
     std::map<std::string, std::size_t> attempts;
     for (const TestRecord* test : deaths) {
       if (interrupted) return;
-      const std::string place = test->place_of_death().empty() ? std::string() : death_of(*test).text();
+      const std::string place = test->place_of_death().empty() ? std::string() : recorded_death(*test).text();
       if (!place.empty() && attempts[place]++ >= kMostTestsOfPlace) {
         take({test->name, {}, kSamePlace});
         continue;
@@ -282,7 +282,7 @@ class BugSearch {
              std::chrono::duration<double>(Clock::now() - begin).count() > kSecondsOfDeath;
     };
     std::optional<Finding> finding = fuzz::reduce_death(
-        program, death_of(test),
+        program, recorded_death(test),
         [&](const gl::Case& candidate) { return is_over() ? std::nullopt : run_alone(candidate, patience); },
         deaths_, kMostAttemptsOfDeath, max_eval_order());
     if (!finding)
@@ -468,12 +468,12 @@ std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduc
     const Finding& minimal = *found->second.minimal;
     const std::string key = add(test, minimal.cause, &minimal, "");
     of_likeness.try_emplace(likeness_of(test), key);
-    if (!test.place_of_death().empty()) of_place.try_emplace(death_of(test).text(), key);
+    if (!test.place_of_death().empty()) of_place.try_emplace(recorded_death(test).text(), key);
   }
   for (const auto& [test, why] : left) {
     const auto alike = of_likeness.find(likeness_of(*test));
     const auto same_place =
-        test->place_of_death().empty() ? of_place.end() : of_place.find(death_of(*test).text());
+        test->place_of_death().empty() ? of_place.end() : of_place.find(recorded_death(*test).text());
     if (!accepted_bug(*test, proofs) && same_place != of_place.end())
       groups.at(same_place->second).tests.push_back(test);
     else if (!accepted_bug(*test, proofs) && test->place_of_death().empty() && alike != of_likeness.end() &&

@@ -2,18 +2,19 @@
 // end.
 #include <evalcts/gl/player.h>
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cfenv>
 #include <future>
 #include <list>
 #include <map>
+#ifdef _WIN32
+#include <xmmintrin.h>
+#endif
 
 #include <evalcts/gl/call_in_flight.h>
 #include <evalcts/gl/errors.h>
+#include "pages.h"
 
 namespace evalcts::gl {
 namespace {
@@ -21,6 +22,9 @@ namespace {
 constexpr std::byte kFiller{0xA5};
 constexpr std::size_t kMostErrors = 16;
 
+#ifdef _WIN32
+constexpr unsigned kDefaultMxcsr = 0x1F80;
+#endif
 constexpr std::byte kUnlikely{0x4B};  // a float or double of these bytes is a large finite number
 
 // Pages between two inaccessible pages. A few are kept for reuse, because mapping them costs more than most
@@ -30,11 +34,11 @@ class FencedPages {
   static FencedPages take(std::size_t count) {
     FencedPages pages(count);
     if (count > kFew) {
-      pages.map();
+      pages.base_ = map_pages(count);
       return pages;
     }
     if (kept_of(count).empty()) {
-      pages.map();
+      pages.base_ = map_pages(count);
     } else {
       pages.base_ = kept_of(count).back();
       kept_of(count).pop_back();
@@ -53,14 +57,10 @@ class FencedPages {
       unmap();
   }
 
-  static std::size_t page_size() {
-    static const auto kSize = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-    return kSize;
-  }
   std::byte* end() const { return base_ + count_ * page_size(); }
-  void unmap() { munmap(std::exchange(base_, nullptr) - page_size(), (count_ + 2) * page_size()); }
+  void unmap() { unmap_pages(std::exchange(base_, nullptr), count_); }
   void protect() {
-    mprotect(base_, count_ * page_size(), PROT_NONE);
+    protect_pages(base_, count_);
     protected_ = true;
   }
 
@@ -68,13 +68,6 @@ class FencedPages {
   static constexpr std::size_t kFew = 4, kMostKept = 512;
 
   explicit FencedPages(std::size_t count) : count_(count) {}
-  void map() {
-    void* memory = mmap(nullptr, (count_ + 2) * page_size(), PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED) throw std::bad_alloc();
-    base_ = static_cast<std::byte*>(memory) + page_size();
-    // Fails if the process has too many mappings.
-    if (mprotect(base_, count_ * page_size(), PROT_READ | PROT_WRITE) != 0) throw std::bad_alloc();
-  }
   static std::vector<std::byte*>& kept_of(std::size_t count) {
     static thread_local std::array<std::vector<std::byte*>, kFew + 1> kept;
     return kept[count];
@@ -90,7 +83,7 @@ class ClientArray {
  public:
   explicit ClientArray(const Input& input)
       : size_(input.bytes.size()),
-        pages_(FencedPages::take((size_ + FencedPages::page_size() - 1) / FencedPages::page_size())) {
+        pages_(FencedPages::take((size_ + page_size() - 1) / page_size())) {
     fill(input);
   }
 
@@ -315,6 +308,9 @@ Trace play(const Case& script, const Table& table, const std::function<void(std:
            const std::function<void(bool)>& set_current) {
   Trace trace = Player(table, set_current).play(script, after_each);
   std::fesetenv(FE_DFL_ENV);
+#ifdef _WIN32
+  _mm_setcsr(kDefaultMxcsr);  // fesetenv() of mingw leaves it as it is
+#endif
   return trace;
 }
 

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <string_view>
 
+#include <evalcts/gl/tokens.h>
+
 namespace evalcts::gl {
 namespace {
 

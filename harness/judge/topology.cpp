@@ -417,7 +417,7 @@ class MeshMatch {
     for (std::size_t n = 0; n < expected.size(); ++n) {
       const std::size_t count = pieces_of_quad();
       if (count == 0) return false;
-      const auto far = [&](const Quad& quad) {
+      const auto distance_to = [&](const Quad& quad) {
         double sum = 0;
         for (std::size_t i = next_; i < next_ + count; ++i)
           for (const ObservedVertex& vertex : seen_[i].vertices) {
@@ -432,7 +432,7 @@ class MeshMatch {
       sums.for_each_from(distance_.sum(seen_[next_].vertices[0]), [&](std::size_t i, double at_least) {
         if (found[i]) return true;
         if (at_least >= least || ++comparisons_ > kMostComparisons) return false;
-        if (const double distance = far(expected[i]); distance < least) nearest = i, least = distance;
+        if (const double distance = distance_to(expected[i]); distance < least) nearest = i, least = distance;
         return true;
       });
       if (nearest == expected.size() || comparisons_ > kMostComparisons) return false;

@@ -4,14 +4,12 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <fstream>
 #include <map>
 #include <utility>
 
 #include <evalcts/gl/case_json.h>
 #include <evalcts/gl/roles.h>
 #include <evalcts/judge/prediction.h>
-#include <evalcts/results/files.h>
 #include "state.h"
 
 namespace evalcts::record {
@@ -168,25 +166,6 @@ std::vector<Program> programs_of(const Recording& recording, const Frames& frame
         [&] { splitter.end_frame(); });
     splitter.end();
   }
-  return programs;
-}
-
-void write_programs(const std::filesystem::path& file, const std::vector<Program>& programs) {
-  std::string text;
-  for (const Program& program : programs) text += program.name + "\t" + program.commands + "\n";
-  write_atomically(file, text);
-}
-
-std::vector<Program> read_programs(const std::filesystem::path& file) {
-  std::ifstream lines(file);
-  std::vector<Program> programs;
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t tab = line.find('\t');
-    if (tab == std::string::npos)
-      throw std::runtime_error(fmt::format("'{}' is not a file of programs", file.string()));
-    programs.push_back({line.substr(0, tab), line.substr(tab + 1)});
-  }
-  if (programs.empty()) throw std::runtime_error(fmt::format("'{}' has no programs", file.string()));
   return programs;
 }
 

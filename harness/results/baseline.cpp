@@ -1,6 +1,5 @@
 // Reads, applies and writes the files of baselines.
 #include <evalcts/results/baseline.h>
-#include <fnmatch.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,6 +15,7 @@
 #include <evalcts/results/files.h>
 #include <evalcts/results/requirements.h>
 #include <evalcts/results/text.h>
+#include "posix.h"
 
 namespace evalcts {
 namespace {

@@ -1,21 +1,19 @@
 // Implements EventFile. Before each line, it checks that the descriptor still refers to the file or pipe.
 #include <evalcts/results/event_file.h>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 
 #include <evalcts/results/files.h>
+#include "posix.h"
 
 namespace evalcts {
 
 EventFile::EventFile(const std::filesystem::path& path) : process_(getpid()) {
   if (path.empty()) return;
-  path_ = std::filesystem::absolute(path);
+  path_ = std::filesystem::absolute(path).string();
   open();
 }
 
@@ -33,7 +31,7 @@ void EventFile::open() {
 void EventFile::identify() {
   struct stat file {};
   if (descriptor_ < 0 || fstat(descriptor_, &file) != 0)
-    throw CannotWrite(fmt::format("cannot write '{}': {}", path_.string(), std::strerror(errno)));
+    throw CannotWrite(fmt::format("cannot write '{}': {}", path_, std::strerror(errno)));
   device_ = file.st_dev;
   inode_ = file.st_ino;
 }

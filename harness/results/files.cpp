@@ -1,15 +1,15 @@
 // Reads whole files, and replaces files atomically by renaming a complete new one.
 #include <evalcts/results/files.h>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <sstream>
 #include <utility>
+
+#include "posix.h"
 
 namespace evalcts {
 
@@ -27,7 +27,7 @@ void write_atomically(const std::filesystem::path& path, const std::string& cont
     std::filesystem::remove(temporary, ignored);
     throw CannotWrite(fmt::format("cannot {} '{}': {}", what, path.string(), std::strerror(error)));
   };
-  const int descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  const int descriptor = open(temporary.string().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) fail("create");
   for (std::size_t done = 0; done < content.size();) {
     const ssize_t written = write(descriptor, content.data() + done, content.size() - done);
@@ -39,7 +39,10 @@ void write_atomically(const std::filesystem::path& path, const std::string& cont
     done += static_cast<std::size_t>(written);
   }
   if (fsync(descriptor) != 0 || close(descriptor) != 0) fail("write");
-  if (rename(temporary.c_str(), path.c_str()) != 0) fail("replace");
+  std::error_code error;
+  std::filesystem::rename(temporary, path, error);
+  errno = error.value();
+  if (error) fail("replace");
 }
 
 }  // namespace evalcts

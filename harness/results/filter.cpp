@@ -1,8 +1,9 @@
 // Matches names against the patterns of filters.
 #include <evalcts/results/filter.h>
-#include <fnmatch.h>
 
 #include <sstream>
+
+#include "posix.h"
 
 namespace evalcts {
 namespace {

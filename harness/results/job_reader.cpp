@@ -1,21 +1,15 @@
 // Implements the channels of a worker.
 #include <evalcts/results/job_reader.h>
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <array>
 #include <cerrno>
 
+#include "posix.h"
+
 namespace evalcts {
-namespace {
 
-constexpr int kFirstDescriptor = 100;  // a library hardly closes descriptors from here on
-
-}  // namespace
-
-JobReader::JobReader() : descriptor_(fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, kFirstDescriptor)) {
-  const int empty = open("/dev/null", O_RDONLY | O_CLOEXEC);
+JobReader::JobReader() : descriptor_(duplicate(STDIN_FILENO)) {
+  const int empty = open(kNoFile, O_RDONLY | O_CLOEXEC);
   dup2(empty, STDIN_FILENO);
   close(empty);
 }
@@ -37,7 +31,7 @@ std::optional<std::string> JobReader::next() {
 }
 
 int take_standard_output() {
-  const int events = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, kFirstDescriptor);
+  const int events = duplicate(STDOUT_FILENO);
   dup2(STDERR_FILENO, STDOUT_FILENO);
   return events;
 }

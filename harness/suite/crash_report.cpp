@@ -3,18 +3,18 @@
 
 #include <dlfcn.h>
 #include <execinfo.h>
+#include <pthread.h>
 #include <sys/types.h>
 #include <ucontext.h>
 #include <unistd.h>
 
 #include <array>
-#include <charconv>
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 
-#include <evalcts/gl/call_in_flight.h>
+#include "crash_line.h"
 
 namespace evalcts {
 namespace {
@@ -23,36 +23,12 @@ constexpr std::array kSignals = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr std::size_t kMostFrames = 8;      // number of reported frames
 constexpr std::size_t kMostUnwound = 64;    // number of unwound frames, including those of the handler
 constexpr std::size_t kStack = 128 * 1024;  // bytes of the handler's own stack, for stack overflows
-constexpr std::size_t kMostOfLine = 4096;   // maximum length of an event, in bytes
 constexpr std::string_view kLibraryOfRaise = "libc.so";
 
 const EventFile* events_of_process = nullptr;
+pthread_t worker;  // the thread that runs jobs
 std::array<struct sigaction, kSignals.size()> earlier_actions;
 alignas(16) std::array<std::byte, kStack> handler_stack;
-
-// A line of JSON that is built without allocating memory.
-class Line {
- public:
-  void add(std::string_view text) {
-    for (const char c : text)
-      if (length_ < text_.size()) text_[length_++] = c;
-  }
-  // Adds text of unknown origin, without characters that need escapes in JSON.
-  void add_text(std::string_view text) {
-    for (const char c : text)
-      if (c >= ' ' && c < 0x7F && c != '"' && c != '\\') add({&c, 1});
-  }
-  void add_number(std::uint64_t value, int base = 10) {
-    std::array<char, 24> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, base).ptr;
-    add({digits.data(), static_cast<std::size_t>(end - digits.data())});
-  }
-  std::string_view text() const { return {text_.data(), length_}; }
-
- private:
-  std::array<char, kMostOfLine> text_{};
-  std::size_t length_ = 0;
-};
 
 std::string_view file_name(const char* path) {
   const std::string_view whole = path ? path : "";
@@ -82,20 +58,13 @@ std::uintptr_t return_address(const ucontext_t& context) {
 }
 
 // Adds "libGL.so.1 glGetMapiv+0x2c", or "libGL.so.1+0x5d2c" in a function that is not exported.
-void add_frame(Line& line, std::uintptr_t address, const Dl_info& info) {
-  const std::string_view module = file_name(info.dli_fname);
-  line.add_text(module.empty() ? "code of no file" : module);
-  if (module.empty()) return;
-  if (info.dli_sname) {
-    line.add(" ");
-    line.add_text(info.dli_sname);
-  }
-  line.add("+0x");
-  line.add_number(
-      address - reinterpret_cast<std::uintptr_t>(info.dli_sname ? info.dli_saddr : info.dli_fbase), 16);
+void add_frame(CrashLine& line, std::uintptr_t address, const Dl_info& info) {
+  line.add_frame(
+      file_name(info.dli_fname), info.dli_sname ? info.dli_sname : "",
+      address - reinterpret_cast<std::uintptr_t>(info.dli_sname ? info.dli_saddr : info.dli_fbase));
 }
 
-void add_frames(Line& line, const siginfo_t& signal, const ucontext_t& context) {
+void add_frames(CrashLine& line, const siginfo_t& signal, const ucontext_t& context) {
   std::array<void*, kMostUnwound> unwound{};
   auto count = static_cast<std::size_t>(backtrace(unwound.data(), static_cast<int>(unwound.size())));
   const std::uintptr_t interrupted = interrupted_address(context);
@@ -123,27 +92,15 @@ void add_frames(Line& line, const siginfo_t& signal, const ucontext_t& context) 
       continue;  // frames of raise() and abort() do not show the root cause
     left_library = written > 0 && info.dli_fbase == own.dli_fbase;
     if (left_library) break;
-    line.add(written++ > 0 ? R"(",")" : R"(")");
     add_frame(line, address, info);
+    ++written;
   }
-  if (written > 0) line.add(R"(")");
 }
 
 void handle(int signal, siginfo_t* details, void* context) {
-  Line line;
-  line.add(R"({"event":"crash","crash":{"call":")");
-  if (const gl::Command* const command = gl::call_in_flight.command) {
-    std::array<char, 256> text{};
-    line.add_text({text.data(), gl::write_call(*command, text.data(), text.size())});
-    line.add(R"(","commands_before":)");
-    line.add_number(gl::call_in_flight.position);
-  } else {
-    line.add(R"(","commands_before":0)");
-  }
-  line.add(R"(,"frames":[)");
+  CrashLine line;
   add_frames(line, *details, *static_cast<const ucontext_t*>(context));
-  line.add("]}}\n");
-  events_of_process->write_in_handler(line.text());
+  events_of_process->write_in_handler(line.finish());
   // The earlier action runs when the handler returns: the faulting instruction is executed again, or raise()
   // sends the signal again.
   for (std::size_t i = 0; i < kSignals.size(); ++i)
@@ -155,12 +112,10 @@ void handle(int signal, siginfo_t* details, void* context) {
 
 void report_crashes(const EventFile& events) {
   events_of_process = &events;
-  // The first calls of these functions load a library and build a table, which is not allowed in
-  // a signal handler.
+  // The first call of this function loads a library, which is not allowed in a signal handler.
   void* unused = nullptr;
   backtrace(&unused, 1);
-  gl::call_text({gl::EntryPoint::Begin, {std::int64_t{0}}});
-  gl::call_text({gl::EntryPoint::Enable, {std::int64_t{0}}});
+  CrashLine::prepare();
   stack_t stack{};
   stack.ss_sp = handler_stack.data();
   stack.ss_size = handler_stack.size();
@@ -169,6 +124,14 @@ void report_crashes(const EventFile& events) {
   action.sa_sigaction = handle;
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &action, &earlier_actions[i]);
+  worker = pthread_self();
+}
+
+void end_hanging_job() {
+  constexpr int kHung = 124, kMostSecondsToReport = 1;
+  pthread_kill(worker, SIGABRT);
+  sleep(kMostSecondsToReport);
+  _exit(kHung);
 }
 
 }  // namespace evalcts

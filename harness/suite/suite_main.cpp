@@ -3,21 +3,14 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <malloc.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <iterator>
@@ -37,9 +30,9 @@
 #include <evalcts/results/filter.h>
 #include <evalcts/results/job_reader.h>
 #include <evalcts/results/serialization.h>
-#include <evalcts/runner/child_process.h>
 #include <evalcts/runner/worker.h>
 #include "crash_report.h"
+#include "process.h"
 #include "session.h"
 #include "watchdog.h"
 
@@ -126,8 +119,7 @@ void start_with_mesa_build(const std::string& folder, char** argv) {
   } catch (const CannotStart&) {
     return;
   }
-  execv("/proc/self/exe", argv);
-  throw CannotStart(fmt::format("cannot start again for --mesa-build: {}", std::strerror(errno)));
+  throw CannotStart("cannot start again for --mesa-build: " + start_again(argv));
 }
 
 void parse(int argc, char** argv, Options& options) {
@@ -248,7 +240,7 @@ class JobLoop {
       std::cout.flush();
       // Another process continues if this one has little memory left, or if the library has closed files.
       if (events_.was_closed() ||
-          (options_.renew_above != 0 && resident_memory(getpid()) > options_.renew_above << 20)) {
+          (options_.renew_above != 0 && own_memory() > options_.renew_above << 20)) {
         std::fflush(stdout);
         _exit(0);
       }
@@ -361,10 +353,7 @@ int run(std::vector<std::string> words, const Wrapping& wrapping) {
     use_programs(options.programs);
     if (is_elsewhere) fs::remove(options.programs);
   }
-  if (options.is_worker) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    std::ofstream("/proc/self/oom_score_adj") << 1000;  // if memory runs out, this process is killed first
-  }
+  if (options.is_worker) prepare_worker();
   // Never destroyed, because a library that calls exit() inside a test must not run the destructor
   // of its context.
   static EventFile& events = is_elsewhere ? *new EventFile(take_standard_output()) : *new EventFile(options.events);
@@ -381,13 +370,7 @@ int run(std::vector<std::string> words, const Wrapping& wrapping) {
 }  // namespace
 
 int suite_main(int argc, char** argv, const Wrapping& wrapping) {
-  // Mesa allocates the same large blocks for each context. To return them to the system in between takes a
-  // sixth of the time of a run.
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);
-  mallopt(M_TRIM_THRESHOLD, 128 << 20);
-  const rlimit no_core{0, 0};
-  setrlimit(RLIMIT_CORE, &no_core);  // crashes of the library under test leave no core dumps
-  std::signal(SIGXFSZ, SIG_IGN);     // a file that becomes too large must not count as a crash of the library
+  prepare_process();
   try {
     return run({argv, argv + argc}, wrapping);
   } catch (const CannotStart& error) {

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <malloc.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +11,10 @@
 #include <fstream>
 #include <future>
 #include <utility>
+#ifndef _WIN32
+#include <malloc.h>
+#include <unistd.h>
+#endif
 
 #include <evalcts/gl/call_in_flight.h>
 #include <evalcts/gl/call_log.h>
@@ -167,12 +169,16 @@ double Test::kept_memory(const gl::Case& written, bool in_new_contexts) {
   const gl::Case script = begin_case(written).script;
   // The memory that malloc has given out, which may have been resident before, and the resident memory.
   const auto used = []() -> std::array<double, 2> {
+#ifdef _WIN32
+    throw NotObservable("memory is measured on Linux only");
+#else
     std::ifstream file("/proc/self/statm");
     double size = 0, pages = 0;
     if (!(file >> size >> pages)) throw NotObservable("/proc/self/statm does not show the resident memory");
     const struct mallinfo2 info = mallinfo2();
     return {static_cast<double>(info.uordblks + info.hblkhd),
             pages * static_cast<double>(sysconf(_SC_PAGESIZE))};
+#endif
   };
   constexpr int kTimes = 8, kRounds = 5;
   std::unique_ptr<Context> context;

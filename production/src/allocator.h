@@ -40,9 +40,19 @@ class Allocator {
 
  private:
   static void* heap_allocate(void*, std::size_t bytes, std::size_t alignment) {
+#ifdef _WIN32
+    return _aligned_malloc(bytes, alignment);
+#else
     return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+#endif
   }
-  static void heap_release(void*, void* memory, std::size_t, std::size_t) { std::free(memory); }
+  static void heap_release(void*, void* memory, std::size_t, std::size_t) {
+#ifdef _WIN32
+    _aligned_free(memory);
+#else
+    std::free(memory);
+#endif
+  }
 
   void* user_ = nullptr;
   void* (*allocate_)(void*, std::size_t, std::size_t);

@@ -46,7 +46,7 @@ class EventFile {
   void identify();
   bool is_open() const;
 
-  std::filesystem::path path_;
+  std::string path_;
   int descriptor_ = -1;
   dev_t device_ = 0;
   ino_t inode_ = 0;
