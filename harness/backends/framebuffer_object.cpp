@@ -42,8 +42,8 @@ void FramebufferObject::bind(const std::function<void*(const char*)>& address_of
   const GLenum status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
   const GLenum error = gl_.GetError();
   if (status != GL_FRAMEBUFFER_COMPLETE || error != GL_NO_ERROR)
-    throw CannotStart(fmt::format(
-        "the framebuffer object is not complete (status 0x{:04X}, error 0x{:04X})", status, error));
+    throw CannotStart(fmt::format("the framebuffer object is not complete (status 0x{:04X}, error 0x{:04X})",
+                                  status, error));
 }
 
 }  // namespace evalcts

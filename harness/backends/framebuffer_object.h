@@ -17,10 +17,10 @@ namespace evalcts {
 
 class FramebufferObject {
  public:
-  // Binds a complete framebuffer object of kFramebufferSide squared pixels in the current context, with which it is
-  // destroyed. Without a complete one, every Begin raises INVALID_FRAMEBUFFER_OPERATION. Also sets viewport and
-  // scissor box, which are empty in a context without a surface. `address_of`: returns the address of a command, or
-  // null. Throws CannotStart.
+  // Binds a complete framebuffer object of kFramebufferSide squared pixels in the current context, with which
+  // it is destroyed. Without a complete one, every Begin raises INVALID_FRAMEBUFFER_OPERATION. Also sets
+  // viewport and scissor box, which are empty in a context without a surface. `address_of`: returns the
+  // address of a command, or null. Throws CannotStart.
   void bind(const std::function<void*(const char*)>& address_of);
 
  private:

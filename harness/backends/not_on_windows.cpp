@@ -8,7 +8,8 @@ namespace evalcts {
 namespace {
 
 [[noreturn]] void refuse(const char* what) {
-  throw CannotStart(std::string(what) + " is not available on Windows; choose wgl, osmesa, production or reference");
+  throw CannotStart(std::string(what) +
+                    " is not available on Windows; choose wgl, osmesa, production or reference");
 }
 
 }  // namespace
@@ -20,7 +21,9 @@ std::unique_ptr<ContextMaker> make_gles2_contexts() { refuse("EGL"); }
 std::unique_ptr<ContextMaker> make_glx_contexts(const std::string&, GlxRendering, const std::string&) {
   refuse("GLX");
 }
-std::unique_ptr<Implementation> open_dropin(const std::string&, const std::string&) { refuse("the drop-in library"); }
+std::unique_ptr<Implementation> open_dropin(const std::string&, const std::string&) {
+  refuse("the drop-in library");
+}
 
 void use_mesa_build(const std::filesystem::path&) { refuse("--mesa-build"); }
 bool uses_mesa_build(const std::filesystem::path&) { return false; }

@@ -19,7 +19,8 @@ std::string file_of(HMODULE module) {
 
 std::string reason(DWORD error) {
   if (error == ERROR_MOD_NOT_FOUND)
-    return "the system finds no file of this name, or not one that it depends on; give the whole path, and put "
+    return "the system finds no file of this name, or not one that it depends on; give the whole path, and "
+           "put "
            "libraries that it depends on next to it";
   if (error == ERROR_BAD_EXE_FORMAT) return "it is not a library for 64-bit Windows on x86-64";
   return fmt::format("Windows error {}", error);
@@ -31,7 +32,8 @@ HMODULE open(const std::string& name) {
   std::string path = name;
   for (char& c : path)
     if (c == '/') c = '\\';
-  if (HMODULE const library = LoadLibraryExA(path.c_str(), nullptr, is_path ? LOAD_WITH_ALTERED_SEARCH_PATH : 0))
+  if (HMODULE const library =
+          LoadLibraryExA(path.c_str(), nullptr, is_path ? LOAD_WITH_ALTERED_SEARCH_PATH : 0))
     return library;
   throw CannotStart(fmt::format("cannot load '{}': {}", name, reason(GetLastError())));
 }

@@ -1,4 +1,5 @@
-// Contexts of WGL, which need no visible window: each has a pbuffer, or a framebuffer object in a hidden window.
+// Contexts of WGL, which need no visible window: each has a pbuffer, or a framebuffer object in a hidden
+// window.
 #include <fmt/format.h>
 #include <windows.h>
 // After windows.h.
@@ -16,8 +17,8 @@
 namespace evalcts {
 namespace {
 
-// The functions that a library for WGL exports. Those for pixel formats are not the ones of gdi32.dll, which would
-// ask the system's opengl32.dll.
+// The functions that a library for WGL exports. Those for pixel formats are not the ones of gdi32.dll, which
+// would ask the system's opengl32.dll.
 // clang-format off
 #define WGL_FUNCTIONS(X)                                                                     \
   X(HGLRC, CreateContext, (HDC)) X(BOOL, DeleteContext, (HGLRC)) X(BOOL, MakeCurrent, (HDC, HGLRC)) \
@@ -60,9 +61,10 @@ HWND make_window() {
     window_class.lpszClassName = kClass;
     return RegisterClassA(&window_class);
   }();
-  HWND const window = kRegistered ? CreateWindowExA(0, kClass, "", WS_POPUP, 0, 0, kFramebufferSide, kFramebufferSide,
-                                                    nullptr, nullptr, GetModuleHandleA(nullptr), nullptr)
-                                  : nullptr;
+  HWND const window = kRegistered
+                          ? CreateWindowExA(0, kClass, "", WS_POPUP, 0, 0, kFramebufferSide, kFramebufferSide,
+                                            nullptr, nullptr, GetModuleHandleA(nullptr), nullptr)
+                          : nullptr;
   if (!window) throw failure("to make a hidden window");
   return window;
 }
@@ -108,7 +110,8 @@ class WglContexts final : public ContextMaker {
   void* exported(const char* command) override { return library_.exported(command); }
   void* address_of(const char* command) override {
     const auto address = reinterpret_cast<INT_PTR>(wgl_.GetProcAddress(command));
-    return address >= -1 && address <= 3 ? nullptr : reinterpret_cast<void*>(address);  // some return small numbers
+    return address >= -1 && address <= 3 ? nullptr
+                                         : reinterpret_cast<void*>(address);  // some return small numbers
   }
   std::string library() const override { return library_.path(); }
 
@@ -116,7 +119,7 @@ class WglContexts final : public ContextMaker {
   struct Made {
     HGLRC context = nullptr;
     HDC device = nullptr;
-    HWND window = nullptr;           // null with a pbuffer
+    HWND window = nullptr;  // null with a pbuffer
     HPBUFFERARB pbuffer = nullptr;
   };
 
@@ -132,15 +135,32 @@ class WglContexts final : public ContextMaker {
     find_extension(pbuffer_device_, "wglGetPbufferDCARB");
     find_extension(release_pbuffer_device_, "wglReleasePbufferDCARB");
     find_extension(destroy_pbuffer_, "wglDestroyPbufferARB");
-    if (!choose_pixel_format_ || !create_pbuffer_ || !pbuffer_device_ || !release_pbuffer_device_ || !destroy_pbuffer_)
+    if (!choose_pixel_format_ || !create_pbuffer_ || !pbuffer_device_ || !release_pbuffer_device_ ||
+        !destroy_pbuffer_)
       return;
     HWND const window = make_window();
-    const std::array wanted = {WGL_DRAW_TO_PBUFFER_ARB, 1, WGL_SUPPORT_OPENGL_ARB, 1,
-                               WGL_PIXEL_TYPE_ARB, WGL_TYPE_RGBA_ARB,
-                               WGL_RED_BITS_ARB, 8, WGL_ALPHA_BITS_ARB, 8, WGL_DEPTH_BITS_ARB, 24,
-                               WGL_STENCIL_BITS_ARB, 8, 0};
+    // Two buffers, because Mesa would present a single one at each flush, which Wine cannot do with a
+    // pbuffer.
+    const std::array wanted = {WGL_DRAW_TO_PBUFFER_ARB,
+                               1,
+                               WGL_SUPPORT_OPENGL_ARB,
+                               1,
+                               WGL_DOUBLE_BUFFER_ARB,
+                               1,
+                               WGL_PIXEL_TYPE_ARB,
+                               WGL_TYPE_RGBA_ARB,
+                               WGL_RED_BITS_ARB,
+                               8,
+                               WGL_ALPHA_BITS_ARB,
+                               8,
+                               WGL_DEPTH_BITS_ARB,
+                               24,
+                               WGL_STENCIL_BITS_ARB,
+                               8,
+                               0};
     UINT count = 0;
-    if (!choose_pixel_format_(GetDC(window), wanted.data(), nullptr, 1, &pbuffer_format_, &count) || count == 0)
+    if (!choose_pixel_format_(GetDC(window), wanted.data(), nullptr, 1, &pbuffer_format_, &count) ||
+        count == 0)
       pbuffer_format_ = 0;
     DestroyWindow(window);
   }
@@ -158,7 +178,7 @@ class WglContexts final : public ContextMaker {
     PIXELFORMATDESCRIPTOR wanted{};
     wanted.nSize = sizeof wanted;
     wanted.nVersion = 1;
-    wanted.dwFlags = PFD_DRAW_TO_WINDOW | PFD_SUPPORT_OPENGL;
+    wanted.dwFlags = PFD_DRAW_TO_WINDOW | PFD_SUPPORT_OPENGL | PFD_DOUBLEBUFFER;
     wanted.iPixelType = PFD_TYPE_RGBA;
     wanted.cColorBits = 24;
     wanted.cAlphaBits = 8;
@@ -196,7 +216,8 @@ class WglContexts final : public ContextMaker {
     try {
       if (attributes.empty()) {
         unfinished->context = wgl_.CreateContext(unfinished->device);
-        if (unfinished->context && share && !wgl_.ShareLists(share, unfinished->context)) throw failure("wglShareLists");
+        if (unfinished->context && share && !wgl_.ShareLists(share, unfinished->context))
+          throw failure("wglShareLists");
       } else {
         unfinished->context = create_context_attribs_(unfinished->device, share, attributes.data());
       }

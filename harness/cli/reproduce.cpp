@@ -75,8 +75,9 @@ struct Replayed {
   std::string program;  // the C program; empty if none was written
 };
 
-// Runs the test again, in a worker elsewhere if that is not empty, and writes the C program in a style. `program`: JSON commands that are replayed instead
-// of the test; empty: none. Throws CannotReproduce if the test does not start.
+// Runs the test again, in a worker elsewhere if that is not empty, and writes the C program in a style.
+// `program`: JSON commands that are replayed instead of the test; empty: none. Throws CannotReproduce if the
+// test does not start.
 Replayed replay(const Candidate& failure, const std::string& worker, const std::string& program,
                 const std::string& style) {
   if (failure.run->suite_command.empty())
@@ -189,7 +190,8 @@ Replayed example(const Candidate& failure, const std::string& worker, const Know
     return {};
   }
   if (style == "short")
-    if (const Trial trial = try_program(failure, worker, written); trial.tried && !trial.problem.empty()) return {};
+    if (const Trial trial = try_program(failure, worker, written); trial.tried && !trial.problem.empty())
+      return {};
   return written;
 }
 
@@ -205,7 +207,8 @@ int reproduce_or_throw(const ReproduceOptions& options) {
   std::string style = options.style.empty() ? "short" : options.style, note;
   const KnownBug* const known = recorded.bug ? find_known_bug(recorded.bug->known) : nullptr;
   Replayed replayed;
-  if (known && !known->example.empty() && style != "full") replayed = example(failure, options.worker, *known, style);
+  if (known && !known->example.empty() && style != "full")
+    replayed = example(failure, options.worker, *known, style);
   const bool is_example = !replayed.program.empty();
   if (!is_example) replayed = replay(failure, options.worker, bug.commands, style);
   if (options.style.empty() && !is_example) {

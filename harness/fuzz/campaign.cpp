@@ -43,7 +43,10 @@ class CampaignRunner {
         reducer_(subject, shared_.get(), kMostAttempts,
                  {.is_over = [this] { return is_over(); },
                   .try_start = [this](const gl::Case& candidate) { return try_start(candidate); },
-                  .finish = [this] { report_(CandidateStarted{job_.number, ""}); },
+                  .finish =
+                      [this] {
+                        report_(CandidateStarted{job_.number, ""});
+                      },
                   .smaller =
                       [this](const Finding& finding) {
                         report_(FindingShrank{job_.number, finding});

@@ -236,8 +236,8 @@ class Searcher {
     // Writes the C program, if the implementation supports it.
     std::vector<std::string> command = suite_command();
     command.insert(command.end(), {"--reproduce", "full"});
-    const WorkerRun run = run_program(command, cause.finding.program, scratch_ / "write.log",
-                                      {request_.seconds_per_program});
+    const WorkerRun run =
+        run_program(command, cause.finding.program, scratch_ / "write.log", {request_.seconds_per_program});
     if (!run.program.empty()) write_atomically(fs::path(cause.file).replace_extension(".c"), run.program);
   }
 

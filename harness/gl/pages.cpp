@@ -27,7 +27,8 @@ std::byte* map_pages(std::size_t count) {
   void* const memory = VirtualAlloc(nullptr, (count + 2) * page_size(), MEM_RESERVE, PAGE_NOACCESS);
   if (!memory) throw std::bad_alloc();
   std::byte* const first = static_cast<std::byte*>(memory) + page_size();
-  if (count > 0 && !VirtualAlloc(first, count * page_size(), MEM_COMMIT, PAGE_READWRITE)) throw std::bad_alloc();
+  if (count > 0 && !VirtualAlloc(first, count * page_size(), MEM_COMMIT, PAGE_READWRITE))
+    throw std::bad_alloc();
   return first;
 }
 

@@ -12,7 +12,9 @@
 #include <shlwapi.h>
 // Patterns of the shell, without the case of letters: a worker gets names of tests, no patterns.
 constexpr int FNM_NOESCAPE = 0, FNM_EXTMATCH = 0;
-inline int fnmatch(const char* pattern, const char* name, int) { return PathMatchSpecA(name, pattern) ? 0 : 1; }
+inline int fnmatch(const char* pattern, const char* name, int) {
+  return PathMatchSpecA(name, pattern) ? 0 : 1;
+}
 constexpr int O_CLOEXEC = _O_NOINHERIT | _O_BINARY;
 inline int fsync(int descriptor) { return _commit(descriptor); }
 #else
@@ -27,8 +29,8 @@ inline constexpr char kNoFile[] = "NUL";
 inline constexpr char kNoFile[] = "/dev/null";
 #endif
 
-// Returns a duplicate of the descriptor that child processes do not inherit, and that a library hardly closes.
-// Negative: there is none.
+// Returns a duplicate of the descriptor that child processes do not inherit, and that a library hardly
+// closes. Negative: there is none.
 inline int duplicate(int descriptor) {
 #ifdef _WIN32
   const int copy = _dup(descriptor);

@@ -116,8 +116,8 @@ Worker::Worker(std::vector<std::string> command, const fs::path& log, const Limi
     const std::string start = fmt::format("{} {}", *std::next(elsewhere), kRemote);
     command.erase(elsewhere, elsewhere + 2);
     unwritten_ = to_line(options_elsewhere(std::move(command), limits));
-    process_.emplace(std::vector<std::string>{"/bin/sh", "-c", start}, log.string(), ChildProcess::Prints::kLimited, jobs.reader,
-                     events.writer);
+    process_.emplace(std::vector<std::string>{"/bin/sh", "-c", start}, log.string(),
+                     ChildProcess::Prints::kLimited, jobs.reader, events.writer);
   } else {
     // The process opens the pipe by this name, so that it can open it again if the library closes it.
     command.insert(command.end(), {"--events", fmt::format("/proc/{}/fd/{}", getpid(), events.writer)});

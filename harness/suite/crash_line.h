@@ -15,8 +15,9 @@ class CrashLine {
 
   // Begins the line with the GL command in flight.
   CrashLine();
-  // Adds a frame, the innermost one first: "libGL.so.1 glGetMapiv+0x2c", or "libGL.so.1+0x5d2c" without a name of
-  // a function. `offset`: from the function, or else from the module. An empty `module`: code of no file.
+  // Adds a frame, the innermost one first: "libGL.so.1 glGetMapiv+0x2c", or "libGL.so.1+0x5d2c" without a
+  // name of a function. `offset`: from the function, or else from the module. An empty `module`: code of no
+  // file.
   void add_frame(std::string_view module, std::string_view function, std::uint64_t offset);
   // Ends the line, and returns it.
   std::string_view finish();

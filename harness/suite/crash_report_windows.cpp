@@ -13,7 +13,7 @@
 namespace evalcts {
 namespace {
 
-constexpr int kMostFrames = 8;            // number of reported frames
+constexpr int kMostFrames = 8;              // number of reported frames
 constexpr int kCrashed = 139, kHung = 124;  // exit codes
 constexpr ULONG kStackOfHandler = 64 * 1024;
 

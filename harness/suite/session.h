@@ -24,9 +24,9 @@ struct SessionOptions {
   std::vector<std::string> omitted_calls;            // texts of gl::call_text() of commands that crash
   Depth depth = Depth::kFull;
   std::uint32_t seed = 1;
-  bool reuse_context = false;            // all cases share a context
-  bool warm = false;                     // tests run in a warm context first
-  std::optional<gl::CStyle> reproduce;   // report the running case as a C program in this style
+  bool reuse_context = false;           // all cases share a context
+  bool warm = false;                    // tests run in a warm context first
+  std::optional<gl::CStyle> reproduce;  // report the running case as a C program in this style
 };
 
 class Session {

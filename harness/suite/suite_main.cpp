@@ -144,11 +144,12 @@ void parse(int argc, char** argv, Options& options) {
       ->take_all();
   app.add_option("--programs", options.programs,
                  "file with the programs of a recording, which take the place of the tests");
-  auto* const events = app.add_option(
-      "--events", options.events,
-      "run the jobs that standard input has, a line of JSON each, and write events to this file or pipe, or to "
-      "standard output (\"-\"); end when the process that started this one ends. With the only option --remote, "
-      "a worker reads its options from standard input");
+  auto* const events = app.add_option("--events", options.events,
+                                      "run the jobs that standard input has, a line of JSON each, and write "
+                                      "events to this file or pipe, or to "
+                                      "standard output (\"-\"); end when the process that started this one "
+                                      "ends. With the only option --remote, "
+                                      "a worker reads its options from standard input");
   app.add_option("--renew-above", options.renew_above,
                  "end after a job if this process uses more memory than this, in MiB")
       ->needs(events);
@@ -239,8 +240,7 @@ class JobLoop {
       set_working(false);
       std::cout.flush();
       // Another process continues if this one has little memory left, or if the library has closed files.
-      if (events_.was_closed() ||
-          (options_.renew_above != 0 && own_memory() > options_.renew_above << 20)) {
+      if (events_.was_closed() || (options_.renew_above != 0 && own_memory() > options_.renew_above << 20)) {
         std::fflush(stdout);
         _exit(0);
       }
@@ -356,7 +356,8 @@ int run(std::vector<std::string> words, const Wrapping& wrapping) {
   if (options.is_worker) prepare_worker();
   // Never destroyed, because a library that calls exit() inside a test must not run the destructor
   // of its context.
-  static EventFile& events = is_elsewhere ? *new EventFile(take_standard_output()) : *new EventFile(options.events);
+  static EventFile& events =
+      is_elsewhere ? *new EventFile(take_standard_output()) : *new EventFile(options.events);
   report_crashes(events);
   static const std::function<void(const Event&)> report = [](const Event& event) {
     events.write(to_line(event));
