@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
 #include <map>
 #include <optional>
+#include <set>
 
 #include <evalcts/runner/worker.h>
 #include "death_confirmation.h"
@@ -89,7 +91,8 @@ class Run {
   // Proves the captures in parallel.
   std::vector<CaptureRecord> prove_captures(const std::vector<std::string>& names) const {
     std::map<std::string, CaptureRecord> proofs;
-    std::size_t next = 0;
+    std::deque<std::string> waiting(names.begin(), names.end());
+    std::set<std::string> lost;
     Pool{.command = [this] { return suite_command(request_); },
          .log = log_,
          .limits = limits_of_start_,
@@ -100,12 +103,16 @@ class Run {
              },
          .ended =
              [&](const WorkerRun& run) {
-               if (run.died_in_job())
+               if (run.may_be_lost() && lost.insert(run.in_flight).second)
+                 waiting.push_back(run.in_flight);
+               else if (run.died_in_job())
                  proofs[run.in_flight] = {run.in_flight, false, why_no_answer(run, log_), ""};
              }}
         .run([&]() -> std::optional<Job> {
-          if (next == names.size()) return std::nullopt;
-          return Job{.kind = "prove", .name = names[next++]};
+          if (waiting.empty()) return std::nullopt;
+          Job job{.kind = "prove", .name = waiting.front()};
+          waiting.pop_front();
+          return job;
         });
     std::vector<CaptureRecord> captures;
     for (const std::string& name : names) {
@@ -139,8 +146,8 @@ class Run {
   }
 
   // Runs the tests in parallel processes and adds their records. Returns the processes that died in a test,
-  // except those that an interruption killed, and those whose test is run again without the call in which it
-  // crashed. `last`: set to the process that ended last.
+  // except those that an interruption killed, and those whose test is run again. `last`: set to the process
+  // that ended last.
   std::vector<WorkerRun> run_in_parallel(const std::vector<std::string>& tests, WorkerRun& last) {
     std::vector<WorkerRun> deaths;
     processes_.run_in_parallel(
@@ -155,7 +162,7 @@ class Run {
           last = run;
           if (run.died_in_job() && !interrupted) deaths.push_back(run);
         });
-    std::erase_if(deaths, [this](const WorkerRun& run) { return processes_.may_survive_now(run); });
+    std::erase_if(deaths, [this](const WorkerRun& run) { return processes_.runs_again(run); });
     return deaths;
   }
 

@@ -76,7 +76,8 @@ void SuiteProcesses::learn_from(const WorkerRun& run) {
     omitted_calls_.push_back(run.crash->call);
 }
 
-bool SuiteProcesses::may_survive_now(const WorkerRun& run) const {
+bool SuiteProcesses::runs_again(const WorkerRun& run) {
+  if (run.may_be_lost()) return lost_.insert(run.in_flight).second;
   return run.died_in_job() && run.crash && std::ranges::count(omitted_calls_, run.crash->call) > 0 &&
          std::ranges::count(run.command, run.crash->call) == 0;
 }

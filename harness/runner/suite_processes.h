@@ -35,8 +35,9 @@ class SuiteProcesses {
   const std::vector<std::string>& omitted_calls() const { return omitted_calls_; }
   // Returns the seconds after which a test that runs in parallel from now on counts as hung.
   double patience() const { return patience_; }
-  // True if the process died in a call that new processes omit, but this one did not.
-  bool may_survive_now(const WorkerRun& run) const;
+  // True if the test in which the process died runs again without a verdict: because new processes omit the
+  // call, but this one did not, or because a worker elsewhere was lost in it for the first time.
+  bool runs_again(const WorkerRun& run);
 
  private:
   std::vector<std::string> command_for_tests() const;
@@ -51,6 +52,7 @@ class SuiteProcesses {
   double patience_;
   std::map<std::string, std::set<std::string>> tests_that_crash_in_;  // by call
   std::vector<std::string> omitted_calls_;
+  std::set<std::string> lost_;  // tests in which a worker elsewhere was lost
 };
 
 }  // namespace evalcts

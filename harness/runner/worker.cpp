@@ -36,8 +36,7 @@ constexpr double kMostToEnd = 2;       // seconds that the process may take to e
 constexpr int kMostEmptyStarts = 2;    // workers in turn that may end before their first job
 constexpr double kMostToArrive = 5;    // seconds that the report of a worker elsewhere may need
 constexpr std::size_t kMostQuotedLines = 3;
-constexpr std::size_t kMostForeign = 4096;  // bytes of lines that are no events
-constexpr char kElsewhere[] = "--worker";
+constexpr std::size_t kMostForeign = 4096;             // bytes of lines that are no events
 constexpr char kCannotStartLine[] = "cannot start: ";  // suite_main prints the reason in such a line, too
 // Time that a process that hangs may take to report its command in flight.
 constexpr std::chrono::seconds kMostToReport(1);
@@ -62,8 +61,8 @@ struct Ends {
 };
 
 // Returns a clause with the first different lines that a library printed before it failed to start, and the
-// name of the log with all of them; empty if it printed none.
-std::string quoted(const std::string& printed, const fs::path& log) {
+// name of the log with all of them; empty if it printed none. `who`: what printed them.
+std::string quoted(const std::string& who, const std::string& printed, const fs::path& log) {
   std::vector<std::string> lines;
   std::istringstream stream(printed);
   for (std::string line; std::getline(stream, line);)
@@ -71,7 +70,7 @@ std::string quoted(const std::string& printed, const fs::path& log) {
       lines.push_back(line);
   if (lines.empty() || log.empty()) return {};
   if (lines.size() > kMostQuotedLines) lines.resize(kMostQuotedLines);
-  return fmt::format("; the library printed \"{}\" (all of its output is in {})", fmt::join(lines, " | "),
+  return fmt::format("; {} printed \"{}\" (all of its output is in {})", who, fmt::join(lines, " | "),
                      log.string());
 }
 
@@ -320,11 +319,13 @@ bool Pool::run(const std::function<std::optional<Job>()>& next) const {
 
 std::string why_no_answer(const WorkerRun& run, const fs::path& log) {
   if (interrupted) return "interrupted";
-  if (!run.cannot_start.empty()) return run.cannot_start + quoted(run.printed, log);
+  const std::string printed = quoted(run.is_elsewhere() ? "the worker" : "the library", run.printed, log);
+  if (!run.cannot_start.empty()) return run.cannot_start + printed;
   if (run.hung || run.over_memory) return describe(run);
-  return fmt::format("the process that loads the library ended with {}{}{}{}", describe(run.ending),
-                     describe_gl_environment(), log.empty() ? "" : "; see " + log.string(),
-                     quoted(run.printed, log));
+  return fmt::format("{} ended with {}{}{}{}",
+                     run.is_elsewhere() ? "the command of --worker" : "the process that loads the library",
+                     describe(run.ending), run.is_elsewhere() ? "" : describe_gl_environment(),
+                     log.empty() ? "" : "; see " + log.string(), printed);
 }
 
 std::vector<ListedTest> list_tests(const fs::path& suite_program) {

@@ -381,8 +381,9 @@ class Bent final : public Implementation {
 // The check refers to the wrong value, although other values are equal to it, and a correct library passes.
 TEST_F(CProgram, FindsTheAnswerThatAMismatchRestsOn) {
   Bent bent;
-  const std::string file = (folder_ / "written.c").string();
-  Reproduction reproduction(bent, file, gl::CStyle::kFull);
+  std::string written;
+  Reproduction reproduction(
+      bent, [&](const std::string& program) { written = program; }, gl::CStyle::kFull);
   Subject subject;
   subject.implementation = &reproduction.implementation();
   subject.info = inquire(bent);
@@ -402,7 +403,7 @@ TEST_F(CProgram, FindsTheAnswerThatAMismatchRestsOn) {
   EXPECT_LT(check.accepted.front().first, 1.5);
   EXPECT_GT(check.accepted.front().second, 1.5);
   EXPECT_LT(check.accepted.front().second, 1.6);
-  const Outcome outcome = build_and_start(read_file(file));
+  const Outcome outcome = build_and_start(written);
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_TRUE(contains(outcome.text, "position.z of vertex 1: expected [1.4"));
 }
@@ -410,8 +411,9 @@ TEST_F(CProgram, FindsTheAnswerThatAMismatchRestsOn) {
 // Some tests run a control after a case that is about to fail.
 TEST_F(CProgram, HasTheFailingCaseAndNotTheControlAfterIt) {
   const std::unique_ptr<Implementation> production = open_implementation({.name = "production"});
-  const std::string file = (folder_ / "written.c").string();
-  Reproduction reproduction(*production, file, gl::CStyle::kFull);
+  std::string written;
+  Reproduction reproduction(
+      *production, [&](const std::string& program) { written = program; }, gl::CStyle::kFull);
   Subject subject;
   subject.implementation = &reproduction.implementation();
   subject.info = inquire(*production);
@@ -430,9 +432,8 @@ TEST_F(CProgram, HasTheFailingCaseAndNotTheControlAfterIt) {
     checked.expect_values<GLint>(query, {4});
   });
   ASSERT_EQ(record.verdict, Verdict::kFail) << record.message;
-  const std::string program = read_file(file);
-  EXPECT_TRUE(contains(program, "glMapGrid1f(3, 0.0f, 1.0f);"));
-  EXPECT_FALSE(contains(program, "glColor4f"));
+  EXPECT_TRUE(contains(written, "glMapGrid1f(3, 0.0f, 1.0f);"));
+  EXPECT_FALSE(contains(written, "glColor4f"));
 }
 
 }  // namespace

@@ -152,7 +152,8 @@ TEST_F(ExplicitControlTest, CasesWithoutListsHaveOneAsWell) {
 }
 
 TEST_F(ExplicitControlTest, ReproductionsHaveNoControl) {
-  Reproduction reproduction(implementation_, "", gl::CStyle::kFull);
+  Reproduction reproduction(
+      implementation_, [](const std::string&) {}, gl::CStyle::kFull);
   subject_.reproduction = &reproduction;
   EXPECT_EQ(controls(in_lists(), SyntheticCapture(traits(), lose_positions)), 0);
 }

@@ -102,7 +102,9 @@ void read_results(const std::string& text) {
         const std::string file = cli::reproducer_name(test.full_name());
         if (file.find('/') != std::string::npos || file.size() > 255) std::abort();
         for (const std::string& option : cli::replay_options(*test.run))
-          if (option.starts_with("--worker") || option.starts_with("--gtest")) std::abort();
+          if (option.starts_with("--worker") || option.starts_with("--events") ||
+              option.starts_with("--gtest"))
+            std::abort();
       }
     };
     for (const std::function<void()>& use :

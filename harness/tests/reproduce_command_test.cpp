@@ -201,9 +201,9 @@ TEST_F(Reproduce, ResultsAreNotTrusted) {
     std::ofstream(folder_ / "results-drill.json") << changed;
     return evalcts({"reproduce", "StrideBelowK", "--run", folder_.string()});
   };
-  for (const std::vector<std::string>& more : {std::vector<std::string>{"--worker", elsewhere},
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--events", elsewhere},
                                                {"--reproduce", elsewhere},
-                                               {"--seed", "--worker=" + elsewhere.string()},
+                                               {"--seed", "--events=" + elsewhere.string()},
                                                {"--gtest_output=xml:" + elsewhere.string(), "x"},
                                                {"--depth"}}) {
     json changed = good;
@@ -214,7 +214,12 @@ TEST_F(Reproduce, ResultsAreNotTrusted) {
     EXPECT_FALSE(fs::exists(elsewhere)) << more[0];
   }
   json changed = good;
-  changed["implementation"]["captures"] = {{{"name", "a,--worker"}, {"available", true}}};
+  for (const std::string& word : {std::string("--worker"), "touch " + elsewhere.string() + ";"})
+    changed["suite_command"].push_back(word);
+  EXPECT_EQ(answer(changed).code, 2);
+  EXPECT_FALSE(fs::exists(elsewhere));
+  changed = good;
+  changed["implementation"]["captures"] = {{{"name", "a,--events"}, {"available", true}}};
   EXPECT_EQ(answer(changed).code, 2);
   for (const char* member : {"timeout", "tests", "implementation", "suite_command"}) {
     changed = good;

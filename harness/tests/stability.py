@@ -46,7 +46,7 @@ def alone(program, name, depth, captures, test, folder):
     suite = str(pathlib.Path(program).with_name("evalcts-suite"))
     stem = test.replace("/", "~")
     records = folder / f"{stem}.jsonl"
-    command = [suite, "--implementation", name, "--depth", depth, "--worker", str(records),
+    command = [suite, "--implementation", name, "--depth", depth, "--events", str(records),
                "--captures", ",".join(captures) or "none"]
     try:
         subprocess.run(command, input=json.dumps({"job": "test", "name": test}) + "\n", text=True,
@@ -68,7 +68,7 @@ def of_worker(command, tests, folder):
         records = folder / f"{len(left)}.jsonl"
         jobs = "".join(json.dumps({"job": "test", "name": test}) + "\n" for test in left)
         with log.open("a") as output:
-            subprocess.run([*command, "--worker", str(records)], input=jobs, text=True, stdout=output, stderr=output,
+            subprocess.run([*command, "--events", str(records)], input=jobs, text=True, stdout=output, stderr=output,
                            timeout=3600)
         events = [json.loads(line) for line in records.read_text().splitlines()] if records.exists() else []
         started = [event["name"] for event in events if event["event"] == "start"]
@@ -88,7 +88,7 @@ def check_variation(suite, variation, depth, seed, folder):
     command = [suite, *variation["arguments"], "--depth", depth, "--variation", name]
     folder.mkdir()
     listing = folder / "list.jsonl"
-    subprocess.run([suite, "--worker", str(listing)], input='{"job": "list", "name": "list"}\n', text=True,
+    subprocess.run([suite, "--events", str(listing)], input='{"job": "list", "name": "list"}\n', text=True,
                    stdout=subprocess.DEVNULL, check=True)
     listed = next(event for event in map(json.loads, listing.read_text().splitlines()) if event["event"] == "tests")
     order = ("quick", "full", "thorough")

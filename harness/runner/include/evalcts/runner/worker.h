@@ -2,6 +2,7 @@
 // its standard input, events are lines on a pipe of their own.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -23,6 +24,9 @@ struct Limits {
   double seconds_per_test = 45;  // longest time between two events of a process that has a job
   std::uint64_t memory = std::uint64_t{4096} << 20;  // resident memory of a process, in bytes
 };
+
+// The option with the command of a worker elsewhere, see Worker.
+inline constexpr char kElsewhere[] = "--worker";
 
 // Results and end of a worker.
 struct WorkerRun {
@@ -46,6 +50,10 @@ struct WorkerRun {
   // The next two are for processes that have ended.
   bool died_in_job() const { return !in_flight.empty(); }
   bool began_a_job() const { return died_in_job() || !finished.empty(); }
+  // True if a worker elsewhere ended in a job without a report: perhaps only the connection was lost.
+  bool may_be_lost() const { return is_elsewhere() && died_in_job() && !crash && !hung && !over_memory; }
+
+  bool is_elsewhere() const { return std::ranges::count(command, kElsewhere) > 0; }
 };
 
 // Exit status of the suite program after a fault of its own.
@@ -103,8 +111,8 @@ class Worker {
   bool is_finishing_ = false;
   std::string unwritten_;  // jobs that the pipe could not take yet
   bool is_elsewhere_ = false;
-  std::string foreign_;    // the first lines that are no events
-  std::string partial_;    // the beginning of an event whose end has not arrived yet
+  std::string foreign_;  // the first lines that are no events
+  std::string partial_;  // the beginning of an event whose end has not arrived yet
   std::deque<Job> waiting_;
   std::chrono::steady_clock::time_point latest_event_ = std::chrono::steady_clock::now();
   Deadline report_deadline_;  // time at which a process that hangs is killed; none before it hangs
