@@ -28,8 +28,7 @@
 namespace {
 
 using namespace rounding;
-using evalcts::reference::Arguments, evalcts::reference::CorrectlyRounded, evalcts::reference::Curve,
-    evalcts::reference::Surface;
+using evalcts::reference::Arguments, evalcts::reference::CorrectlyRounded, evalcts::reference::Surface;
 
 // A 64-bit hash: the finalizer of splitmix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number
 // generators", 2014).
@@ -226,13 +225,10 @@ std::vector<float> right_values(const Map& map, const std::vector<double>& u, co
   const auto components = static_cast<std::size_t>(map.components);
   std::vector<float> all(u.size() * components), of_component(u.size());
   for (std::size_t k = 0; k < components; ++k) {
-    const double* const points = map.points.data() + k;
-    const CorrectlyRounded oracle =
-        map.two_dimensional
-            ? CorrectlyRounded(Surface{points, map.vorder * map.components, map.components, map.uorder,
-                                       map.vorder, in_u[0], in_u[1], in_v[0], in_v[1]})
-            : CorrectlyRounded(Curve{points, map.components, map.uorder, in_u[0], in_u[1]});
-    oracle.to_float(arguments(u, 0), arguments(v, 1), of_component);
+    const Surface surface{map.points.data() + k,
+                          {map.vorder * map.components, map.uorder, in_u[0], in_u[1]},
+                          {map.components, map.vorder, in_v[0], in_v[1]}};
+    CorrectlyRounded(surface).to_float(arguments(u, 0), arguments(v, 1), of_component);
     for (std::size_t i = 0; i < u.size(); ++i) all[i * components + k] = of_component[i];
   }
   return all;

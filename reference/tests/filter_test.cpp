@@ -57,7 +57,7 @@ std::vector<double> coordinates(std::mt19937_64& random, const Domain& domain, s
 }
 
 // Coordinates, or indices of a grid over the domain or another one.
-struct Direction {
+struct TestDirection {
   Domain domain;
   std::vector<double> values;
   std::optional<Arguments::Grid> grid;
@@ -70,9 +70,9 @@ struct Direction {
   }
 };
 
-Direction random_direction(std::mt19937_64& random, const Domain& domain, std::size_t count) {
+TestDirection random_direction(std::mt19937_64& random, const Domain& domain, std::size_t count) {
   if (pick(random, 0, 2) != 0) return {domain, coordinates(random, domain, count), std::nullopt};
-  Direction direction{domain, std::vector<double>(count), Arguments::Grid{1, domain.first, domain.last}};
+  TestDirection direction{domain, std::vector<double>(count), Arguments::Grid{1, domain.first, domain.last}};
   direction.grid->segments = pick(random, 0, 1) == 0 ? pick(random, 1, 64) : pick(random, 1, 2147483647);
   if (pick(random, 0, 2) == 0) {
     const double width = domain.last - domain.first;
@@ -119,7 +119,7 @@ bool same_bits(Float a, Float b) {
 
 // Expects the correct float and double wherever the filter decides them.
 template <typename Form>
-void expect_rounded(const Filter& filter, const Form& exact, const Direction& u, const Direction& v,
+void expect_rounded(const Filter& filter, const Form& exact, const TestDirection& u, const TestDirection& v,
                     std::size_t count, int& decided_floats, int& decided_doubles) {
   std::vector<float> floats(count);
   std::vector<double> doubles(count);
@@ -148,10 +148,10 @@ TEST_P(FilterOf, EnclosesCurves) {
     const std::vector<double> points = control_values(random, kind, order);
     const Domain domain = kDomains[pick(random, 0, static_cast<int>(kDomains.size()) - 1)];
     const std::size_t count = pick(random, 1, 20);
-    const Direction u = random_direction(random, domain, count);
+    const TestDirection u = random_direction(random, domain, count);
     SCOPED_TRACE(testing::Message() << "order " << order << " data " << static_cast<int>(kind) << " domain "
                                     << domain.first << " " << domain.last << " grid " << u.grid.has_value());
-    const Curve curve{points.data(), 1, order, domain.first, domain.last};
+    const Surface curve{points.data(), {1, order, domain.first, domain.last}};
     const Filter filter(curve);
     const BernsteinForm exact(curve);
     std::vector<Enclosure> enclosures(count);
@@ -182,8 +182,8 @@ TEST_P(FilterOf, EnclosesSurfaces) {
     const Domain du = kDomains[pick(random, 0, static_cast<int>(kDomains.size()) - 1)],
                  dv = kDomains[pick(random, 0, static_cast<int>(kDomains.size()) - 1)];
     const std::size_t count = pick(random, 1, 12);
-    const Direction u = random_direction(random, du, count), v = random_direction(random, dv, count);
-    const Surface surface{points.data(), 1, uorder, uorder, vorder, du.first, du.last, dv.first, dv.last};
+    const TestDirection u = random_direction(random, du, count), v = random_direction(random, dv, count);
+    const Surface surface{points.data(), {1, uorder, du.first, du.last}, {uorder, vorder, dv.first, dv.last}};
     const Filter filter(surface);
     const BernsteinForm exact(surface);
     std::vector<Enclosure> enclosures(count);
@@ -211,7 +211,7 @@ TEST_P(FilterOf, EnclosesWhatCancels) {
     std::vector<double> coordinates;
     for (int i = 0; i < 500; ++i)
       coordinates.push_back(0.5 + std::ldexp(uniform(random, -1, 1), -pick(random, 2, 60)));
-    const Curve curve{points.data(), 1, order, 0, 1};
+    const Surface curve{points.data(), {1, order, 0, 1}};
     const BernsteinForm exact(curve);
     std::vector<Enclosure> enclosures(coordinates.size());
     Filter(curve).enclose({coordinates}, {}, enclosures);
@@ -230,7 +230,7 @@ TEST_P(FilterOf, EnclosesGridsFromFarAway) {
   for (int round = 0; round < 200; ++round) {
     const int order = pick(random, 2, 12);
     const std::vector<double> points = control_values(random, Data::kCancelling, order);
-    const Curve curve{points.data(), 1, order, 0, 1};
+    const Surface curve{points.data(), {1, order, 0, 1}};
     const double distance = std::ldexp(uniform(random, 1, 2), pick(random, 10, 25));
     const Arguments::Grid grid{2000000011, -distance, distance + uniform(random, 0, 1)};
     std::vector<double> indices(20);
@@ -253,7 +253,7 @@ TEST_P(FilterOf, EnclosesGridsFromFarAway) {
 
 TEST_P(FilterOf, LeavesTiesToTheExactRoute) {
   const double points[] = {0, 1, 2, 3};
-  const Curve curve{points, 1, 4, 0, 1};
+  const Surface curve{points, {1, 4, 0, 1}};
   std::mt19937_64 random = make_generator();
   std::vector<double> coordinates;
   for (int i = 0; i < 4096; ++i) coordinates.push_back(static_cast<float>(uniform(random, 0, 1)));
@@ -272,14 +272,14 @@ TEST_P(FilterOf, LeavesTiesToTheExactRoute) {
     ASSERT_EQ(decided[k] == 0, tie) << coordinates[k];
   }
   EXPECT_GT(ties, 100);
-  EXPECT_EQ(CorrectlyRounded(curve).to_float({coordinates}, results), static_cast<std::size_t>(ties));
+  EXPECT_EQ(CorrectlyRounded(curve).to_float({coordinates}, {}, results), static_cast<std::size_t>(ties));
   for (std::size_t k = 0; k < coordinates.size(); ++k)
     ASSERT_EQ(results[k], static_cast<float>(3 * coordinates[k]));
 }
 
 TEST_P(FilterOf, SaysNothingOfWhatIsNotFinite) {
   const double points[] = {5};
-  const Curve constant{points, 1, 1, 0, 1};
+  const Surface constant{points, {1, 1, 0, 1}};
   const double infinity = std::numeric_limits<double>::infinity();
   const std::vector<double> coordinates{0, infinity, std::numeric_limits<double>::quiet_NaN(), 1e200};
   std::vector<Enclosure> enclosures(4);
@@ -288,7 +288,7 @@ TEST_P(FilterOf, SaysNothingOfWhatIsNotFinite) {
   EXPECT_LT(enclosures[0].error, 1e-20);
   for (int k = 1; k < 4; ++k) EXPECT_EQ(enclosures[k].error, infinity) << k;
   std::vector<float> results(4);
-  EXPECT_THROW(CorrectlyRounded(constant).to_float({coordinates}, results), std::domain_error);
+  EXPECT_THROW(CorrectlyRounded(constant).to_float({coordinates}, {}, results), std::domain_error);
   const Arguments grid{coordinates, Arguments::Grid{4, 0, infinity}};
   Filter(constant).enclose(grid, {}, enclosures);
   EXPECT_EQ(enclosures[0].error, infinity);
@@ -300,7 +300,7 @@ TEST_P(FilterOf, SaysNothingOfValuesBeyondTheRange) {
   const double points[] = {0, 0x1p+890};
   const std::vector<double> coordinates{0.5, 0x1p+100, 0x1p+200, -0x1p+200};
   std::vector<Enclosure> enclosures(coordinates.size());
-  Filter(Curve{points, 1, 2, 0, 1}).enclose({coordinates}, {}, enclosures);
+  Filter(Surface{points, {1, 2, 0, 1}}).enclose({coordinates}, {}, enclosures);
   for (int k : {0, 1}) {
     EXPECT_EQ(enclosures[k].high, coordinates[k] * 0x1p+890);
     EXPECT_LT(enclosures[k].error, enclosures[k].high);
@@ -310,16 +310,15 @@ TEST_P(FilterOf, SaysNothingOfValuesBeyondTheRange) {
 
 TEST_P(FilterOf, RefusesWrongSizes) {
   const double points[] = {5, 6};
-  const Curve line{points, 1, 2, 0, 1};
+  const Surface line{points, {1, 2, 0, 1}};
   const std::vector<double> two(2);
   std::vector<Enclosure> enclosures(3);
   EXPECT_THROW(Filter(line).enclose({two}, {}, enclosures), std::invalid_argument);
   enclosures.resize(2);
   EXPECT_THROW(Filter(line).enclose({two, Arguments::Grid{0, 0, 1}}, {}, enclosures), std::invalid_argument);
-  EXPECT_THROW(Filter(Surface{points, 1, 1, 2, 1, 0, 1, 0, 1}).enclose({two}, {}, enclosures),
-               std::invalid_argument);
-  EXPECT_THROW(Filter(Curve{points, 1, 2, 1, 1}), std::domain_error);
-  EXPECT_THROW(Filter(Curve{points, 1, 65, 0, 1}), std::invalid_argument);
+  EXPECT_THROW(Filter(Surface{points, {1, 1}, {1, 2}}).enclose({two}, {}, enclosures), std::invalid_argument);
+  EXPECT_THROW(Filter(Surface{points, {1, 2, 1, 1}}), std::domain_error);
+  EXPECT_THROW(Filter(Surface{points, {1, 65, 0, 1}}), std::invalid_argument);
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, FilterOf, testing::ValuesIn(filter_targets()),
