@@ -36,24 +36,14 @@ std::vector<double> random_points(std::mt19937_64& generator, int count) {
   return control_values(generator, kinds[pick(generator, 0, 5)], count);
 }
 
-TEST(AcceptanceBound, OfCurvesIsThatOfTheRequirements) {
+TEST(AcceptanceBound, IsThatOfTheRequirements) {
   std::mt19937_64 generator = make_generator();
-  for (int repetition = 0; repetition < 150; ++repetition) {
-    const int order = pick(generator, 1, 9);
-    const std::vector<double> points = random_points(generator, order);
-    const SecondDirection u = random_direction(generator, order - 1);
-    const Rational bound = acceptance_bound(Surface{points.data(), {1, order, u.u1, u.u2}}, u.argument);
-    const SecondDirection none{0, 0, 1, Argument::coordinate(0)};
-    ASSERT_EQ(fraction(bound), second_bound_of(points, u, none, 5 * (order - 1) + 4));
-  }
-}
-
-TEST(AcceptanceBound, OfSurfacesIsThatOfTheRequirements) {
-  std::mt19937_64 generator = make_generator();
-  for (int repetition = 0; repetition < 60; ++repetition) {
-    const int n = pick(generator, 0, 4), m = pick(generator, 0, 4);
+  for (int repetition = 0; repetition < 210; ++repetition) {
+    const bool is_curve = repetition < 150;
+    const int n = pick(generator, 0, is_curve ? 8 : 4), m = is_curve ? 0 : pick(generator, 0, 4);
     const std::vector<double> points = random_points(generator, (n + 1) * (m + 1));
-    const SecondDirection u = random_direction(generator, n), v = random_direction(generator, m);
+    const SecondDirection u = random_direction(generator, n),
+                          v = is_curve ? SecondDirection{0, 0, 1, {}} : random_direction(generator, m);
     const Surface surface{points.data(), {m + 1, n + 1, u.u1, u.u2}, {1, m + 1, v.u1, v.u2}};
     ASSERT_EQ(fraction(acceptance_bound(surface, u.argument, v.argument)),
               second_bound_of(points, u, v, n * m + 5 * (n + m) + 4));
@@ -110,15 +100,6 @@ TEST(Acceptance, HoldsEverythingAboutAValue) {
   EXPECT_EQ(acceptance.quality_bound,
             Rational::power_of_two(-24) * 8 * evaluate_with_magnitude(curve, u).magnitude);
   EXPECT_TRUE(acceptance.must_applies);
-  const float value = static_cast<float>(acceptance.exact.to_double());
-  EXPECT_TRUE(is_within(value, acceptance.exact, acceptance.quality_bound));
-  const float poor = value + static_cast<float>(2 * acceptance.quality_bound.to_double());
-  EXPECT_TRUE(is_within(poor, acceptance.exact, acceptance.bound));
-  EXPECT_FALSE(is_within(poor, acceptance.exact, acceptance.quality_bound));
-
-  const Surface surface{points.data(), {1, 3, 0, 2}, {1, 1, 0, 1}};
-  EXPECT_EQ(reference::acceptance(surface, u, u).exact, acceptance.exact);
-  EXPECT_EQ(reference::acceptance(surface, u, u).quality_bound, acceptance.quality_bound);
 }
 
 // Returns must_applies() for a line over [u1, u2] with control values `first` and `last`. acceptance(), which

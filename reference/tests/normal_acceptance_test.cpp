@@ -357,29 +357,5 @@ TEST(NormalAcceptance, RefusesTheUsualMistakes) {
   EXPECT_FALSE(vector_accepted({right[0], right[1], right[2]}));
 }
 
-// The strict bound detects an error of one part in a hundred if there is no cancellation.
-TEST(NormalAcceptance, BitesOnBenignPatches) {
-  for (const double u : {0.0, 0.25, 0.5, 1.0}) {
-    for (const double v : {0.0, 0.75, 1.0}) {
-      const Patch slope = make_patch<3>(2, 2, [](int i, int j) {
-        return std::array{1.0 * i, 1.0 * j, 0.5 * i + 0.25 * j};
-      });
-      const NormalAcceptance acceptance = normal_acceptance(slope.surface(), at(u), at(v));
-      ASSERT_TRUE(acceptance.bound && acceptance.must_applies);
-      EXPECT_LT(*acceptance.bound, Rational(1) / 100);
-      EXPECT_LT(*acceptance.vector_bound, Rational(1) / 100);
-      const Floats right = rounded_unit_vector(acceptance.m);
-      EXPECT_TRUE(is_within(right, acceptance.m, *acceptance.bound, false));
-      for (int c = 0; c < 3; ++c) {
-        for (const float error : {-0.01f, 0.01f}) {
-          Floats wrong = right;
-          wrong[c] += error;
-          EXPECT_FALSE(is_within(wrong, acceptance.m, *acceptance.bound, false));
-        }
-      }
-    }
-  }
-}
-
 }  // namespace
 }  // namespace evalcts::reference

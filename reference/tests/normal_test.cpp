@@ -111,16 +111,6 @@ TEST(NormalVector, OfAPlanarRationalPatchIsThatOfThePlane) {
 // (0,2,2).
 constexpr double kCircle[3][3] = {{1, 0, 1}, {1, 1, 1}, {0, 2, 2}};
 
-TEST(NormalVector, OfARationalCylinderIsRadial) {
-  const Patch cylinder = make_patch<4>(3, 2, [](int i, int j) {
-    return std::array{kCircle[i][0], kCircle[i][1], kCircle[i][2] * 3 * j, kCircle[i][2]};
-  });
-  for (const double u : {0.0, 0.1, 0.5, 1.0, 3.0}) {
-    const Vector q = point(cylinder, at(u), at(0.25));
-    EXPECT_TRUE(are_parallel(normal_vector(cylinder.surface(), at(u), at(0.25)), {q[0], q[1], 0})) << u;
-  }
-}
-
 TEST(NormalVector, OfARationalSphereIsRadialAndVanishesAtThePole) {
   // The quarter circle turned about z: u is the longitude, v the latitude.
   const Patch sphere = make_patch<4>(3, 3, [](int i, int j) {
