@@ -23,12 +23,11 @@ namespace {
 using reference::Rational;
 
 Rational bound_of(const Map& map, std::size_t component, const At& at) {
-  const auto u = reference::Argument::coordinate(at.u), v = reference::Argument::coordinate(at.v);
-  const double* first = map.points.data() + component;
-  if (!map.two) return acceptance_bound(reference::Curve{first, map.ustride, map.uorder, map.u1, map.u2}, u);
-  return acceptance_bound(reference::Surface{first, map.ustride, map.vstride, map.uorder, map.vorder, map.u1,
-                                             map.u2, map.v1, map.v2},
-                          u, v);
+  const reference::Surface surface{map.points.data() + component,
+                                   {map.ustride, map.uorder, map.u1, map.u2},
+                                   {map.vstride, map.vorder, map.v1, map.v2}};
+  return acceptance_bound(surface, reference::Argument::coordinate(at.u),
+                          reference::Argument::coordinate(at.v));
 }
 
 float value_of(const ObservedVertex& vertex, GLenum target, std::size_t component) {

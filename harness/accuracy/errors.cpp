@@ -10,7 +10,7 @@ namespace evalcts::accuracy {
 using reference::Argument;
 
 reference::Surface Input::surface() const {
-  return {points.data(), vorder, 1, uorder, vorder, domain[0], domain[1], domain[2], domain[3]};
+  return {points.data(), {vorder, uorder, domain[0], domain[1]}, {1, vorder, domain[2], domain[3]}};
 }
 
 reference::Evaluation Input::evaluate(const reference::BernsteinForm& form) const {

@@ -18,7 +18,7 @@ std::string data_of(const Class& what) {
 }
 
 std::vector<double> random_component(const Class& what, Random& random) {
-  return reference::random_component(data_of(what), what.uorder, std::max(what.vorder, 1), random);
+  return random_component(data_of(what), what.uorder, std::max(what.vorder, 1), random);
 }
 
 // Returns x with one changed significand bit, the opposite sign, or another exponent e from least_exponent to
@@ -69,7 +69,7 @@ Map map_of(const Class& what, int components) {
 }
 
 void draw_points(Map& map, const Class& what, Random& random) {
-  map.points = reference::random_points(data_of(what), map.uorder, map.vorder, map.components, random);
+  map.points = random_points(data_of(what), map.uorder, map.vorder, map.components, random);
 }
 
 void vary_points(std::vector<double>& points, const Class& what, Random& random) {

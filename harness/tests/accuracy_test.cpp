@@ -77,8 +77,8 @@ class Shifted final : public Subject {
     std::vector<float> results(u.size() * map.components);
     for (int k = 0; k < map.components; ++k) {
       const reference::BernsteinForm form(reference::Surface{map.points.data() + k,
-                                                             map.vorder * map.components, map.components,
-                                                             map.uorder, map.vorder, 0, 1, 0, 1});
+                                                             {map.vorder * map.components, map.uorder, 0, 1},
+                                                             {map.components, map.vorder, 0, 1}});
       for (std::size_t i = 0; i < u.size(); ++i) {
         float& result = results[i * map.components + k];
         result = form.to_float(reference::Argument::coordinate(u[i]),
@@ -150,7 +150,7 @@ TEST(Textbook, IsExactWhereNothingIsRounded) {
   for (const std::string& name : own_subjects()) {
     const std::vector<float> got = open_subject({name})->evaluate(GL_MAP2_TEXTURE_COORD_1, map, u, v);
     for (std::size_t i = 0; i < u.size(); ++i) {
-      const reference::Surface surface = {map.points.data(), 4, 1, 3, 4, 0, 1, 0, 1};
+      const reference::Surface surface = {map.points.data(), {4, 3, 0, 1}, {1, 4, 0, 1}};
       EXPECT_EQ(Rational(got[i]), reference::evaluate(surface, reference::Argument::coordinate(u[i]),
                                                       reference::Argument::coordinate(v[i])))
           << name;

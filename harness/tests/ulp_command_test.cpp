@@ -4,7 +4,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <iterator>
-#include <regex>
 #include <sstream>
 #include <thread>
 
@@ -55,8 +54,10 @@ TEST_F(UlpCommand, MeasuresImplementations) {
   }
   EXPECT_EQ(as_text(file["implementations"][0]["rows"][0]["target"]), "vertex_3");
   EXPECT_EQ(as_text(file["implementations"][0]["rows"][0]["capture"]), "Sink");
-  EXPECT_TRUE(std::regex_search(outcome.text, std::regex("curve/4/ordinary +[5-9]\\d\\d +0\\.00 %")))
-      << outcome.text;
+  std::istringstream row(outcome.text.substr(outcome.text.find("curve/4/ordinary")));
+  const std::vector<std::string> cells{std::istream_iterator<std::string>(row), {}};
+  EXPECT_GE(std::stoi(cells.at(1)), 500) << outcome.text;
+  EXPECT_EQ(cells.at(2), "0.00") << outcome.text;
   const std::string table = text_of("ulp.csv");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 3 * 17) << table;
   EXPECT_TRUE(contains(table, "\nsum-float,curve/4/ordinary,,"));
@@ -70,11 +71,11 @@ TEST_F(UlpCommand, DrawsTheErrors) {
                 .code,
             0);
   const auto points_of = [&](const std::string& picture, const std::string& name) {
-    std::smatch line;
-    const std::string svg = text_of(picture);
-    const std::regex polyline("<polyline [^>]*points=\"([^\"]*)\"><title>" + name + "</title>");
-    EXPECT_TRUE(std::regex_search(svg, line, polyline)) << picture << ", " << name;
-    std::istringstream words(line[1]);
+    const std::string svg = text_of(picture), kPoints = "points=\"";
+    const std::size_t end = svg.find("\"><title>" + name + "</title>");
+    EXPECT_NE(end, std::string::npos) << picture << ", " << name;
+    const std::size_t begin = svg.rfind(kPoints, end) + kPoints.size();
+    std::istringstream words(svg.substr(begin, end - begin));
     return std::vector<std::string>{std::istream_iterator<std::string>(words), {}};
   };
   EXPECT_EQ(points_of("ulp-by-argument.svg", "production").size(), 256u);

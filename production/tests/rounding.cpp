@@ -7,7 +7,6 @@
 #include <fnmatch.h>
 #include <glevaluator.h>
 #include <reference/filter.h>
-#include <reference/random_map.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -16,51 +15,20 @@
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
 
+#include "rounding_maps.h"
+#include "rounding_results.h"
+
 namespace {
 
-using evalcts::reference::Arguments, evalcts::reference::CorrectlyRounded, evalcts::reference::Curve,
-    evalcts::reference::Random, evalcts::reference::Surface;
-using nlohmann::json;
-
-// ---- Tasks and results
-
-struct Task {
-  std::string kind;                  // "check", "sweep" or "digest"
-  std::uint64_t values = 0;          // of each class (check), or of all maps (digest)
-  float from = 0, to = 1;            // interval of a sweep
-  std::string filter = "*";          // pattern of the classes
-  std::vector<std::string> targets;  // instruction sets
-  std::uint32_t seed = 1;
-  std::uint64_t shard = 1, shards = 1;  // items shard - 1, shard - 1 + shards, ... of each class
-
-  bool operator==(const Task&) const = default;
-};
-
-// The result of some items of a class. Results of different items can be added in any order.
-struct Result {
-  std::uint64_t values = 0, wrong = 0;
-  std::uint64_t digest = 0;  // sum of a hash of the index and the bits of each value, modulo 2^64
-  std::uint64_t first_item = UINT64_MAX;
-  std::string first_wrong;  // the first wrong value of the first item that has one
-
-  void add(const Result& other) {
-    values += other.values;
-    wrong += other.wrong;
-    digest += other.digest;
-    if (other.first_item >= first_item) return;
-    first_item = other.first_item;
-    first_wrong = other.first_wrong;
-  }
-};
+using namespace rounding;
+using evalcts::reference::Arguments, evalcts::reference::CorrectlyRounded, evalcts::reference::Surface;
 
 // A 64-bit hash: the finalizer of splitmix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number
 // generators", 2014).
@@ -68,122 +36,6 @@ std::uint64_t hash(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
   x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
   return x ^ (x >> 31);
-}
-
-// ---- Random maps
-
-// A class of maps: orders (vorder 0: curves) and kind of data.
-struct Class {
-  int uorder, vorder;
-  std::string data;
-
-  std::string name() const {
-    return vorder == 0 ? fmt::format("curve/{}/{}", uorder, data)
-                       : fmt::format("surface/{}x{}/{}", uorder, vorder, data);
-  }
-  // Data of typical models, for which ties and zeros are frequent: multiples of a power of two, short
-  // decimals, and short decimals in symmetric or antisymmetric nets.
-  bool is_tie_rich() const { return data == "dyadic" || data == "decimal" || data == "symmetric"; }
-};
-
-std::vector<Class> classes() {
-  std::vector<Class> all;
-  const auto add = [&](std::initializer_list<std::array<int, 2>> orders,
-                       std::initializer_list<const char*> kinds) {
-    for (const auto& [u, v] : orders)
-      for (const char* kind : kinds) all.push_back({u, v, kind});
-  };
-  add({{2, 0}, {3, 0}, {4, 0}, {6, 0}, {10, 0}, {30, 0}, {64, 0}, {2, 2}, {4, 4}, {3, 8}, {1, 5}, {30, 30}},
-      {"ordinary", "integers", "lines", "cancelling", "wide", "extreme", "doubles"});
-  add({{2, 0}, {3, 0}, {4, 0}, {6, 0}, {2, 2}, {3, 3}, {4, 4}, {2, 4}, {6, 5}},
-      {"dyadic", "decimal", "symmetric"});
-  return all;
-}
-
-using Interval = std::array<double, 2>;
-
-struct Map {
-  int uorder, vorder;  // vorder 1: one-dimensional, or constant in v
-  int components;
-  bool two_dimensional, is_float;
-  std::array<Interval, 2> domain = {{{0, 1}, {0, 1}}};
-  std::vector<double> points = {};  // v fastest, components innermost
-};
-
-std::vector<double> tie_rich_points(const Map& map, const std::string& data, Random& random) {
-  const int n = map.uorder - 1, m = map.vorder - 1;
-  std::vector<double> points(static_cast<std::size_t>(map.uorder) * map.vorder * map.components);
-  const auto point = [&](int i, int j, int k) -> double& {
-    return points[static_cast<std::size_t>(i * map.vorder + j) * map.components + k];
-  };
-  const double range = random.once_in(2) ? 1 : std::ldexp(1, static_cast<int>(random.below(8)));
-  const double step = data == "dyadic" ? std::ldexp(range, -static_cast<int>(random.below(25)))
-                                       : std::pow(10, -1 - static_cast<double>(random.below(4)));
-  for (int k = 0; k < map.components; ++k) {
-    const double sign_u = random.once_in(2) ? 1 : -1, sign_v = random.once_in(2) ? 1 : -1;
-    const bool is_constant_along_u = random.once_in(6);
-    for (int i = 0; i <= n; ++i) {
-      for (int j = 0; j <= m; ++j) {
-        double& own = point(i, j, k);
-        own = static_cast<float>(std::round(random.between(-range, range) / step) * step);
-        if (is_constant_along_u && i > 0) own = point(0, j, k);
-        if (data != "symmetric") continue;
-        if (2 * i > n) own = sign_u * point(n - i, j, k);
-        if (2 * i == n && sign_u < 0) own = 0;
-        if (2 * j > m && m > 0) own = sign_v * point(i, m - j, k);
-        if (2 * j == m && m > 0 && sign_v < 0) own = 0;
-      }
-    }
-  }
-  return points;
-}
-
-std::vector<double> draw_points(const Map& map, const Class& what, Random& random) {
-  if (what.is_tie_rich()) return tie_rich_points(map, what.data, random);
-  return evalcts::reference::random_points(what.data, map.uorder, map.vorder, map.components, random);
-}
-
-Interval random_domain(Random& random) {
-  switch (random.below(6)) {
-    case 0:
-      return {static_cast<double>(random.below(10)), 16};
-    case 1:
-      return {static_cast<float>(random.between(-3, 0)), static_cast<float>(random.between(0.5, 9))};
-    case 2:
-      return {1, 0};
-    default:
-      return {0, 1};
-  }
-}
-
-Map random_map(const Class& what, Random& random) {
-  Map map{what.uorder, std::max(what.vorder, 1), 1 + static_cast<int>(random.below(4)), what.vorder > 0,
-          what.data != "doubles"};
-  for (Interval& domain : map.domain) domain = random_domain(random);
-  if (what.is_tie_rich()) {
-    const std::array<Interval, 4> domains = {{{0, 1}, {0, 1}, {1, 0}, {-1, 1}}};
-    for (Interval& domain : map.domain) domain = domains[random.below(4)];
-  }
-  map.points = draw_points(map, what, random);
-  return map;
-}
-
-// Returns a number, mostly inside the interval: uniform, dyadic, near an end, or slightly outside.
-double random_argument(const Interval& interval, Random& random) {
-  const double u1 = interval[0], width = interval[1] - interval[0];
-  const auto place = [&](double t) { return static_cast<double>(static_cast<float>(u1 + t * width)); };
-  switch (random.below(8)) {
-    case 0:
-      return u1 + static_cast<double>(random.below(1025)) / 1024 * width;
-    case 1:
-      return static_cast<float>(u1 + random.scaled(0, 1, -static_cast<int>(random.below(60))) * width);
-    case 2:
-      return place(random.between(-0.5, 1.5));
-    case 3:
-      return place(1 - random.scaled(0, 1, -static_cast<int>(random.below(24))));
-    default:
-      return place(random.uniform());
-  }
 }
 
 // ---- The library
@@ -373,13 +225,10 @@ std::vector<float> right_values(const Map& map, const std::vector<double>& u, co
   const auto components = static_cast<std::size_t>(map.components);
   std::vector<float> all(u.size() * components), of_component(u.size());
   for (std::size_t k = 0; k < components; ++k) {
-    const double* const points = map.points.data() + k;
-    const CorrectlyRounded oracle =
-        map.two_dimensional
-            ? CorrectlyRounded(Surface{points, map.vorder * map.components, map.components, map.uorder,
-                                       map.vorder, in_u[0], in_u[1], in_v[0], in_v[1]})
-            : CorrectlyRounded(Curve{points, map.components, map.uorder, in_u[0], in_u[1]});
-    oracle.to_float(arguments(u, 0), arguments(v, 1), of_component);
+    const Surface surface{map.points.data() + k,
+                          {map.vorder * map.components, map.uorder, in_u[0], in_u[1]},
+                          {map.components, map.vorder, in_v[0], in_v[1]}};
+    CorrectlyRounded(surface).to_float(arguments(u, 0), arguments(v, 1), of_component);
     for (std::size_t i = 0; i < u.size(); ++i) all[i * components + k] = of_component[i];
   }
   return all;
@@ -618,7 +467,7 @@ Result digest_item(const Task& task, std::uint64_t item) {
   map.uorder = 1 + static_cast<int>(random.below(most));
   if (map.two_dimensional) map.vorder = 1 + static_cast<int>(random.below(most));
   const char* const data = kData[random.below(std::size(kData))];
-  map.points = evalcts::reference::random_points(data, map.uorder, map.vorder, map.components, random);
+  map.points = evalcts::accuracy::random_points(data, map.uorder, map.vorder, map.components, random);
   const bool along_v = map.two_dimensional && random.once_in(2);
   const auto argument = [&] {
     switch (random.below(8)) {
@@ -640,15 +489,6 @@ Result digest_item(const Task& task, std::uint64_t item) {
   return compare_floats(task, item, map, target, along_v ? fixed : along, along_v ? along : fixed, before,
                         std::min(kValuesOfItem, task.values - before));
 }
-
-// ---- Results, and their merge
-
-constexpr char kFormat[] = "glevaluator-rounding-1";
-
-// An error of the user; the message says what to do.
-struct WrongUse : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 // Returns the number of items of the task in a class; 0: the class does not belong to the task.
 std::uint64_t items_of(const Task& task, const Class& what) {
@@ -678,89 +518,6 @@ std::map<std::string, Result> run(const Task& task) {
     });
   if (results.empty()) throw WrongUse("--filter '" + task.filter + "' matches no class of maps");
   return results;
-}
-
-json to_json(const std::map<std::string, Result>& results, bool with_digest) {
-  json out = json::object();
-  for (const auto& [name, result] : results) {
-    json& entry = out[name] = {{"values", result.values}, {"wrong", result.wrong}};
-    if (with_digest) entry["digest"] = fmt::format("{:016x}", result.digest);
-    if (result.wrong != 0) entry["first_wrong"] = {{"item", result.first_item}, {"text", result.first_wrong}};
-  }
-  return out;
-}
-
-json to_json(const Task& task, const std::map<std::string, Result>& results) {
-  json what = {
-      {"kind", task.kind}, {"version", GLEV_VERSION_STRING}, {"targets", task.targets}, {"seed", task.seed}};
-  if (task.kind != "sweep") what["values"] = task.values;
-  if (task.kind != "digest") what["filter"] = task.filter;
-  if (task.kind == "sweep") what["interval"] = {task.from, task.to};
-  return {{"format", kFormat},
-          {"task", what},
-          {"shard", task.shard},
-          {"shards", task.shards},
-          {"results", to_json(results, task.kind != "check")}};
-}
-
-Result result_from(const json& entry) {
-  Result result;
-  entry.at("values").get_to(result.values);
-  entry.at("wrong").get_to(result.wrong);
-  if (entry.contains("digest")) result.digest = std::stoull(entry["digest"].get<std::string>(), nullptr, 16);
-  if (result.wrong == 0) return result;
-  entry.at("first_wrong").at("item").get_to(result.first_item);
-  entry.at("first_wrong").at("text").get_to(result.first_wrong);
-  return result;
-}
-
-// Returns the result of the whole task from the results of all of its shards. Throws WrongUse.
-json merged(const std::vector<std::string>& files) {
-  json whole;
-  std::map<std::string, Result> results;
-  std::map<std::uint64_t, std::string> files_of_shards;
-  for (const std::string& file : files) try {
-      std::ifstream stream(file);
-      const json part = json::parse(stream);
-      if (part.at("format") != kFormat) throw WrongUse(file + ": its format is not " + kFormat);
-      if (whole.is_null()) whole = part;
-      for (const char* const same : {"task", "shards"})
-        if (part.at(same) != whole.at(same))
-          throw WrongUse(fmt::format("{} has the {} {}, but {} has {}; merge the shards of one task", file,
-                                     same, part[same].dump(), files.front(), whole[same].dump()));
-      const auto [earlier, is_new] = files_of_shards.emplace(part.at("shard"), file);
-      if (!is_new)
-        throw WrongUse(fmt::format("{} and {} are both shard {}; leave one of them out", earlier->second,
-                                   file, earlier->first));
-      for (const auto& [name, entry] : part.at("results").items()) results[name].add(result_from(entry));
-    } catch (const WrongUse&) {
-      throw;
-    } catch (const std::exception&) {
-      throw WrongUse(file + ": is not the result of a shard that has ended; run that shard again");
-    }
-  const std::uint64_t shards = whole["shards"];
-  std::string missing;
-  for (std::uint64_t shard = 1; shard <= shards; ++shard)
-    if (!files_of_shards.contains(shard)) missing += fmt::format(" {}/{}", shard, shards);
-  if (!missing.empty()) throw WrongUse("shards are missing:" + missing);
-  whole["shard"] = whole["shards"] = 1;
-  whole["results"] = to_json(results, whole["task"]["kind"] != "check");
-  return whole;
-}
-
-// Prints the result, and returns the exit code.
-int print(const json& result) {
-  std::cout << result.dump(1) << std::endl;
-  std::uint64_t values = 0, wrong = 0;
-  for (const auto& [name, entry] : result.at("results").items()) {
-    values += entry["values"].get<std::uint64_t>();
-    wrong += entry["wrong"].get<std::uint64_t>();
-    if (entry.contains("first_wrong"))
-      std::cerr << name << ": " << entry["first_wrong"]["text"].get<std::string>() << "\n";
-  }
-  std::cerr << fmt::format("{} values, {} wrong\n", values, wrong);
-  if (!std::cout) throw WrongUse("the result cannot be written");
-  return wrong > 0 ? 1 : 0;
 }
 
 // Completes and checks the task of the command line. Throws WrongUse.

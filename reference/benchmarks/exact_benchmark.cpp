@@ -29,7 +29,7 @@ struct Task {
     for (int i = 0; i < order; ++i) points.push_back(uniform(-1, 1));
     for (int i = 0; i < 1024; ++i) arguments.push_back(uniform(0, 1));
   }
-  Curve curve() const { return {points.data(), 1, static_cast<int>(points.size()), 0, 1}; }
+  Surface curve() const { return {points.data(), {1, static_cast<int>(points.size())}}; }
 };
 
 template <typename Evaluate>

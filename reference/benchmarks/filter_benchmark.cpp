@@ -24,9 +24,9 @@ void RoundCurve(benchmark::State& state) {
   std::mt19937 random(1);
   const std::vector<double> points = random_floats(random, order, -1, 1);
   const std::vector<double> u = random_floats(random, kArguments, 0, 1);
-  const CorrectlyRounded rounded(Curve{points.data(), 1, order, 0, 1});
+  const CorrectlyRounded rounded(Surface{points.data(), {1, order}});
   std::vector<float> results(kArguments);
-  for (auto _ : state) benchmark::DoNotOptimize(rounded.to_float({u}, results));
+  for (auto _ : state) benchmark::DoNotOptimize(rounded.to_float({u}, {}, results));
   state.SetItemsProcessed(state.iterations() * kArguments);
 }
 
@@ -36,7 +36,7 @@ void RoundSurface(benchmark::State& state) {
   const std::vector<double> points = random_floats(random, static_cast<std::size_t>(order) * order, -1, 1);
   const std::vector<double> u = random_floats(random, kArguments, 0, 1),
                             v = random_floats(random, kArguments, 0, 1);
-  const CorrectlyRounded rounded(Surface{points.data(), order, 1, order, order, 0, 1, 0, 1});
+  const CorrectlyRounded rounded(Surface{points.data(), {order, order, 0, 1}, {1, order}});
   std::vector<float> results(kArguments);
   for (auto _ : state) benchmark::DoNotOptimize(rounded.to_float({u}, {v}, results));
   state.SetItemsProcessed(state.iterations() * kArguments);
@@ -48,7 +48,7 @@ void RoundCurveExactly(benchmark::State& state) {
   std::mt19937 random(1);
   const std::vector<double> points = random_floats(random, order, -1, 1);
   const std::vector<double> u = random_floats(random, kArguments, 0, 1);
-  const BernsteinForm form(Curve{points.data(), 1, order, 0, 1});
+  const BernsteinForm form(Surface{points.data(), {1, order}});
   for (auto _ : state) {
     for (const double x : u) benchmark::DoNotOptimize(form.to_float(Argument::coordinate(x)));
   }

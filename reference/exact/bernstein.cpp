@@ -1,12 +1,9 @@
-// The functions of bernstein.h: evaluation through a BernsteinForm, derivatives from differences of the
-// control values.
+// Arguments, and evaluation through a BernsteinForm.
 #include <reference/bernstein.h>
 #include <reference/bernstein_form.h>
 
 #include <cmath>
 #include <stdexcept>
-
-#include "homogeneous.h"
 
 namespace evalcts::reference {
 
@@ -25,65 +22,24 @@ Rational Argument::value() const {
   return Rational(index_) * (g2 - g1) / Rational(segments_) + g1;
 }
 
-bool is_finite(const Curve& curve) {
-  return is_finite(Surface{curve.points, curve.stride, 0, curve.order, 1, curve.u1, curve.u2, 0, 1});
-}
-
 bool is_finite(const Surface& surface) {
-  for (const double end : {surface.u1, surface.u2, surface.v1, surface.v2}) {
+  for (const double end : {surface.u.first, surface.u.last, surface.v.first, surface.v.last}) {
     if (!std::isfinite(end)) return false;
   }
-  for (std::ptrdiff_t i = 0; i < surface.uorder; ++i) {
-    for (std::ptrdiff_t j = 0; j < surface.vorder; ++j) {
-      if (!std::isfinite(surface.points[i * surface.ustride + j * surface.vstride])) return false;
+  for (int i = 0; i < surface.u.order; ++i) {
+    for (int j = 0; j < surface.v.order; ++j) {
+      if (!std::isfinite(surface.at(i, j))) return false;
     }
   }
   return true;
-}
-
-Evaluation evaluate_with_magnitude(const Curve& curve, const Argument& u) {
-  return BernsteinForm(curve).evaluate_with_magnitude(u);
 }
 
 Evaluation evaluate_with_magnitude(const Surface& surface, const Argument& u, const Argument& v) {
   return BernsteinForm(surface).evaluate_with_magnitude(u, v);
 }
 
-Rational evaluate(const Curve& curve, const Argument& u) { return BernsteinForm(curve).evaluate(u); }
-
 Rational evaluate(const Surface& surface, const Argument& u, const Argument& v) {
   return BernsteinForm(surface).evaluate(u, v);
-}
-
-Rational magnitude(const Curve& curve, const Argument& u) {
-  return evaluate_with_magnitude(curve, u).magnitude;
-}
-
-Rational magnitude(const Surface& surface, const Argument& u, const Argument& v) {
-  return evaluate_with_magnitude(surface, u, v).magnitude;
-}
-
-// The derivative of a Bernstein sum of degree n is n times that of degree n - 1 over the differences.
-
-Rational derivative(const Curve& curve, const Argument& u) {
-  const Net net = integer_net(curve);
-  const Homogeneous t = homogenise(u, curve.u1, curve.u2);
-  if (net.rows == 1) return 0;
-  return (net.rows - 1) * bernstein_sum(differences_u(net), t).value;
-}
-
-Rational derivative_u(const Surface& surface, const Argument& u, const Argument& v) {
-  const Net net = integer_net(surface);
-  const Homogeneous t = homogenise(u, surface.u1, surface.u2), s = homogenise(v, surface.v1, surface.v2);
-  if (net.rows == 1) return 0;
-  return (net.rows - 1) * bernstein_sum(differences_u(net), t, s).value;
-}
-
-Rational derivative_v(const Surface& surface, const Argument& u, const Argument& v) {
-  const Net net = integer_net(surface);
-  const Homogeneous t = homogenise(u, surface.u1, surface.u2), s = homogenise(v, surface.v1, surface.v2);
-  if (net.columns == 1) return 0;
-  return (net.columns - 1) * bernstein_sum(differences_v(net), t, s).value;
 }
 
 }  // namespace evalcts::reference

@@ -2,7 +2,6 @@
 #include <reference/bernstein_form.h>
 
 #include <bit>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -26,20 +25,14 @@ Power power_of(std::int64_t c, int n) {
   return {odd == 1 ? Integer(1) : pow(Integer(odd), static_cast<unsigned>(n)), std::int64_t{n} * zeros};
 }
 
-void check_argument(const Argument& argument) {
-  if (!argument.is_finite()) throw std::domain_error("an argument is not finite");
-}
-
 }  // namespace
 
 struct BernsteinForm::Data {
-  std::vector<double> points;  // R_ij = points[i * vorder + j]
-  int uorder, vorder;
-  double u1, u2, v1, v2;
-  bool is_curve;
+  std::vector<double> points;
+  Surface surface;  // with points[i * v.order + j]
   std::optional<ShortTerms> terms;
 
-  Data(const Surface& surface, bool curve);
+  explicit Data(const Surface& given);
 
   Evaluation evaluate_generally(const Argument& u, const Argument& v) const;
   // Computes the sum and returns its divisor, or nothing if the numbers are too long.
@@ -49,59 +42,35 @@ struct BernsteinForm::Data {
   Float rounded(const Argument& u, const Argument& v) const;
 };
 
-BernsteinForm::Data::Data(const Surface& surface, bool curve)
-    : uorder(surface.uorder),
-      vorder(surface.vorder),
-      u1(surface.u1),
-      u2(surface.u2),
-      v1(surface.v1),
-      v2(surface.v2),
-      is_curve(curve) {
-  for (const int order : {uorder, vorder}) {
-    if (order < 1 || order > kMaxOrder) throw std::invalid_argument("order outside 1..64");
-  }
-  for (const double end : {u1, u2, v1, v2}) {
-    if (!std::isfinite(end)) throw std::domain_error("a domain end is not finite");
-  }
-  if (u1 == u2 || v1 == v2) throw std::domain_error("empty domain");
+BernsteinForm::Data::Data(const Surface& given) : surface(given) {
+  check(given);
+  const int uorder = given.u.order, vorder = given.v.order;
   points.reserve(static_cast<std::size_t>(uorder) * vorder);
-  for (std::ptrdiff_t i = 0; i < uorder; ++i) {
-    for (std::ptrdiff_t j = 0; j < vorder; ++j) {
-      points.push_back(surface.points[i * surface.ustride + j * surface.vstride]);
-    }
+  for (int i = 0; i < uorder; ++i) {
+    for (int j = 0; j < vorder; ++j) points.push_back(given.at(i, j));
   }
+  surface.points = points.data();
+  surface.u.stride = vorder;
+  surface.v.stride = 1;
   terms = short_terms(points, uorder, vorder);
 }
 
 Evaluation BernsteinForm::Data::evaluate_generally(const Argument& u, const Argument& v) const {
-  const Net net = integer_net(Surface{points.data(), vorder, 1, uorder, vorder, u1, u2, v1, v2});
-  if (is_curve) return bernstein_sum(net, homogenise(u, u1, u2));
-  return bernstein_sum(net, homogenise(u, u1, u2), homogenise(v, v1, v2));
+  const Net net = integer_net(surface);
+  const Weights along_u = bernstein_weights(homogenise(u, surface.u), surface.u.order - 1);
+  const Weights along_v = bernstein_weights(homogenise(v, surface.v), surface.v.order - 1);
+  return {bernstein_sum(net, along_u, along_v),
+          bernstein_sum(magnitudes(net), magnitudes(along_u), magnitudes(along_v))};
 }
 
 template <bool kMagnitude>
 std::optional<Power> BernsteinForm::Data::sum_of(const Argument& u, const Argument& v, ShortSum& sum) const {
-  check_argument(u);
-  if (!is_curve) check_argument(v);
+  if (!u.is_finite() || !v.is_finite()) throw std::domain_error("an argument is not finite");
   if (!terms) return std::nullopt;
-  ShortHomogeneous s{0, 1, 1}, t{0, 1, 1};  // arbitrary for a constant
-  const auto homogenise_into = [](ShortHomogeneous& result, const Argument& x, double x1, double x2) {
-    const auto found = homogenise_short(x, x1, x2);
-    if (found) result = *found;
-    return found.has_value();
-  };
-  if (uorder > 1 && !homogenise_into(s, u, u1, u2)) return std::nullopt;
-  if (vorder > 1 && !homogenise_into(t, v, v1, v2)) return std::nullopt;
-  if (vorder == 1) {
-    short_sum<kMagnitude>(*terms, s, sum);
-    return power_of(s.c, uorder - 1);
-  }
-  if (uorder == 1) {
-    short_sum<kMagnitude>(*terms, t, sum);
-    return power_of(t.c, vorder - 1);
-  }
-  short_sum<kMagnitude>(*terms, s, t, sum);
-  const Power along_u = power_of(s.c, uorder - 1), along_v = power_of(t.c, vorder - 1);
+  const auto s = homogenise_short(u, surface.u), t = homogenise_short(v, surface.v);
+  if (!s || !t) return std::nullopt;
+  short_sum<kMagnitude>(*terms, *s, *t, sum);
+  const Power along_u = power_of(s->c, surface.u.order - 1), along_v = power_of(t->c, surface.v.order - 1);
   return Power{along_u.denominator * along_v.denominator, along_u.exponent + along_v.exponent};
 }
 
@@ -120,10 +89,7 @@ Float BernsteinForm::Data::rounded(const Argument& u, const Argument& v) const {
   return round_to<Float>(Rational(numerator.to_integer(negative), divisor->denominator, exponent));
 }
 
-BernsteinForm::BernsteinForm(const Curve& curve)
-    : data_(std::make_unique<Data>(
-          Surface{curve.points, curve.stride, 0, curve.order, 1, curve.u1, curve.u2, 0, 1}, true)) {}
-BernsteinForm::BernsteinForm(const Surface& surface) : data_(std::make_unique<Data>(surface, false)) {}
+BernsteinForm::BernsteinForm(const Surface& surface) : data_(std::make_unique<Data>(surface)) {}
 BernsteinForm::BernsteinForm(BernsteinForm&&) noexcept = default;
 BernsteinForm& BernsteinForm::operator=(BernsteinForm&&) noexcept = default;
 BernsteinForm::~BernsteinForm() = default;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -30,68 +31,29 @@ Integer scaled(const Binary& x, int exponent) {
   return integer;
 }
 
-// A sum with separate positive and negative terms, so that one pass gives value and magnitude.
-struct Parts {
-  Integer positive, negative;  // both >= 0
-};
-
-Evaluation finish(const Parts& sum, const Integer& denominator, std::int64_t exponent) {
-  return {Rational(sum.positive - sum.negative, denominator, exponent),
-          Rational(sum.positive + sum.negative, denominator, exponent)};
-}
-
-// Computes SUM i=0..n of C(n,i) * a^i * b^(n-i) * R_i by Horner's scheme. add(i, weight, negative, sum) must
-// add weight * R_i, or -weight * R_i if `negative`, to the sum.
-template <typename Add>
-Parts horner(const Homogeneous& t, int n, Add&& add) {
-  const Integer a = abs(t.a), b = abs(t.b);
-  const bool a_negative = t.a.sign() < 0, b_negative = t.b.sign() < 0;
-  Parts sum;
-  Integer power = 1, weight;
-  for (int i = 0; i <= n; ++i) {
-    if (i > 0) {
-      sum.positive *= b;
-      sum.negative *= b;
-      power *= a;
-      if (power.is_zero()) continue;
-    }
-    weight = power * binomial(n, i);
-    const bool negative = (a_negative && i % 2 != 0) != (b_negative && (n - i) % 2 != 0);
-    add(i, weight, negative, sum);
-  }
+Integer dot(const std::vector<Integer>& weights, const Integer* values) {
+  Integer sum = 0;
+  for (const Integer& weight : weights) sum += weight * *values++;
   return sum;
-}
-
-// The argument `add` of horner() for the control values R_i = values[i].
-class Row {
- public:
-  explicit Row(const Integer* values) : values_(values) {}
-  void operator()(int i, const Integer& weight, bool negative, Parts& sum) {
-    const Integer& value = values_[i];
-    if (value.is_zero()) return;
-    product_ = weight * value;
-    if (value.sign() < 0) product_.backend().negate();
-    ((value.sign() < 0) != negative ? sum.negative : sum.positive) += product_;
-  }
-
- private:
-  const Integer* values_;
-  Integer product_;
-};
-
-void check_order(int order) {
-  if (order < 1 || order > kMaxOrder) throw std::invalid_argument("order outside 1..64");
 }
 
 }  // namespace
 
+void check(const Surface& surface, const Argument& u, const Argument& v) {
+  for (const int order : {surface.u.order, surface.v.order})
+    if (order < 1 || order > kMaxOrder) throw std::invalid_argument("order outside 1..64");
+  for (const Direction& direction : {surface.u, surface.v})
+    if (direction.first == direction.last) throw std::domain_error("empty domain");
+  if (!is_finite(surface)) throw std::domain_error("a domain end or a control value is not finite");
+  if (!u.is_finite() || !v.is_finite()) throw std::domain_error("an argument is not finite");
+}
+
 std::uint64_t binomial(int n, int i) { return kBinomials[n][i]; }
 
-Homogeneous homogenise(const Argument& u, double u1, double u2) {
-  if (u1 == u2) throw std::domain_error("empty domain");
+Homogeneous homogenise(const Argument& u, const Direction& direction) {
   // A grid point is u = ((n - i) * g1 + i * g2) / n. For a coordinate, n = 1 and u = g1.
-  const std::array<Binary, 4> numbers{decompose(u.first()), decompose(u.last()), decompose(u1),
-                                      decompose(u2)};
+  const std::array<Binary, 4> numbers{decompose(u.first()), decompose(u.last()), decompose(direction.first),
+                                      decompose(direction.last)};
   const int exponent = common_exponent(numbers);
   Integer x = scaled(numbers[0], exponent);
   Integer x1 = scaled(numbers[2], exponent), x2 = scaled(numbers[3], exponent);
@@ -133,20 +95,21 @@ Homogeneous homogenise(const Rational& t, const Rational& s) {
   return {std::move(a), std::move(b), std::move(c)};
 }
 
-Net integer_net(const Curve& curve) {
-  return integer_net(Surface{curve.points, curve.stride, 0, curve.order, 1, curve.u1, curve.u2, 0, 1});
+Weights bernstein_weights(const Homogeneous& t, int n) {
+  Weights weights{std::vector<Integer>(n + 1), pow(t.c, static_cast<unsigned>(n))};
+  Integer power = 1;
+  for (int i = 0; i <= n; ++i, power *= t.a) weights.values[i] = power * binomial(n, i);
+  power = 1;
+  for (int i = n; i >= 0; --i, power *= t.b) weights.values[i] *= power;
+  return weights;
 }
 
 Net integer_net(const Surface& surface) {
-  check_order(surface.uorder);
-  check_order(surface.vorder);
-  Net net{surface.uorder, surface.vorder, {}, 0};
+  Net net{surface.u.order, surface.v.order, {}, 0};
   std::vector<Binary> binary;
   binary.reserve(static_cast<std::size_t>(net.rows) * net.columns);
-  for (std::ptrdiff_t i = 0; i < net.rows; ++i) {
-    for (std::ptrdiff_t j = 0; j < net.columns; ++j) {
-      binary.push_back(decompose(surface.points[i * surface.ustride + j * surface.vstride]));
-    }
+  for (int i = 0; i < net.rows; ++i) {
+    for (int j = 0; j < net.columns; ++j) binary.push_back(decompose(surface.at(i, j)));
   }
   const int exponent = common_exponent(binary);
   net.exponent = exponent;
@@ -155,41 +118,44 @@ Net integer_net(const Surface& surface) {
   return net;
 }
 
-Net differences_u(const Net& net) {
-  Net result{net.rows - 1, net.columns, {}, net.exponent};
-  for (std::size_t i = 0; i + net.columns < net.values.size(); ++i) {
-    result.values.push_back(net.values[i + net.columns] - net.values[i]);
-  }
-  return result;
-}
-
-Net differences_v(const Net& net) {
-  Net result{net.rows, net.columns - 1, {}, net.exponent};
-  for (std::size_t i = 0; i < net.values.size(); ++i) {
-    if ((i + 1) % net.columns != 0) result.values.push_back(net.values[i + 1] - net.values[i]);
-  }
-  return result;
-}
-
 Net magnitudes(Net net) {
   for (Integer& value : net.values) value = abs(value);
   return net;
 }
 
-Evaluation bernstein_sum(const Net& net, const Homogeneous& u) {
-  const int n = net.rows - 1;
-  return finish(horner(u, n, Row(net.values.data())), pow(u.c, static_cast<unsigned>(n)), net.exponent);
+Weights magnitudes(Weights weights) {
+  for (Integer& value : weights.values) value = abs(value);
+  return weights;
 }
 
-Evaluation bernstein_sum(const Net& net, const Homogeneous& u, const Homogeneous& v) {
-  const int n = net.rows - 1, m = net.columns - 1;
-  const Parts sum = horner(u, n, [&](int i, const Integer& weight, bool negative, Parts& total) {
-    const Parts row = horner(v, m, Row(&net.values[static_cast<std::size_t>(i) * net.columns]));
-    (negative ? total.negative : total.positive) += weight * row.positive;
-    (negative ? total.positive : total.negative) += weight * row.negative;
-  });
-  const Integer denominator = pow(u.c, static_cast<unsigned>(n)) * pow(v.c, static_cast<unsigned>(m));
-  return finish(sum, denominator, net.exponent);
+namespace {
+
+Net neighbours(const Net& net, int rows, int columns, std::size_t distance, int sign) {
+  Net result{rows, columns, {}, net.exponent};
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < columns; ++j) {
+      const Integer* value = &net.values[static_cast<std::size_t>(i) * net.columns + j];
+      result.values.push_back(value[distance] + sign * value[0]);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Net neighbours_u(const Net& net, int sign) {
+  return neighbours(net, net.rows - 1, net.columns, net.columns, sign);
+}
+
+Net neighbours_v(const Net& net, int sign) { return neighbours(net, net.rows, net.columns - 1, 1, sign); }
+
+Rational bernstein_sum(const Net& net, const Weights& u, const Weights& v) {
+  std::vector<Integer> rows;
+  rows.reserve(net.rows);
+  for (int i = 0; i < net.rows; ++i) {
+    rows.push_back(dot(v.values, &net.values[static_cast<std::size_t>(i) * net.columns]));
+  }
+  return Rational(dot(u.values, rows.data()), u.denominator * v.denominator, net.exponent);
 }
 
 }  // namespace evalcts::reference

@@ -11,23 +11,22 @@
 //   |m' - m| <= d   and   m' * (1 +- 10*eps) / w'^4,
 // The bounds of direction and length follow from both.
 //
-// Every result here is an upper bound, computed as a sum of positive terms in binary64. It is accurate to one
-// part in 2^44 (fewer than 300 roundings) and is widened by more than that.
+// The errors E are those of the accuracy rule. Every number that is computed from them is an upper bound, a
+// sum of positive terms in binary64, accurate to one part in 2^44 (fewer than 300 roundings). The A of each E
+// and the results are widened by more than that.
 #include <reference/normal.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "direction.h"
-#include "homogeneous.h"
-#include "jet.h"
+#include "accuracy_rule.h"
+#include "tangents.h"
 
 namespace evalcts::reference {
 namespace {
 
 constexpr double kEpsilon = 10738 * 0x1p-30;
-constexpr double kSmallestNormal = 0x1p-126;
 constexpr double kLargest = 0x1p32;  // the largest magnitude that the GL promises to represent
 constexpr double kRoundings = 0x1p-42;
 
@@ -36,88 +35,8 @@ struct Estimate {
   double magnitude = 0, error = 0;
   double most() const { return magnitude + error; }
 };
-
-// The magnitudes |R_ij| of a net.
-struct Magnitudes {
-  int rows, columns;
-  std::vector<double> values;
-
-  double at(int i, int j) const { return values[static_cast<std::size_t>(i) * columns + j]; }
-  double largest() const { return *std::max_element(values.begin(), values.end()); }
-};
-
-Magnitudes magnitudes(const Surface& surface) {
-  Magnitudes result{surface.uorder, surface.vorder, {}};
-  for (int i = 0; i < surface.uorder; ++i) {
-    for (int j = 0; j < surface.vorder; ++j) {
-      result.values.push_back(std::abs(surface.points[i * surface.ustride + j * surface.vstride]));
-    }
-  }
-  return result;
-}
-
-// Return the nets of |R_(i+1)j| + |R_ij| and of |R_i(j+1)| + |R_ij|.
-Magnitudes sums_u(const Magnitudes& net) {
-  Magnitudes result{net.rows - 1, net.columns, {}};
-  for (int i = 0; i < result.rows; ++i) {
-    for (int j = 0; j < result.columns; ++j) result.values.push_back(net.at(i + 1, j) + net.at(i, j));
-  }
-  return result;
-}
-
-Magnitudes sums_v(const Magnitudes& net) {
-  Magnitudes result{net.rows, net.columns - 1, {}};
-  for (int i = 0; i < result.rows; ++i) {
-    for (int j = 0; j < result.columns; ++j) result.values.push_back(net.at(i, j + 1) + net.at(i, j));
-  }
-  return result;
-}
-
-// The quantities |t|, |s|, T and S of one direction.
-struct Range {
-  double t, s, widened_t, widened_s;
-};
-
-Range range_of(const Direction& d, bool single) {
-  return {d.t().to_double(), d.s().to_double(), d.widened_t(single).to_double(),
-          d.widened_s(single).to_double()};
-}
-
-// Returns C(n,i) * t^i * s^(n-i) for i = 0..n.
-std::vector<double> weights(int n, double t, double s) {
-  std::vector<double> result(n + 1);
-  double power = 1;
-  for (int i = 0; i <= n; ++i, power *= t) result[i] = static_cast<double>(binomial(n, i)) * power;
-  power = 1;
-  for (int i = n; i >= 0; --i, power *= s) result[i] *= power;
-  return result;
-}
-
-// The weights of one degree: of W(|t|,|s|), of W(T,S), and of U.
-struct Weights {
-  std::vector<double> plain, widened, binomials;
-
-  Weights(int n, const Range& r)
-      : plain(weights(n, r.t, r.s)), widened(weights(n, r.widened_t, r.widened_s)) {
-    const double extent = std::pow(std::max({1.0, r.t, r.s}), n);
-    binomials = weights(n, 1, 1);
-    for (double& x : binomials) x *= extent;
-  }
-};
-
-// Returns A*W(T,S) - W(|t|,|s|) + U over the net.
-double error_bound(const Magnitudes& net, const Weights& u, const Weights& v, int k) {
-  double inner = 0, outer = 0, under = 0;
-  for (int i = 0; i < net.rows; ++i) {
-    for (int j = 0; j < net.columns; ++j) {
-      const double r = net.at(i, j);
-      inner += u.plain[i] * v.plain[j] * r;
-      outer += u.widened[i] * v.widened[j] * r;
-      under += u.binomials[i] * v.binomials[j] * std::max(1.0, r);
-    }
-  }
-  const double x = k * kEpsilon;
-  return (1 + x + x * x + kRoundings) * outer - inner + k * kSmallestNormal * under;
+Estimate estimate(const Rational& x, const Rational& error) {
+  return {std::abs(x.to_double()), error.to_double()};
 }
 
 // Estimates of the value of one component and of its derivatives p_u and p_v.
@@ -125,25 +44,29 @@ struct JetEstimate {
   Estimate value, u, v;
 };
 
-std::vector<JetEstimate> estimates(VertexSurface surface, const std::vector<Jet>& jets, const Direction& u,
-                                   const Direction& v, bool single) {
+// The weights of the bounds of values and of derivatives in one direction.
+struct BoundBasis {
+  BoundBasis(const Coordinate& at, bool single)
+      : degree(at.degree()), value(at, degree, single), derivative(at, std::max(degree - 1, 0), single) {}
+
+  int degree;
+  BoundWeights value, derivative;
+};
+
+// `net`: the magnitudes of the control values.
+JetEstimate estimate_of(const Jet& jet, const Net& net, const BoundBasis& u, const BoundBasis& v,
+                        bool single) {
   const int n = u.degree, m = v.degree;
-  const Range u_range = range_of(u, single), v_range = range_of(v, single);
-  const Weights along_u(n, u_range), along_v(m, v_range);
-  std::vector<JetEstimate> result(jets.size());
-  const auto magnitude = [](const Rational& x) { return std::abs(x.to_double()); };
-  for (std::size_t c = 0; c < jets.size(); ++c) {
-    const Magnitudes net = magnitudes(surface[c]);
-    result[c].value = {magnitude(jets[c].value),
-                       error_bound(net, along_u, along_v, operations(n, m, single))};
-    if (n > 0) {
-      result[c].u = {magnitude(jets[c].u), n * error_bound(sums_u(net), Weights(n - 1, u_range), along_v,
-                                                           operations(n - 1, m, single) + 3)};
-    }
-    if (m > 0) {
-      result[c].v = {magnitude(jets[c].v), m * error_bound(sums_v(net), along_u, Weights(m - 1, v_range),
-                                                           operations(n, m - 1, single) + 3)};
-    }
+  JetEstimate result;
+  result.value =
+      estimate(jet.value, error_bound(net, u.value, v.value, operations(n, m, single), kRoundings));
+  if (n > 0) {
+    const int k = operations(n - 1, m, single) + 3;
+    result.u = estimate(jet.u, n * error_bound(neighbours_u(net, 1), u.derivative, v.value, k, kRoundings));
+  }
+  if (m > 0) {
+    const int k = operations(n, m - 1, single) + 3;
+    result.v = estimate(jet.v, m * error_bound(neighbours_v(net, 1), u.value, v.derivative, k, kRoundings));
   }
   return result;
 }
@@ -205,39 +128,35 @@ bool sizes_are_ordinary(const Estimates& a, double u_width, const Estimates& b, 
   return true;
 }
 
-bool values_must_apply(VertexSurface surface, const Direction& u, const Direction& v, int range) {
-  if (!u.must_applies() || !v.must_applies()) return false;
-  double largest = 0;
-  for (const Surface& component : surface) largest = std::max(largest, magnitudes(component).largest());
-  const Rational growth = u.growth() * v.growth();
-  return growth <= Rational::power_of_two(kFullRange) &&
-         growth * Rational(largest) <= Rational::power_of_two(range);
-}
-
 Rational outward(double x) { return Rational(x * (1 + kRoundings)); }
 
 }  // namespace
 
 NormalAcceptance normal_acceptance(VertexSurface surface, const Argument& u, const Argument& v, int range) {
-  const std::vector<Jet> exact = jets(surface, u, v);
-  const Tangents tangents = cleared_tangents(exact);
-  NormalAcceptance result{cross(tangents.u, tangents.v), false, std::nullopt, std::nullopt};
+  const std::vector<Jet> exact = vertex_jets(surface, u, v);
+  const auto [tangent_a, tangent_b] = cleared_tangents(exact);
+  NormalAcceptance result{cross(tangent_a, tangent_b), false, std::nullopt, std::nullopt};
 
-  const Surface& first = surface.front();
-  const Direction along_u{first.uorder - 1, first.u1, first.u2, u};
-  const Direction along_v{first.vorder - 1, first.v1, first.v2, v};
-  const bool single = along_u.is_single() && along_v.is_single() &&
-                      std::all_of(surface.begin(), surface.end(), points_are_single);
-  const std::vector<JetEstimate> jets = estimates(surface, exact, along_u, along_v, single);
+  const Coordinate along_u(surface.front().u, u), along_v(surface.front().v, v);
+  const bool single =
+      along_u.is_single() && along_v.is_single() && std::ranges::all_of(surface, points_are_single);
+  const BoundBasis u_basis(along_u, single), v_basis(along_v, single);
+  std::vector<JetEstimate> jets;
+  Rational largest_value;
+  for (std::size_t c = 0; c < surface.size(); ++c) {
+    const Net net = magnitudes(integer_net(surface[c]));
+    jets.push_back(estimate_of(exact[c], net, u_basis, v_basis, single));
+    largest_value = std::max(largest_value, largest(net));
+  }
   const Estimate w = jets.size() == 4 ? jets[3].value : Estimate{1, 0};
-  const Estimates a = tangent_estimates(jets, tangents.u, &JetEstimate::u);
-  const Estimates b = tangent_estimates(jets, tangents.v, &JetEstimate::v);
+  const Estimates a = tangent_estimates(jets, tangent_a, &JetEstimate::u);
+  const Estimates b = tangent_estimates(jets, tangent_b, &JetEstimate::v);
   const double m = size(result.m);
   const double d = cross_error(a, b);
 
   result.must_applies =
-      values_must_apply(surface, along_u, along_v, range) &&
-      sizes_are_ordinary(a, along_u.width().to_double(), b, along_v.width().to_double(), m, w.magnitude);
+      must_applies(along_u, along_v, largest_value, range) &&
+      sizes_are_ordinary(a, along_u.width.to_double(), b, along_v.width.to_double(), m, w.magnitude);
   const bool judged = d < m / 4 && w.error < w.magnitude / 2;  // false if a number is NaN
   if (!judged || !std::isfinite(m)) return result;
 

@@ -73,9 +73,10 @@ void sum_row(const SignedTwoLimbs* terms, int count, const ShortHomogeneous& t, 
 
 }  // namespace
 
-std::optional<ShortHomogeneous> homogenise_short(const Argument& u, double u1, double u2) {
-  const std::array<Binary, 4> numbers{decompose(u.first()), decompose(u.last()), decompose(u1),
-                                      decompose(u2)};
+std::optional<ShortHomogeneous> homogenise_short(const Argument& u, const Direction& direction) {
+  if (direction.order == 1) return ShortHomogeneous{0, 1, 1};
+  const std::array<Binary, 4> numbers{decompose(u.first()), decompose(u.last()), decompose(direction.first),
+                                      decompose(direction.last)};
   const int exponent = common_exponent(numbers);
   std::array<std::int64_t, 4> integers;
   for (std::size_t k = 0; k < numbers.size(); ++k) {
@@ -123,12 +124,11 @@ std::optional<ShortTerms> short_terms(std::span<const double> points, int rows, 
 }
 
 template <bool kMagnitude>
-void short_sum(const ShortTerms& terms, const ShortHomogeneous& t, ShortSum& sum) {
-  sum_row<kMagnitude>(terms.values.data(), static_cast<int>(terms.values.size()), t, terms.pairs, sum);
-}
-
-template <bool kMagnitude>
 void short_sum(const ShortTerms& terms, const ShortHomogeneous& u, const ShortHomogeneous& v, ShortSum& sum) {
+  if (terms.rows == 1 || terms.columns == 1) {
+    return sum_row<kMagnitude>(terms.values.data(), static_cast<int>(terms.values.size()),
+                               terms.columns == 1 ? u : v, terms.pairs, sum);
+  }
   const Limb a = std::abs(u.a), b = std::abs(u.b);
   const int n = terms.rows - 1;
   Natural power(1);
@@ -156,8 +156,6 @@ void short_sum(const ShortTerms& terms, const ShortHomogeneous& u, const ShortHo
   }
 }
 
-template void short_sum<false>(const ShortTerms&, const ShortHomogeneous&, ShortSum&);
-template void short_sum<true>(const ShortTerms&, const ShortHomogeneous&, ShortSum&);
 template void short_sum<false>(const ShortTerms&, const ShortHomogeneous&, const ShortHomogeneous&,
                                ShortSum&);
 template void short_sum<true>(const ShortTerms&, const ShortHomogeneous&, const ShortHomogeneous&, ShortSum&);

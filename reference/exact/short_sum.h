@@ -18,9 +18,8 @@ struct ShortHomogeneous {
   std::int64_t a, b, c;
 };
 
-// Same as homogenise(), but returns nothing if the numbers are longer. Throws std::domain_error if a number
-// is not finite.
-std::optional<ShortHomogeneous> homogenise_short(const Argument& u, double u1, double u2);
+// Same as homogenise(), but returns nothing if the numbers are longer, and any t for a direction of order 1.
+std::optional<ShortHomogeneous> homogenise_short(const Argument& u, const Direction& direction);
 
 // The terms C(m,j) * R_ij of rows of m + 1 control values, row by row. A single column has the terms C(n,i) *
 // R_i.
@@ -32,7 +31,7 @@ struct ShortTerms {
 };
 
 // Returns the terms for R_ij = points[i * columns + j], or nothing if the R_ij, as integers times a power of
-// two, are longer than 63 bits. Throws std::domain_error if a value is not finite.
+// two, are longer than 63 bits. All values must be finite.
 std::optional<ShortTerms> short_terms(std::span<const double> points, int rows, int columns);
 
 // A sum with separate positive and negative terms.
@@ -40,12 +39,8 @@ struct ShortSum {
   Natural positive, negative;
 };
 
-// Computes SUM C(n,i) * a^i * b^(n-i) * R_i over a single row or column. With `kMagnitude`, positive +
+// Computes SUM C(n,i) * C(m,j) * a_u^i * b_u^(n-i) * a_v^j * b_v^(m-j) * R_ij. With `kMagnitude`, positive +
 // negative is the sum of the magnitudes; without it, only their difference has a meaning.
-template <bool kMagnitude>
-void short_sum(const ShortTerms& terms, const ShortHomogeneous& t, ShortSum& sum);
-
-// Computes the sum over the tensor product of both directions.
 template <bool kMagnitude>
 void short_sum(const ShortTerms& terms, const ShortHomogeneous& u, const ShortHomogeneous& v, ShortSum& sum);
 

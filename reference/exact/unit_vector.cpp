@@ -68,37 +68,24 @@ std::array<Float, 3> rounded_to(const Vector& m) {
 // Returns x * |x|, which has the same order as x.
 Rational signed_square(const Rational& x) { return x * abs(x); }
 
-// A number sign * sqrt(square / scale). The scale is a separate argument of the functions below.
-struct SignedRoot {
-  int sign;
-  Rational square;
-};
-
-// Returns true if |a - b| <= bound, where a^2 = a.square / a_scale and b^2 = b.square / b_scale. This is
-// equivalent to
-//   a^2 + b^2 - bound^2 <= 2ab,
+// Returns true if |x - y| <= bound for x = a/sqrt(a_square) and y = b/sqrt(b_square). This is equivalent to
+//   x^2 + y^2 - bound^2 <= 2xy,
 // and both sides keep their order when squared with their signs.
-bool differ_at_most(const SignedRoot& a, const Rational& a_scale, const SignedRoot& b,
-                    const Rational& b_scale, const Rational& bound) {
-  const Rational left = a.square * b_scale + b.square * a_scale - bound * bound * a_scale * b_scale;
-  const Rational right = Rational(4 * a.sign * b.sign) * a.square * b.square * a_scale * b_scale;
-  return signed_square(left) <= right;
+bool differ_at_most(const Rational& a, const Rational& a_square, const Rational& b, const Rational& b_square,
+                    const Rational& bound) {
+  const Rational left = a * a * b_square + b * b * a_square - bound * bound * a_square * b_square;
+  return signed_square(left) <= 4 * signed_square(a * b) * a_square * b_square;
 }
 
-SignedRoot signed_root(const Rational& x) { return {x.sign(), x * x}; }
-
-// Returns true if each component of g / sqrt(scale) lies within `bound` of that of m/|m| or, with
+// Returns true if each component of g / sqrt(g_square) lies within `bound` of that of m/|m| or, with
 // `either_sign`, of -m/|m|.
-bool components_within(const Vector& g, const Rational& scale, const Vector& m, const Rational& bound,
+bool components_within(const Vector& g, const Rational& g_square, const Vector& m, const Rational& bound,
                        bool either_sign) {
-  const Rational m_scale = nonzero_squared_length(m);
+  const Rational m_square = nonzero_squared_length(m);
   if (bound.sign() < 0) return false;
   const auto within = [&](int sign) {
-    for (int c = 0; c < 3; ++c) {
-      SignedRoot expected = signed_root(m[c]);
-      expected.sign *= sign;
-      if (!differ_at_most(signed_root(g[c]), scale, expected, m_scale, bound)) return false;
-    }
+    for (int c = 0; c < 3; ++c)
+      if (!differ_at_most(g[c], g_square, sign * m[c], m_square, bound)) return false;
     return true;
   };
   return within(1) || (either_sign && within(-1));

@@ -25,41 +25,26 @@ void copy_padded(std::span<const double> values, Block& block) {
   std::fill(block.begin() + values.size(), block.begin() + round_up_to_lanes(values.size()), values.back());
 }
 
-Surface as_surface(const Curve& curve) {
-  return {curve.points, curve.stride, 0, curve.order, 1, curve.u1, curve.u2, 0, 1};
-}
-
-Surface checked(const Surface& surface) {
-  for (const int order : {surface.uorder, surface.vorder}) {
-    if (order < 1 || order > kMaxOrder) throw std::invalid_argument("order outside 1..64");
-  }
-  return surface;
-}
-
 }  // namespace
 
 struct Filter::Plan {
-  bool is_curve;
+  Direction map_u, map_v;
   KernelPlan kernel;
-
-  Plan(const Surface& surface, bool curve) : is_curve(curve), kernel(kernel_plan(checked(surface))) {}
 
   // Calls use(first, count, enclosures) for each block of arguments. `enclosures` is null if domain or grid
   // are outside the limits of the filter.
   template <typename Use>
   void for_each_block(const Arguments& u, const Arguments& v, std::size_t count, Use use) const {
-    if (u.values.size() != count || (!is_curve && v.values.size() != count)) {
+    const bool has_v = !v.values.empty() || map_v.order > 1;
+    if (u.values.size() != count || (has_v && v.values.size() != count)) {
       throw std::invalid_argument("as many arguments as results are needed");
     }
     KernelPlan plan = kernel;
     if (u.grid) {
-      const DirectionPlan& d = kernel.u;
-      plan.u = direction_plan(d.degree + 1, d.first, d.last, u.grid);
-      plan.u.applies = plan.u.applies && d.applies;
+      plan.u = direction_plan(map_u, u.grid);
+      plan.u.applies = plan.u.applies && kernel.u.applies;
     }
-    if (v.grid && !is_curve) {
-      plan.v = direction_plan(kernel.v.degree + 1, kernel.v.first, kernel.v.last, v.grid);
-    }
+    if (v.grid && has_v) plan.v = direction_plan(map_v, v.grid);
     const bool applies = plan.u.applies && plan.v.applies;
     alignas(64) Block us, vs{}, high, low, error;
     const EnclosureArrays enclosures{high.data(), low.data(), error.data()};
@@ -67,7 +52,7 @@ struct Filter::Plan {
       const std::size_t size = std::min(kBlock, count - first);
       if (applies) {
         copy_padded(u.values.subspan(first, size), us);
-        if (!is_curve) copy_padded(v.values.subspan(first, size), vs);
+        if (has_v) copy_padded(v.values.subspan(first, size), vs);
         enclose_kernel(plan, us.data(), vs.data(), size, enclosures);
       }
       use(first, size, applies ? &enclosures : nullptr);
@@ -93,8 +78,8 @@ struct Filter::Plan {
   }
 };
 
-Filter::Filter(const Curve& curve) : plan_(std::make_unique<Plan>(as_surface(curve), true)) {}
-Filter::Filter(const Surface& surface) : plan_(std::make_unique<Plan>(surface, false)) {}
+Filter::Filter(const Surface& surface)
+    : plan_(std::make_unique<Plan>(Plan{surface.u, surface.v, kernel_plan(surface)})) {}
 Filter::Filter(Filter&&) noexcept = default;
 Filter& Filter::operator=(Filter&&) noexcept = default;
 Filter::~Filter() = default;
@@ -144,14 +129,13 @@ std::size_t decide_the_rest(const Arguments& u, const Arguments& v, std::span<Fl
   for (std::size_t k = 0; k < results.size(); ++k) {
     if (decided[k] != 0) continue;
     ++count;
-    results[k] = decide(argument(u, k), v.values.empty() ? Argument::coordinate(0) : argument(v, k));
+    results[k] = decide(argument(u, k), v.values.empty() ? Argument() : argument(v, k));
   }
   return count;
 }
 
 }  // namespace
 
-CorrectlyRounded::CorrectlyRounded(const Curve& curve) : filter_(curve), exact_(curve) {}
 CorrectlyRounded::CorrectlyRounded(const Surface& surface) : filter_(surface), exact_(surface) {}
 
 std::size_t CorrectlyRounded::to_float(const Arguments& u, const Arguments& v,

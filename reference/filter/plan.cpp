@@ -23,34 +23,37 @@ double upward(const Rational& x) {
 std::int64_t binade(const Rational& x) { return floor_log2(x) + 1; }
 
 // Returns c = 2^-k * |D|.
-Rational scaled_width(double first, double last) {
-  const Rational width = abs(Rational(last) - Rational(first));
+Rational scaled_width(const Direction& direction) {
+  const Rational width = abs(Rational(direction.last) - Rational(direction.first));
   return width * Rational::power_of_two(-binade(width));
 }
 
-}  // namespace
+// Returns c^n.
+Rational denominator(const Direction& direction) {
+  return pow(scaled_width(direction), static_cast<unsigned>(direction.order - 1));
+}
 
+// Returns the nearest double, and the nearest double of the remainder.
 DoubleDouble to_double_double(const Rational& x) {
   const double high = round_to_double(x);
   if (!std::isfinite(high)) return {high, 0};
   return {high, round_to_double(x - Rational(high))};
 }
 
-DirectionPlan direction_plan(int order, double first, double last,
-                             const std::optional<Arguments::Grid>& grid) {
-  if (!std::isfinite(first) || !std::isfinite(last)) throw std::domain_error("a domain end is not finite");
-  if (first == last) throw std::domain_error("empty domain");
+}  // namespace
+
+DirectionPlan direction_plan(const Direction& direction, const std::optional<Arguments::Grid>& grid) {
   if (grid && grid->segments < 1) throw std::invalid_argument("a grid needs at least one segment");
-  const Rational width = Rational(last) - Rational(first);
+  const Rational first(direction.first), last(direction.last), width = last - first;
   const std::int64_t k = binade(width);
   const Rational scale = Rational(width.sign()) * Rational::power_of_two(-k);
   DirectionPlan plan{};
-  plan.degree = order - 1;
+  plan.degree = direction.order - 1;
   plan.applies = std::abs(k) <= kLargestDomainExponent;
-  plan.first = first;
-  plan.last = last;
+  plan.first = direction.first;
+  plan.last = direction.last;
   plan.scale = round_to_double(scale);
-  plan.inverse_width = upward(1 / scaled_width(first, last));
+  plan.inverse_width = upward(1 / scaled_width(direction));
   plan.is_grid = grid.has_value();
   if (!grid) return plan;
   if (!std::isfinite(grid->first) || !std::isfinite(grid->last)) {
@@ -59,26 +62,22 @@ DirectionPlan direction_plan(int order, double first, double last,
   }
   const Rational g1(grid->first), g2(grid->last);
   plan.delta = to_double_double(scale * (g2 - g1) / Rational(grid->segments));
-  plan.alpha = to_double_double(scale * (g1 - Rational(first)));
-  plan.beta = to_double_double(scale * (Rational(last) - g1));
+  plan.alpha = to_double_double(scale * (g1 - first));
+  plan.beta = to_double_double(scale * (last - g1));
   return plan;
 }
 
 KernelPlan kernel_plan(const Surface& surface) {
-  KernelPlan plan{direction_plan(surface.uorder, surface.u1, surface.u2, std::nullopt),
-                  direction_plan(surface.vorder, surface.v1, surface.v2, std::nullopt),
-                  {},
-                  0,
-                  1};
+  check(surface);
+  KernelPlan plan{direction_plan(surface.u, {}), direction_plan(surface.v, {}), {}, 0, 1};
   const int n = plan.u.degree, m = plan.v.degree;
-  const Rational inverse = 1 / (pow(scaled_width(surface.u1, surface.u2), static_cast<unsigned>(n)) *
-                                pow(scaled_width(surface.v1, surface.v2), static_cast<unsigned>(m)));
+  const Rational inverse = 1 / (denominator(surface.u) * denominator(surface.v));
   std::vector<Rational> coefficients;
   Rational largest_value, largest;
-  for (std::ptrdiff_t i = 0; i <= n; ++i) {
-    for (std::ptrdiff_t j = 0; j <= m; ++j) {
-      const Rational value(surface.points[i * surface.ustride + j * surface.vstride]);
-      const Integer weight = Integer(binomial(n, static_cast<int>(i))) * binomial(m, static_cast<int>(j));
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= m; ++j) {
+      const Rational value(surface.at(i, j));
+      const Integer weight = Integer(binomial(n, i)) * binomial(m, j);
       coefficients.push_back(Rational(weight) * value * inverse);
       largest_value = std::max(largest_value, abs(value));
       largest = std::max(largest, abs(coefficients.back()));

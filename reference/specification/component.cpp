@@ -9,14 +9,6 @@
 namespace evalcts::reference {
 namespace {
 
-// Calls f(curve, u) or f(surface, u, v), depending on the dimension of the sample's map.
-template <typename F>
-auto with_polynomial(const Sample& sample, F&& f) {
-  const Map& map = sample.map();
-  if (map.is_two_dimensional()) return f(map.surface(sample.component), sample.u(), sample.v().value());
-  return f(map.curve(sample.component), sample.u());
-}
-
 bool is_finite(const AutomaticNormal& normal) {
   return std::ranges::all_of(normal.map->surfaces(),
                              [](const Surface& surface) { return is_finite(surface); }) &&
@@ -26,27 +18,26 @@ bool is_finite(const AutomaticNormal& normal) {
 // Returns the acceptance of an explicit value: the bounds are zero and a must.
 Acceptance plain(float value) { return {value, abs(Rational(value)), 0, 0, true}; }
 
-int degree(const Sample& sample) { return sample.map().u.order - 1 + sample.map().v.order - 1; }
+// Calls f(surface, u, v) for the map of a sample.
+template <typename F>
+auto apply(const Sample& sample, F&& f) {
+  return f(sample.map().surface(sample.component), sample.u(), sample.v().value_or(Argument()));
+}
 
 }  // namespace
 
 bool is_finite(const Component& component) {
   if (const float* value = std::get_if<float>(&component)) return std::isfinite(*value);
-  const Sample& sample = std::get<Sample>(component);
-  return with_polynomial(sample, [](const auto& polynomial, const auto&... arguments) {
-    return is_finite(polynomial) && (arguments.is_finite() && ...);
+  return apply(std::get<Sample>(component), [](const Surface& surface, const Argument& u, const Argument& v) {
+    return is_finite(surface) && u.is_finite() && v.is_finite();
   });
 }
 
 Rational exact(const Component& component) { return exact_with_magnitude(component).value; }
 
 Evaluation exact_with_magnitude(const Component& component) {
-  if (const float* value = std::get_if<float>(&component)) {
-    return {plain(*value).exact, plain(*value).magnitude};
-  }
-  return with_polynomial(std::get<Sample>(component), [](const auto& polynomial, const auto&... arguments) {
-    return evaluate_with_magnitude(polynomial, arguments...);
-  });
+  if (const float* value = std::get_if<float>(&component)) return {*value, abs(Rational(*value))};
+  return apply(std::get<Sample>(component), evaluate_with_magnitude);
 }
 
 float rounded(const Component& component) {
@@ -57,30 +48,23 @@ float rounded(const Component& component) {
 
 Rational acceptance_bound(const Component& component) {
   if (const float* value = std::get_if<float>(&component)) return plain(*value).bound;
-  return with_polynomial(std::get<Sample>(component), [](const auto& polynomial, const auto&... arguments) {
-    return acceptance_bound(polynomial, arguments...);
-  });
+  return apply(std::get<Sample>(component), [](const auto&... of) { return acceptance_bound(of...); });
 }
 
 bool must_applies(const Component& component, int range) {
   if (const float* value = std::get_if<float>(&component)) return plain(*value).must_applies;
-  return with_polynomial(std::get<Sample>(component),
-                         [range](const auto& polynomial, const auto&... arguments) {
-                           return must_applies(polynomial, arguments..., range);
-                         });
+  return apply(std::get<Sample>(component), [=](const auto&... of) { return must_applies(of..., range); });
 }
 
 Rational quality_bound(const Component& component) {
   if (const float* value = std::get_if<float>(&component)) return plain(*value).quality_bound;
-  return quality_bound(degree(std::get<Sample>(component)), exact_with_magnitude(component).magnitude);
+  const Map& map = std::get<Sample>(component).map();
+  return quality_bound(map.u.order + map.v.order - 2, exact_with_magnitude(component).magnitude);
 }
 
 Acceptance acceptance(const Component& component, int range) {
   if (const float* value = std::get_if<float>(&component)) return plain(*value);
-  return with_polynomial(std::get<Sample>(component),
-                         [range](const auto& polynomial, const auto&... arguments) {
-                           return acceptance(polynomial, arguments..., range);
-                         });
+  return apply(std::get<Sample>(component), [=](const auto&... of) { return acceptance(of..., range); });
 }
 
 std::array<float, 3> rounded(const Normal& normal) {

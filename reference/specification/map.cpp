@@ -62,13 +62,9 @@ int guaranteed_range(GLenum target, int version) {
   }
 }
 
-Curve Map::curve(int component) const {
-  return {points.data() + component, components(), u.order, u.first, u.last};
-}
-
 Surface Map::surface(int component) const {
   const std::ptrdiff_t k = components();
-  return {points.data() + component, k * v.order, k, u.order, v.order, u.first, u.last, v.first, v.last};
+  return {points.data() + component, {k * v.order, u.order, u.first, u.last}, {k, v.order, v.first, v.last}};
 }
 
 std::vector<Surface> Map::surfaces() const {

@@ -108,10 +108,6 @@ Specification::Specification(const Options& options)
 
 // ---- Errors (section 2.5) ----
 
-bool Specification::any_applies(const Objections& objections) {
-  return std::ranges::any_of(objections, &Objection::applies);
-}
-
 bool Specification::reject_if(const Objections& objections) {
   permitted_errors_.clear();
   permitted_answer_.clear();
@@ -139,39 +135,24 @@ void Specification::Finish() { reject_if({{inside(), GL_INVALID_OPERATION}}); }
 // ---- Maps (section 5.1) ----
 
 template <typename T>
-void Specification::map1(GLenum target, T u1, T u2, GLint stride, GLint order, const T* points) {
-  const int k = values_per_point(target);
-  const Objections objections{
-      {!is_map1_target(target), GL_INVALID_ENUM},                // EV-MAP1-ERR-TARGET
-      {order < 1 || order > max_eval_order_, GL_INVALID_VALUE},  // EV-MAP1-ERR-ORDER-*
-      {stride < least_stride(target), GL_INVALID_VALUE},         // EV-MAP1-ERR-STRIDE
-      {u1 == u2, GL_INVALID_VALUE}};                             // EV-MAP1-ERR-DOMAIN
-  if (points == nullptr || any_applies(objections)) return define(objections, nullptr);
-  Map map{target, {order, u1, u2}, {}, {}};
-  for (std::ptrdiff_t i = 0; i < order; ++i) {
-    map.points.insert(map.points.end(), points + i * stride, points + i * stride + k);
+void Specification::map(bool is_target, GLenum target, const MapDirection<T>& u, const MapDirection<T>& v,
+                        const T* points) {
+  Objections objections{{!is_target, GL_INVALID_ENUM}};  // EV-MAP1-ERR-TARGET, EV-MAP2-ERR-TARGET
+  for (const MapDirection<T>& d : {u, v}) {
+    // EV-MAP1-ERR-ORDER-*, EV-MAP2-ERR-UORDER, -VORDER
+    objections.push_back({d.order < 1 || d.order > max_eval_order_, GL_INVALID_VALUE});
+    // EV-MAP1-ERR-STRIDE, EV-MAP2-ERR-USTRIDE, -VSTRIDE
+    objections.push_back({d.stride < least_stride(target), GL_INVALID_VALUE});
+    // EV-MAP1-ERR-DOMAIN, EV-MAP2-ERR-UDOMAIN, -VDOMAIN
+    objections.push_back({d.first == d.last, GL_INVALID_VALUE});
   }
-  define({}, std::make_shared<const Map>(std::move(map)));
-}
-
-template <typename T>
-void Specification::map2(GLenum target, T u1, T u2, GLint ustride, GLint uorder, T v1, T v2, GLint vstride,
-                         GLint vorder, const T* points) {
-  const int k = values_per_point(target);
-  const auto is_order = [this](GLint order) { return order >= 1 && order <= max_eval_order_; };
-  const Objections objections{{!is_map2_target(target), GL_INVALID_ENUM},          // EV-MAP2-ERR-TARGET
-                              {!is_order(uorder), GL_INVALID_VALUE},               // EV-MAP2-ERR-UORDER
-                              {!is_order(vorder), GL_INVALID_VALUE},               // EV-MAP2-ERR-VORDER
-                              {ustride < least_stride(target), GL_INVALID_VALUE},  // EV-MAP2-ERR-USTRIDE
-                              {vstride < least_stride(target), GL_INVALID_VALUE},  // EV-MAP2-ERR-VSTRIDE
-                              {u1 == u2, GL_INVALID_VALUE},                        // EV-MAP2-ERR-UDOMAIN
-                              {v1 == v2, GL_INVALID_VALUE}};                       // EV-MAP2-ERR-VDOMAIN
-  if (points == nullptr || any_applies(objections)) return define(objections, nullptr);
-  Map map{target, {uorder, u1, u2}, {vorder, v1, v2}, {}};
-  for (std::ptrdiff_t i = 0; i < uorder; ++i) {
-    for (std::ptrdiff_t j = 0; j < vorder; ++j) {
-      const T* const point = points + (i * ustride + j * vstride);  // EV-MAP2-ADDRESS
-      map.points.insert(map.points.end(), point, point + k);
+  if (points == nullptr || std::ranges::any_of(objections, &Objection::applies))
+    return define(objections, nullptr);
+  Map map{target, {u.order, u.first, u.last}, {v.order, v.first, v.last}, {}};
+  for (std::ptrdiff_t i = 0; i < u.order; ++i) {
+    for (std::ptrdiff_t j = 0; j < v.order; ++j) {
+      const T* const point = points + (i * u.stride + j * v.stride);  // EV-MAP2-ADDRESS
+      map.points.insert(map.points.end(), point, point + map.components());
     }
   }
   define({}, std::make_shared<const Map>(std::move(map)));
@@ -187,22 +168,22 @@ void Specification::define(Objections objections, std::shared_ptr<const Map> map
 
 void Specification::Map1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order,
                           const GLfloat* points) {
-  map1(target, u1, u2, stride, order, points);
+  map<GLfloat>(is_map1_target(target), target, {u1, u2, stride, order}, {0, 1, stride, 1}, points);
 }
 
 void Specification::Map1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
                           const GLdouble* points) {
-  map1(target, u1, u2, stride, order, points);
+  map<GLdouble>(is_map1_target(target), target, {u1, u2, stride, order}, {0, 1, stride, 1}, points);
 }
 
 void Specification::Map2f(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1,
                           GLfloat v2, GLint vstride, GLint vorder, const GLfloat* points) {
-  map2(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  map<GLfloat>(is_map2_target(target), target, {u1, u2, ustride, uorder}, {v1, v2, vstride, vorder}, points);
 }
 
 void Specification::Map2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
                           GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
-  map2(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  map<GLdouble>(is_map2_target(target), target, {u1, u2, ustride, uorder}, {v1, v2, vstride, vorder}, points);
 }
 
 // ---- Begin and End (section 2.6) ----

@@ -5,6 +5,7 @@
 #include <reference/rounding.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "filter/bound.h"
@@ -57,22 +58,22 @@ std::vector<double> coordinates(std::mt19937_64& random, const Domain& domain, s
 }
 
 // Coordinates, or indices of a grid over the domain or another one.
-struct Direction {
+struct TestDirection {
   Domain domain;
   std::vector<double> values;
   std::optional<Arguments::Grid> grid;
 
   Arguments arguments() const { return {values, grid}; }
   Argument at(std::size_t k) const {
-    if (values.empty()) return Argument::coordinate(0);  // the v of a curve
+    if (values.empty()) return {};  // the v of a curve
     if (!grid) return Argument::coordinate(values[k]);
     return Argument::grid(static_cast<std::int64_t>(values[k]), grid->segments, grid->first, grid->last);
   }
 };
 
-Direction random_direction(std::mt19937_64& random, const Domain& domain, std::size_t count) {
+TestDirection random_direction(std::mt19937_64& random, const Domain& domain, std::size_t count) {
   if (pick(random, 0, 2) != 0) return {domain, coordinates(random, domain, count), std::nullopt};
-  Direction direction{domain, std::vector<double>(count), Arguments::Grid{1, domain.first, domain.last}};
+  TestDirection direction{domain, std::vector<double>(count), Arguments::Grid{1, domain.first, domain.last}};
   direction.grid->segments = pick(random, 0, 1) == 0 ? pick(random, 1, 64) : pick(random, 1, 2147483647);
   if (pick(random, 0, 2) == 0) {
     const double width = domain.last - domain.first;
@@ -119,7 +120,7 @@ bool same_bits(Float a, Float b) {
 
 // Expects the correct float and double wherever the filter decides them.
 template <typename Form>
-void expect_rounded(const Filter& filter, const Form& exact, const Direction& u, const Direction& v,
+void expect_rounded(const Filter& filter, const Form& exact, const TestDirection& u, const TestDirection& v,
                     std::size_t count, int& decided_floats, int& decided_doubles) {
   std::vector<float> floats(count);
   std::vector<double> doubles(count);
@@ -138,59 +139,30 @@ void expect_rounded(const Filter& filter, const Form& exact, const Direction& u,
   }
 }
 
-TEST_P(FilterOf, EnclosesCurves) {
-  std::mt19937_64 random = make_generator();
+// Compares many random maps with the exact method. A map of order 1 in v has no arguments in v.
+void expect_enclosed(std::mt19937_64& random, int rounds, const std::function<std::array<int, 2>()>& orders) {
   Usage usage;
   int floats = 0, doubles = 0;
-  for (int round = 0; round < 600; ++round) {
-    const int order = pick(random, 0, 3) == 0 ? pick(random, 1, kMaxOrder) : pick(random, 1, 10);
-    const Data kind = static_cast<Data>(pick(random, 0, static_cast<int>(Data::kAnyDouble)));
-    const std::vector<double> points = control_values(random, kind, order);
-    const Domain domain = kDomains[pick(random, 0, static_cast<int>(kDomains.size()) - 1)];
-    const std::size_t count = pick(random, 1, 20);
-    const Direction u = random_direction(random, domain, count);
-    SCOPED_TRACE(testing::Message() << "order " << order << " data " << static_cast<int>(kind) << " domain "
-                                    << domain.first << " " << domain.last << " grid " << u.grid.has_value());
-    const Curve curve{points.data(), 1, order, domain.first, domain.last};
-    const Filter filter(curve);
-    const BernsteinForm exact(curve);
-    std::vector<Enclosure> enclosures(count);
-    filter.enclose(u.arguments(), {}, enclosures);
-    for (std::size_t k = 0; k < count; ++k) usage.add(enclosures[k], exact.evaluate(u.at(k)));
-    expect_rounded(filter, exact, u, {}, count, floats, doubles);
-    if (HasFatalFailure()) return;
-  }
-  std::cout << usage.count() << " values, " << usage.nothing_said() << " not enclosed, " << floats
-            << " floats and " << doubles << " doubles decided, largest error over bound " << usage.largest()
-            << '\n';
-  EXPECT_LT(usage.nothing_said(), usage.count() / 4);
-  EXPECT_GT(floats, usage.count() / 2);
-  EXPECT_GT(doubles, usage.count() / 2);
-  // A much wider bound would hide errors.
-  EXPECT_GT(usage.largest(), 0x1p-8);
-}
-
-TEST_P(FilterOf, EnclosesSurfaces) {
-  std::mt19937_64 random = make_generator();
-  Usage usage;
-  int floats = 0, doubles = 0;
-  for (int round = 0; round < 300; ++round) {
-    const int uorder = pick(random, 1, 6),
-              vorder = pick(random, 0, 9) == 0 ? pick(random, 1, 30) : pick(random, 1, 6);
+  for (int round = 0; round < rounds; ++round) {
+    const auto [uorder, vorder] = orders();
     const Data kind = static_cast<Data>(pick(random, 0, static_cast<int>(Data::kAnyDouble)));
     const std::vector<double> points = control_values(random, kind, uorder * vorder);
     const Domain du = kDomains[pick(random, 0, static_cast<int>(kDomains.size()) - 1)],
                  dv = kDomains[pick(random, 0, static_cast<int>(kDomains.size()) - 1)];
-    const std::size_t count = pick(random, 1, 12);
-    const Direction u = random_direction(random, du, count), v = random_direction(random, dv, count);
-    const Surface surface{points.data(), 1, uorder, uorder, vorder, du.first, du.last, dv.first, dv.last};
+    const std::size_t count = pick(random, 1, 16);
+    const TestDirection u = random_direction(random, du, count),
+                        v = vorder == 1 ? TestDirection{dv, {}, {}} : random_direction(random, dv, count);
+    SCOPED_TRACE(testing::Message() << "orders " << uorder << " " << vorder << " data "
+                                    << static_cast<int>(kind) << " domain " << du.first << " " << du.last
+                                    << " grid " << u.grid.has_value());
+    const Surface surface{points.data(), {1, uorder, du.first, du.last}, {uorder, vorder, dv.first, dv.last}};
     const Filter filter(surface);
     const BernsteinForm exact(surface);
     std::vector<Enclosure> enclosures(count);
     filter.enclose(u.arguments(), v.arguments(), enclosures);
     for (std::size_t k = 0; k < count; ++k) usage.add(enclosures[k], exact.evaluate(u.at(k), v.at(k)));
     expect_rounded(filter, exact, u, v, count, floats, doubles);
-    if (HasFatalFailure()) return;
+    if (testing::Test::HasFatalFailure()) return;
   }
   std::cout << usage.count() << " values, " << usage.nothing_said() << " not enclosed, " << floats
             << " floats and " << doubles << " doubles decided, largest error over bound " << usage.largest()
@@ -198,7 +170,22 @@ TEST_P(FilterOf, EnclosesSurfaces) {
   EXPECT_LT(usage.nothing_said(), usage.count() / 3);
   EXPECT_GT(floats, usage.count() / 3);
   EXPECT_GT(doubles, usage.count() / 3);
+  // A much wider bound would hide errors.
   EXPECT_GT(usage.largest(), 0x1p-8);
+}
+
+TEST_P(FilterOf, EnclosesCurves) {
+  std::mt19937_64 random = make_generator();
+  expect_enclosed(random, 600, [&] {
+    return std::array{pick(random, 0, 3) == 0 ? pick(random, 1, kMaxOrder) : pick(random, 1, 10), 1};
+  });
+}
+
+TEST_P(FilterOf, EnclosesSurfaces) {
+  std::mt19937_64 random = make_generator();
+  expect_enclosed(random, 300, [&] {
+    return std::array{pick(random, 1, 6), pick(random, 0, 9) == 0 ? pick(random, 1, 30) : pick(random, 1, 6)};
+  });
 }
 
 // All terms cancel: (1-2u)^n near 1/2, and a polynomial with roots at j/n.
@@ -211,7 +198,7 @@ TEST_P(FilterOf, EnclosesWhatCancels) {
     std::vector<double> coordinates;
     for (int i = 0; i < 500; ++i)
       coordinates.push_back(0.5 + std::ldexp(uniform(random, -1, 1), -pick(random, 2, 60)));
-    const Curve curve{points.data(), 1, order, 0, 1};
+    const Surface curve{points.data(), {1, order, 0, 1}};
     const BernsteinForm exact(curve);
     std::vector<Enclosure> enclosures(coordinates.size());
     Filter(curve).enclose({coordinates}, {}, enclosures);
@@ -230,7 +217,7 @@ TEST_P(FilterOf, EnclosesGridsFromFarAway) {
   for (int round = 0; round < 200; ++round) {
     const int order = pick(random, 2, 12);
     const std::vector<double> points = control_values(random, Data::kCancelling, order);
-    const Curve curve{points.data(), 1, order, 0, 1};
+    const Surface curve{points.data(), {1, order, 0, 1}};
     const double distance = std::ldexp(uniform(random, 1, 2), pick(random, 10, 25));
     const Arguments::Grid grid{2000000011, -distance, distance + uniform(random, 0, 1)};
     std::vector<double> indices(20);
@@ -253,7 +240,7 @@ TEST_P(FilterOf, EnclosesGridsFromFarAway) {
 
 TEST_P(FilterOf, LeavesTiesToTheExactRoute) {
   const double points[] = {0, 1, 2, 3};
-  const Curve curve{points, 1, 4, 0, 1};
+  const Surface curve{points, {1, 4, 0, 1}};
   std::mt19937_64 random = make_generator();
   std::vector<double> coordinates;
   for (int i = 0; i < 4096; ++i) coordinates.push_back(static_cast<float>(uniform(random, 0, 1)));
@@ -272,14 +259,14 @@ TEST_P(FilterOf, LeavesTiesToTheExactRoute) {
     ASSERT_EQ(decided[k] == 0, tie) << coordinates[k];
   }
   EXPECT_GT(ties, 100);
-  EXPECT_EQ(CorrectlyRounded(curve).to_float({coordinates}, results), static_cast<std::size_t>(ties));
+  EXPECT_EQ(CorrectlyRounded(curve).to_float({coordinates}, {}, results), static_cast<std::size_t>(ties));
   for (std::size_t k = 0; k < coordinates.size(); ++k)
     ASSERT_EQ(results[k], static_cast<float>(3 * coordinates[k]));
 }
 
 TEST_P(FilterOf, SaysNothingOfWhatIsNotFinite) {
   const double points[] = {5};
-  const Curve constant{points, 1, 1, 0, 1};
+  const Surface constant{points, {1, 1, 0, 1}};
   const double infinity = std::numeric_limits<double>::infinity();
   const std::vector<double> coordinates{0, infinity, std::numeric_limits<double>::quiet_NaN(), 1e200};
   std::vector<Enclosure> enclosures(4);
@@ -288,7 +275,7 @@ TEST_P(FilterOf, SaysNothingOfWhatIsNotFinite) {
   EXPECT_LT(enclosures[0].error, 1e-20);
   for (int k = 1; k < 4; ++k) EXPECT_EQ(enclosures[k].error, infinity) << k;
   std::vector<float> results(4);
-  EXPECT_THROW(CorrectlyRounded(constant).to_float({coordinates}, results), std::domain_error);
+  EXPECT_THROW(CorrectlyRounded(constant).to_float({coordinates}, {}, results), std::domain_error);
   const Arguments grid{coordinates, Arguments::Grid{4, 0, infinity}};
   Filter(constant).enclose(grid, {}, enclosures);
   EXPECT_EQ(enclosures[0].error, infinity);
@@ -300,7 +287,7 @@ TEST_P(FilterOf, SaysNothingOfValuesBeyondTheRange) {
   const double points[] = {0, 0x1p+890};
   const std::vector<double> coordinates{0.5, 0x1p+100, 0x1p+200, -0x1p+200};
   std::vector<Enclosure> enclosures(coordinates.size());
-  Filter(Curve{points, 1, 2, 0, 1}).enclose({coordinates}, {}, enclosures);
+  Filter(Surface{points, {1, 2, 0, 1}}).enclose({coordinates}, {}, enclosures);
   for (int k : {0, 1}) {
     EXPECT_EQ(enclosures[k].high, coordinates[k] * 0x1p+890);
     EXPECT_LT(enclosures[k].error, enclosures[k].high);
@@ -310,16 +297,15 @@ TEST_P(FilterOf, SaysNothingOfValuesBeyondTheRange) {
 
 TEST_P(FilterOf, RefusesWrongSizes) {
   const double points[] = {5, 6};
-  const Curve line{points, 1, 2, 0, 1};
+  const Surface line{points, {1, 2, 0, 1}};
   const std::vector<double> two(2);
   std::vector<Enclosure> enclosures(3);
   EXPECT_THROW(Filter(line).enclose({two}, {}, enclosures), std::invalid_argument);
   enclosures.resize(2);
   EXPECT_THROW(Filter(line).enclose({two, Arguments::Grid{0, 0, 1}}, {}, enclosures), std::invalid_argument);
-  EXPECT_THROW(Filter(Surface{points, 1, 1, 2, 1, 0, 1, 0, 1}).enclose({two}, {}, enclosures),
-               std::invalid_argument);
-  EXPECT_THROW(Filter(Curve{points, 1, 2, 1, 1}), std::domain_error);
-  EXPECT_THROW(Filter(Curve{points, 1, 65, 0, 1}), std::invalid_argument);
+  EXPECT_THROW(Filter(Surface{points, {1, 1}, {1, 2}}).enclose({two}, {}, enclosures), std::invalid_argument);
+  EXPECT_THROW(Filter(Surface{points, {1, 2, 1, 1}}), std::domain_error);
+  EXPECT_THROW(Filter(Surface{points, {1, 65, 0, 1}}), std::invalid_argument);
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, FilterOf, testing::ValuesIn(filter_targets()),

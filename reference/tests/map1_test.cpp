@@ -1,4 +1,5 @@
-// Tests the specification against sections 3 and 5 of the requirements: Map1 and its errors.
+// Tests the errors of Map1, and what is none. The golden vectors (vectors/errors.json, vectors/state.json)
+// hold its effects.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,20 +10,6 @@
 
 namespace evalcts::reference {
 namespace {
-
-TEST(Map1, AcceptsEveryOrderOfEveryTarget) {  // EV-MAP1-ORDER-ALL, EV-MAP1-STRIDE-MIN
-  Specification gl;
-  const std::vector<GLfloat> points(64 * 4, 1);
-  for (int i = 0; i < kMapKinds; ++i) {
-    for (GLint order = 1; order <= 64; ++order) {
-      gl.Map1f(kMap1Targets[i], 0, 1, kValuesPerPoint[i], order, points.data());
-      expect_error(gl, GL_NO_ERROR);
-      ASSERT_EQ(get_map(gl, kMap1Targets[i], GL_ORDER), std::vector<GLdouble>{double(order)});
-      ASSERT_EQ(get_map(gl, kMap1Targets[i], GL_COEFF).size(),
-                static_cast<std::size_t>(order * kValuesPerPoint[i]));
-    }
-  }
-}
 
 template <typename T>
 void define(Specification& gl, GLenum target, T u1, T u2, GLint stride, GLint order, const T* points) {
@@ -37,57 +24,6 @@ template <typename T>
 class Map1Of : public testing::Test {};
 using Types = testing::Types<GLfloat, GLdouble>;
 TYPED_TEST_SUITE(Map1Of, Types);
-
-TYPED_TEST(Map1Of, CountsTheStrideInValuesAndSkipsThePadding) {  // EV-MAP1-STRIDE, EV-MAP1-PADDING
-  for (int i = 0; i < kMapKinds; ++i) {
-    const int k = kValuesPerPoint[i];
-    for (const int stride : {k, k + 1, 2 * k, 17}) {
-      Specification gl;
-      // The memory is exactly the range that may be read: the last point has no padding.
-      auto points = std::make_unique<TypeParam[]>(2 * stride + k);
-      std::fill_n(points.get(), 2 * stride + k, static_cast<TypeParam>(NAN));
-      std::vector<GLdouble> expected;
-      for (int p = 0; p < 3; ++p) {
-        for (int c = 0; c < k; ++c) {
-          points[p * stride + c] = static_cast<TypeParam>(10 * p + c + 1);
-          expected.push_back(10 * p + c + 1);
-        }
-      }
-      define<TypeParam>(gl, kMap1Targets[i], 0, 1, stride, 3, points.get());
-      EXPECT_EQ(get_map(gl, kMap1Targets[i], GL_COEFF), expected);  // EV-MAP1-COMPORDER
-      expect_error(gl, GL_NO_ERROR);
-    }
-  }
-}
-
-TYPED_TEST(Map1Of, CopiesThePoints) {  // EV-MAP1-COPY
-  Specification gl;
-  TypeParam points[] = {1, 2};
-  define<TypeParam>(gl, GL_MAP1_INDEX, 0, 1, 1, 2, points);
-  points[0] = 99;
-  EXPECT_EQ(get_map(gl, GL_MAP1_INDEX, GL_COEFF), (std::vector<GLdouble>{1, 2}));
-}
-
-TEST(Map1, ReplacesOneMapAndNothingElse) {  // EV-MAP1-REPLACE, -INDEP, -VS-MAP2, -NOENABLE
-  for (int i = 0; i < kMapKinds; ++i) {
-    for (const bool enabled : {false, true}) {
-      Specification gl;
-      for (int j = 0; j < kMapKinds; ++j) define_line(gl, kMap1Targets[j], 1 + 20 * j);
-      if (enabled) gl.Enable(kMap1Targets[i]);
-      auto before = queryable_state(gl);
-      const std::vector<GLfloat> points(30, 5);
-      gl.Map1f(kMap1Targets[i], 3, 7, 4, 5, points.data());
-      auto after = queryable_state(gl);
-      // The state of each map has four answers: points, order, domain, enable.
-      EXPECT_EQ(after[4 * i], std::vector<GLdouble>(5 * kValuesPerPoint[i], 5));
-      EXPECT_EQ(after[4 * i + 1], std::vector<GLdouble>{5});
-      EXPECT_EQ(after[4 * i + 2], (std::vector<GLdouble>{3, 7}));
-      EXPECT_EQ(after[4 * i + 3], std::vector<GLdouble>{double(enabled)});
-      for (int answer = 0; answer < 3; ++answer) before[4 * i + answer] = after[4 * i + answer];
-      EXPECT_EQ(after, before);
-    }
-  }
-}
 
 // A call that violates one condition.
 struct Mistake {
@@ -139,21 +75,6 @@ TYPED_TEST(Map1Of, RefusesMistakesWithoutEffect) {  // EV-MAP1-ERR-*
     expect_error(gl, m.error);
   }
   EXPECT_EQ(queryable_state(gl), before);
-}
-
-TYPED_TEST(Map1Of, NeedsTextureUnitZero) {  // EV-MAP1-ERR-ACTIVETEX
-  Specification gl;
-  const TypeParam points[4] = {5, 5, 5, 5};
-  for (const GLenum target : kMap1Targets) {
-    gl.ActiveTexture(GL_TEXTURE1);
-    define<TypeParam>(gl, target, 0, 2, 4, 1, points);
-    expect_error(gl, GL_INVALID_OPERATION);
-    EXPECT_EQ(get_map(gl, target, GL_DOMAIN), (std::vector<GLdouble>{0, 1}));
-    gl.ActiveTexture(GL_TEXTURE0);
-    define<TypeParam>(gl, target, 0, 2, 4, 1, points);
-    expect_error(gl, GL_NO_ERROR);
-    EXPECT_EQ(get_map(gl, target, GL_DOMAIN), (std::vector<GLdouble>{0, 2}));
-  }
 }
 
 TEST(Map1, MayReportAnyOfSeveralErrors) {  // EV-MAP-ERR-ANY

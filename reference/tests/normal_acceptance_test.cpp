@@ -318,13 +318,13 @@ TEST(NormalAcceptance, RefusesTheUsualMistakes) {
   EXPECT_TRUE(is_within(right, m, strict, false));
   EXPECT_LT(strict, Rational(1) / 30);
 
-  const Vector p_u{derivative_u(surface[0], u, v), derivative_u(surface[1], u, v),
-                   derivative_u(surface[2], u, v)};
-  const Vector p_v{derivative_v(surface[0], u, v), derivative_v(surface[1], u, v),
-                   derivative_v(surface[2], u, v)};
-  const Tangents q = tangents(surface, u, v);
+  Vector p_u, p_v;
+  for (int c = 0; c < 3; ++c) {
+    const Jet p = jet(surface[c], u, v);
+    p_u[c] = p.u, p_v[c] = p.v;
+  }
   const Wrong wrongs[] = {
-      {rounded_unit_vector(cross(q.v, q.u)), "u and v swapped"},
+      {rounded_unit_vector({-m[0], -m[1], -m[2]}), "u and v swapped"},
       {rounded_unit_vector(cross(p_u, p_v)), "derivatives of p instead of q"},
       {rounded(normal_vector(surface, u, v)), "not normalised"},
       {rounded_unit_vector(normal_vector(surface, at(0.5), v)), "elsewhere in u"},
@@ -355,30 +355,6 @@ TEST(NormalAcceptance, RefusesTheUsualMistakes) {
   EXPECT_FALSE(vector_accepted(m));
   EXPECT_FALSE(vector_accepted(cross(p_u, p_v)));
   EXPECT_FALSE(vector_accepted({right[0], right[1], right[2]}));
-}
-
-// The strict bound detects an error of one part in a hundred if there is no cancellation.
-TEST(NormalAcceptance, BitesOnBenignPatches) {
-  for (const double u : {0.0, 0.25, 0.5, 1.0}) {
-    for (const double v : {0.0, 0.75, 1.0}) {
-      const Patch slope = make_patch<3>(2, 2, [](int i, int j) {
-        return std::array{1.0 * i, 1.0 * j, 0.5 * i + 0.25 * j};
-      });
-      const NormalAcceptance acceptance = normal_acceptance(slope.surface(), at(u), at(v));
-      ASSERT_TRUE(acceptance.bound && acceptance.must_applies);
-      EXPECT_LT(*acceptance.bound, Rational(1) / 100);
-      EXPECT_LT(*acceptance.vector_bound, Rational(1) / 100);
-      const Floats right = rounded_unit_vector(acceptance.m);
-      EXPECT_TRUE(is_within(right, acceptance.m, *acceptance.bound, false));
-      for (int c = 0; c < 3; ++c) {
-        for (const float error : {-0.01f, 0.01f}) {
-          Floats wrong = right;
-          wrong[c] += error;
-          EXPECT_FALSE(is_within(wrong, acceptance.m, *acceptance.bound, false));
-        }
-      }
-    }
-  }
 }
 
 }  // namespace

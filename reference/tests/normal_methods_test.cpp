@@ -111,85 +111,52 @@ std::string in_words(const NormalCase& c, const NormalMethod& how) {
 struct Statistics {
   int judged = 0, all = 0;
   double worst = 0;
+  // Expects that an error is not larger than the bound.
+  void record(double share, const NormalCase& c, const NormalMethod& how) {
+    EXPECT_LE(share, 1) << in_words(c, how);
+    worst = std::max(worst, share);
+  }
   ~Statistics() {
     std::cout << "judged " << judged << " of " << all << ", largest error / bound " << worst << "\n";
   }
 };
 
-// Calls check() for random cases in which is_judged() holds, which must be most of them.
-template <typename IsJudged, typename Check>
-void check_cases(int repetitions, std::mt19937_64& generator, const IsJudged& is_judged, const Check& check) {
-  Statistics seen;
-  for (int repetition = 0; repetition < repetitions; ++repetition) {
-    const NormalCase c =
-        random_case(generator, pick(generator, 3, 4), pick(generator, 2, 8), pick(generator, 2, 8));
-    const NormalAcceptance acceptance = c.acceptance();
-    ++seen.all;
-    if (!is_judged(acceptance)) continue;
-    ++seen.judged;
-    check(c, acceptance, seen);
-  }
-  EXPECT_GT(seen.judged, seen.all / 2);
-}
-
-TEST(EveryNormalMethod, IsAcceptedInSinglePrecision) {
-  std::mt19937_64 generator = make_generator();
-  SinglePrecision arithmetic;
-  const auto is_judged = [](const NormalAcceptance& a) { return a.must_applies && a.bound; };
-  check_cases(1500, generator, is_judged,
-              [&](const NormalCase& c, const NormalAcceptance& a, Statistics& seen) {
-                const RealVector exact = exact_unit(a.m);
-                for (int k = 0; k < 4; ++k) {
-                  const NormalMethod how = random_method(generator);
-                  const RealVector got = run_unit(arithmetic, c, how);
-                  const std::array<float, 3> floats{static_cast<float>(got[0]), static_cast<float>(got[1]),
-                                                    static_cast<float>(got[2])};
-                  const bool flipped = is_flipped(c, how);
-                  EXPECT_TRUE(is_within(floats, a.m, *a.bound, flipped)) << in_words(c, how);
-                  EXPECT_TRUE(direction_is_within(floats, a.m, *a.bound, flipped)) << in_words(c, how);
-                  seen.worst = std::max(seen.worst, excess(got, exact, flipped, real(*a.bound)));
-                }
-              });
-}
-
-TEST(EveryNormalMethod, IsAcceptedWithRandomErrors) {
-  std::mt19937_64 generator = make_generator();
-  RandomErrors arithmetic(generator);
-  const auto is_judged = [](const NormalAcceptance& a) { return a.bound.has_value(); };
-  check_cases(2500, generator, is_judged,
-              [&](const NormalCase& c, const NormalAcceptance& a, Statistics& seen) {
-                const RealVector exact = exact_unit(a.m);
-                for (int k = 0; k < 4; ++k) {
-                  const NormalMethod how = random_method(generator);
-                  const double share =
-                      excess(run_unit(arithmetic, c, how), exact, is_flipped(c, how), real(*a.bound));
-                  EXPECT_LE(share, 1) << in_words(c, how);
-                  seen.worst = std::max(seen.worst, share);
-                }
-              });
-}
-
-// The normal is not normalised, as with a vertex shader.
-TEST(EveryNormalMethod, IsAcceptedAsAVector) {
+// Normals of unit length, and vectors that are not normalised, as with a vertex shader.
+TEST(EveryNormalMethod, IsAccepted) {
   std::mt19937_64 generator = make_generator();
   RandomErrors random(generator);
   SinglePrecision single;
-  const auto is_judged = [](const NormalAcceptance& a) { return a.vector_bound.has_value(); };
-  check_cases(
-      1500, generator, is_judged, [&](const NormalCase& c, const NormalAcceptance& a, Statistics& seen) {
-        const Vector m = normal_vector(c.patch.surface(), c.u, c.v);
-        const RealVector exact{real(m[0]), real(m[1]), real(m[2])};
-        for (Arithmetic* arithmetic :
-             {static_cast<Arithmetic*>(&random), static_cast<Arithmetic*>(&single)}) {
-          for (int k = 0; k < 3; ++k) {
-            NormalMethod how = random_method(generator);
-            how.domain_variable = false;
-            const double share = excess(run(*arithmetic, c, how, true), exact, false, real(*a.vector_bound));
-            EXPECT_LE(share, 1) << in_words(c, how);
-            seen.worst = std::max(seen.worst, share);
-          }
+  Statistics seen, vectors;
+  for (int repetition = 0; repetition < 2500; ++repetition) {
+    const NormalCase c =
+        random_case(generator, pick(generator, 3, 4), pick(generator, 2, 8), pick(generator, 2, 8));
+    const NormalAcceptance a = c.acceptance();
+    ++seen.all, ++vectors.all;
+    if (!a.bound || !a.vector_bound) continue;
+    ++seen.judged, ++vectors.judged;
+    const RealVector exact = exact_unit(a.m);
+    const Vector m = normal_vector(c.patch.surface(), c.u, c.v);
+    const RealVector exact_vector{real(m[0]), real(m[1]), real(m[2])};
+    for (Arithmetic* arithmetic : {static_cast<Arithmetic*>(&random), static_cast<Arithmetic*>(&single)}) {
+      if (arithmetic == &single && !a.must_applies) continue;
+      for (int k = 0; k < 4; ++k) {
+        NormalMethod how = random_method(generator);
+        const bool flipped = is_flipped(c, how);
+        const RealVector got = run_unit(*arithmetic, c, how);
+        seen.record(excess(got, exact, flipped, real(*a.bound)), c, how);
+        if (arithmetic == &single) {
+          const std::array<float, 3> floats{static_cast<float>(got[0]), static_cast<float>(got[1]),
+                                            static_cast<float>(got[2])};
+          EXPECT_TRUE(is_within(floats, a.m, *a.bound, flipped)) << in_words(c, how);
+          EXPECT_TRUE(direction_is_within(floats, a.m, *a.bound, flipped)) << in_words(c, how);
         }
-      });
+        how.domain_variable = false;
+        vectors.record(excess(run(*arithmetic, c, how, true), exact_vector, false, real(*a.vector_bound)), c,
+                       how);
+      }
+    }
+  }
+  EXPECT_GT(seen.judged, seen.all / 2);
 }
 
 TEST(EveryNormalMethod, IsAcceptedWithTheWorstErrors) {
@@ -207,21 +174,19 @@ TEST(EveryNormalMethod, IsAcceptedWithTheWorstErrors) {
     const RealVector exact = exact_unit(acceptance.m);
     search_worst_errors([&](Arithmetic& a) { return run_unit(a, c, how)[component]; },
                         [&](Arithmetic& a) {
-                          const double share =
-                              excess(run_unit(a, c, how), exact, is_flipped(c, how), real(*acceptance.bound));
-                          EXPECT_LE(share, 1) << in_words(c, how);
-                          seen.worst = std::max(seen.worst, share);
+                          seen.record(
+                              excess(run_unit(a, c, how), exact, is_flipped(c, how), real(*acceptance.bound)),
+                              c, how);
                         });
     how.domain_variable = false;
     const Vector m = normal_vector(c.patch.surface(), c.u, c.v);
     const RealVector exact_vector{real(m[0]), real(m[1]), real(m[2])};
-    search_worst_errors([&](Arithmetic& a) { return run(a, c, how, true)[component]; },
-                        [&](Arithmetic& a) {
-                          const double share = excess(run(a, c, how, true), exact_vector, false,
-                                                      real(*acceptance.vector_bound));
-                          EXPECT_LE(share, 1) << in_words(c, how);
-                          vectors.worst = std::max(vectors.worst, share);
-                        });
+    search_worst_errors(
+        [&](Arithmetic& a) { return run(a, c, how, true)[component]; },
+        [&](Arithmetic& a) {
+          vectors.record(excess(run(a, c, how, true), exact_vector, false, real(*acceptance.vector_bound)), c,
+                         how);
+        });
   }
   EXPECT_GT(seen.judged, seen.all / 2);
   // A bound far above all real errors would prove nothing about an implementation.

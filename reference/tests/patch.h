@@ -24,7 +24,7 @@ struct Patch {
   std::vector<Surface> surface() const {
     std::vector<Surface> components;
     for (int c = 0; c < size; ++c) {
-      components.push_back({&points[c], vorder * size, size, uorder, vorder, u1, u2, v1, v2});
+      components.push_back({&points[c], {vorder * size, uorder, u1, u2}, {size, vorder, v1, v2}});
     }
     return components;
   }

@@ -106,19 +106,22 @@ TEST(Length, EnclosesTheLength) {
   EXPECT_EQ(length({2, -3, 6}, 5).high, 7);
 }
 
-TEST(RoundedUnitVector, IsTheNearestFloat) {
+TEST(RoundedUnitVector, IsTheNearest) {
   std::mt19937_64 generator = make_generator();
   int subnormal = 0;
   for (int repetition = 0; repetition < 2000; ++repetition) {
     const Vector m = random_vector(generator);
-    const Floats rounded = rounded_unit_vector(m);
+    const Floats floats = rounded_unit_vector(m);
+    const std::array<double, 3> doubles = rounded_unit_vector_to_double(m);
     for (int c = 0; c < 3; ++c) {
-      // A hundred digits are never close to a midpoint of floats, except if the value is exact.
+      // A hundred digits are never close to a midpoint, except if the value is exact.
       const Decimal exact = decimal(m[c]) / decimal_length(m);
-      ASSERT_EQ(rounded[c], exact.convert_to<float>()) << exact;
-      subnormal += rounded[c] != 0 && std::fabs(rounded[c]) < std::numeric_limits<float>::min();
+      ASSERT_EQ(floats[c], exact.convert_to<float>()) << exact;
+      ASSERT_EQ(doubles[c], exact.convert_to<double>()) << exact;
+      subnormal += floats[c] != 0 && std::fabs(floats[c]) < std::numeric_limits<float>::min();
       // A component that is rounded to zero keeps its sign, and zero is +0.
-      ASSERT_EQ(std::signbit(rounded[c]), m[c].sign() < 0);
+      ASSERT_EQ(std::signbit(floats[c]), m[c].sign() < 0);
+      ASSERT_EQ(std::signbit(doubles[c]), m[c].sign() < 0);
     }
   }
   EXPECT_GT(subnormal, 10);
@@ -161,34 +164,6 @@ TEST(RoundedUnitVector, DecidesNearlyTiedCases) {
       EXPECT_EQ(Rational(rounded_unit_vector({1, y, 0})[0]), step == 0 ? high : low);
       EXPECT_EQ(Rational(rounded_unit_vector({-1, 0, y})[0]), step == 0 ? -high : -low);
       EXPECT_LT(abs(decimal(middle) - 1 / decimal_length({1, y, 0})), Decimal("1e-95"));
-    }
-  }
-}
-
-// Both ends of a sufficiently narrow enclosure round to the same binary64, which is the expected value.
-TEST(RoundedUnitVectorToDouble, IsTheNearestToTheEnclosure) {
-  std::mt19937_64 generator = make_generator();
-  for (int repetition = 0; repetition < 500; ++repetition) {
-    const Vector m = random_vector(generator);
-    const std::array<double, 3> rounded = rounded_unit_vector_to_double(m);
-    const std::array<Interval, 3> unit = unit_vector(m, 400);
-    for (int c = 0; c < 3; ++c) {
-      ASSERT_EQ(round_to_double(unit[c].low), round_to_double(unit[c].high));
-      ASSERT_EQ(rounded[c], round_to_double(unit[c].low));
-      ASSERT_EQ(std::signbit(rounded[c]), m[c].sign() < 0);
-    }
-  }
-}
-
-// The expected value has a hundred decimal digits.
-TEST(RoundedUnitVectorToDouble, IsTheNearestDouble) {
-  std::mt19937_64 generator = make_generator();
-  for (int repetition = 0; repetition < 1000; ++repetition) {
-    const Vector m = random_vector(generator);
-    const std::array<double, 3> rounded = rounded_unit_vector_to_double(m);
-    for (int c = 0; c < 3; ++c) {
-      const Decimal exact = decimal(m[c]) / decimal_length(m);
-      ASSERT_EQ(rounded[c], exact.convert_to<double>()) << exact;
     }
   }
 }

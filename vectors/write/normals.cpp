@@ -57,8 +57,9 @@ namespace {
 Json derivatives_of(const AutomaticNormal& normal) {
   std::vector<Rational> u, v;
   for (const Surface& surface : normal.map->surfaces()) {
-    u.push_back(reference::derivative_u(surface, normal.u, normal.v));
-    v.push_back(reference::derivative_v(surface, normal.u, normal.v));
+    const reference::Jet jet = reference::jet(surface, normal.u, normal.v);
+    u.push_back(jet.u);
+    v.push_back(jet.v);
   }
   return {{"u", fractions(u)}, {"v", fractions(v)}};
 }

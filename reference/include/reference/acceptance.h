@@ -22,26 +22,23 @@ Rational epsilon();
 inline constexpr int kFullRange = 32;
 inline constexpr int kReducedRange = 10;
 
-// Returns the bound such that a result `got` is accepted if |got - exact| <= bound. 1-D: A*W(T,S) -
-// W(|t|,|s|) + U; 2-D: the same with W over the tensor product.
-Rational acceptance_bound(const Curve& curve, const Argument& u);
-Rational acceptance_bound(const Surface& surface, const Argument& u, const Argument& v);
+// Returns the bound such that a result `got` is accepted if |got - exact| <= bound: A*W(T,S) - W(|t|,|s|) + U
+// with W over the tensor product of both directions.
+Rational acceptance_bound(const Surface& surface, const Argument& u, const Argument& v = {});
 
 // Returns true if the bound is a "must"; otherwise any result is accepted. The conditions are:
 //   2^-60 <= |D| <= 2^60 and no domain end subnormal in single precision, in each direction;
-//   (|t| + |s|)^n * max|R| <= 2^range (2-D: both factors);
+//   (|t| + |s|)^n * max|R| <= 2^range, with the factors of both directions;
 //   every input is below overflow in single precision (U-OVERFLOW), and the domain ends differ there
 //   (U-DOUBLE-CLOSE).
-bool must_applies(const Curve& curve, const Argument& u, int range = kFullRange);
-bool must_applies(const Surface& surface, const Argument& u, const Argument& v, int range = kFullRange);
+bool must_applies(const Surface& surface, const Argument& u, const Argument& v = {}, int range = kFullRange);
 
 // Returns the error bound of good single precision, 2^-24 * 2*(n + 2) * magnitude, where magnitude = S0 = SUM
-// |B_i| * |R_i| and `degree` is n, or n + m for a surface.
+// |B_i| * |R_i| and `degree` is n + m.
 Rational quality_bound(int degree, const Rational& magnitude);
 
 // Returns K * eps * magnitude, a lower bound of the acceptance bound (A >= 1 + K*eps, T >= |t|, S >= |s|). A
-// result within it is accepted without computing the full bound. For a curve vdegree is 0 and K = 5*n + 4;
-// for a surface K = n*m + 5*(n + m) + 4.
+// result within it is accepted without computing the full bound. K = n*m + 5*(n + m) + 4.
 Rational acceptance_bound_below(int udegree, int vdegree, const Rational& magnitude);
 
 // Returns |got - exact| <= bound. -0 counts as +0; infinity and NaN are never within.
@@ -54,12 +51,9 @@ struct Acceptance {
   Rational bound;
   Rational quality_bound;
   bool must_applies;
-
-  bool accepts(float got) const { return is_within(got, exact, bound); }
-  bool is_good(float got) const { return is_within(got, exact, quality_bound); }
 };
-Acceptance acceptance(const Curve& curve, const Argument& u, int range = kFullRange);
-Acceptance acceptance(const Surface& surface, const Argument& u, const Argument& v, int range = kFullRange);
+Acceptance acceptance(const Surface& surface, const Argument& u, const Argument& v = {},
+                      int range = kFullRange);
 
 // Returns the bound of x/w from the exact values x and w and their bounds, for captures whose values the
 // judge divides: q + 4*eps*(|x/w| + q) with q = (x_bound + |x/w| * w_bound)/(|w| - w_bound). Returns nothing

@@ -8,6 +8,8 @@
 // Every function throws std::invalid_argument if an order is outside 1..kMaxOrder, and std::domain_error if a
 // domain is empty (u1 = u2) or an argument, a domain end or a control value is not finite. The functions
 // is_finite() check the last condition.
+//
+// A one-dimensional map is a surface of order 1 in v. It does not depend on v.
 #pragma once
 
 #include <cstddef>
@@ -19,27 +21,29 @@ namespace evalcts::reference {
 
 inline constexpr int kMaxOrder = 64;
 
-// One component of a one-dimensional map: R_i is points[i * stride]. Float data is held in doubles, which is
-// exact.
-struct Curve {
-  const double* points;
-  std::ptrdiff_t stride;  // distance between consecutive control points, in values
-  int order;              // 1..kMaxOrder
-  double u1, u2;          // the domain; u1 > u2 is legal, u1 = u2 is not
+// One direction of a map. The default is the v of a one-dimensional map.
+struct Direction {
+  std::ptrdiff_t stride = 0;  // distance between consecutive control points, in values
+  int order = 1;              // 1..kMaxOrder
+  double first = 0,
+         last = 1;  // the domain: u1 and u2, or v1 and v2; first > last is legal, first = last is not
 };
 
-// One component of a two-dimensional map: R_ij is points[i * ustride + j * vstride].
+// One component of a map: R_ij is points[i * u.stride + j * v.stride]. Float data is held in doubles, which
+// is exact.
 struct Surface {
   const double* points;
-  std::ptrdiff_t ustride, vstride;
-  int uorder, vorder;
-  double u1, u2, v1, v2;
+  Direction u, v = {};
+
+  double at(int i, int j) const { return points[i * u.stride + j * v.stride]; }
 };
 
 // The argument at which a map is evaluated: a coordinate of EvalCoord, or a grid point of EvalPoint or
 // EvalMesh, which need not be a floating-point number.
 class Argument {
  public:
+  // The coordinate 0, for the v of one-dimensional maps.
+  Argument() = default;
   // Returns the argument u, which may be any double; see is_finite().
   static Argument coordinate(double u);
   // Returns the argument i * (g2 - g1) / n + g1, which is exactly g1 at i = 0 and exactly g2 at i = n
@@ -64,37 +68,31 @@ class Argument {
   Argument(std::int64_t i, std::int64_t n, double g1, double g2)
       : index_(i), segments_(n), first_(g1), last_(g2) {}
 
-  std::int64_t index_;
-  std::int64_t segments_;  // 0 for a coordinate
-  double first_, last_;    // both equal the coordinate for a coordinate
+  std::int64_t index_ = 0;
+  std::int64_t segments_ = 0;    // 0 for a coordinate
+  double first_ = 0, last_ = 0;  // both equal the coordinate for a coordinate
 };
 
 // Returns true if all control values and domain ends are finite.
-bool is_finite(const Curve& curve);
 bool is_finite(const Surface& surface);
 
-// A value and its magnitude S0 = SUM |B_i(t)| * |R_i|, the sum of the magnitudes of its terms (2-D: over all
-// i, j).
+// A value and its magnitude S0 = SUM |B_i(t)| * |R_i|, the sum of the magnitudes of its terms (over all i,
+// j).
 struct Evaluation {
   Rational value;
   Rational magnitude;
 };
 
 // Returns value and magnitude in one pass, which costs little more than one of them.
-Evaluation evaluate_with_magnitude(const Curve& curve, const Argument& u);
-Evaluation evaluate_with_magnitude(const Surface& surface, const Argument& u, const Argument& v);
+Evaluation evaluate_with_magnitude(const Surface& surface, const Argument& u, const Argument& v = {});
+Rational evaluate(const Surface& surface, const Argument& u, const Argument& v = {});
 
-Rational evaluate(const Curve& curve, const Argument& u);
-Rational evaluate(const Surface& surface, const Argument& u, const Argument& v);
-
-Rational magnitude(const Curve& curve, const Argument& u);
-Rational magnitude(const Surface& surface, const Argument& u, const Argument& v);
-
-// Return derivatives with respect to the normalised coordinates t = (u - u1)/(u2 - u1) and (v - v1)/(v2 - v1)
-// (the literal reading of the AUTO_NORMAL rule, see U-AUTON-REVSIGN); divide by u2 - u1 for the derivative in
-// u. Order 1 gives zero.
-Rational derivative(const Curve& curve, const Argument& u);
-Rational derivative_u(const Surface& surface, const Argument& u, const Argument& v);
-Rational derivative_v(const Surface& surface, const Argument& u, const Argument& v);
+// A value and its derivatives with respect to the normalised coordinates t = (u - u1)/(u2 - u1) and
+// (v - v1)/(v2 - v1) (the literal reading of the AUTO_NORMAL rule, see U-AUTON-REVSIGN); divide by u2 - u1
+// for the derivative in u. The derivative along a direction of order 1 is zero.
+struct Jet {
+  Rational value, u, v;
+};
+Jet jet(const Surface& surface, const Argument& u, const Argument& v = {});
 
 }  // namespace evalcts::reference

@@ -19,22 +19,21 @@ namespace evalcts::reference {
 
 class BernsteinForm {
  public:
-  // Copies the control values. Throw std::invalid_argument if an order is outside 1..kMaxOrder,
+  // Copies the control values. Throws std::invalid_argument if an order is outside 1..kMaxOrder,
   // std::domain_error if a domain is empty or a domain end or control value is not finite.
-  explicit BernsteinForm(const Curve& curve);
   explicit BernsteinForm(const Surface& surface);
   BernsteinForm(BernsteinForm&&) noexcept;
   BernsteinForm& operator=(BernsteinForm&&) noexcept;
   ~BernsteinForm();
 
-  // Same as the functions of bernstein.h. A curve ignores v. Throw std::domain_error if an argument is not
-  // finite. Const member functions may be called from several threads at once.
-  Rational evaluate(const Argument& u, const Argument& v = Argument::coordinate(0)) const;
-  Evaluation evaluate_with_magnitude(const Argument& u, const Argument& v = Argument::coordinate(0)) const;
+  // Same as the functions of bernstein.h. Throw std::domain_error if an argument is not finite. Const member
+  // functions may be called from several threads at once.
+  Rational evaluate(const Argument& u, const Argument& v = {}) const;
+  Evaluation evaluate_with_magnitude(const Argument& u, const Argument& v = {}) const;
 
   // Return round_to_float(evaluate(u, v)) and round_to_double(evaluate(u, v)), computed without a Rational.
-  float to_float(const Argument& u, const Argument& v = Argument::coordinate(0)) const;
-  double to_double(const Argument& u, const Argument& v = Argument::coordinate(0)) const;
+  float to_float(const Argument& u, const Argument& v = {}) const;
+  double to_double(const Argument& u, const Argument& v = {}) const;
 
  private:
   struct Data;

@@ -40,15 +40,14 @@ struct Arguments {
 // The filter for one component of a map.
 class Filter {
  public:
-  explicit Filter(const Curve& curve);
   explicit Filter(const Surface& surface);
   Filter(Filter&&) noexcept;
   Filter& operator=(Filter&&) noexcept;
   ~Filter();
 
-  // Computes one enclosure for each pair of arguments. A curve ignores v. A non-finite argument gives an
-  // infinite error. Throws std::invalid_argument if the sizes differ (v: for surfaces), or if a grid has less
-  // than one segment.
+  // Computes one enclosure for each pair of arguments; v may be empty if the map is of order 1 in v. A
+  // non-finite argument gives an infinite error. Throws std::invalid_argument if the sizes differ, or if a
+  // grid has less than one segment.
   void enclose(const Arguments& u, const Arguments& v, std::span<Enclosure> results) const;
 
   // Compute the correctly rounded values that the enclosures decide. decided[k] is 1, or 0 if results[k] has
@@ -66,20 +65,12 @@ class Filter {
 // The filter with the exact method behind it: round_to_float() and round_to_double() of each value.
 class CorrectlyRounded {
  public:
-  explicit CorrectlyRounded(const Curve& curve);
   explicit CorrectlyRounded(const Surface& surface);
 
   // Return the number of values that the exact method decided. Throw the exceptions of Filter, and
   // std::domain_error if an argument is not finite.
   std::size_t to_float(const Arguments& u, const Arguments& v, std::span<float> results) const;
   std::size_t to_double(const Arguments& u, const Arguments& v, std::span<double> results) const;
-  // The same for curves, which have no v.
-  std::size_t to_float(const Arguments& u, std::span<float> results) const {
-    return to_float(u, {}, results);
-  }
-  std::size_t to_double(const Arguments& u, std::span<double> results) const {
-    return to_double(u, {}, results);
-  }
 
  private:
   Filter filter_;

@@ -43,10 +43,9 @@ struct Map {
   bool is_two_dimensional() const { return is_map2_target(target); }
   int components() const { return values_per_point(target); }
 
-  // Views of one component, 0 <= component < components(); valid as long as the map.
-  Curve curve(int component) const;       // one-dimensional maps only
-  Surface surface(int component) const;   // both: a one-dimensional map is constant in v
-  std::vector<Surface> surfaces() const;  // surfaces of all components
+  // Views of one component, 0 <= component < components(), and of all; valid as long as the map.
+  Surface surface(int component) const;
+  std::vector<Surface> surfaces() const;
 };
 
 // Returns the map of a new context for the target: order 1, domain (0,1), one constant control point

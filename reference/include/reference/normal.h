@@ -28,12 +28,6 @@ using VertexSurface = std::span<const Surface>;
 
 using Vector = std::array<Rational, 3>;
 
-// The tangents dq/du and dq/dv. tangents() throws std::domain_error if w = 0.
-struct Tangents {
-  Vector u, v;
-};
-Tangents tangents(VertexSurface surface, const Argument& u, const Argument& v);
-
 // Returns m. Throws std::domain_error if w = 0.
 Vector normal_vector(VertexSurface surface, const Argument& u, const Argument& v);
 

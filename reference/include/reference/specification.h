@@ -276,6 +276,12 @@ class Specification {
     GLenum error;
   };
   using Objections = std::vector<Objection>;
+  // The arguments of Map1 and Map2 for one direction.
+  template <typename T>
+  struct MapDirection {
+    T first, last;
+    GLint stride, order;
+  };
 
   static constexpr int kMaxListNesting = 64;
   static constexpr std::size_t kMaxAttribStackDepth = 16;
@@ -307,17 +313,15 @@ class Specification {
     construction_->list.push_back([=](Specification& gl) { (gl.*command)(arguments...); });
     return construction_->mode == GL_COMPILE;
   }
-  static bool any_applies(const Objections& objections);
   // Raises the error of the first objection that applies. Returns false if none applies. Called at the start
   // of the execution of every command.
   bool reject_if(const Objections& objections);
 
+  // Map1 and Map2. Map1 has order 1 in v. `is_target`: the command accepts the target.
   template <typename T>
-  void map1(GLenum target, T u1, T u2, GLint stride, GLint order, const T* points);
-  template <typename T>
-  void map2(GLenum target, T u1, T u2, GLint ustride, GLint uorder, T v1, T v2, GLint vstride, GLint vorder,
-            const T* points);
-  // Completes Map1 and Map2: `objections` are those to their arguments, `map` is the new map if none applies.
+  void map(bool is_target, GLenum target, const MapDirection<T>& u, const MapDirection<T>& v,
+           const T* points);
+  // Completes map(): `objections` are those to its arguments, `map` is the new map if none applies.
   void define(Objections objections, std::shared_ptr<const Map> map);
   template <typename T>
   void get_map(GLenum target, GLenum query, GLsizei size, T* v);

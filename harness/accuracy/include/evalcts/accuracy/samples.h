@@ -1,14 +1,12 @@
 // The classes of maps of the accuracy table, and random maps, arguments and variations of them.
 #pragma once
 
-#include <reference/random_map.h>
+#include <evalcts/accuracy/random_map.h>
 #include <array>
 #include <string>
 #include <vector>
 
 namespace evalcts::accuracy {
-
-using reference::Random;
 
 using Domain = std::array<double, 4>;  // u1, u2, v1, v2
 inline constexpr Domain kUnitDomain = {0, 1, 0, 1};

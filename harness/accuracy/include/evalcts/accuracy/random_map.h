@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace evalcts::reference {
+namespace evalcts::accuracy {
 
 // Random numbers that are the same on every machine. The distributions of the standard library differ between
 // libraries. Those of Boost.Random do not, but they draw different numbers from the same engine, so they
@@ -82,4 +82,4 @@ inline std::vector<double> random_points(const std::string& data, int uorder, in
   return points;
 }
 
-}  // namespace evalcts::reference
+}  // namespace evalcts::accuracy
