@@ -290,9 +290,6 @@ class SideBySide {
     if (has_edges(grid) || !has_low_degree(patches)) return;
     if (!outputs.wanted.is_only(kVertex) || vertex_.is_double) return;
     if (range.columns > kMostPoints / range.rows || !has_ordinary_domain(patches)) return;
-    // With GLEV_FAST, larger meshes must have the bits of the fast kernels.
-    const bool is_fast = grid.precision == GLEV_FAST && grid.kind == GLEV_GRID_UNIFORM;
-    if (is_fast && !glev::has_few_segments(range, patches.vorder - 1)) return;
     net_ = reinterpret_cast<double*>(memory);
     double* const x = net_ + values_of(patches) * glev::kPatchLanes;
     double* const y = x + range.columns;
@@ -301,18 +298,22 @@ class SideBySide {
     const glev::Input u = {inputs.u.begin, inputs.u.stride, is_double},
                       v = {inputs.v.begin, inputs.v.stride, is_double};
     is_used_ = true;
-    for (std::size_t i = 0; i < range.columns; ++i)
-      is_used_ = is_used_ && place(domain_u, is_uniform ? range.u_of(i) : glev::argument_at(u[i]), x + i);
+    for (std::size_t i = 0; i < range.columns; ++i) {
+      if (is_uniform) x[i] = glev::place_on(range.u_of(i));
+      is_used_ = is_used_ && (is_uniform || place(domain_u, u[i], x + i));
+    }
     for (std::size_t j = 0; j < range.rows; ++j) {
       const bool has_place = patches.vorder > 1;
       y[j] = 0;
-      is_used_ = is_used_ &&
-                 (!has_place || place(domain_v, is_uniform ? range.v_of(j) : glev::argument_at(v[j]), y + j));
+      if (is_uniform) y[j] = glev::place_on(range.v_of(j));
+      is_used_ = is_used_ && (is_uniform || !has_place || place(domain_v, v[j], y + j));
     }
     const int n = patches.uorder - 1, m = patches.vorder - 1;
     const int bits = !is_uniform ? glev::kManyBits
                                  : n * glev::bits_of_places(domain_u, range.u) +
                                        (m == 0 ? 0 : m * glev::bits_of_places(domain_v, range.v));
+    const glev::Surface surface = {
+        {n, m}, static_cast<int>(patches.components), {domain_u, domain_v}, nullptr};
     block_ = {{n, m},
               static_cast<int>(patches.components),
               0,
@@ -322,6 +323,8 @@ class SideBySide {
               range.columns,
               range.rows,
               bits,
+              is_uniform,
+              grid.precision == GLEV_FAST && is_uniform && !glev::has_few_segments(surface, range),
               {vertex_.data, vertex_.stream.stride, vertex_.stream.row_stride, vertex_.components},
               vertex_.stream.patch_stride};
   }
@@ -356,11 +359,11 @@ class SideBySide {
     return glev::is_ordinary(domain[0]) && (patches.vorder == 1 || glev::is_ordinary(domain[1]));
   }
 
-  // Computes x = t - s. Returns false outside the domain.
-  static bool place(const glev::Domain& domain, const glev::GridArgument& argument, double* x) {
+  // Computes x = t - s of a real argument. Returns false outside the domain.
+  static bool place(const glev::Domain& domain, double argument, double* x) {
     const glev::Parameter at = locate(domain, argument);
     *x = at.t - at.s;
-    return at.is_sure && at.t >= 0 && at.s >= 0;
+    return at.t >= 0 && at.s >= 0;
   }
 
   void load(std::size_t patch, std::size_t lane) {
