@@ -45,11 +45,15 @@ struct Strip {
   }
 };
 
+// The number of lanes of the vectors of results.
+template <class Real>
+constexpr std::size_t kMostLanes = 64 / sizeof(Real);
+
 // Evaluates kRows rows of at least one vector of positions, as floats. The results are ends of intervals or,
 // without kIntervals, sums. Returns true if both ends of all intervals round to the same float.
 template <class Real, bool kIntervals, int kDegree, int kRows>
 bool evaluate_rows(const Strip<Real>& strip, std::size_t count, const double* y, float* const* to) {
-  constexpr hn::CappedTag<Real, 32 / sizeof(Real) * 2> kTag;
+  constexpr hn::CappedTag<Real, kMostLanes<Real>> kTag;
   constexpr hn::Rebind<float, decltype(kTag)> kResults;
   constexpr std::size_t kWidth = hn::MaxLanes(kTag);
   using Values = hn::Vec<decltype(kTag)>;
@@ -144,10 +148,13 @@ inline bool is_line(double x) {
 struct Lines {
   std::size_t count = 0, at[5];
 
-  void find(const double* x, std::size_t columns) {
+  // Finds the lines among the columns from `first` on of a grid that spans the domain.
+  void find(const Grid& grid, std::int64_t first, std::size_t columns) {
     count = 0;
-    for (std::size_t c = 0; c < columns; ++c) {
-      if (is_line(x[c])) at[count++] = c;
+    for (std::int64_t quarter = 0; quarter <= 4; ++quarter) {
+      const std::int64_t part = quarter * grid.segments, column = part / 4 - first;
+      if (part % 4 == 0 && column >= 0 && column < static_cast<std::int64_t>(columns))
+        at[count++] = static_cast<std::size_t>(column);
     }
   }
 };

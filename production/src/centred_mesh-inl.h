@@ -11,6 +11,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <numeric>
 
 #include "centred-inl.h"
 #include "mesh-inl.h"
@@ -49,11 +51,19 @@ struct MeshCurves {
   std::size_t columns = 0;
   Lines lines = {};
 
-  HWY_INLINE void choose(const double* places, std::size_t count) {
+  // Chooses columns, from number `first` of the grid on.
+  HWY_INLINE void choose(const double* places, const Grid& grid, std::int64_t first, std::size_t count) {
     x = places;
     columns = count;
     lines.count = 0;
-    if (has_lines_u && is_short != 0) lines.find(x, columns);
+    if (has_lines_u && is_short != 0) lines.find(grid, first, columns);
+  }
+  // Chooses columns that are lines if there are any.
+  HWY_INLINE void choose_lines(const double* places, std::size_t count) {
+    x = places;
+    columns = count;
+    lines.count = has_lines_u && is_short != 0 ? count : 0;
+    for (std::size_t i = 0; i < lines.count; ++i) lines.at[i] = i;
   }
 
   HWY_INLINE void compute(bool has_ends, Strip<double>* strip) const {
@@ -62,10 +72,23 @@ struct MeshCurves {
   }
 
   HWY_INLINE void compute_row(double y, Strip<double>* strip) const {
+    const Row row = row_at(y);
+    compute_powers(row.power, 0, strip);
+    set_ends(row.test, row.is_short, 0, strip);
+  }
+
+  // A row as a map of degree 0 in v, in the layout of PreparedMap::centred. Components that are exact
+  // constants have no error.
+  struct Row {
+    HWY_ALIGN double power[4 * (kMaxCentredDegree + 1)];
+    PreparedMap::Test test;
+    unsigned is_short;
+  };
+  HWY_INLINE Row row_at(double y) const {
     constexpr std::size_t kWidth = hn::MaxLanes(kFour);
     const auto [n, m] = map.surface.degree;
     const auto values = static_cast<std::size_t>(4 * (n + 1));
-    HWY_ALIGN double row[4 * (kMaxCentredDegree + 1)];
+    Row row;
     for (std::size_t first = 0; first < values; first += kWidth) {
       const double* from = map.centred + first + static_cast<std::size_t>(m) * values;
       FourVector sum = hn::LoadU(kFour, from);
@@ -73,17 +96,16 @@ struct MeshCurves {
         from -= values;
         sum = hn::MulAdd(sum, hn::Set(kFour, y), hn::LoadU(kFour, from));
       }
-      hn::Store(sum, kFour, row + first);
+      hn::Store(sum, kFour, row.power + first);
     }
-    PreparedMap::Test own = test;
-    const unsigned is_short_here = has_lines_v && is_line(y) ? is_short : 0;
-    for (int k = 0; k < map.surface.components; ++k) {
-      bool is_constant = (is_short_here >> k & 1) != 0;
-      for (int i = 1; i <= n; ++i) is_constant = is_constant && row[4 * i + k] == 0;
-      if (is_constant) own.error[static_cast<std::size_t>(k)] = 0;
+    row.test = test;
+    row.is_short = has_lines_v && is_line(y) ? is_short : 0;
+    for (int k = 0; k < map.surface.components && row.is_short != 0; ++k) {
+      bool is_constant = (row.is_short >> k & 1) != 0;
+      for (int i = 1; i <= n; ++i) is_constant = is_constant && row.power[4 * i + k] == 0;
+      if (is_constant) row.test.error[static_cast<std::size_t>(k)] = 0;
     }
-    compute_powers(row, 0, strip);
-    set_ends(own, is_short_here, 0, strip);
+    return row;
   }
 
  private:
@@ -117,6 +139,9 @@ struct MeshCurves {
   }
 };
 
+// Columns of a strip of a large mesh, of which only x is in memory.
+constexpr std::size_t kMostWideColumns = 512, kMostWideValues = 4 * kMostWideColumns;
+
 // Stores rows, and resolves their values.
 template <int kComponents>
 struct MeshSink {
@@ -129,7 +154,7 @@ struct MeshSink {
 
   std::size_t first_row = 0, first_column = 0, columns = 0;
   bool is_direct = false;
-  HWY_ALIGN float values[2][Strip<float>::kSize];
+  HWY_ALIGN float values[2][kMostWideValues + kFewestPositions];
 
   std::byte* data_of(std::size_t r) const {
     return to.data + (first_row + r) * to.row_stride + first_column * to.stride;
@@ -146,6 +171,168 @@ struct MeshSink {
                          range.v_of(first_row + r));
   }
 };
+
+// Evaluates a row by Horner's rule in x. `row` has the coefficients of x^i of kWidth columns, and `x` that of
+// each position. Calls resolve(position) for values that their interval does not decide; floats have none.
+template <int kComponents, class Real, int kDegree, class Resolver>
+void evaluate_wide_row(const Strip<Real>& row, const Real* x, std::size_t count, float* to,
+                       const Resolver& resolve) {
+  constexpr bool kIntervals = sizeof(Real) == sizeof(double);
+  constexpr hn::CappedTag<Real, kMostLanes<Real>> kTag;
+  constexpr hn::Rebind<float, decltype(kTag)> kResults;
+  constexpr hn::RebindToUnsigned<decltype(kResults)> kBits;
+  constexpr std::size_t kWidth = hn::MaxLanes(kTag);
+  // The number of vectors after which the order of components repeats.
+  constexpr std::size_t kPeriod = kComponents / std::gcd(std::size_t{kComponents}, kWidth);
+  using Values = hn::Vec<decltype(kTag)>;
+  using Results = hn::Vec<decltype(kResults)>;
+  Values power[kDegree + 1][kPeriod], first[2][kPeriod];
+  for (std::size_t part = 0; part < kPeriod; ++part) {
+    for (int i = 0; i <= kDegree; ++i) power[i][part] = hn::Load(kTag, row.power[i] + part * kWidth);
+    first[0][part] = kIntervals ? hn::Load(kTag, row.low + part * kWidth) : power[0][part];
+    first[1][part] = kIntervals ? hn::Load(kTag, row.high + part * kWidth) : power[0][part];
+  }
+  // Returns the bits in which the ends differ.
+  const auto evaluate = [&](std::size_t p, std::size_t part, Results* value) HWY_ATTR {
+    const Values place = hn::Load(kTag, x + p);
+    Values sum = power[kDegree][part];
+    for (int i = kDegree - 1; i > 0; --i) sum = hn::MulAdd(sum, place, power[i][part]);
+    const Values high = hn::MulAdd(sum, place, first[1][part]);
+    if constexpr (kIntervals) {
+      *value = hn::DemoteTo(kResults, high);
+      return hn::Xor(*value, hn::DemoteTo(kResults, hn::MulAdd(sum, place, first[0][part])));
+    } else {
+      *value = high;
+      return hn::Zero(kResults);
+    }
+  };
+  Results open = hn::Zero(kResults), value;
+  std::size_t p = 0;
+  while (p + kPeriod * kWidth <= count) {
+    for (std::size_t part = 0; part < kPeriod; ++part, p += kWidth) {
+      open = hn::Or(open, evaluate(p, part, &value));
+      hn::StoreU(value, kResults, to + p);
+    }
+  }
+  for (std::size_t part = 0; p < count; ++part, p += kWidth) {
+    float last[kWidth];
+    open = hn::Or(open, evaluate(p, part, &value));
+    hn::StoreU(value, kResults, last);
+    std::memcpy(to + p, last, std::min(kWidth, count - p) * sizeof(float));
+  }
+  const auto is_zero = [&](Results bits) HWY_ATTR {
+    return hn::AllTrue(kBits, hn::Eq(hn::BitCast(kBits, bits), hn::Zero(kBits)));
+  };
+  if (HWY_LIKELY(!kIntervals || is_zero(open))) return;
+  for (p = 0; p < count; p += kWidth) {
+    const Results bits = evaluate(p, p / kWidth % kPeriod, &value);
+    if (is_zero(bits)) continue;
+    std::uint32_t is_open[kWidth];
+    hn::StoreU(hn::BitCast(kBits, bits), kBits, is_open);
+    for (std::size_t i = p; i < std::min(p + kWidth, count); ++i) {
+      if (is_open[i - p] == 0) continue;
+      const float result = resolve(i);
+      std::memcpy(to + i, &result, sizeof result);  // the caller's memory need not be aligned
+    }
+  }
+}
+
+// Computes the coefficients of a row for evaluate_wide_row().
+template <int kComponents, class Real, int kDegree>
+HWY_INLINE void repeat_row(const MeshCurves::Row& row, Strip<Real>* strip) {
+  constexpr std::size_t kWidth = hn::MaxLanes(hn::CappedTag<Real, kMostLanes<Real>>());
+  const auto repeat = [](FourVector value, std::size_t part, Real* to) HWY_ATTR {
+    for (std::size_t c = 0; c < kWidth; ++c) {
+      // The values behind the last component are overwritten by the next column.
+      if constexpr (sizeof(Real) == sizeof(double)) {
+        hn::StoreU(value, kFour, to + c * kComponents + part);
+      } else {
+        hn::StoreU(hn::DemoteTo(kFourFloats, value), kFourFloats, to + c * kComponents + part);
+      }
+    }
+  };
+  for (std::size_t part = 4; part-- > 0;) {
+    if (part % hn::MaxLanes(kFour) != 0) continue;
+    for (int i = 0; i <= kDegree; ++i)
+      repeat(hn::Load(kFour, row.power + 4 * i + part), part, strip->power[i]);
+    if constexpr (sizeof(Real) == sizeof(double)) {
+      const FourVector value = hn::Load(kFour, row.power + part),
+                       error = hn::LoadU(kFour, &row.test.error[part]);
+      repeat(hn::Sub(value, error), part, strip->low);
+      repeat(hn::Add(value, error), part, strip->high);
+    }
+  }
+}
+
+// Repeats the x of each column for each component.
+template <int kComponents, class Real>
+HWY_INLINE void repeat_places(const double* x, std::size_t columns, Real* to) {
+  constexpr hn::CappedTag<Real, 4> kTag;
+  for (std::size_t c = 0; c < columns; ++c, to += kComponents) {
+    for (std::size_t k = 0; k < kComponents; k += hn::MaxLanes(kTag))
+      hn::StoreU(hn::Set(kTag, static_cast<Real>(x[c])), kTag, to + k);
+  }
+}
+
+// Evaluates the rows of a strip of a large mesh, one by one, as curves in x: the curves of all columns would
+// take too long if a range has few rows. `special`: the columns, with the numbers `at`, that have the tests
+// of curves in y, because they are on lines or on the boundary.
+template <int kComponents, int kDegree>
+HWY_NOINLINE void evaluate_wide_strip(const MeshCurves& curves, const MeshCurves& special,
+                                      const std::size_t* at, bool is_fast, const Rows& rows,
+                                      MeshSink<kComponents>& sink) {
+  const int m = curves.map.surface.degree[1];
+  const std::size_t count = curves.columns * kComponents, special_count = special.columns * kComponents,
+                    padded = std::max(special_count, kFewestPositions);
+  HWY_ALIGN double places[kMostWideValues + kFewestPositions];
+  HWY_ALIGN float fast_places[kMostWideValues + kFewestPositions];
+  Strip<double> strip, row, own;
+  Strip<float> fast_row;
+  const auto repeat = [&](auto* to) HWY_ATTR {
+    repeat_places<kComponents>(curves.x, curves.columns, to);
+    // The values of special columns are replaced. They must not be undecided.
+    for (std::size_t i = 0; i < special.columns; ++i)
+      std::fill_n(to + at[i] * kComponents, kComponents, 0.3F);
+    std::fill_n(to + count, kFewestPositions, 0.3F);
+  };
+  if (is_fast) repeat(fast_places);
+  if (!is_fast || rows.has_own_test[0] || rows.has_own_test[rows.count - 1]) repeat(places);
+  if (special_count != 0) {
+    special.compute(true, &strip);
+    strip.clear(special_count), own.clear(special_count);
+  }
+  for (std::size_t r = 0; r < rows.count; ++r) {
+    const auto resolve = [&](std::size_t p) { return sink.resolve(r, p); };
+    const MeshCurves::Row values = curves.row_at(rows.y[r]);
+    float* to;
+    sink.begin(r, 1, &to);
+    if (is_fast && !rows.has_own_test[r]) {
+      repeat_row<kComponents, float, kDegree>(values, &fast_row);
+      evaluate_wide_row<kComponents, float, kDegree>(fast_row, fast_places, count, to, resolve);
+    } else {
+      repeat_row<kComponents, double, kDegree>(values, &row);
+      evaluate_wide_row<kComponents, double, kDegree>(row, places, count, to, resolve);
+    }
+    if (special_count != 0) {
+      float ends[8 * kComponents + kFewestPositions];
+      float* const to_ends[1] = {ends};
+      const auto position = [&](std::size_t p) {
+        return at[p / kComponents] * kComponents + p % kComponents;
+      };
+      const bool is_on_line = rows.has_own_edge_test[r];
+      if (is_on_line) special.compute_row(rows.y[r], &own);
+      const bool is_settled = is_on_line
+                                  ? evaluate_rows<double, true, 0, 1>(own, padded, rows.y + r, to_ends)
+                                  : rows_function<double, true>(m, 1)(strip, padded, rows.y + r, to_ends);
+      if (HWY_UNLIKELY(!is_settled))
+        resolve_row(is_on_line ? own : strip, is_on_line ? 0 : m, special_count, rows.y[r], ends,
+                    [&](std::size_t p) { return resolve(position(p)); });
+      for (std::size_t p = 0; p < special_count; p += kComponents)
+        std::memcpy(to + position(p), ends + p, kComponents * sizeof(float));
+    }
+    sink.end(r, to);
+  }
+}
 
 // Evaluates meshes of maps of low degree inside the domain, with `fast` in float. Returns false, and does
 // nothing, for other meshes. `x`: scratch memory.
@@ -179,13 +366,20 @@ bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, bool 
   }
   const bool is_fast = fast && !has_few_segments(map.surface, range) && has_fast_inside(map, range);
   const Method method = is_fast ? Method::kFast : is_exact ? Method::kExact : Method::kIntervals;
+  // The order of operations depends on the grid and not on the range, so adjacent ranges have the same points
+  // with GLEV_FAST, too. Smaller grids have the order of evaluate_patches().
+  constexpr std::int64_t kFewestWide = 128;
+  const std::int64_t grid_columns = std::int64_t{range.u.segments} + 1,
+                     grid_rows = m == 0 ? 1 : std::int64_t{range.v.segments} + 1;
+  const bool is_wide =
+      grid_columns > kFewestWide && grid_columns * grid_rows > static_cast<std::int64_t>(kMostPatchPoints);
   const std::size_t last = range.columns - 1;
   const bool has_first = is_fast && is_end(domain_u, range.u_of(0)),
              has_last = is_fast && is_end(domain_u, range.u_of(last));
   // The boundary of a curve consists of its ends.
   const bool has_ends_v = is_fast && to.row_stride != 0;
 
-  constexpr std::size_t kColumns = kMostPositions / kComponents;
+  const std::size_t most_columns = is_wide ? kMostWideColumns : kMostPositions / kComponents;
   MeshSink<kComponents> sink(map, range, to);
   Rows rows;
   for (std::size_t r0 = 0; r0 < range.rows; r0 += Rows::kMost) {
@@ -195,19 +389,32 @@ bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, bool 
     rows.set(!is_exact && curves.has_lines_v && curves.is_short != 0, method,
              has_ends_v && is_end(domain_v, range.v_of(r0)),
              has_ends_v && is_end(domain_v, range.v_of(r0 + rows.count - 1)));
-    // Few rows take less time without the curves of all columns.
-    if (range.rows <= 2 && m > 0 && !is_fast) std::fill_n(rows.has_own_test, rows.count, true);
     sink.first_row = r0;
-    for (std::size_t c0 = 0; c0 < range.columns; c0 += kColumns) {
-      sink.columns = std::min(kColumns, range.columns - c0);
-      curves.choose(x + c0, sink.columns);
+    for (std::size_t c0 = 0; c0 < range.columns; c0 += most_columns) {
+      sink.columns = std::min(most_columns, range.columns - c0);
+      curves.choose(x + c0, range.u, range.u_of(c0).index, sink.columns);
       sink.first_column = c0;
       const std::size_t count = sink.columns * kComponents;
-      sink.is_direct = is_packed<kComponents>(to) && count >= kFewestPositions;
+      sink.is_direct = is_packed<kComponents>(to) && (is_wide || count >= kFewestPositions);
       const bool is_first = has_first && c0 == 0, is_last = has_last && c0 + sink.columns == range.columns;
       const double ends[2] = {is_first ? x[0] : x[last], x[last]};
       MeshCurves edges = curves;
-      edges.choose(ends, is_first && is_last && last != 0 ? 2 : is_first || is_last ? 1 : 0);
+      if (is_wide) {
+        constexpr decltype(&evaluate_wide_strip<kComponents, 1>) kOf[kMaxCentredDegree] = {
+            evaluate_wide_strip<kComponents, 1>, evaluate_wide_strip<kComponents, 2>,
+            evaluate_wide_strip<kComponents, 3>};
+        std::size_t at[5], special = 0;
+        double places[5];
+        const auto add = [&](std::size_t column) { at[special++] = column; };
+        if (is_fast && is_first) add(0);
+        if (is_fast && is_last && sink.columns > 1) add(sink.columns - 1);
+        for (std::size_t line = 0; line < curves.lines.count && !is_fast; ++line) add(curves.lines.at[line]);
+        for (std::size_t i = 0; i < special; ++i) places[i] = curves.x[at[i]];
+        edges.choose_lines(places, special);
+        kOf[n - 1](curves, edges, at, is_fast, rows, sink);
+        continue;
+      }
+      edges.choose_lines(ends, is_first && is_last && last != 0 ? 2 : is_first || is_last ? 1 : 0);
       evaluate_strip(curves, edges, is_first, method, m, rows, count, sink);
     }
   }

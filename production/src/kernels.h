@@ -85,6 +85,8 @@ inline bool has_fast_bound(const PreparedMap& map) {
 // At most kPatchLanes patches of the same degrees, 1 to kMaxCentredDegree in u and 0 to kMaxCentredDegree in
 // v, which are evaluated at the same arguments, one patch in each lane.
 inline constexpr std::size_t kPatchLanes = 8;
+// Patches with more points are faster one at a time.
+inline constexpr std::size_t kMostPatchPoints = 2048;
 struct PatchBlock {
   std::array<int, 2> degree;
   int components;
@@ -98,9 +100,11 @@ struct PatchBlock {
   // The largest number of fractional bits of x^degree and y^degree together; kManyBits if they are not
   // dyadic.
   int bits_of_places;
-  bool is_uniform;  // the grid spans the domain, so x and y are exact on lines and at the ends
-  bool fast;        // for uniform grids only
-  Destination to;   // destination of patch 0; patch p begins p * patch_stride bytes later
+  // Values along lines, whose x and y must be exact, have a rounding test of their own. This takes longer,
+  // but decides ties and zeros.
+  bool has_lines;
+  bool fast;       // for grids that span the domain only
+  Destination to;  // destination of patch 0; patch p begins p * patch_stride bytes later
   std::size_t patch_stride;
 };
 

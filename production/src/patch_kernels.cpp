@@ -108,7 +108,7 @@ struct Component {
     const auto tighten = [&](int bits) HWY_ATTR {
       return hn::IfThenZeroElse(hn::And(is_centred, is_exact(columns * rows, h, sum, bits)), bound);
     };
-    line_error.store(block.is_uniform ? tighten(bits_along_lines(kDegree, m)) : bound, h);
+    line_error.store(block.has_lines ? tighten(bits_along_lines(kDegree, m)) : bound, h);
     error.store(block.bits_of_places < kExactBits ? tighten(block.bits_of_places) : bound, h);
     const auto is_claimed = hn::Or(is_bounded, is_zero_everywhere);
     if (!block.fast) return is_claimed;
@@ -362,13 +362,13 @@ unsigned evaluate(const PatchBlock& block) {
   }
   const Method method = block.fast ? Method::kFast : is_exact ? Method::kExact : Method::kIntervals;
   const std::size_t most_columns = kMostPositions / (components * kPatchLanes), last = block.columns - 1;
-  PatchCurves<kDegree> curves = {component, components, m, block.is_uniform};
+  PatchCurves<kDegree> curves = {component, components, m, block.has_lines};
   PatchSink sink(block);
   Rows rows;
   for (std::size_t r0 = 0; r0 < block.rows; r0 += Rows::kMost) {
     rows.count = std::min(Rows::kMost, block.rows - r0);
     std::copy_n(block.y + r0, rows.count, rows.y);
-    rows.set(block.is_uniform && !is_exact && m > 0, method, r0 == 0, r0 + rows.count == block.rows);
+    rows.set(block.has_lines && !is_exact && m > 0, method, r0 == 0, r0 + rows.count == block.rows);
     for (std::size_t c0 = 0; c0 < block.columns; c0 += most_columns) {
       curves.choose(block.x + c0, std::min(most_columns, block.columns - c0));
       const bool is_first = block.fast && c0 == 0,

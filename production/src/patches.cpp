@@ -265,13 +265,10 @@ class PatchPlans {
   std::array<bool, glev::kSlots> enabled_{};
 };
 
-// Patches with more points are faster one at a time.
-constexpr std::size_t kMostPoints = 2048;
-
 // Returns the number of positions of columns and rows, which are computed once for all patches.
 std::size_t places_of(const glev_patches& patches, const glev_patch_grid& grid) {
   const glev::Shape shape = shape_of(patches, grid);
-  return std::min(shape.columns, kMostPoints) + std::min(shape.rows, kMostPoints);
+  return std::min(shape.columns, glev::kMostPatchPoints) + std::min(shape.rows, glev::kMostPatchPoints);
 }
 
 // Evaluates vertices of patches of low degree in vectors, one patch in each lane.
@@ -289,7 +286,7 @@ class SideBySide {
       : patches_(patches), inputs_(inputs), kernels_(kernels), vertex_(outputs[kVertex]) {
     if (has_edges(grid) || !has_low_degree(patches)) return;
     if (!outputs.wanted.is_only(kVertex) || vertex_.is_double) return;
-    if (range.columns > kMostPoints / range.rows || !has_ordinary_domain(patches)) return;
+    if (range.columns > glev::kMostPatchPoints / range.rows || !has_ordinary_domain(patches)) return;
     net_ = reinterpret_cast<double*>(memory);
     double* const x = net_ + values_of(patches) * glev::kPatchLanes;
     double* const y = x + range.columns;
@@ -298,6 +295,7 @@ class SideBySide {
     const glev::Input u = {inputs.u.begin, inputs.u.stride, is_double},
                       v = {inputs.v.begin, inputs.v.stride, is_double};
     is_used_ = true;
+    can_have_lines_ = is_uniform;
     for (std::size_t i = 0; i < range.columns; ++i) {
       if (is_uniform) x[i] = glev::place_on(range.u_of(i));
       is_used_ = is_used_ && (is_uniform || place(domain_u, u[i], x + i));
@@ -323,7 +321,7 @@ class SideBySide {
               range.columns,
               range.rows,
               bits,
-              is_uniform,
+              false,
               grid.precision == GLEV_FAST && is_uniform && !glev::has_few_segments(surface, range),
               {vertex_.data, vertex_.stream.stride, vertex_.stream.row_stride, vertex_.components},
               vertex_.stream.patch_stride};
@@ -344,7 +342,12 @@ class SideBySide {
     for (std::size_t p = count; p < glev::kPatchLanes; ++p) load(first, p);
     block_.patches = count;
     block_.to.data = vertex_.data + first * block_.patch_stride;
-    const unsigned left = kernels_->patches(block_);
+    unsigned left = kernels_->patches(block_);
+    // If one block has ties or zeros along lines, others do, too.
+    if (left != 0 && can_have_lines_ && !block_.has_lines) {
+      block_.has_lines = true;
+      left = kernels_->patches(block_);
+    }
     pause_ = 2 * static_cast<std::size_t>(std::popcount(left)) > count ? 15 : 0;
     return left;
   }
@@ -374,7 +377,7 @@ class SideBySide {
   const Inputs& inputs_;
   const glev::Kernels* kernels_;
   const Output& vertex_;
-  bool is_used_ = false;
+  bool is_used_ = false, can_have_lines_ = false;
   std::size_t pause_ = 0;
   double* net_ = nullptr;
   glev::PatchBlock block_{};
