@@ -321,7 +321,7 @@ class SideBySide {
               range.columns,
               range.rows,
               bits,
-              false,
+              is_uniform && patches.count <= kFewPatches,
               grid.precision == GLEV_FAST && is_uniform && !glev::has_few_segments(surface, range),
               {vertex_.data, vertex_.stream.stride, vertex_.stream.row_stride, vertex_.components},
               vertex_.stream.patch_stride};
@@ -353,6 +353,9 @@ class SideBySide {
   }
 
  private:
+  // Few patches have tests along lines from the first block on, because a second evaluation takes longer.
+  static constexpr std::size_t kFewPatches = 8 * glev::kPatchLanes;
+
   static bool has_low_degree(const glev_patches& patches) {
     return patches.uorder > 1 && patches.uorder <= glev::kMaxCentredDegree + 1 &&
            patches.vorder <= glev::kMaxCentredDegree + 1;
