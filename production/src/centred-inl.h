@@ -49,6 +49,26 @@ struct Strip {
 template <class Real>
 constexpr std::size_t kMostLanes = 64 / sizeof(Real);
 
+// Returns true if the ends of intervals that differ in these bits are equal.
+template <class Results>
+HWY_INLINE bool are_zero(Results bits) {
+  constexpr hn::RebindToUnsigned<hn::DFromV<Results>> kBits;
+  return hn::AllTrue(kBits, hn::Eq(hn::BitCast(kBits, bits), hn::Zero(kBits)));
+}
+// Calls resolve(position) for the lanes with bits, from position `begin` on, and stores the results at `to`.
+template <class Results, class Resolver>
+HWY_INLINE void resolve_lanes(Results bits, std::size_t begin, std::size_t count, float* to,
+                              const Resolver& resolve) {
+  constexpr hn::RebindToUnsigned<hn::DFromV<Results>> kBits;
+  std::uint32_t is_open[hn::MaxLanes(kBits)];
+  hn::StoreU(hn::BitCast(kBits, bits), kBits, is_open);
+  for (std::size_t i = begin; i < std::min(begin + hn::MaxLanes(kBits), count); ++i) {
+    if (is_open[i - begin] == 0) continue;
+    const float result = resolve(i);
+    std::memcpy(to + i, &result, sizeof result);  // the caller's memory need not be aligned
+  }
+}
+
 // Evaluates kRows rows of at least one vector of positions, as floats. The results are ends of intervals or,
 // without kIntervals, sums. Returns true if both ends of all intervals round to the same float.
 template <class Real, bool kIntervals, int kDegree, int kRows>
@@ -83,8 +103,7 @@ bool evaluate_rows(const Strip<Real>& strip, std::size_t count, const double* y,
   std::size_t p = 0;
   for (; p + kWidth <= count; p += kWidth) evaluate(p);
   if (p < count) evaluate(count - kWidth);
-  constexpr hn::RebindToUnsigned<decltype(kResults)> kBits;
-  return !kIntervals || hn::AllTrue(kBits, hn::Eq(hn::BitCast(kBits, open), hn::Zero(kBits)));
+  return !kIntervals || are_zero(open);
 }
 
 template <class Real>
@@ -105,7 +124,6 @@ EvaluatesRows<Real> rows_function(int m, std::size_t rows) {
 template <class Resolver>
 HWY_NOINLINE void resolve_row(const Strip<double>& strip, int m, std::size_t count, double y_of_row,
                               float* to, const Resolver& resolve) {
-  constexpr hn::RebindToUnsigned<decltype(kHalves)> kBits;
   const Vector y = hn::Set(kDoubles, y_of_row);
   for (std::size_t p = 0; p < count; p += kLanes) {
     Vector sum = hn::LoadU(kDoubles, strip.power[m] + p);
@@ -114,15 +132,8 @@ HWY_NOINLINE void resolve_row(const Strip<double>& strip, int m, std::size_t cou
       const Vector value = hn::LoadU(kDoubles, first + p);
       return hn::DemoteTo(kHalves, m == 0 ? value : hn::MulAdd(sum, y, value));
     };
-    const auto bits = hn::BitCast(kBits, hn::Xor(end(strip.low), end(strip.high)));
-    if (HWY_LIKELY(hn::AllTrue(kBits, hn::Eq(bits, hn::Zero(kBits))))) continue;
-    std::uint32_t is_open[kLanes];
-    hn::StoreU(bits, kBits, is_open);
-    for (std::size_t i = p; i < std::min(p + kLanes, count); ++i) {
-      if (is_open[i - p] == 0) continue;
-      const float result = resolve(i);
-      std::memcpy(to + i, &result, sizeof result);  // the caller's memory need not be aligned
-    }
+    const Half bits = hn::Xor(end(strip.low), end(strip.high));
+    if (HWY_UNLIKELY(!are_zero(bits))) resolve_lanes(bits, p, count, to, resolve);
   }
 }
 

@@ -180,7 +180,6 @@ void evaluate_wide_row(const Strip<Real>& row, const Real* x, std::size_t count,
   constexpr bool kIntervals = sizeof(Real) == sizeof(double);
   constexpr hn::CappedTag<Real, kMostLanes<Real>> kTag;
   constexpr hn::Rebind<float, decltype(kTag)> kResults;
-  constexpr hn::RebindToUnsigned<decltype(kResults)> kBits;
   constexpr std::size_t kWidth = hn::MaxLanes(kTag);
   // The number of vectors after which the order of components repeats.
   constexpr std::size_t kPeriod = kComponents / std::gcd(std::size_t{kComponents}, kWidth);
@@ -220,20 +219,10 @@ void evaluate_wide_row(const Strip<Real>& row, const Real* x, std::size_t count,
     hn::StoreU(value, kResults, last);
     std::memcpy(to + p, last, std::min(kWidth, count - p) * sizeof(float));
   }
-  const auto is_zero = [&](Results bits) HWY_ATTR {
-    return hn::AllTrue(kBits, hn::Eq(hn::BitCast(kBits, bits), hn::Zero(kBits)));
-  };
-  if (HWY_LIKELY(!kIntervals || is_zero(open))) return;
+  if (HWY_LIKELY(!kIntervals || are_zero(open))) return;
   for (p = 0; p < count; p += kWidth) {
     const Results bits = evaluate(p, p / kWidth % kPeriod, &value);
-    if (is_zero(bits)) continue;
-    std::uint32_t is_open[kWidth];
-    hn::StoreU(hn::BitCast(kBits, bits), kBits, is_open);
-    for (std::size_t i = p; i < std::min(p + kWidth, count); ++i) {
-      if (is_open[i - p] == 0) continue;
-      const float result = resolve(i);
-      std::memcpy(to + i, &result, sizeof result);  // the caller's memory need not be aligned
-    }
+    if (!are_zero(bits)) resolve_lanes(bits, p, count, to, resolve);
   }
 }
 
