@@ -340,6 +340,7 @@ class SideBySide {
     }
     for (std::size_t p = 0; p < count; ++p) load(first + p, p);
     for (std::size_t p = count; p < glev::kPatchLanes; ++p) load(first, p);
+    prefetch(first + count);
     block_.patches = count;
     block_.to.data = vertex_.data + first * block_.patch_stride;
     unsigned left = kernels_->patches(block_);
@@ -370,6 +371,16 @@ class SideBySide {
     const glev::Parameter at = locate(domain, argument);
     *x = at.t - at.s;
     return at.t >= 0 && at.s >= 0;
+  }
+
+  // Requests the control points of the next patches, which arrive during the evaluation.
+  void prefetch(std::size_t first) const {
+    const std::size_t element = patches_.type == GLEV_DOUBLE ? sizeof(double) : sizeof(float),
+                      bytes = values_of(patches_) * element;
+    for (std::size_t p = first; p < std::min(first + glev::kPatchLanes, patches_.count); ++p) {
+      const std::byte* const points = inputs_.points.begin + p * inputs_.points.patch_stride;
+      for (std::size_t at = 0; at < bytes; at += glev::kCacheLine) __builtin_prefetch(points + at);
+    }
   }
 
   void load(std::size_t patch, std::size_t lane) {
