@@ -344,10 +344,12 @@ class SideBySide {
     block_.patches = count;
     block_.to.data = vertex_.data + first * block_.patch_stride;
     unsigned left = kernels_->patches(block_);
-    // If one block has ties or zeros along lines, others do, too.
+    // If tests along lines decide patches of one block, they do so in others, too.
     if (left != 0 && can_have_lines_ && !block_.has_lines) {
       block_.has_lines = true;
-      left = kernels_->patches(block_);
+      const unsigned still_left = kernels_->patches(block_);
+      block_.has_lines = still_left != left;
+      left = still_left;
     }
     pause_ = 2 * static_cast<std::size_t>(std::popcount(left)) > count ? 15 : 0;
     return left;
