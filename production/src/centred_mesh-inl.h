@@ -1,4 +1,5 @@
-// Meshes of low degree inside their domain, correctly rounded, in powers of x = t - s and y.
+// Meshes of low degree inside their domain, in powers of x = t - s and y, correctly rounded or with
+// GLEV_FAST.
 #if defined(GLEVALUATOR_CENTRED_MESH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLEVALUATOR_CENTRED_MESH_INL_H_
 #undef GLEVALUATOR_CENTRED_MESH_INL_H_
@@ -11,206 +12,326 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <numeric>
 
+#include "centred-inl.h"
 #include "mesh-inl.h"
-#include "sequence-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
-// Returns x = t - s.
-inline double centred_at(const Domain& domain, const GridArgument& argument) {
-  const Parameter at = locate(domain, argument);
-  return at.t - at.s;
+// Computes the curves of columns from the coefficients of x^i y^j, in the layout of PreparedMap::centred.
+template <int kDegree>
+void compute_curves(const double* centred, int m, int components, const double* x, std::size_t columns,
+                    Strip<double>* strip) {
+  constexpr std::size_t kWidth = hn::MaxLanes(kFour);
+  const std::size_t parts = (static_cast<std::size_t>(components) + kWidth - 1) / kWidth;
+  for (int j = 0; j <= m; ++j, centred += 4 * (kDegree + 1)) {
+    double* to = strip->power[j];
+    for (std::size_t c = 0; c < columns; ++c, to += components) {
+      const FourVector place = hn::Set(kFour, x[c]);
+      for (std::size_t part = 0; part < parts; ++part) {
+        const double* const own = centred + part * kWidth;
+        FourVector sum = hn::LoadU(kFour, own + 4 * kDegree);
+        for (int i = kDegree - 1; i >= 0; --i) sum = hn::MulAdd(sum, place, hn::LoadU(kFour, own + 4 * i));
+        // The values behind the last component are overwritten by the next column.
+        hn::StoreU(sum, kFour, to + part * kWidth);
+      }
+    }
+  }
 }
 
-// The coefficients of a row: four values for each power of x, with padding that vectors may read. x^0 has
-// both ends of the interval. The error of the test covers the roundings of these ends and one more, as it
-// does for the sums of other tests.
-template <int kDegree>
-struct CentredRow {
-  double power[4 * (kDegree + 1) + kLanes], high[4 + kLanes];
+// The curves of some columns of a map.
+struct MeshCurves {
+  const PreparedMap& map;
+  PreparedMap::Test test;
+  unsigned is_short;              // components that Horner's rule does not round along lines, as bits
+  bool has_lines_u, has_lines_v;  // the grid spans the domain, so x or y is exact on lines
+  const double* x = nullptr;
+  std::size_t columns = 0;
+  Lines lines = {};
 
-  // `bits_of_columns`: the largest number of fractional bits of x^degree; kManyBits if x or y are not dyadic.
-  HWY_INLINE void set(const PreparedMap& map, const PreparedMap::Test& test, const GridArgument& v,
-                      int bits_of_columns) {
-    constexpr int kValues = 4 * (kDegree + 1);
-    const int m = map.surface.degree[1];
-    // The y of a curve does not matter.
-    const double y_of_row = m == 0 ? 0.5 : centred_at(map.surface.domain[1], v);
-    const Vector y = hn::Set(kDoubles, y_of_row);
-    for (std::size_t first = 0; first < kValues; first += kLanes) {
-      const double* row = map.centred + first + static_cast<std::ptrdiff_t>(m) * kValues;
-      Vector sum = hn::LoadU(kDoubles, row);
+  // Chooses columns, from number `first` of the grid on.
+  HWY_INLINE void choose(const double* places, const Grid& grid, std::int64_t first, std::size_t count) {
+    x = places;
+    columns = count;
+    lines.count = 0;
+    if (has_lines_u && is_short != 0) lines.find(grid, first, columns);
+  }
+  // Chooses columns that are lines if there are any.
+  HWY_INLINE void choose_lines(const double* places, std::size_t count) {
+    x = places;
+    columns = count;
+    lines.count = has_lines_u && is_short != 0 ? count : 0;
+    for (std::size_t i = 0; i < lines.count; ++i) lines.at[i] = i;
+  }
+
+  HWY_INLINE void compute(bool has_ends, Strip<double>* strip) const {
+    compute_powers(map.centred, map.surface.degree[1], strip);
+    if (has_ends) set_ends(test, is_short, map.surface.degree[1], strip);
+  }
+
+  HWY_INLINE void compute_row(double y, Strip<double>* strip) const {
+    const Row row = row_at(y);
+    compute_powers(row.power, 0, strip);
+    set_ends(row.test, row.is_short, 0, strip);
+  }
+
+  // A row as a map of degree 0 in v, in the layout of PreparedMap::centred. Components that are exact
+  // constants have no error.
+  struct Row {
+    HWY_ALIGN double power[4 * (kMaxCentredDegree + 1)];
+    PreparedMap::Test test;
+    unsigned is_short;
+  };
+  HWY_INLINE Row row_at(double y) const {
+    constexpr std::size_t kWidth = hn::MaxLanes(kFour);
+    const auto [n, m] = map.surface.degree;
+    const auto values = static_cast<std::size_t>(4 * (n + 1));
+    Row row;
+    for (std::size_t first = 0; first < values; first += kWidth) {
+      const double* from = map.centred + first + static_cast<std::size_t>(m) * values;
+      FourVector sum = hn::LoadU(kFour, from);
       for (int j = m - 1; j >= 0; --j) {
-        row -= kValues;
-        sum = hn::MulAdd(sum, y, hn::LoadU(kDoubles, row));
+        from -= values;
+        sum = hn::MulAdd(sum, hn::Set(kFour, y), hn::LoadU(kFour, from));
       }
-      hn::StoreU(sum, kDoubles, power + first);
+      hn::Store(sum, kFour, row.power + first);
     }
-    // At y = -1, 0 and 1 no coefficient is rounded. Ties and zeros are frequent there.
-    const bool is_exact = y_of_row == 0 || std::fabs(y_of_row) == 1;
-    for (int k = 0; k < 4; ++k) {
-      double error = test.error[k];
-      if (is_exact && error != 0 && map.centred_bits[k] + bits_of_columns <= kExactBits) {
-        error = 0;
-      } else if (is_exact && error != 0 && map.centred_bits[k] <= kExactBits) {
-        bool vanishes = true;
-        for (int i = 0; i <= kDegree; ++i) vanishes = vanishes && power[4 * i + k] == 0;
-        if (vanishes) error = 0;
-      }
-      high[k] = power[k] + error;
-      power[k] -= error;
+    row.test = test;
+    row.is_short = has_lines_v && is_line(y) ? is_short : 0;
+    for (int k = 0; k < map.surface.components && row.is_short != 0; ++k) {
+      bool is_constant = (row.is_short >> k & 1) != 0;
+      for (int i = 1; i <= n; ++i) is_constant = is_constant && row.power[4 * i + k] == 0;
+      if (is_constant) row.test.error[static_cast<std::size_t>(k)] = 0;
     }
-  }
-};
-
-// A row in vectors. Computes both ends of the intervals as floats. If no operation rounds (kExact), the ends
-// are equal, and only one is computed.
-template <int kComponents, int kDegree, bool kExact>
-class CentredCurve {
- public:
-  using Values = Sequence<Doubles, kComponents>;
-
-  HWY_INLINE CentredCurve(const CentredRow<kDegree>& row, const Values& sequence) {
-    for (std::size_t part = 0; part < Values::kPeriod; ++part) {
-      for (int i = 0; i <= kDegree; ++i) power_[i][part] = sequence.values_of(row.power + 4 * i, part);
-      if constexpr (!kExact) high_[part] = sequence.values_of(row.high, part);
-    }
-  }
-
-  HWY_INLINE void evaluate(Vector x, std::size_t part, Half* low, Half* high) const {
-    Vector sum = power_[kDegree][part];
-    for (int i = kDegree - 1; i > 0; --i) sum = hn::MulAdd(sum, x, power_[i][part]);
-    *low = hn::DemoteTo(kHalves, hn::MulAdd(sum, x, power_[0][part]));
-    *high = kExact ? *low : hn::DemoteTo(kHalves, hn::MulAdd(sum, x, high_[part]));
+    return row;
   }
 
  private:
-  Vector power_[kDegree + 1][Values::kPeriod], high_[Values::kPeriod];
-};
-
-constexpr hn::RebindToUnsigned<decltype(kHalves)> kBits;
-HWY_INLINE bool is_zero(Half value) {
-  return hn::AllTrue(kBits, hn::Eq(hn::BitCast(kBits, value), hn::Zero(kBits)));
-}
-
-// The components that are zero along the lines x = -1, 0 and 1, as bits.
-struct ZeroLines {
-  explicit ZeroLines(const PreparedMap& map) {
-    const auto [n, m] = map.surface.degree;
-    for (int k = 0; k < map.surface.components; ++k) {
-      if (map.centred_bits[k] > kExactBits) continue;
-      bool zero[3] = {true, true, true};
-      for (int j = 0; j <= m; ++j) {
-        const double* const own = map.centred + k + 4 * (n + 1) * j;
-        double even = 0, odd = 0;
-        for (int i = 0; i <= n; ++i) (i % 2 == 0 ? even : odd) += own[4 * i];
-        zero[0] = zero[0] && even == odd;
-        zero[1] = zero[1] && own[0] == 0;
-        zero[2] = zero[2] && even == -odd;
-      }
-      for (int line = 0; line < 3; ++line) at[line] |= static_cast<unsigned>(zero[line]) << k;
-    }
+  HWY_INLINE void compute_powers(const double* centred, int m, Strip<double>* strip) const {
+    constexpr decltype(&compute_curves<1>) kOf[kMaxCentredDegree] = {compute_curves<1>, compute_curves<2>,
+                                                                     compute_curves<3>};
+    kOf[map.surface.degree[0] - 1](centred, m, map.surface.components, x, columns, strip);
   }
-  unsigned of(double x) const { return x == 0 ? at[1] : x == -1 ? at[0] : x == 1 ? at[2] : 0; }
 
-  unsigned at[3] = {};
-};
-
-// The kinds of results: intervals; intervals with exact zeros in some columns; exact numbers.
-enum class Kind { kIntervals, kZeroColumns, kExact };
-
-template <int kComponents, int kDegree, Kind kKind>
-void evaluate_centred_rows(const PreparedMap& map, const PreparedMap::Test& test, const MeshRange& range,
-                           const Destination& to, const double* x) {
-  constexpr bool kExact = kKind == Kind::kExact, kZeros = kKind == Kind::kZeroColumns;
-  constexpr std::size_t kColumns = 512, kRows = 16;  // fits into the L1 cache
-  static_assert(kColumns % kLanes == 0);
-  using Values = Sequence<Doubles, kComponents>;
-  const Values sequence;
-  HWY_ALIGN double places[kComponents * kColumns];
-  HWY_ALIGN float values[kComponents * kColumns];
-  HWY_ALIGN std::uint32_t unknown[kZeros ? kComponents * kColumns : 1];  // 0 for zeros, else all bits
-  CentredRow<kDegree> row[kRows];
-  const bool has_rows = map.surface.degree[1] != 0;
-  const bool is_dyadic = has_rows && bits_of_places(map.surface.domain[1], range.v) != kManyBits;
-  const int bits_of_columns =
-      is_dyadic ? kDegree * bits_of_places(map.surface.domain[0], range.u) : kManyBits;
-  for (std::size_t r0 = 0; r0 < range.rows; r0 += kRows) {
-    const std::size_t rows = std::min(kRows, range.rows - r0);
-    for (std::size_t r = 0; r < rows; ++r) row[r].set(map, test, range.v_of(r0 + r), bits_of_columns);
-    for (std::size_t c0 = 0; c0 < range.columns; c0 += kColumns) {
-      const std::size_t columns = std::min(kColumns, range.columns - c0), count = columns * kComponents;
-      sequence.repeat(x + c0, columns, places);
-      std::size_t zero_at[3 * kComponents], zeros = 0;
-      if constexpr (kZeros) {
-        const ZeroLines lines(map);
-        std::memset(unknown, 0xFF, sizeof unknown);
-        for (std::size_t c = 0; c < columns; ++c) {
-          const unsigned of = lines.of(x[c0 + c]);
-          for (int k = 0; of != 0 && k < kComponents; ++k) {
-            if ((of >> k & 1) != 0) zero_at[zeros++] = c * kComponents + static_cast<std::size_t>(k);
-          }
-        }
-        for (std::size_t zero = 0; zero < zeros; ++zero) unknown[zero_at[zero]] = 0;
+  // Computes the ends of intervals around the coefficients of y^0. Curves that are exact constants have none.
+  HWY_INLINE void set_ends(const PreparedMap::Test& own, unsigned is_short_here, int m,
+                           Strip<double>* strip) const {
+    const auto components = static_cast<std::size_t>(map.surface.components);
+    for (std::size_t c = 0; c < columns; ++c) {
+      for (std::size_t part = 0; part < 4; part += hn::MaxLanes(kFour)) {
+        const std::size_t p = c * components + part;
+        const FourVector value = hn::LoadU(kFour, strip->power[0] + p),
+                         error = hn::LoadU(kFour, &own.error[part]);
+        hn::StoreU(hn::Sub(value, error), kFour, strip->low + p);
+        hn::StoreU(hn::Add(value, error), kFour, strip->high + p);
       }
-      // Returns the bits in which the ends of intervals differ. Those around known zeros do not count.
-      const auto difference_of = [&](Half low, Half high, std::size_t begin) HWY_ATTR {
-        const Half bits = hn::Xor(low, high);
-        if constexpr (!kZeros) return bits;
-        return hn::And(bits, hn::BitCast(kHalves, hn::LoadU(kBits, unknown + begin)));
-      };
-      for (std::size_t r = 0; r < rows; ++r) {
-        const CentredCurve<kComponents, kDegree, kExact> curve(row[r], sequence);
-        std::byte* const data = to.data + (r0 + r) * to.row_stride + c0 * to.stride;
-        float* const out = is_packed<kComponents>(to) ? reinterpret_cast<float*>(data) : values;
-        Half open = hn::Zero(kHalves);  // bits in which the ends differ
-        in_vectors<kLanes, Values::kPeriod>(
-            count, out, [&](std::size_t begin, std::size_t part, float* vector) HWY_ATTR {
-              Half low, high;
-              curve.evaluate(hn::Load(kDoubles, places + begin), part, &low, &high);
-              if constexpr (!kExact) open = hn::Or(open, difference_of(low, high, begin));
-              hn::StoreU(high, kHalves, vector);
-            });
-        // Undecided lanes are rare (one in some strips), so a strip is checked once, at its end.
-        for (std::size_t begin = is_zero(open) ? count : 0; begin < count; begin += kLanes) {
-          Half low, high;
-          curve.evaluate(hn::Load(kDoubles, places + begin), begin / kLanes % Values::kPeriod, &low, &high);
-          const Half bits = difference_of(low, high, begin);
-          if (HWY_LIKELY(is_zero(bits))) continue;
-          std::uint32_t is_open[kLanes];
-          hn::StoreU(hn::BitCast(kBits, bits), kBits, is_open);
-          for (std::size_t i = begin; i < std::min(begin + kLanes, count); ++i) {
-            if (is_open[i - begin] == 0) continue;
-            const float result = resolve(map, static_cast<int>(i % kComponents),
-                                         range.u_of(c0 + i / kComponents), range.v_of(r0 + r));
-            std::memcpy(out + i, &result, sizeof result);  // the caller's memory need not be aligned
-          }
-        }
-        for (std::size_t zero = 0; zero < zeros; ++zero) std::memset(out + zero_at[zero], 0, sizeof(float));
-        if (out == values) scatter<kComponents>(values, columns, to, data);
+    }
+    for (std::size_t line = 0; line < lines.count && is_short_here != 0; ++line) {
+      for (std::size_t k = 0; k < components; ++k) {
+        const std::size_t p = lines.at[line] * components + k;
+        bool is_constant = (is_short_here >> k & 1) != 0;
+        for (int j = 1; j <= m; ++j) is_constant = is_constant && strip->power[j][p] == 0;
+        if (is_constant) strip->low[p] = strip->high[p] = strip->power[0][p];
       }
     }
   }
-}
+};
 
-template <int kComponents, int kDegree>
-void evaluate_centred_rows_of(const PreparedMap& map, const PreparedMap::Test& test, Kind kind,
-                              const MeshRange& range, const Destination& to, const double* x) {
-  switch (kind) {
-    case Kind::kIntervals:
-      return evaluate_centred_rows<kComponents, kDegree, Kind::kIntervals>(map, test, range, to, x);
-    case Kind::kZeroColumns:
-      return evaluate_centred_rows<kComponents, kDegree, Kind::kZeroColumns>(map, test, range, to, x);
-    case Kind::kExact:
-      return evaluate_centred_rows<kComponents, kDegree, Kind::kExact>(map, test, range, to, x);
-  }
-}
+// Columns of a strip of a large mesh, of which only x is in memory.
+constexpr std::size_t kMostWideColumns = 512, kMostWideValues = 4 * kMostWideColumns;
 
-// Evaluates meshes of maps of low degree inside the domain. Returns false, and does nothing, for others.
+// Stores rows, and resolves their values.
 template <int kComponents>
-bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, const Destination& to, double* x) {
+struct MeshSink {
+  static constexpr std::size_t kUnit = kComponents;
+  const PreparedMap& map;
+  const MeshRange& range;
+  const Destination& to;
+  MeshSink(const PreparedMap& its_map, const MeshRange& its_range, const Destination& its_to)
+      : map(its_map), range(its_range), to(its_to) {}
+
+  std::size_t first_row = 0, first_column = 0, columns = 0;
+  bool is_direct = false;
+  HWY_ALIGN float values[2][kMostWideValues + kFewestPositions];
+
+  std::byte* data_of(std::size_t r) const {
+    return to.data + (first_row + r) * to.row_stride + first_column * to.stride;
+  }
+  void begin(std::size_t r, std::size_t rows, float** row) {
+    for (std::size_t i = 0; i < rows; ++i)
+      row[i] = is_direct ? reinterpret_cast<float*>(data_of(r + i)) : values[i];
+  }
+  void end(std::size_t r, const float* row) const {
+    if (!is_direct) scatter<kComponents>(row, columns, to, data_of(r));
+  }
+  float resolve(std::size_t r, std::size_t p) const {
+    return glev::resolve(map, static_cast<int>(p % kComponents), range.u_of(first_column + p / kComponents),
+                         range.v_of(first_row + r));
+  }
+};
+
+// Evaluates a row by Horner's rule in x. `row` has the coefficients of x^i of kWidth columns, and `x` that of
+// each position. Calls resolve(position) for values that their interval does not decide; floats have none.
+template <int kComponents, class Real, int kDegree, class Resolver>
+void evaluate_wide_row(const Strip<Real>& row, const Real* x, std::size_t count, float* to,
+                       const Resolver& resolve) {
+  constexpr bool kIntervals = sizeof(Real) == sizeof(double);
+  constexpr hn::CappedTag<Real, kMostLanes<Real>> kTag;
+  constexpr hn::Rebind<float, decltype(kTag)> kResults;
+  constexpr std::size_t kWidth = hn::MaxLanes(kTag);
+  // The number of vectors after which the order of components repeats.
+  constexpr std::size_t kPeriod = kComponents / std::gcd(std::size_t{kComponents}, kWidth);
+  using Values = hn::Vec<decltype(kTag)>;
+  using Results = hn::Vec<decltype(kResults)>;
+  Values power[kDegree + 1][kPeriod], first[2][kPeriod];
+  for (std::size_t part = 0; part < kPeriod; ++part) {
+    for (int i = 0; i <= kDegree; ++i) power[i][part] = hn::Load(kTag, row.power[i] + part * kWidth);
+    first[0][part] = kIntervals ? hn::Load(kTag, row.low + part * kWidth) : power[0][part];
+    first[1][part] = kIntervals ? hn::Load(kTag, row.high + part * kWidth) : power[0][part];
+  }
+  // Returns the bits in which the ends differ.
+  const auto evaluate = [&](std::size_t p, std::size_t part, Results* value) HWY_ATTR {
+    const Values place = hn::Load(kTag, x + p);
+    Values sum = power[kDegree][part];
+    for (int i = kDegree - 1; i > 0; --i) sum = hn::MulAdd(sum, place, power[i][part]);
+    const Values high = hn::MulAdd(sum, place, first[1][part]);
+    if constexpr (kIntervals) {
+      *value = hn::DemoteTo(kResults, high);
+      return hn::Xor(*value, hn::DemoteTo(kResults, hn::MulAdd(sum, place, first[0][part])));
+    } else {
+      *value = high;
+      return hn::Zero(kResults);
+    }
+  };
+  Results open = hn::Zero(kResults), value;
+  std::size_t p = 0;
+  while (p + kPeriod * kWidth <= count) {
+    for (std::size_t part = 0; part < kPeriod; ++part, p += kWidth) {
+      open = hn::Or(open, evaluate(p, part, &value));
+      hn::StoreU(value, kResults, to + p);
+    }
+  }
+  for (std::size_t part = 0; p < count; ++part, p += kWidth) {
+    float last[kWidth];
+    open = hn::Or(open, evaluate(p, part, &value));
+    hn::StoreU(value, kResults, last);
+    std::memcpy(to + p, last, std::min(kWidth, count - p) * sizeof(float));
+  }
+  if (HWY_LIKELY(!kIntervals || are_zero(open))) return;
+  for (p = 0; p < count; p += kWidth) {
+    const Results bits = evaluate(p, p / kWidth % kPeriod, &value);
+    if (!are_zero(bits)) resolve_lanes(bits, p, count, to, resolve);
+  }
+}
+
+// Computes the coefficients of a row for evaluate_wide_row().
+template <int kComponents, class Real, int kDegree>
+HWY_INLINE void repeat_row(const MeshCurves::Row& row, Strip<Real>* strip) {
+  constexpr std::size_t kWidth = hn::MaxLanes(hn::CappedTag<Real, kMostLanes<Real>>());
+  const auto repeat = [](FourVector value, std::size_t part, Real* to) HWY_ATTR {
+    for (std::size_t c = 0; c < kWidth; ++c) {
+      // The values behind the last component are overwritten by the next column.
+      if constexpr (sizeof(Real) == sizeof(double)) {
+        hn::StoreU(value, kFour, to + c * kComponents + part);
+      } else {
+        hn::StoreU(hn::DemoteTo(kFourFloats, value), kFourFloats, to + c * kComponents + part);
+      }
+    }
+  };
+  for (std::size_t part = 4; part-- > 0;) {
+    if (part % hn::MaxLanes(kFour) != 0) continue;
+    for (int i = 0; i <= kDegree; ++i)
+      repeat(hn::Load(kFour, row.power + 4 * i + part), part, strip->power[i]);
+    if constexpr (sizeof(Real) == sizeof(double)) {
+      const FourVector value = hn::Load(kFour, row.power + part),
+                       error = hn::LoadU(kFour, &row.test.error[part]);
+      repeat(hn::Sub(value, error), part, strip->low);
+      repeat(hn::Add(value, error), part, strip->high);
+    }
+  }
+}
+
+// Repeats the x of each column for each component.
+template <int kComponents, class Real>
+HWY_INLINE void repeat_places(const double* x, std::size_t columns, Real* to) {
+  constexpr hn::CappedTag<Real, 4> kTag;
+  for (std::size_t c = 0; c < columns; ++c, to += kComponents) {
+    for (std::size_t k = 0; k < kComponents; k += hn::MaxLanes(kTag))
+      hn::StoreU(hn::Set(kTag, static_cast<Real>(x[c])), kTag, to + k);
+  }
+}
+
+// Evaluates the rows of a strip of a large mesh, one by one, as curves in x: the curves of all columns would
+// take too long if a range has few rows. `special`: the columns, with the numbers `at`, that have the tests
+// of curves in y, because they are on lines or on the boundary.
+template <int kComponents, int kDegree>
+HWY_NOINLINE void evaluate_wide_strip(const MeshCurves& curves, const MeshCurves& special,
+                                      const std::size_t* at, bool is_fast, const Rows& rows,
+                                      MeshSink<kComponents>& sink) {
+  const int m = curves.map.surface.degree[1];
+  const std::size_t count = curves.columns * kComponents, special_count = special.columns * kComponents,
+                    padded = std::max(special_count, kFewestPositions);
+  HWY_ALIGN double places[kMostWideValues + kFewestPositions];
+  HWY_ALIGN float fast_places[kMostWideValues + kFewestPositions];
+  Strip<double> strip, row, own;
+  Strip<float> fast_row;
+  const auto repeat = [&](auto* to) HWY_ATTR {
+    repeat_places<kComponents>(curves.x, curves.columns, to);
+    // The values of special columns are replaced. They must not be undecided.
+    for (std::size_t i = 0; i < special.columns; ++i)
+      std::fill_n(to + at[i] * kComponents, kComponents, 0.3F);
+    std::fill_n(to + count, kFewestPositions, 0.3F);
+  };
+  if (is_fast) repeat(fast_places);
+  if (!is_fast || rows.has_own_test[0] || rows.has_own_test[rows.count - 1]) repeat(places);
+  if (special_count != 0) {
+    special.compute(true, &strip);
+    strip.clear(special_count), own.clear(special_count);
+  }
+  for (std::size_t r = 0; r < rows.count; ++r) {
+    const auto resolve = [&](std::size_t p) { return sink.resolve(r, p); };
+    const MeshCurves::Row values = curves.row_at(rows.y[r]);
+    float* to;
+    sink.begin(r, 1, &to);
+    if (is_fast && !rows.has_own_test[r]) {
+      repeat_row<kComponents, float, kDegree>(values, &fast_row);
+      evaluate_wide_row<kComponents, float, kDegree>(fast_row, fast_places, count, to, resolve);
+    } else {
+      repeat_row<kComponents, double, kDegree>(values, &row);
+      evaluate_wide_row<kComponents, double, kDegree>(row, places, count, to, resolve);
+    }
+    if (special_count != 0) {
+      float ends[8 * kComponents + kFewestPositions];
+      float* const to_ends[1] = {ends};
+      const auto position = [&](std::size_t p) {
+        return at[p / kComponents] * kComponents + p % kComponents;
+      };
+      const bool is_on_line = rows.has_own_edge_test[r];
+      if (is_on_line) special.compute_row(rows.y[r], &own);
+      const bool is_settled = is_on_line
+                                  ? evaluate_rows<double, true, 0, 1>(own, padded, rows.y + r, to_ends)
+                                  : rows_function<double, true>(m, 1)(strip, padded, rows.y + r, to_ends);
+      if (HWY_UNLIKELY(!is_settled))
+        resolve_row(is_on_line ? own : strip, is_on_line ? 0 : m, special_count, rows.y[r], ends,
+                    [&](std::size_t p) { return resolve(position(p)); });
+      for (std::size_t p = 0; p < special_count; p += kComponents)
+        std::memcpy(to + position(p), ends + p, kComponents * sizeof(float));
+    }
+    sink.end(r, to);
+  }
+}
+
+// Evaluates meshes of maps of low degree inside the domain, with `fast` in float. Returns false, and does
+// nothing, for other meshes. `x`: scratch memory.
+//
+// In units of 2^-24 max|R|, the errors with `fast` are 2.5 of coefficients, whose magnitudes have a sum of at
+// most 2.5 max|R|, 3 of y, and 7.5 of the sums, or twice that without fused operations. So the bound of
+// GLEV_FAST, 6 (n + m) + 12, holds.
+template <int kComponents>
+bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,
+                           double* x) {
   const auto [n, m] = map.surface.degree;
   if (n == 0 || map.centred == nullptr) return false;
   // The ends of intervals are compared as bits, and NaNs could be equal. (If the first and last column are
@@ -218,44 +339,75 @@ bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, const
   for (const double error : map.centred_test.error) {
     if (!std::isfinite(error)) return false;
   }
+  if (!is_inside(map.surface, range, m > 0)) return false;
   const auto [domain_u, domain_v] = map.surface.domain;
-  const std::int64_t i2 = range.last_column(), j2 = range.last_row();
-  if (!is_inside(domain_u, range.u, range.i1) || !is_inside(domain_u, range.u, i2)) return false;
-  if (m > 0 && !(is_inside(domain_v, range.v, range.j1) && is_inside(domain_v, range.v, j2))) return false;
-
-  const std::size_t padded = (range.columns + kStep - 1) / kStep * kStep;
-  double* const s = x + padded;
-  place_columns(domain_u, range, n, kLargestGrowth, padded, x, s);
-  for (std::size_t c = 0; c < padded; c += kLanes)
-    hn::Store(hn::Sub(hn::Load(kDoubles, x + c), hn::Load(kDoubles, s + c)), kDoubles, x + c);
+  place_points(domain_u, range.u, range.i1, range.columns, x);
+  MeshCurves curves = {map, map.centred_test, 0, spans(range.u, domain_u), m > 0 && spans(range.v, domain_v)};
   // Without roundings an interval is one number.
-  PreparedMap::Test test = map.centred_test;
   bool is_exact = true;
   const int bits_of_arguments =
       n * bits_of_places(domain_u, range.u) + (m == 0 ? 0 : m * bits_of_places(domain_v, range.v));
   for (int k = 0; k < kComponents; ++k) {
-    if (map.centred_bits[k] + bits_of_arguments <= kExactBits) test.error[k] = 0;
-    is_exact = is_exact && test.error[k] == 0;
+    double& error = curves.test.error[static_cast<std::size_t>(k)];
+    if (map.centred_bits[k] + bits_of_arguments <= kExactBits) error = 0;
+    is_exact = is_exact && error == 0;
+    if (map.centred_bits[k] + bits_along_lines(n, m) <= kExactBits) curves.is_short |= 1U << k;
   }
-  constexpr decltype(&evaluate_centred_rows_of<kComponents, 1>) kOf[kMaxCentredDegree] = {
-      evaluate_centred_rows_of<kComponents, 1>, evaluate_centred_rows_of<kComponents, 2>,
-      evaluate_centred_rows_of<kComponents, 3>};
-  Kind kind = is_exact ? Kind::kExact : Kind::kIntervals;
-  // In other grids, a column whose x is rounded to -1, 0 or 1 need not lie on that line.
-  if (!is_exact && spans(range.u, domain_u)) {
-    const auto [first, middle, last] = ZeroLines(map).at;
-    if ((first | middle | last) != 0) kind = Kind::kZeroColumns;
-  }
-  kOf[n - 1](map, test, kind, range, to, x);
-  return true;
-}
+  const bool is_fast = fast && !has_few_segments(map.surface, range) && has_fast_inside(map, range);
+  const Method method = is_fast ? Method::kFast : is_exact ? Method::kExact : Method::kIntervals;
+  // The order of operations depends on the grid and not on the range, so adjacent ranges have the same points
+  // with GLEV_FAST, too. Smaller grids have the order of evaluate_patches().
+  constexpr std::int64_t kFewestWide = 128;
+  const std::int64_t grid_columns = std::int64_t{range.u.segments} + 1,
+                     grid_rows = m == 0 ? 1 : std::int64_t{range.v.segments} + 1;
+  const bool is_wide =
+      grid_columns > kFewestWide && grid_columns * grid_rows > static_cast<std::int64_t>(kMostPatchPoints);
+  const std::size_t last = range.columns - 1;
+  const bool has_first = is_fast && is_end(domain_u, range.u_of(0)),
+             has_last = is_fast && is_end(domain_u, range.u_of(last));
+  // The boundary of a curve consists of its ends.
+  const bool has_ends_v = is_fast && to.row_stride != 0;
 
-// Evaluates a mesh with correctly rounded results.
-template <int kComponents>
-void evaluate_exact_mesh(const PreparedMap& map, const MeshRange& range, const Destination& to,
-                         double* scratch) {
-  if (evaluate_centred_mesh<kComponents>(map, range, to, scratch)) return;
-  evaluate_rounded_mesh<kComponents>(map, range, to, scratch);
+  const std::size_t most_columns = is_wide ? kMostWideColumns : kMostPositions / kComponents;
+  MeshSink<kComponents> sink(map, range, to);
+  Rows rows;
+  for (std::size_t r0 = 0; r0 < range.rows; r0 += Rows::kMost) {
+    rows.count = std::min(Rows::kMost, range.rows - r0);
+    std::fill_n(rows.y, rows.count, 0.0);
+    if (m > 0) place_points(domain_v, range.v, range.v_of(r0).index, rows.count, rows.y);
+    rows.set(!is_exact && curves.has_lines_v && curves.is_short != 0, method,
+             has_ends_v && is_end(domain_v, range.v_of(r0)),
+             has_ends_v && is_end(domain_v, range.v_of(r0 + rows.count - 1)));
+    sink.first_row = r0;
+    for (std::size_t c0 = 0; c0 < range.columns; c0 += most_columns) {
+      sink.columns = std::min(most_columns, range.columns - c0);
+      curves.choose(x + c0, range.u, range.u_of(c0).index, sink.columns);
+      sink.first_column = c0;
+      const std::size_t count = sink.columns * kComponents;
+      sink.is_direct = is_packed<kComponents>(to) && (is_wide || count >= kFewestPositions);
+      const bool is_first = has_first && c0 == 0, is_last = has_last && c0 + sink.columns == range.columns;
+      const double ends[2] = {is_first ? x[0] : x[last], x[last]};
+      MeshCurves edges = curves;
+      if (is_wide) {
+        constexpr decltype(&evaluate_wide_strip<kComponents, 1>) kOf[kMaxCentredDegree] = {
+            evaluate_wide_strip<kComponents, 1>, evaluate_wide_strip<kComponents, 2>,
+            evaluate_wide_strip<kComponents, 3>};
+        std::size_t at[5], special = 0;
+        double places[5];
+        const auto add = [&](std::size_t column) { at[special++] = column; };
+        if (is_fast && is_first) add(0);
+        if (is_fast && is_last && sink.columns > 1) add(sink.columns - 1);
+        for (std::size_t line = 0; line < curves.lines.count && !is_fast; ++line) add(curves.lines.at[line]);
+        for (std::size_t i = 0; i < special; ++i) places[i] = curves.x[at[i]];
+        edges.choose_lines(places, special);
+        kOf[n - 1](curves, edges, at, is_fast, rows, sink);
+        continue;
+      }
+      edges.choose_lines(ends, is_first && is_last && last != 0 ? 2 : is_first || is_last ? 1 : 0);
+      evaluate_strip(curves, edges, is_first, method, m, rows, count, sink);
+    }
+  }
+  return true;
 }
 
 }  // namespace glev::HWY_NAMESPACE

@@ -36,8 +36,9 @@ template <int kComponents>
 void evaluate_mesh_of(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,
                       std::byte* scratch) {
   auto* const doubles = reinterpret_cast<double*>(scratch);
+  if (evaluate_centred_mesh<kComponents>(map, range, fast, to, doubles)) return;
   if (fast && evaluate_fast_mesh<kComponents>(map, range, to, doubles)) return;
-  evaluate_exact_mesh<kComponents>(map, range, to, doubles);
+  evaluate_rounded_mesh<kComponents>(map, range, to, doubles);
 }
 
 void evaluate_curve(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to) {

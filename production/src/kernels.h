@@ -52,14 +52,23 @@ struct MeshRange {
   std::int64_t last_row() const { return j1 + static_cast<std::int64_t>(rows) - 1; }
 };
 
-// Returns true if the grid has so few segments that GLEV_FAST would take longer than correct rounding, for a
-// map with centred coefficients and degree m in v. Such meshes are correctly rounded. The result depends on
-// the grid and not on the range, so adjacent ranges have the same points.
-inline bool has_few_segments(const MeshRange& range, int m) {
-  constexpr std::int64_t kFewestSegments = 1 << 14;
-  return static_cast<std::int64_t>(range.u.segments) * (m == 0 ? 1 : range.v.segments) < kFewestSegments;
+// Returns true if GLEV_FAST would take longer than correct rounding on a grid, for a map with degrees up to
+// kMaxCentredDegree: most points are on the boundary, or places have so few bits that double is exact for
+// most maps. Such meshes are correctly rounded. The result depends on the grid and not on the range, so
+// adjacent ranges have the same points.
+inline bool has_few_segments(const Surface& surface, const MeshRange& range) {
+  constexpr std::int64_t kFewestSegments = 100;
+  constexpr int kFewBits = 18;
+  const auto [n, m] = surface.degree;
+  const auto [domain_u, domain_v] = surface.domain;
+  const int bits =
+      n * bits_of_places(domain_u, range.u) + (m == 0 ? 0 : m * bits_of_places(domain_v, range.v));
+  const std::int64_t segments = std::int64_t{range.u.segments} * (m == 0 ? 1 : range.v.segments);
+  return segments < kFewestSegments || bits <= kFewBits;
 }
 
+// The magnitudes of components for which GLEV_FAST has a bound.
+inline constexpr double kLeastFast = 0x1p-80, kMostFast = 0x1p80;
 // Returns false if the control points or the domain are so extreme that GLEV_FAST has no bound.
 inline bool has_fast_bound(const PreparedMap& map) {
   for (int k = 0; k < map.surface.components; ++k) {
@@ -68,7 +77,7 @@ inline bool has_fast_bound(const PreparedMap& map) {
     if (largest == 0) continue;
     // Without a unit there is no bound, because arguments in such a domain overflow or underflow.
     const bool has_bound = std::isfinite(map.component[k].unit);
-    if (!has_bound || !(largest >= 0x1p-80 && largest <= 0x1p80)) return false;
+    if (!has_bound || !(largest >= kLeastFast && largest <= kMostFast)) return false;
   }
   return true;
 }
@@ -76,6 +85,8 @@ inline bool has_fast_bound(const PreparedMap& map) {
 // At most kPatchLanes patches of the same degrees, 1 to kMaxCentredDegree in u and 0 to kMaxCentredDegree in
 // v, which are evaluated at the same arguments, one patch in each lane.
 inline constexpr std::size_t kPatchLanes = 8;
+// Patches with more points are faster one at a time.
+inline constexpr std::size_t kMostPatchPoints = 2048;
 struct PatchBlock {
   std::array<int, 2> degree;
   int components;
@@ -89,6 +100,10 @@ struct PatchBlock {
   // The largest number of fractional bits of x^degree and y^degree together; kManyBits if they are not
   // dyadic.
   int bits_of_places;
+  // Values along lines, whose x and y must be exact, have a rounding test of their own. This takes longer,
+  // but decides ties and zeros.
+  bool has_lines;
+  bool fast;       // for grids that span the domain only
   Destination to;  // destination of patch 0; patch p begins p * patch_stride bytes later
   std::size_t patch_stride;
 };

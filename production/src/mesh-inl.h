@@ -23,11 +23,6 @@ namespace glev::HWY_NAMESPACE {
 // The largest growth for which values in double are used.
 constexpr double kLargestGrowth = 0x1p40;
 
-// Returns true if the grid spans the domain. Then t = i / n has only one rounding.
-inline bool spans(const Grid& grid, const Domain& domain) {
-  return grid.u1 == domain.u1 && grid.u2 == domain.u2;
-}
-
 // Writes t and s of the columns. t is NaN, which is never decided, in columns whose growth is unknown or not
 // below `limit`. Returns the largest growth of the other columns.
 HWY_NOINLINE inline double place_columns(const Domain& domain, const MeshRange& range, int degree,
@@ -57,8 +52,28 @@ HWY_NOINLINE inline double place_columns(const Domain& domain, const MeshRange& 
 }
 
 inline bool is_inside(const Domain& domain, const Grid& grid, std::int64_t index) {
+  if (spans(grid, domain)) return index >= 0 && index <= grid.segments;
   const Parameter at = locate(domain, GridArgument{grid, index});
   return at.is_sure && at.t >= 0 && at.s >= 0;
+}
+// Returns true if all points are inside the domain, in the direction of v only if `in_v`.
+inline bool is_inside(const Surface& surface, const MeshRange& range, bool in_v) {
+  const auto& [domain_u, domain_v] = surface.domain;
+  return is_inside(domain_u, range.u, range.i1) && is_inside(domain_u, range.u, range.last_column()) &&
+         (!in_v ||
+          (is_inside(domain_v, range.v, range.j1) && is_inside(domain_v, range.v, range.last_row())));
+}
+inline bool is_end(const Domain& domain, const GridArgument& argument) {
+  const auto& [grid, index] = argument;
+  if (spans(grid, domain)) return index == 0 || index == grid.segments;
+  return locate(domain, argument).end != Parameter::End::kNeither;
+}
+
+// Returns true if the bound of GLEV_FAST holds inside the mesh: not outside the domain and not for extreme
+// maps. In grids whose ends are equal, all columns or rows may be on the boundary.
+inline bool has_fast_inside(const PreparedMap& map, const MeshRange& range) {
+  return has_fast_bound(map) && range.u.u1 != range.u.u2 && range.v.u1 != range.v.u2 &&
+         is_inside(map.surface, range, true);
 }
 
 template <int kComponents>

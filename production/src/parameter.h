@@ -70,4 +70,10 @@ inline Parameter locate(const Domain& domain, const GridArgument& argument) {
           is_sure(start, a) && is_sure(rest, b)};
 }
 
+// Returns x = t - s of a point of a grid that spans the domain, with one rounding.
+inline double place_on(const GridArgument& argument) {
+  const double n = argument.grid.segments;
+  return static_cast<double>(2 * argument.index - argument.grid.segments) / n;
+}
+
 }  // namespace glev

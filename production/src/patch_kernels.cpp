@@ -1,6 +1,8 @@
 // Evaluates patches of low degree, one patch in each lane of a vector, correctly rounded, in powers of x and
-// y, the values of t - s in both directions. This file is compiled once for each instruction set.
-// prepared_map.h derives the bound by which a value is known to be correctly rounded.
+// y, the values of t - s in both directions, correctly rounded or with GLEV_FAST. This file is compiled once
+// for each instruction set. prepared_map.h derives the bound by which a value is known to be correctly
+// rounded.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -14,6 +16,7 @@
 #define HWY_TARGET_INCLUDE "src/patch_kernels.cpp"
 #include <hwy/foreach_target.h>
 
+#include "centred-inl.h"
 #include "vectors-inl.h"
 #include "writer-inl.h"
 
@@ -35,160 +38,238 @@ struct Lanes {
 };
 
 constexpr int kMostValues = (kMaxCentredDegree + 1) * (kMaxCentredDegree + 1);
+constexpr std::size_t kHalvesOfLanes = kPatchLanes / kLanes;  // vectors that hold one value of each patch
 
-// One component of the patches in the lanes of a vector: the coefficients of x^i y^j, and the bound on the
-// error of values. A value is correctly rounded if value - error and value + error round to the same float.
+// Returns 2^(bits - exponent) for numbers in [2^(exponent - 1), 2^exponent).
+HWY_INLINE Vector scale_by(Vector number, int bits) {
+  constexpr hn::RebindToSigned<Doubles> kWords;
+  const auto biased = hn::ShiftRight<52>(hn::BitCast(kWords, number));
+  return hn::BitCast(kDoubles, hn::ShiftLeft<52>(hn::Sub(hn::Set(kWords, 2045 + bits), biased)));
+}
+HWY_INLINE hn::Mask<Doubles> is_whole(Vector value) {
+  const Vector magic = hn::Set(kDoubles, 0x1.8p52);
+  return hn::Eq(hn::Sub(hn::Add(value, magic), magic), value);
+}
+HWY_INLINE hn::Mask<Doubles> is_zero(Vector value) { return hn::Eq(value, hn::Zero(kDoubles)); }
+
+// One value of each patch.
+struct OfPatches {
+  HWY_ALIGN double lane[kPatchLanes];
+  HWY_INLINE Vector load(std::size_t h) const { return hn::Load(kDoubles, lane + h * kLanes); }
+  HWY_INLINE void store(Vector value, std::size_t h) { hn::Store(value, kDoubles, lane + h * kLanes); }
+};
+
+// One component of the patches: the coefficients of x^i y^j, and the bound on the error of values. A value is
+// correctly rounded if value - error and value + error round to the same float.
 template <int kDegree>
-class Component {
- public:
-  // `step`: distance between control points, in units of kPatchLanes values.
-  HWY_INLINE void set(const double* net, std::size_t step, int m, int bits_of_places) {
-    degree_v_ = m;
+struct Component {
+  OfPatches power[kMostValues];  // that of x^i y^j has number j * (kDegree + 1) + i
+  OfPatches error, line_error;   // line_error: along lines, 0 in patches that Horner's rule does not round
+
+  // `step`: distance between control points, in units of kPatchLanes values. Returns the patches that have
+  // bounds, for GLEV_FAST if `fast`.
+  HWY_INLINE hn::Mask<Doubles> set(const double* net, std::size_t step, const PatchBlock& block,
+                                   std::size_t h) {
+    const int m = block.degree[1];
     const double* const points = net;
     const auto columns = static_cast<std::size_t>(kDegree) + 1, rows = static_cast<std::size_t>(m) + 1;
+    Lanes centred[kMostValues];
     Vector largest = hn::Zero(kDoubles);
     for (std::size_t i = 0; i < columns; ++i) {
       for (std::size_t j = 0; j < rows; ++j, net += step * kPatchLanes) {
         // Adding zero turns -0 into +0, so that no sum is -0.
         const Vector point = hn::Add(hn::LoadU(kDoubles, net), hn::Zero(kDoubles));
-        power_[j * columns + i].value = point;
+        centred[j * columns + i].value = point;
         largest = hn::Max(largest, hn::Abs(point));
       }
     }
-    for (std::size_t i = 0; i < columns; ++i) centre_along(m, kDegree + 1, &power_[i]);
-    for (std::size_t j = 0; j < rows; ++j) centre_along(kDegree, 1, &power_[j * columns]);
+    for (std::size_t i = 0; i < columns; ++i) centre_along(m, kDegree + 1, &centred[i]);
+    for (std::size_t j = 0; j < rows; ++j) centre_along(kDegree, 1, &centred[j * columns]);
     Vector sum = hn::Zero(kDoubles);
-    for (std::size_t i = 0; i < columns * rows; ++i) sum = hn::Add(sum, hn::Abs(power_[i].value));
+    for (std::size_t i = 0; i < columns * rows; ++i) {
+      sum = hn::Add(sum, hn::Abs(centred[i].value));
+      power[i].store(centred[i].value, h);
+    }
 
     // Computes error_bound(component, centred_units(...), 1) for coefficients that are not exact.
     constexpr double kUnit = 0x1p-53 * (1 + 0x1p-20);
     const double of_sum = centred_units(kDegree, m, 1, true) - centred_units(kDegree, m, 0, true),
                  of_largest = centred_units(kDegree, m, 0, false) + 2;
-    const Vector error =
+    Vector bound =
         hn::Mul(hn::MulAdd(sum, hn::Set(kDoubles, of_sum), hn::Mul(largest, hn::Set(kDoubles, of_largest))),
                 hn::Set(kDoubles, kUnit));
     // Sums of NaN are NaN, and so is this error.
     const auto is_bounded = hn::And(
-        hn::Ge(error, hn::Set(kDoubles, 0x1p-145)),
+        hn::Ge(bound, hn::Set(kDoubles, 0x1p-145)),
         hn::And(hn::Le(largest, hn::Set(kDoubles, 0x1p127)), hn::Le(sum, hn::Set(kDoubles, 0x1p140))));
-    const Vector zero = hn::Zero(kDoubles);
-    error_ = hn::IfThenElseZero(is_bounded, error);
-    is_claimed_ = hn::Or(is_bounded, hn::And(hn::Eq(sum, zero), hn::Eq(largest, zero)));
-    if (bits_of_places < kExactBits)
-      error_ = hn::IfThenZeroElse(is_exact(points, step, largest, sum, bits_of_places), error_);
-  }
-
-  hn::Mask<Doubles> is_claimed() const { return is_claimed_; }
-
-  // Evaluates one row: both ends of each interval, as floats. Returns the bits in which the ends differ.
-  HWY_INLINE Half evaluate(double y_of_row, const double* x, std::size_t columns, std::size_t step,
-                           float* to) const {
-    const Vector y = hn::Set(kDoubles, y_of_row);
-    Vector row[kDegree + 1];
-    for (int i = 0; i <= kDegree; ++i) {
-      Vector sum = power_[degree_v_ * (kDegree + 1) + i].value;
-      for (int j = degree_v_ - 1; j >= 0; --j) sum = hn::MulAdd(sum, y, power_[j * (kDegree + 1) + i].value);
-      row[i] = sum;
-    }
-    const Vector first = hn::Sub(row[0], error_), last = hn::Add(row[0], error_);
-    Half open = hn::Zero(kHalves);
-    for (std::size_t c = 0; c < columns; ++c, to += step) {
-      const Vector place = hn::Set(kDoubles, x[c]);
-      Vector sum = row[kDegree];
-      for (int i = kDegree - 1; i > 0; --i) sum = hn::MulAdd(sum, place, row[i]);
-      const Half low = hn::DemoteTo(kHalves, hn::MulAdd(sum, place, first)),
-                 high = hn::DemoteTo(kHalves, hn::MulAdd(sum, place, last));
-      open = hn::Or(open, hn::Xor(low, high));
-      hn::StoreU(high, kHalves, to);
-    }
-    return open;
+    const auto is_zero_everywhere = hn::And(is_zero(sum), is_zero(largest));
+    bound = hn::IfThenElseZero(is_bounded, bound);
+    const auto is_centred = is_centred_exactly(points, step, columns * rows, largest);
+    const auto tighten = [&](int bits) HWY_ATTR {
+      return hn::IfThenZeroElse(hn::And(is_centred, is_exact(columns * rows, h, sum, bits)), bound);
+    };
+    line_error.store(block.has_lines ? tighten(bits_along_lines(kDegree, m)) : bound, h);
+    error.store(block.bits_of_places < kExactBits ? tighten(block.bits_of_places) : bound, h);
+    const auto is_claimed = hn::Or(is_bounded, is_zero_everywhere);
+    if (!block.fast) return is_claimed;
+    const auto is_moderate = hn::And(hn::Ge(largest, hn::Set(kDoubles, kLeastFast)),
+                                     hn::Le(largest, hn::Set(kDoubles, kMostFast)));
+    return hn::And(is_claimed, hn::Or(is_moderate, is_zero_everywhere));
   }
 
  private:
-  // Returns 2^(bits - exponent) for numbers in [2^(exponent - 1), 2^exponent).
-  static HWY_INLINE Vector scale_by(Vector number, int bits) {
-    constexpr hn::RebindToSigned<Doubles> kWords;
-    const auto biased = hn::ShiftRight<52>(hn::BitCast(kWords, number));
-    return hn::BitCast(kDoubles, hn::ShiftLeft<52>(hn::Sub(hn::Set(kWords, 2045 + bits), biased)));
-  }
-  static HWY_INLINE hn::Mask<Doubles> is_whole(Vector value) {
-    const Vector magic = hn::Set(kDoubles, 0x1.8p52);
-    return hn::Eq(hn::Sub(hn::Add(value, magic), magic), value);
-  }
-
-  // Returns the lanes in which neither centring nor Horner's rule rounds, as is_centred_exactly() and
+  // Return the lanes in which centring or Horner's rule does not round, as is_centred_exactly() and
   // PreparedMap::centred_bits do for a single map.
-  HWY_INLINE hn::Mask<Doubles> is_exact(const double* points, std::size_t step, Vector largest, Vector sum,
-                                        int bits_of_places) const {
-    const std::size_t count = static_cast<std::size_t>(kDegree + 1) * static_cast<std::size_t>(degree_v_ + 1);
+  static HWY_INLINE hn::Mask<Doubles> is_centred_exactly(const double* points, std::size_t step,
+                                                         std::size_t count, Vector largest) {
     auto is_exact =
         hn::And(hn::Ge(largest, hn::Set(kDoubles, 0x1p-600)), hn::Le(largest, hn::Set(kDoubles, 0x1p120)));
-    const Vector of_points = scale_by(largest, 45),
-                 // the sum may be rounded
-        of_powers = scale_by(hn::Mul(sum, hn::Set(kDoubles, 1 + 0x1p-40)), kExactBits - bits_of_places);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vector point = hn::LoadU(kDoubles, points + i * step * kPatchLanes);
-      is_exact = hn::And(is_exact, hn::And(is_whole(hn::Mul(point, of_points)),
-                                           is_whole(hn::Mul(power_[i].value, of_powers))));
-    }
+    const Vector scale = scale_by(largest, 45);
+    for (std::size_t i = 0; i < count; ++i)
+      is_exact =
+          hn::And(is_exact, is_whole(hn::Mul(hn::LoadU(kDoubles, points + i * step * kPatchLanes), scale)));
     return is_exact;
   }
-
-  int degree_v_;
-  Lanes power_[kMostValues];
-  Vector error_;
-  hn::Mask<Doubles> is_claimed_;
+  HWY_INLINE hn::Mask<Doubles> is_exact(std::size_t count, std::size_t h, Vector sum,
+                                        int bits_of_places) const {
+    // the sum may be rounded
+    const Vector scale = scale_by(hn::Mul(sum, hn::Set(kDoubles, 1 + 0x1p-40)), kExactBits - bits_of_places);
+    auto is_exact = is_whole(hn::Mul(power[0].load(h), scale));
+    for (std::size_t i = 1; i < count; ++i)
+      is_exact = hn::And(is_exact, is_whole(hn::Mul(power[i].load(h), scale)));
+    return is_exact;
+  }
 };
 
-// Transposes kLanes vectors of one value of all lanes into kLanes vectors of one lane each.
+// The curves of some columns of the patches.
+template <int kDegree>
+struct PatchCurves {
+  const Component<kDegree>* component;
+  std::size_t components;
+  int m;
+  bool has_lines;
+  const double* x = nullptr;
+  std::size_t columns = 0;
+
+  HWY_INLINE void choose(const double* places, std::size_t count) { x = places, columns = count; }
+
+  HWY_INLINE void compute(bool has_ends, Strip<double>* strip) const {
+    for (std::size_t k = 0; k < components; ++k) {
+      const Component<kDegree>& own = component[k];
+      for (int j = 0; j <= m; ++j) compute_power(own.power + j * (kDegree + 1), j, k, strip);
+      if (has_ends) set_ends(own.error, own.line_error, m, k, strip);
+    }
+  }
+
+  HWY_INLINE void compute_row(double y_of_row, Strip<double>* strip) const {
+    const Vector y = hn::Set(kDoubles, y_of_row);
+    for (std::size_t k = 0; k < components; ++k) {
+      const Component<kDegree>& own = component[k];
+      OfPatches row[kDegree + 1], error = own.error;
+      for (std::size_t h = 0; h < kHalvesOfLanes; ++h) {
+        auto is_constant = is_zero(hn::Zero(kDoubles));
+        for (int i = kDegree; i >= 0; --i) {
+          Vector sum = own.power[m * (kDegree + 1) + i].load(h);
+          for (int j = m - 1; j >= 0; --j) sum = hn::MulAdd(sum, y, own.power[j * (kDegree + 1) + i].load(h));
+          row[i].store(sum, h);
+          if (i > 0) is_constant = hn::And(is_constant, is_zero(sum));
+        }
+        if (is_line(y_of_row))
+          error.store(hn::IfThenElse(is_constant, own.line_error.load(h), own.error.load(h)), h);
+      }
+      compute_power(row, 0, k, strip);
+      set_ends(error, is_line(y_of_row) ? own.line_error : error, 0, k, strip);
+    }
+  }
+
+ private:
+  std::size_t position(std::size_t column, std::size_t k, std::size_t h) const {
+    return (column * components + k) * kPatchLanes + h * kLanes;
+  }
+
+  HWY_INLINE void compute_power(const OfPatches* coefficient, int j, std::size_t k,
+                                Strip<double>* strip) const {
+    for (std::size_t h = 0; h < kHalvesOfLanes; ++h) {
+      Vector own[kDegree + 1];
+      for (int i = 0; i <= kDegree; ++i) own[i] = coefficient[i].load(h);
+      for (std::size_t c = 0; c < columns; ++c) {
+        const Vector place = hn::Set(kDoubles, x[c]);
+        Vector sum = own[kDegree];
+        for (int i = kDegree - 1; i >= 0; --i) sum = hn::MulAdd(sum, place, own[i]);
+        hn::Store(sum, kDoubles, strip->power[j] + position(c, k, h));
+      }
+    }
+  }
+
+  // Computes the ends of intervals around the coefficients of y^0. Curves that are constant along a line have
+  // the tighter error.
+  HWY_INLINE void set_ends(const OfPatches& error, const OfPatches& line_error, int degree, std::size_t k,
+                           Strip<double>* strip) const {
+    for (std::size_t c = 0; c < columns; ++c) {
+      const bool is_on_line = has_lines && is_line(x[c]);
+      for (std::size_t h = 0; h < kHalvesOfLanes; ++h) {
+        const std::size_t p = position(c, k, h);
+        const Vector value = hn::Load(kDoubles, strip->power[0] + p);
+        Vector own = error.load(h);
+        if (is_on_line) {
+          auto is_constant = is_zero(hn::Zero(kDoubles));
+          for (int j = 1; j <= degree; ++j)
+            is_constant = hn::And(is_constant, is_zero(hn::Load(kDoubles, strip->power[j] + p)));
+          own = hn::IfThenElse(is_constant, line_error.load(h), own);
+        }
+        hn::Store(hn::Sub(value, own), kDoubles, strip->low + p);
+        hn::Store(hn::Add(value, own), kDoubles, strip->high + p);
+      }
+    }
+  }
+};
+
+// Transposes kBlock vectors of one value of kBlock patches each into vectors of the values of one patch.
 #if HWY_TARGET != HWY_SCALAR
-template <std::size_t kLanes>
-HWY_INLINE void transpose(const float* from, float* const* to) {
-  if constexpr (kLanes >= 4) {
-    constexpr hn::Repartition<double, decltype(kHalves)> kPairs;
-    Half in[kLanes], half[kLanes], whole[kLanes];
-    for (std::size_t i = 0; i < kLanes; ++i) in[i] = hn::LoadU(kHalves, from + i * kLanes);
-    // Transposes blocks of four lanes and four values.
-    for (std::size_t i = 0; i < kLanes; i += 2) {
-      half[i] = hn::InterleaveLower(kHalves, in[i], in[i + 1]);
-      half[i + 1] = hn::InterleaveUpper(kHalves, in[i], in[i + 1]);
+constexpr std::size_t kBlock = hn::MaxLanes(hn::CappedTag<float, kPatchLanes>());
+constexpr hn::CappedTag<float, kPatchLanes> kBlockTag;
+HWY_INLINE void transpose(const float* from, float* const* to, std::size_t offset) {
+  constexpr hn::Repartition<double, decltype(kBlockTag)> kPairs;
+  using Block = hn::Vec<decltype(kBlockTag)>;
+  Block in[kBlock], half[kBlock], whole[kBlock];
+  for (std::size_t i = 0; i < kBlock; ++i) in[i] = hn::LoadU(kBlockTag, from + i * kPatchLanes);
+  // Transposes blocks of four lanes and four values.
+  for (std::size_t i = 0; i < kBlock; i += 2) {
+    half[i] = hn::InterleaveLower(kBlockTag, in[i], in[i + 1]);
+    half[i + 1] = hn::InterleaveUpper(kBlockTag, in[i], in[i + 1]);
+  }
+  for (std::size_t i = 0; i < kBlock; i += 4) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto a = hn::BitCast(kPairs, half[i + k]), b = hn::BitCast(kPairs, half[i + k + 2]);
+      whole[i + 2 * k] = hn::BitCast(kBlockTag, hn::InterleaveLower(kPairs, a, b));
+      whole[i + 2 * k + 1] = hn::BitCast(kBlockTag, hn::InterleaveUpper(kPairs, a, b));
     }
-    for (std::size_t i = 0; i < kLanes; i += 4) {
-      for (std::size_t k = 0; k < 2; ++k) {
-        const auto a = hn::BitCast(kPairs, half[i + k]), b = hn::BitCast(kPairs, half[i + k + 2]);
-        whole[i + 2 * k] = hn::BitCast(kHalves, hn::InterleaveLower(kPairs, a, b));
-        whole[i + 2 * k + 1] = hn::BitCast(kHalves, hn::InterleaveUpper(kPairs, a, b));
-      }
-    }
-    if constexpr (kLanes == 4) {
-      for (std::size_t lane = 0; lane < 4; ++lane) hn::StoreU(whole[lane], kHalves, to[lane]);
+  }
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    if constexpr (kBlock == 4) {
+      hn::StoreU(whole[lane], kBlockTag, to[lane] + offset);
     } else {
-      for (std::size_t lane = 0; lane < 4; ++lane) {
-        hn::StoreU(hn::ConcatLowerLower(kHalves, whole[lane + 4], whole[lane]), kHalves, to[lane]);
-        hn::StoreU(hn::ConcatUpperUpper(kHalves, whole[lane + 4], whole[lane]), kHalves, to[lane + 4]);
-      }
+      hn::StoreU(hn::ConcatLowerLower(kBlockTag, whole[lane + 4], whole[lane]), kBlockTag, to[lane] + offset);
+      hn::StoreU(hn::ConcatUpperUpper(kBlockTag, whole[lane + 4], whole[lane]), kBlockTag,
+                 to[lane + 4] + offset);
     }
   }
 }
-
 #endif
 
-// Writes `count` values of each lane to to[lane].
+// Writes `count` values of each patch to to[patch].
 HWY_INLINE void transpose_all(const float* values, std::size_t count, float* const* to) {
   std::size_t i = 0;
 #if HWY_TARGET != HWY_SCALAR
-  if constexpr (kLanes >= 4) {
-    for (; i + kLanes <= count; i += kLanes) {
-      float* at[kLanes];
-      for (std::size_t lane = 0; lane < kLanes; ++lane) at[lane] = to[lane] + i;
-      transpose<kLanes>(values + i * kLanes, at);
-    }
+  for (; i + kBlock <= count; i += kBlock) {
+    for (std::size_t lane = 0; lane < kPatchLanes; lane += kBlock)
+      transpose(values + i * kPatchLanes + lane, to + lane, i);
   }
 #endif
   for (; i < count; ++i) {
     // The memory of the caller need not be aligned.
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-      std::memcpy(to[lane] + i, values + i * kLanes + lane, sizeof(float));
+    for (std::size_t lane = 0; lane < kPatchLanes; ++lane)
+      std::memcpy(to[lane] + i, values + i * kPatchLanes + lane, sizeof(float));
   }
 }
 
@@ -197,74 +278,119 @@ void write_elements(const float* values, std::size_t count, const Destination& t
   scatter<kComponents>(values, count, to, data);
 }
 
-// Evaluates the patches of one vector, from patch `first` on. Returns the undecided patches as bits.
-template <int kDegree>
-unsigned evaluate_lanes(const PatchBlock& block, std::size_t first) {
-  constexpr std::size_t kStrip = 512;  // values of each lane that fit into the L1 cache
-  constexpr decltype(&write_elements<1>) kWrite[] = {write_elements<1>, write_elements<2>, write_elements<3>,
-                                                     write_elements<4>};
-  const auto components = static_cast<std::size_t>(block.components);
-  HWY_ALIGN float values[kStrip * kLanes];
-  HWY_ALIGN float packed[kLanes][kStrip];
-  Component<kDegree> component[4];
-  auto is_claimed = hn::Eq(hn::Zero(kDoubles), hn::Zero(kDoubles));
-  for (std::size_t k = 0; k < components; ++k) {
-    component[k].set(block.net + k * kPatchLanes + first, components, block.degree[1], block.bits_of_places);
-    is_claimed = hn::And(is_claimed, component[k].is_claimed());
+// Collects rows of a strip, and writes them to the patches.
+class PatchSink {
+ public:
+  static constexpr std::size_t kUnit = kPatchLanes;
+
+  explicit PatchSink(const PatchBlock& block)
+      : block_(block), components_(static_cast<std::size_t>(block.components)) {
+    const Destination& to = block.to;
+    is_packed_ = to.components == block.components && to.stride == components_ * sizeof(float);
   }
-  const std::size_t lanes = block.patches - first < kLanes ? block.patches - first : kLanes;
-  const Destination& to = block.to;
-  const bool is_packed = to.components == block.components && to.stride == components * sizeof(float);
-  const bool joins_rows = is_packed && to.row_stride == block.columns * to.stride;
-  const std::size_t most_columns = kStrip / components,
-                    strip_columns = block.columns < most_columns ? block.columns : most_columns,
-                    strip_rows =
-                        joins_rows && strip_columns == block.columns ? most_columns / strip_columns : 1;
-  Half open = hn::Zero(kHalves);
-  for (std::size_t r0 = 0; r0 < block.rows; r0 += strip_rows) {
-    const std::size_t rows = block.rows - r0 < strip_rows ? block.rows - r0 : strip_rows;
-    for (std::size_t c0 = 0; c0 < block.columns; c0 += strip_columns) {
-      const std::size_t columns = block.columns - c0 < strip_columns ? block.columns - c0 : strip_columns;
-      for (std::size_t r = 0; r < rows; ++r) {
-        for (std::size_t k = 0; k < components; ++k) {
-          open =
-              hn::Or(open, component[k].evaluate(block.y[r0 + r], block.x + c0, columns, components * kLanes,
-                                                 values + (r * columns * components + k) * kLanes));
-        }
+
+  void start(std::size_t first_row, std::size_t first_column, std::size_t columns) {
+    first_row_ = first_row, first_column_ = first_column, columns_ = columns;
+    first_ = count_ = 0;
+  }
+  HWY_INLINE void begin(std::size_t r, std::size_t rows, float** row) {
+    if ((count_ + rows) * row_values() > kMostValues) flush();
+    for (std::size_t i = 0; i < rows; ++i) row[i] = values_ + (count_ + i) * row_values();
+    if (count_ == 0) first_ = r;
+    count_ += rows;
+  }
+  void end(std::size_t, const float*) const {}
+  float resolve(std::size_t, std::size_t position) {
+    undecided |= 1U << (position % kPatchLanes);
+    return 0;
+  }
+
+  HWY_INLINE void flush() {
+    constexpr decltype(&write_elements<1>) kWrite[] = {write_elements<1>, write_elements<2>,
+                                                       write_elements<3>, write_elements<4>};
+    const Destination& to = block_.to;
+    const bool joins_rows = is_packed_ && to.row_stride == columns_ * to.stride;
+    const std::size_t parts = joins_rows ? 1 : count_, elements = joins_rows ? count_ * columns_ : columns_;
+    for (std::size_t part = 0; part < parts; ++part) {
+      std::byte* const data =
+          to.data + (first_row_ + first_ + part) * to.row_stride + first_column_ * to.stride;
+      float* at[kPatchLanes];
+      for (std::size_t p = 0; p < kPatchLanes; ++p) {
+        const bool is_direct = is_packed_ && p < block_.patches;
+        at[p] = is_direct ? reinterpret_cast<float*>(data + p * block_.patch_stride) : packed_[p];
       }
-      const std::size_t elements = rows * columns;
-      std::byte* const data = to.data + r0 * to.row_stride + c0 * to.stride;
-      float* at[kLanes];
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const bool is_direct = is_packed && lane < lanes;
-        at[lane] =
-            is_direct ? reinterpret_cast<float*>(data + (first + lane) * block.patch_stride) : packed[lane];
-      }
-      transpose_all(values, elements * components, at);
-      for (std::size_t lane = 0; lane < lanes && !is_packed; ++lane)
-        kWrite[components - 1](packed[lane], elements, to, data + (first + lane) * block.patch_stride);
+      transpose_all(values_ + part * row_values(), elements * components_, at);
+      for (std::size_t p = 0; p < block_.patches && !is_packed_; ++p)
+        kWrite[components_ - 1](packed_[p], elements, to, data + p * block_.patch_stride);
+    }
+    count_ = 0;
+  }
+
+  unsigned undecided = 0;  // patches, as bits
+
+ private:
+  static constexpr std::size_t kMostValues = 4 * kMostPositions;
+  std::size_t row_values() const { return columns_ * components_ * kPatchLanes; }
+
+  const PatchBlock& block_;
+  std::size_t components_;
+  bool is_packed_;
+  std::size_t first_row_ = 0, first_column_ = 0, columns_ = 0;
+  std::size_t first_ = 0, count_ = 0;  // rows that are not yet written
+  HWY_ALIGN float values_[kMostValues + kFewestPositions];
+  HWY_ALIGN float packed_[kPatchLanes][kMostValues / kPatchLanes];
+};
+
+// Evaluates patches. Returns the undecided ones as bits.
+template <int kDegree>
+unsigned evaluate(const PatchBlock& block) {
+  const auto components = static_cast<std::size_t>(block.components);
+  const int m = block.degree[1];
+  Component<kDegree> component[4];
+  unsigned left = 0;
+  bool is_exact = true;
+  for (std::size_t h = 0; h < kHalvesOfLanes; ++h) {
+    auto is_claimed = is_zero(hn::Zero(kDoubles));
+    for (std::size_t k = 0; k < components; ++k) {
+      is_claimed = hn::And(is_claimed,
+                           component[k].set(block.net + k * kPatchLanes + h * kLanes, components, block, h));
+      is_exact = is_exact && hn::AllTrue(kDoubles, is_zero(component[k].error.load(h)));
+    }
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(kDoubles, hn::Not(is_claimed), bits);
+    left |= static_cast<unsigned>(bits[0]) << (h * kLanes);
+  }
+  const Method method = block.fast ? Method::kFast : is_exact ? Method::kExact : Method::kIntervals;
+  const std::size_t most_columns = kMostPositions / (components * kPatchLanes), last = block.columns - 1;
+  PatchCurves<kDegree> curves = {component, components, m, block.has_lines};
+  PatchSink sink(block);
+  Rows rows;
+  for (std::size_t r0 = 0; r0 < block.rows; r0 += Rows::kMost) {
+    rows.count = std::min(Rows::kMost, block.rows - r0);
+    std::copy_n(block.y + r0, rows.count, rows.y);
+    rows.set(block.has_lines && !is_exact && m > 0, method, r0 == 0, r0 + rows.count == block.rows);
+    for (std::size_t c0 = 0; c0 < block.columns; c0 += most_columns) {
+      curves.choose(block.x + c0, std::min(most_columns, block.columns - c0));
+      const bool is_first = block.fast && c0 == 0,
+                 is_last = block.fast && c0 + curves.columns == block.columns;
+      const double ends[2] = {is_first ? block.x[0] : block.x[last], block.x[last]};
+      PatchCurves<kDegree> edges = curves;
+      edges.choose(ends, is_first && is_last && last != 0 ? 2 : is_first || is_last ? 1 : 0);
+      sink.start(r0, c0, curves.columns);
+      evaluate_strip(curves, edges, is_first, method, m, rows, curves.columns * components * kPatchLanes,
+                     sink);
+      sink.flush();
     }
   }
-  std::uint32_t differs[kLanes];
-  double claimed[kLanes];
-  hn::StoreU(hn::BitCast(hn::RebindToUnsigned<decltype(kHalves)>(), open),
-             hn::RebindToUnsigned<decltype(kHalves)>(), differs);
-  hn::StoreU(hn::IfThenElseZero(is_claimed, hn::Set(kDoubles, 1)), kDoubles, claimed);
-  unsigned undecided = 0;
-  for (std::size_t lane = 0; lane < lanes; ++lane)
-    undecided |= static_cast<unsigned>(differs[lane] != 0 || claimed[lane] == 0) << (first + lane);
-  return undecided;
+  return (left | sink.undecided) & ((1U << block.patches) - 1);
 }
 
 }  // namespace patches
 
 unsigned evaluate_patches(const PatchBlock& block) {
-  constexpr decltype(&patches::evaluate_lanes<1>) kOf[kMaxCentredDegree] = {
-      patches::evaluate_lanes<1>, patches::evaluate_lanes<2>, patches::evaluate_lanes<3>};
-  unsigned undecided = 0;
-  for (std::size_t first = 0; first < block.patches; first += kLanes)
-    undecided |= kOf[block.degree[0] - 1](block, first);
-  return undecided;
+  constexpr decltype(&patches::evaluate<1>) kOf[kMaxCentredDegree] = {
+      patches::evaluate<1>, patches::evaluate<2>, patches::evaluate<3>};
+  return kOf[block.degree[0] - 1](block);
 }
 
 }  // namespace glev::HWY_NAMESPACE

@@ -265,13 +265,10 @@ class PatchPlans {
   std::array<bool, glev::kSlots> enabled_{};
 };
 
-// Patches with more points are faster one at a time.
-constexpr std::size_t kMostPoints = 2048;
-
 // Returns the number of positions of columns and rows, which are computed once for all patches.
 std::size_t places_of(const glev_patches& patches, const glev_patch_grid& grid) {
   const glev::Shape shape = shape_of(patches, grid);
-  return std::min(shape.columns, kMostPoints) + std::min(shape.rows, kMostPoints);
+  return std::min(shape.columns, glev::kMostPatchPoints) + std::min(shape.rows, glev::kMostPatchPoints);
 }
 
 // Evaluates vertices of patches of low degree in vectors, one patch in each lane.
@@ -289,10 +286,7 @@ class SideBySide {
       : patches_(patches), inputs_(inputs), kernels_(kernels), vertex_(outputs[kVertex]) {
     if (has_edges(grid) || !has_low_degree(patches)) return;
     if (!outputs.wanted.is_only(kVertex) || vertex_.is_double) return;
-    if (range.columns > kMostPoints / range.rows || !has_ordinary_domain(patches)) return;
-    // With GLEV_FAST, larger meshes must have the bits of the fast kernels.
-    const bool is_fast = grid.precision == GLEV_FAST && grid.kind == GLEV_GRID_UNIFORM;
-    if (is_fast && !glev::has_few_segments(range, patches.vorder - 1)) return;
+    if (range.columns > glev::kMostPatchPoints / range.rows || !has_ordinary_domain(patches)) return;
     net_ = reinterpret_cast<double*>(memory);
     double* const x = net_ + values_of(patches) * glev::kPatchLanes;
     double* const y = x + range.columns;
@@ -301,18 +295,23 @@ class SideBySide {
     const glev::Input u = {inputs.u.begin, inputs.u.stride, is_double},
                       v = {inputs.v.begin, inputs.v.stride, is_double};
     is_used_ = true;
-    for (std::size_t i = 0; i < range.columns; ++i)
-      is_used_ = is_used_ && place(domain_u, is_uniform ? range.u_of(i) : glev::argument_at(u[i]), x + i);
+    can_have_lines_ = is_uniform;
+    for (std::size_t i = 0; i < range.columns; ++i) {
+      if (is_uniform) x[i] = glev::place_on(range.u_of(i));
+      is_used_ = is_used_ && (is_uniform || place(domain_u, u[i], x + i));
+    }
     for (std::size_t j = 0; j < range.rows; ++j) {
       const bool has_place = patches.vorder > 1;
       y[j] = 0;
-      is_used_ = is_used_ &&
-                 (!has_place || place(domain_v, is_uniform ? range.v_of(j) : glev::argument_at(v[j]), y + j));
+      if (is_uniform) y[j] = glev::place_on(range.v_of(j));
+      is_used_ = is_used_ && (is_uniform || !has_place || place(domain_v, v[j], y + j));
     }
     const int n = patches.uorder - 1, m = patches.vorder - 1;
     const int bits = !is_uniform ? glev::kManyBits
                                  : n * glev::bits_of_places(domain_u, range.u) +
                                        (m == 0 ? 0 : m * glev::bits_of_places(domain_v, range.v));
+    const glev::Surface surface = {
+        {n, m}, static_cast<int>(patches.components), {domain_u, domain_v}, nullptr};
     block_ = {{n, m},
               static_cast<int>(patches.components),
               0,
@@ -322,6 +321,8 @@ class SideBySide {
               range.columns,
               range.rows,
               bits,
+              is_uniform && patches.count <= kFewPatches,
+              grid.precision == GLEV_FAST && is_uniform && !glev::has_few_segments(surface, range),
               {vertex_.data, vertex_.stream.stride, vertex_.stream.row_stride, vertex_.components},
               vertex_.stream.patch_stride};
   }
@@ -339,14 +340,25 @@ class SideBySide {
     }
     for (std::size_t p = 0; p < count; ++p) load(first + p, p);
     for (std::size_t p = count; p < glev::kPatchLanes; ++p) load(first, p);
+    prefetch(first + count);
     block_.patches = count;
     block_.to.data = vertex_.data + first * block_.patch_stride;
-    const unsigned left = kernels_->patches(block_);
+    unsigned left = kernels_->patches(block_);
+    // If tests along lines decide patches of one block, they do so in others, too.
+    if (left != 0 && can_have_lines_ && !block_.has_lines) {
+      block_.has_lines = true;
+      const unsigned still_left = kernels_->patches(block_);
+      block_.has_lines = still_left != left;
+      left = still_left;
+    }
     pause_ = 2 * static_cast<std::size_t>(std::popcount(left)) > count ? 15 : 0;
     return left;
   }
 
  private:
+  // Few patches have tests along lines from the first block on, because a second evaluation takes longer.
+  static constexpr std::size_t kFewPatches = 8 * glev::kPatchLanes;
+
   static bool has_low_degree(const glev_patches& patches) {
     return patches.uorder > 1 && patches.uorder <= glev::kMaxCentredDegree + 1 &&
            patches.vorder <= glev::kMaxCentredDegree + 1;
@@ -356,11 +368,21 @@ class SideBySide {
     return glev::is_ordinary(domain[0]) && (patches.vorder == 1 || glev::is_ordinary(domain[1]));
   }
 
-  // Computes x = t - s. Returns false outside the domain.
-  static bool place(const glev::Domain& domain, const glev::GridArgument& argument, double* x) {
+  // Computes x = t - s of a real argument. Returns false outside the domain.
+  static bool place(const glev::Domain& domain, double argument, double* x) {
     const glev::Parameter at = locate(domain, argument);
     *x = at.t - at.s;
-    return at.is_sure && at.t >= 0 && at.s >= 0;
+    return at.t >= 0 && at.s >= 0;
+  }
+
+  // Requests the control points of the next patches, which arrive during the evaluation.
+  void prefetch(std::size_t first) const {
+    const std::size_t element = patches_.type == GLEV_DOUBLE ? sizeof(double) : sizeof(float),
+                      bytes = values_of(patches_) * element;
+    for (std::size_t p = first; p < std::min(first + glev::kPatchLanes, patches_.count); ++p) {
+      const std::byte* const points = inputs_.points.begin + p * inputs_.points.patch_stride;
+      for (std::size_t at = 0; at < bytes; at += glev::kCacheLine) __builtin_prefetch(points + at);
+    }
   }
 
   void load(std::size_t patch, std::size_t lane) {
@@ -371,7 +393,7 @@ class SideBySide {
   const Inputs& inputs_;
   const glev::Kernels* kernels_;
   const Output& vertex_;
-  bool is_used_ = false;
+  bool is_used_ = false, can_have_lines_ = false;
   std::size_t pause_ = 0;
   double* net_ = nullptr;
   glev::PatchBlock block_{};

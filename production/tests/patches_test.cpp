@@ -303,8 +303,8 @@ TEST_F(Patches, UniformGridsHaveTheBitsOfMeshes) {
     Points points;
     points.target = choose_target();
     points.precision = chance_.one_of({GLEV_CORRECTLY_ROUNDED, GLEV_CORRECTLY_ROUNDED, GLEV_FAST});
-    points.u_segments = chance_.one_of({0, 1, 2, 3, 4, 7, 8, 16, 20});
-    points.v_segments = chance_.one_of({0, 1, 2, 3, 4, 7, 8, 9});
+    points.u_segments = chance_.one_of({0, 1, 2, 3, 4, 7, 8, 16, 20, 33});
+    points.v_segments = chance_.one_of({0, 1, 2, 3, 4, 7, 8, 9, 20, 70});
     check_random(net, points);
     if (HasFailure()) return;
   }
