@@ -52,7 +52,7 @@ struct UlpOptions {
   std::vector<int> orders;
   std::vector<double> points, at, domain;
   int segments = 0;
-  std::string worker;   // the file of the events, if this process is a worker
+  std::string events;   // the file of the events, if this process is a worker
   std::string command;  // the typed command
   std::string program;  // evalcts as the user typed it
 };
@@ -150,7 +150,7 @@ constexpr char kProfile[] = "profile";
 int work(const UlpOptions& options) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   JobReader jobs;
-  EventFile events(options.worker);
+  EventFile events(options.events);
   const auto report = [&](const Event& event) { events.write(to_line(event)); };
   const auto write = [&](const char* what, const json& value) {
     events.write(json{{what, value}}.dump() + "\n");
@@ -387,7 +387,9 @@ std::vector<ImplementationOptions> chosen_implementations(const UlpOptions& opti
 }
 
 int ulp(const UlpOptions& options) {
-  if (!options.worker.empty()) return work(options);
+  if (!options.events.empty()) return work(options);
+  if (!options.common.worker.empty())
+    return wrong_use("ulp measures on this machine only; build evalcts where the library is");
   const bool is_default = options.names.empty() && options.common.words().empty();
   const std::vector<ImplementationOptions> implementations = chosen_implementations(options);
   const std::string& mesa = completed(options.common).mesa_build;
@@ -478,7 +480,7 @@ std::function<int()> define_ulp(CLI::App& app, const Call& call) {
          "number of grid segments over the domain; the single input is evaluated at the nearest point "
          "of this grid")
       ->check(positive_number);
-  app.add_option("--worker", options->worker)->group("");
+  app.add_option("--events", options->events)->group("");
   return [options] { return ulp(*options); };
 }
 

@@ -50,8 +50,9 @@ struct WorkerRun {
   // The next two are for processes that have ended.
   bool died_in_job() const { return !in_flight.empty(); }
   bool began_a_job() const { return died_in_job() || !finished.empty(); }
-  // True if a worker elsewhere ended in a job without a report: perhaps only the connection was lost.
-  bool may_be_lost() const { return is_elsewhere() && died_in_job() && !crash && !hung && !over_memory; }
+  // True if a worker elsewhere ended in a job, or gave no answer, without a report of its own: perhaps only
+  // the connection was lost.
+  bool may_be_lost() const { return is_elsewhere() && died_in_job() && !crash && !over_memory; }
 
   bool is_elsewhere() const { return std::ranges::count(command, kElsewhere) > 0; }
 };
