@@ -1,23 +1,18 @@
 // The subject that measures a GL: it calls glMap, glEnable, glBegin(GL_POINTS), glEvalCoord and glEnd as
 // users do, and takes the results from a capture.
-#include <fmt/format.h>
+#include <memory>
+#include <utility>
 
 #include <evalcts/accuracy/subject.h>
 #include <evalcts/backends/gl_environment.h>
 #include <evalcts/backends/mesa_build.h>
-#include <evalcts/capture/capture.h>
+#include <evalcts/capture/observed_values.h>
 #include <evalcts/gl/case.h>
-#include <evalcts/gl/tokens.h>
+#include <evalcts/results/serialization.h>
+#include <evalcts/runner/worker.h>
 
 namespace evalcts::accuracy {
 namespace {
-
-const float* values_of(const ObservedVertex& vertex, Attributes attribute) {
-  if (attribute == kPosition) return vertex.position.data();
-  if (attribute == kColor) return vertex.color.data();
-  if (attribute == kNormal) return vertex.normal.data();
-  return vertex.texture_coordinate[0].data();
-}
 
 gl::Case commands_of(GLenum target, const Map& map, std::span<const float> u, std::span<const float> v) {
   gl::Case c;
@@ -55,51 +50,98 @@ gl::Case commands_of(GLenum target, const Map& map, std::span<const float> u, st
   return c;
 }
 
-class Captured final : public Subject {
+// Observes the results in this process, or in a worker.
+class Captured : public Subject {
  public:
-  explicit Captured(const ImplementationOptions& options)
-      : implementation_(open_implementation(options)),
-        info_(inquire(*implementation_)),
-        captures_(*implementation_, info_) {
-    if (!options.mesa_build.empty()) require_mesa_build(options.mesa_build, loaded_gl_files());
-  }
-
-  ImplementationInfo info() const override { return info_; }
   std::string capture() const override { return used_; }
+  ImplementationInfo info() const override { return info_; }
 
   std::vector<float> evaluate(GLenum target, const Map& map, std::span<const float> u,
                               std::span<const float> v) override {
-    const Attributes attribute = attribute_of(target);
-    const Capture& capture = captures_.showing_all(attribute, kPoints);
-    const Observation seen =
-        capture.observe(*implementation_, commands_of(target, map, u, v), {attribute, u.size()});
-    if (seen.error != GL_NO_ERROR)
-      throw NotObservable(fmt::format("the commands raised {}", gl::error_name(seen.error)));
-    if (seen.overflow || seen.vertex_count() != u.size())
-      throw NotObservable(fmt::format("expected {} vertices, captured {}", u.size(), seen.vertex_count()));
-    if (attribute == kColor && seen.clamped_colors)
-      throw NotObservable("colours are clamped to [0,1] on the way");
-    std::vector<float> results;
-    for (const ObservedPrimitive& primitive : seen.primitives)
-      for (const ObservedVertex& vertex : primitive.vertices) {
-        const float* const values = values_of(vertex, attribute);
-        results.insert(results.end(), values, values + map.components);
-      }
-    used_ = capture.name();
-    return results;
+    ObservedValues observed = observe({commands_of(target, map, u, v), attribute_of(target),
+                                       static_cast<std::uint64_t>(map.components), u.size()});
+    used_ = std::move(observed.capture);
+    return std::move(observed.values);
+  }
+
+ protected:
+  ImplementationInfo info_;
+
+ private:
+  virtual ObservedValues observe(const ValuesRequest& request) = 0;
+
+  std::string used_;
+};
+
+class Here final : public Captured {
+ public:
+  explicit Here(const ImplementationOptions& options) : implementation_(open_implementation(options)) {
+    info_ = inquire(*implementation_);
+    captures_ = std::make_unique<Captures>(*implementation_, info_);
+    if (!options.mesa_build.empty()) require_mesa_build(options.mesa_build, loaded_gl_files());
   }
 
  private:
+  ObservedValues observe(const ValuesRequest& request) override {
+    return observe_values(*captures_, *implementation_, request);
+  }
+
   std::unique_ptr<Implementation> implementation_;
-  ImplementationInfo info_;
-  Captures captures_;
-  std::string used_;
+  std::unique_ptr<Captures> captures_;
+};
+
+class Elsewhere final : public Captured {
+ public:
+  explicit Elsewhere(const ImplementationOptions& options) : command_(options.words()) {
+    command_.insert(command_.begin(), "evalcts-suite");
+    const auto description = answer<Description>({"describe", "describe"});
+    const ImplementationRecord& found = description.implementation;
+    info_.name = found.name;
+    info_.library = found.library;
+    info_.vendor = found.vendor;
+    info_.renderer = found.renderer;
+    info_.version = found.version;
+    info_.max_eval_order = static_cast<GLint>(found.max_eval_order.value_or(0));
+  }
+
+ private:
+  ObservedValues observe(const ValuesRequest& request) override {
+    ValuesObserved observed =
+        answer<ValuesObserved>({.kind = "observe", .name = "points", .data = to_text(request)});
+    if (!observed.why_not.empty()) throw NotObservable(observed.why_not);
+    return {std::move(observed.capture), std::move(observed.values)};
+  }
+
+  // Gives the worker a job and returns its answer. Throws CannotStart if there is none; the next job has a
+  // worker of its own then.
+  template <class Answer>
+  Answer answer(const Job& job) {
+    if (!worker_) worker_ = std::make_unique<Worker>(command_, "", Limits());
+    std::optional<Answer> found;
+    worker_->give(job);
+    while (!worker_->is_idle()) {
+      const bool has_ended = worker_->update({}, [&](const Event& event) {
+        if (const auto* answer = std::get_if<Answer>(&event)) found = *answer;
+      });
+      if (has_ended) break;
+      if (!worker_->is_idle()) wait_for_activity({worker_.get()});
+    }
+    if (found) return std::move(*found);
+    const std::string reason = why_no_answer(worker_->run(), "");
+    worker_.reset();
+    if (info_.name.empty()) throw CannotStart(reason);
+    throw NotObservable(reason);
+  }
+
+  std::vector<std::string> command_;
+  std::unique_ptr<Worker> worker_;
 };
 
 }  // namespace
 
 std::unique_ptr<Subject> make_captured(const ImplementationOptions& options) {
-  return std::make_unique<Captured>(options);
+  if (options.worker.empty()) return std::make_unique<Here>(options);
+  return std::make_unique<Elsewhere>(options);
 }
 
 }  // namespace evalcts::accuracy

@@ -276,7 +276,10 @@ json measure_implementation(const UlpOptions& options, const ImplementationOptio
     }
   };
   std::vector<std::string> command = {fs::read_symlink("/proc/self/exe").string(), "ulp"};
-  for (const std::string& word : implementation.words()) command.push_back(word);
+  // As one word, the option is one of this program, whose workers use it to start another.
+  ImplementationOptions here = implementation;
+  if (!here.worker.empty()) command.push_back("--worker=" + std::exchange(here.worker, ""));
+  for (const std::string& word : here.words()) command.push_back(word);
   for (const std::string& target : options.targets) command.push_back("--target=" + target);
   command.push_back("--filter=" + options.filter);
   command.push_back(fmt::format("--values={}", options.values));
@@ -388,8 +391,6 @@ std::vector<ImplementationOptions> chosen_implementations(const UlpOptions& opti
 
 int ulp(const UlpOptions& options) {
   if (!options.events.empty()) return work(options);
-  if (!options.common.worker.empty())
-    return wrong_use("ulp measures on this machine only; build evalcts where the library is");
   const bool is_default = options.names.empty() && options.common.words().empty();
   const std::vector<ImplementationOptions> implementations = chosen_implementations(options);
   const std::string& mesa = completed(options.common).mesa_build;

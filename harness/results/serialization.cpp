@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -399,6 +401,8 @@ constexpr const char* kKind<TestsListed> = "tests";
 template <>
 constexpr const char* kKind<ProgramWritten> = "program";
 template <>
+constexpr const char* kKind<ValuesObserved> = "values";
+template <>
 constexpr const char* kKind<Description> = "description";
 template <>
 constexpr const char* kKind<CaptureRecord> = "capture";
@@ -436,6 +440,21 @@ void event_fields(A& archive, In<A, TestFinished> event) {
 template <class A>
 void event_fields(A& archive, In<A, ProgramWritten> event) {
   archive.always("text", event.text);
+}
+// JSON has no infinities, so values are their bits.
+template <class A>
+void event_fields(A& archive, In<A, ValuesObserved> event) {
+  std::string bits;
+  if constexpr (std::same_as<A, Writer>)
+    for (const float value : event.values) bits += fmt::format("{:08x}", std::bit_cast<std::uint32_t>(value));
+  archive.always("capture", event.capture, "bits", bits);
+  archive("why_not", event.why_not);
+  if constexpr (std::same_as<A, Reader>)
+    for (std::size_t i = 0; i + 8 <= bits.size(); i += 8) {
+      std::uint32_t value = 0;
+      std::from_chars(&bits[i], &bits[i] + 8, value, 16);
+      event.values.push_back(std::bit_cast<float>(value));
+    }
 }
 template <class A>
 void event_fields(A& archive, In<A, Description> event) {

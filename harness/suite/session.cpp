@@ -295,6 +295,19 @@ TestRecord Session::run_test(const TestInfo& test, const Job& job) {
   return record;
 }
 
+void Session::observe(const ValuesRequest& request) {
+  ValuesObserved answer;
+  try {
+    ObservedValues observed = observe_values(*captures_, *subject().implementation, request);
+    answer = {std::move(observed.capture), std::move(observed.values), ""};
+  } catch (const NotObservable& reason) {
+    answer.why_not = reason.what();
+  } catch (const gl::MissingEntryPoint& missing) {
+    answer.why_not = missing.what();
+  }
+  report_(answer);
+}
+
 TestRecord Session::run_program(const Job& job) {
   const Subject& of_programs = subject();
   gl::Case script = fuzz::with_what_exists(of_programs.info, implementation_->create_context()->table(),

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <evalcts/backends/reused_context.h>
+#include <evalcts/capture/observed_values.h>
 #include <evalcts/results/serialization.h>
 #include <evalcts/suite/suite_main.h>
 #include <evalcts/testkit/registration.h>
@@ -48,6 +49,8 @@ class Session {
   TestRecord run_test(const TestInfo& test, const Job& job = {});
   // Runs the program of the job as a test with the name "program".
   TestRecord run_program(const Job& job);
+  // Reports the values of a program's vertices.
+  void observe(const ValuesRequest& request);
   // Returns the subject for programs other than tests.
   const Subject& subject();
 

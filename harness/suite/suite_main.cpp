@@ -20,6 +20,7 @@
 #include <sstream>
 
 #include <evalcts/backends/mesa_build.h>
+#include <evalcts/capture/observed_values.h>
 #include <evalcts/fuzz/events.h>
 #include <evalcts/fuzz/reduction.h>
 #include <evalcts/gl/case_json.h>
@@ -271,7 +272,7 @@ class JobLoop {
 
   void run_job(const Job& job) {
     if (job.kind == "test") session_.open_for_tests();
-    if (job.kind == "case") session_.subject();
+    if (job.kind == "case" || job.kind == "observe") session_.subject();
     if (job.kind == "reduce" || job.kind == "prove-bug" || job.kind == "fuzz") subject_of_programs();
     report(JobStarted{job.name});
     if (job.kind == "list") {
@@ -291,6 +292,8 @@ class JobLoop {
       session_.run_test(*found->second, job);
     } else if (job.kind == "case") {
       session_.run_program(job);
+    } else if (job.kind == "observe") {
+      session_.observe(parse_values_request(job.data));
     } else if (job.kind == "reduce") {
       if (!reduce_) reduce_ = fuzz::case_reducer(subject_of_programs());
       events_.write(fuzz::to_line(reduce_(fuzz::parse_failing_case(job.data))));

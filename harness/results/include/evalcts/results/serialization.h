@@ -48,8 +48,8 @@ std::optional<WorkerOptions> parse_worker_options(const std::string& line);
 
 struct Job {
   // "list": list all tests. "describe": describe the implementation. "prove": prove the capture `name`.
-  // "test": run the test `name`. "case": judge the program `data`. "reduce", "prove-bug" (`name`: its ID) and
-  // "fuzz": see reduction.h and campaign.h.
+  // "test": run the test `name`. "case": judge the program `data`. "observe": see observed_values.h.
+  // "reduce", "prove-bug" (`name`: its ID) and "fuzz": see reduction.h and campaign.h.
   std::string kind;
   std::string name;
   std::optional<std::uint64_t> cases = {};  // of a test: run only so many (it then decides nothing)
@@ -96,6 +96,12 @@ struct TestsListed {
 struct ProgramWritten {
   std::string text;
 };
+// The answer to "observe".
+struct ValuesObserved {
+  std::string capture;
+  std::vector<float> values;
+  std::string why_not;  // the reason if there are no values, otherwise empty
+};
 // Properties of the implementation that are known before a test runs.
 struct Description {
   std::string suite;  // suite_id() of the worker
@@ -118,9 +124,9 @@ struct RunEnded {};
 struct OtherEvent {
   std::string line;
 };
-using Event =
-    std::variant<JobStarted, JobEnded, StillRunning, CaseStarted, CaseFailed, TestFinished, TestsListed,
-                 ProgramWritten, Description, CaptureRecord, CannotOpen, Hung, Crashed, RunEnded, OtherEvent>;
+using Event = std::variant<JobStarted, JobEnded, StillRunning, CaseStarted, CaseFailed, TestFinished,
+                           TestsListed, ProgramWritten, ValuesObserved, Description, CaptureRecord,
+                           CannotOpen, Hung, Crashed, RunEnded, OtherEvent>;
 
 std::string to_line(const Event& event);
 // Returns none if the line is not an event, for example because it was cut off.
