@@ -52,6 +52,9 @@ evalcts_stage(faults 21600 $<TARGET_FILE:evalcts> faults --complete --output ${C
 # No test fails on conforming libraries that differ from the available ones, and typical faults in these are detected.
 evalcts_stage(legal 21600 $<TARGET_FILE:evalcts> faults --legal --output ${CMAKE_BINARY_DIR}/legal)
 
+# The worker for Windows, under Wine.
+evalcts_stage(wine 7200 bash harness/tests/wine.sh $<TARGET_FILE:evalcts>)
+
 # The pages in the distribution's browser. Selenium is a package of the distribution's Python, and the first Python on the
 # PATH may be another one.
 if(TARGET evalcts_reports_write_pages)

@@ -59,7 +59,7 @@ TEST_F(CommandLine, ListsAndExplains) {
   const json requirements = parse_json(evalcts({"list", "requirements", "--json"}).text);
   EXPECT_EQ(requirements["requirements"].size(), 401u);
   const json implementations = parse_json(evalcts({"list", "implementations", "--json"}).text);
-  EXPECT_EQ(implementations["implementations"].size(), 10u);
+  EXPECT_EQ(implementations["implementations"].size(), 11u);
   const json coverage = parse_json(evalcts({"coverage", "--json"}).text);
   EXPECT_EQ(coverage["requirements"].size(), 401u);
   EXPECT_TRUE(coverage["problems"].empty());

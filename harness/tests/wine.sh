@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Builds the worker for Windows, makes its archive, and runs the suite through it under Wine: `production` and `reference` must
+# give the records of this machine, except for the memory of maps, and OSMesa or OpenGL of Wine nothing unexpected.
+# usage: wine.sh EVALCTS, in the root of the checkout
+set -euo pipefail
+evalcts=$1 folder=$PWD/build/mingw/results
+fail() { echo "$*" >&2; exit 1; }
+export WINEPREFIX=$PWD/build/mingw/wine WINEDEBUG=-all
+
+cmake --preset mingw >/dev/null
+cmake --build --preset mingw
+(cd build/mingw && cpack)
+rm -rf "$folder" build/mingw/archive
+mkdir -p build/mingw/archive
+(cd build/mingw/archive && cmake -E tar xf ../evalcts-*.zip)
+worker="wine $(echo "$PWD"/build/mingw/archive/evalcts-*/evalcts-worker.exe)"
+[[ -f ${worker#wine } ]] || fail "the archive has no worker: $(find build/mingw/archive)"
+
+own=(--implementation production --implementation reference --depth quick --no-bugs --strict)
+"$evalcts" run "${own[@]}" --output "$folder/here"
+"$evalcts" run "${own[@]}" --output "$folder/wine" --worker "$worker"
+python3 - "$folder" <<'X'
+import json, pathlib, sys
+folder, different = pathlib.Path(sys.argv[1]), []
+for name in ("production", "reference"):
+    here, wine = ({test["name"]: {key: value for key, value in test.items()
+                                  if key not in ("seconds", "rerun", "debug", "reproducer")}
+                   for test in json.loads((folder / side / f"results-{name}.json").read_text())["tests"]}
+                  for side in ("here", "wine"))
+    different += [f"{name}: {test}" for test in here.keys() | wine.keys()
+                  if here.get(test) != wine.get(test) and not test.startswith("Contexts.MemoryOfMaps")]
+sys.exit("different under Wine: " + ", ".join(sorted(different)) if different else 0)
+X
+wine build/mingw/production/examples/circle.exe | grep -q "4000 points"
+
+# The GL of Wine is that of libGL, so its known bugs show here as well.
+"$evalcts" run --implementation glx --depth quick --output "$folder/glx" >/dev/null || (($? == 1))
+xvfb-run -a "$evalcts" run --library opengl32.dll --depth quick --output "$folder/wgl" --worker "$worker" || (($? == 1))
+python3 - "$folder" <<'X'
+import json, pathlib, sys
+folder = pathlib.Path(sys.argv[1])
+def failures(file):
+    result = json.loads((folder / file).read_text())
+    if result["status"] != "complete":
+        sys.exit(f"{file}: {result['status']}, {result.get('reason')}")
+    return {test["name"] for test in result["tests"] if test["verdict"] in ("fail", "crash", "timeout")}
+surplus = failures("wgl/results-library.json") - failures("glx/results-glx.json")
+print("only under Wine:", ", ".join(sorted(surplus)) or "nothing")
+X
