@@ -158,7 +158,8 @@ std::vector<std::string> loaded_gl_files() {
   std::erase_if(files, [](const std::string& file) {
     const std::string name = fs::path(file).filename().string();
     return name.find("_dri.so") == std::string::npos &&
-           std::ranges::none_of(kFilesOfGl, [&](const char* beginning) { return name.starts_with(beginning); });
+           std::ranges::none_of(kFilesOfGl,
+                                [&](const char* beginning) { return name.starts_with(beginning); });
   });
   return files;
 }

@@ -84,8 +84,8 @@ std::string guessed_kind(const std::string& path) {
       fmt::join(context_names(), ", ")));
 }
 
-// Returns true if the library makes contexts of this kind itself. Where there is fork(), it is loaded in another
-// process, because a layer may have to be loaded once the context below it is current.
+// Returns true if the library makes contexts of this kind itself. Where there is fork(), it is loaded in
+// another process, because a layer may have to be loaded once the context below it is current.
 bool makes_its_contexts(const std::string& path, const NamedContexts& contexts) {
   if (path.empty() || !contexts.interface) return false;
 #ifdef _WIN32

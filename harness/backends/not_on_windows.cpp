@@ -1,4 +1,4 @@
-// What a worker on Windows does not have.
+// Contexts and commands that a worker on Windows lacks.
 #include <evalcts/backends/mesa_build.h>
 
 #include "context_maker.h"

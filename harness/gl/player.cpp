@@ -82,8 +82,7 @@ class FencedPages {
 class ClientArray {
  public:
   explicit ClientArray(const Input& input)
-      : size_(input.bytes.size()),
-        pages_(FencedPages::take((size_ + page_size() - 1) / page_size())) {
+      : size_(input.bytes.size()), pages_(FencedPages::take((size_ + page_size() - 1) / page_size())) {
     fill(input);
   }
 

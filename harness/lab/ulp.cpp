@@ -276,7 +276,7 @@ json measure_implementation(const UlpOptions& options, const ImplementationOptio
     }
   };
   std::vector<std::string> command = {fs::read_symlink("/proc/self/exe").string(), "ulp"};
-  // As one word, the option is one of this program, whose workers use it to start another.
+  // The option is one word here: as two, it would start the worker of this program elsewhere.
   ImplementationOptions here = implementation;
   if (!here.worker.empty()) command.push_back("--worker=" + std::exchange(here.worker, ""));
   for (const std::string& word : here.words()) command.push_back(word);

@@ -1,4 +1,4 @@
-// What the suite program does to its own process.
+// Changes that the suite program makes to its own process.
 #pragma once
 
 #include <cstdint>

@@ -537,7 +537,7 @@ TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
   const std::pair<std::vector<std::string>, std::string> contexts[] = {
       {{"--context", "none"}, "--context none needs --library"},
       {{"--context", "nonsense"},
-       "neither one of osmesa, egl-surfaceless, egl-device, egl-gles2, glx, glx-indirect, none nor a "
+       "neither one of osmesa, egl-surfaceless, egl-device, egl-gles2, glx, glx-indirect, wgl, none nor a "
        "provider"},
       {{"--context", "egl-gles2"}, "--context egl-gles2 needs --library"},
       {{"--context", "./absent.so"}, "cannot load './absent.so'"},

@@ -48,7 +48,8 @@ struct ProgramJudged {
   bool not_repeated = false;    // the program differed only in the shared context
   double seconds_of_known = 0;  // time spent on a difference without a new cause
 };
-using CampaignEvent = std::variant<CampaignStarted, CandidateStarted, FindingShrank, FindingMade, ProgramJudged>;
+using CampaignEvent =
+    std::variant<CampaignStarted, CandidateStarted, FindingShrank, FindingMade, ProgramJudged>;
 
 // Returns a function that judges the program of a job, and reports ProgramJudged after its findings. It
 // reports CampaignStarted at once. Commands that the implementation does not provide are left out of the

@@ -18,8 +18,8 @@ namespace evalcts {
 
 class Reproduction {
  public:
-  // `implementation`: the implementation under test, which must outlive the object. `write`: called with each C
-  // program, or "#error REASON" if there is none in this style.
+  // `implementation`: the implementation under test, which must outlive the object. `write`: called with each
+  // C program, or "#error REASON" if there is none in this style.
   using Write = std::function<void(const std::string& program)>;
   Reproduction(Implementation& implementation, Write write, gl::CStyle style);
   ~Reproduction();
