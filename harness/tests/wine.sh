@@ -7,10 +7,10 @@ set -euo pipefail
 evalcts=$1 folder=$PWD/build/mingw/results
 fail() { echo "$*" >&2; exit 1; }
 export WINEPREFIX=$PWD/build/mingw/wine WINEDEBUG=-all
-# Workers that start at once would all make the prefix.
-wine wineboot --init 2>/dev/null
 
 cmake --preset mingw >/dev/null
+# Workers that start at once would all make the prefix.
+wine wineboot --init 2>/dev/null
 cmake --build --preset mingw
 (cd build/mingw && cpack)
 rm -rf "$folder" build/mingw/archive
