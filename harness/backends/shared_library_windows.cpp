@@ -19,9 +19,8 @@ std::string file_of(HMODULE module) {
 
 std::string reason(DWORD error) {
   if (error == ERROR_MOD_NOT_FOUND)
-    return "the system finds no file of this name, or not one that it depends on; give the whole path, and "
-           "put "
-           "libraries that it depends on next to it";
+    return "the system finds no file of this name, or not one that it depends on; give the whole path, "
+           "and put libraries that it depends on next to it";
   if (error == ERROR_BAD_EXE_FORMAT) return "it is not a library for 64-bit Windows on x86-64";
   return fmt::format("Windows error {}", error);
 }

@@ -6,8 +6,8 @@
 
 #include <iostream>
 
-#include <evalcts/backends/implementation.h>
 #include <evalcts/cli/places.h>
+#include <evalcts/runner/runner.h>
 #include <evalcts/runner/worker.h>
 
 namespace evalcts::cli {
@@ -17,6 +17,17 @@ std::string why_not(const std::string& implementation) {
   const std::vector<std::string> command = {places().suite_program.string(), "--implementation",
                                             implementation};
   return ask<Description>(command, {"describe", "describe"}, reason) ? std::string() : reason;
+}
+
+void require_own_sources(const ImplementationOptions& implementation) {
+  if (implementation.worker.empty()) return;
+  const std::string suite = places().suite_program.string();
+  std::vector<std::string> command = implementation.words();
+  command.insert(command.begin(), suite);
+  std::string reason;
+  const std::optional<Description> description = ask<Description>(command, {"describe", "describe"}, reason);
+  if (description) reason = why_other_suite(list_tests(suite), *description);
+  if (!reason.empty()) throw CannotStart(reason);
 }
 
 std::vector<std::string> default_implementations() {

@@ -9,6 +9,7 @@
 
 #include <evalcts/backends/implementation.h>
 #include <evalcts/cli/command.h>
+#include <evalcts/cli/default_implementations.h>
 #include <evalcts/cli/places.h>
 #include <evalcts/cli/terminal.h>
 #include <evalcts/fuzz/search.h>
@@ -40,6 +41,7 @@ int fuzz(const FuzzOptions& options) {
       std::ranges::count(implementation_kinds(), implementation.name, &ImplementationKind::name) == 0)
     return wrong_use(
         fmt::format("unknown implementation '{}'; see 'evalcts list implementations'", implementation.name));
+  require_own_sources(implementation);
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
   const FolderLock lock = claim(output, "evalcts fuzz");
   stop_when_asked();

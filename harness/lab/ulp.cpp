@@ -393,6 +393,7 @@ int ulp(const UlpOptions& options) {
   if (!options.events.empty()) return work(options);
   const bool is_default = options.names.empty() && options.common.words().empty();
   const std::vector<ImplementationOptions> implementations = chosen_implementations(options);
+  for (const ImplementationOptions& each : implementations) require_own_sources(each);
   const std::string& mesa = completed(options.common).mesa_build;
   if (!mesa.empty() && !uses_mesa_build(mesa)) {
     use_mesa_build(mesa);

@@ -10,7 +10,7 @@
 #include <windows.h>
 // After windows.h.
 #include <shlwapi.h>
-// Patterns of the shell, without the case of letters: a worker gets names of tests, no patterns.
+// Ignores the case of letters, unlike the function of POSIX. A worker gets names of tests, not patterns.
 constexpr int FNM_NOESCAPE = 0, FNM_EXTMATCH = 0;
 inline int fnmatch(const char* pattern, const char* name, int) {
   return PathMatchSpecA(name, pattern) ? 0 : 1;

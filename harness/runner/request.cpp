@@ -103,10 +103,8 @@ std::vector<std::string> captures_option(const ImplementationRecord& implementat
   return {"--captures", names.empty() ? "none" : fmt::format("{}", fmt::join(names, ","))};
 }
 
-std::string why_other_suite(const RunRequest& request, const Description& description) {
-  if (request.implementation.worker.empty()) return {};
-  const std::string own =
-      suite_id(request.recording.empty() ? list_tests(request.suite_program) : request.tests);
+std::string why_other_suite(const std::vector<ListedTest>& tests, const Description& description) {
+  const std::string own = suite_id(tests);
   if (description.suite == own) return {};
   return fmt::format("the worker is evalcts {}, this is {}; build both from the same sources",
                      description.suite, own);

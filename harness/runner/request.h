@@ -14,10 +14,6 @@ RunResult header_of(const RunRequest& request);
 // Returns the suite program and its options.
 std::vector<std::string> suite_command(const RunRequest& request);
 
-// Returns the reason why the results of a worker cannot be used, because it was built from other sources;
-// empty if they can.
-std::string why_other_suite(const RunRequest& request, const Description& description);
-
 // Adds shell commands to a failure: run this test alone, run it in a debugger, and write it as a C program.
 void add_commands(const RunRequest& request, TestRecord& record);
 

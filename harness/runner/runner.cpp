@@ -72,7 +72,11 @@ class Run {
     const std::optional<Description> description = ask<Description>(
         suite_command(request_), {"describe", "describe"}, result_.reason, log_, limits_of_start_);
     if (!description) return false;
-    result_.reason = why_other_suite(request_, *description);
+    if (!request_.implementation.worker.empty()) {
+      const std::vector<ListedTest> own =
+          request_.recording.empty() ? list_tests(request_.suite_program) : request_.tests;
+      result_.reason = why_other_suite(own, *description);
+    }
     if (!result_.reason.empty()) return false;
     ImplementationRecord& implementation = result_.implementation;
     const ImplementationRecord header = implementation;

@@ -11,6 +11,8 @@
 #include <cstring>
 #include <fstream>
 
+#include <evalcts/runner/child_process.h>
+
 namespace evalcts {
 
 void prepare_process() {
@@ -28,12 +30,7 @@ void prepare_worker() {
   std::ofstream("/proc/self/oom_score_adj") << 1000;
 }
 
-std::uint64_t own_memory() {
-  std::ifstream file("/proc/self/statm");
-  std::uint64_t size = 0, resident = 0;
-  file >> size >> resident;
-  return file ? resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
-}
+std::uint64_t own_memory() { return resident_memory(getpid()); }
 
 std::string start_again(char** arguments) {
   execv("/proc/self/exe", arguments);

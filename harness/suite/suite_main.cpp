@@ -145,12 +145,11 @@ void parse(int argc, char** argv, Options& options) {
       ->take_all();
   app.add_option("--programs", options.programs,
                  "file with the programs of a recording, which take the place of the tests");
-  auto* const events = app.add_option("--events", options.events,
-                                      "run the jobs that standard input has, a line of JSON each, and write "
-                                      "events to this file or pipe, or to "
-                                      "standard output (\"-\"); end when the process that started this one "
-                                      "ends. With the only option --remote, "
-                                      "a worker reads its options from standard input");
+  auto* const events = app.add_option(
+      "--events", options.events,
+      "run the jobs that standard input has, a line of JSON each, and write events to this file or pipe, or "
+      "to standard output (\"-\"); end when the process that started this one ends. With the only option "
+      "--remote, a worker reads its options from standard input");
   app.add_option("--renew-above", options.renew_above,
                  "end after a job if this process uses more memory than this, in MiB")
       ->needs(events);

@@ -359,6 +359,15 @@ TEST_F(CheckRecording, SaysWhatIsRightAndWhatIsWrong) {
   EXPECT_TRUE(contains(reproduced.text, "a sink")) << reproduced.text;  // has no C program
 }
 
+TEST_F(CheckRecording, AWorkerElsewhereGetsThePrograms) {
+  for (const auto& [library, code, words] : {std::tuple{SMALLEST_SINK, 0, ": 0 programs wrong, 3 right\n"},
+                                             {WRONG_SINK, 1, ": 3 programs wrong, 0 right\n"}}) {
+    const Outcome outcome = check({"--library", library, "--worker", EVALCTS_PROGRAM "-suite"});
+    EXPECT_EQ(outcome.code, code) << outcome.text;
+    EXPECT_TRUE(contains(outcome.text, words)) << outcome.text;
+  }
+}
+
 TEST_F(CheckRecording, JudgesSeveralImplementations) {
   const Outcome both = check({"--implementation", "production", "--implementation", "reference"});
   EXPECT_EQ(both.code, 0) << both.text;

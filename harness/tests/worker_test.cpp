@@ -72,9 +72,28 @@ TEST_F(Elsewhere, WhatDoesNotStartIsNamed) {
 }
 
 TEST_F(Elsewhere, AWorkerOfOtherSourcesIsNotUsed) {
-  const Outcome outcome = run("\"$@\" | sed 's/digest [0-9a-f]*/digest 0/'");
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_TRUE(contains(outcome.text, "build both from the same sources"));
+  const std::string other = "\"$@\" | sed 's/digest [0-9a-f]*/digest 0/'";
+  std::vector<Outcome> outcomes = {run(other)};
+  for (const char* const name : {"fuzz", "ulp"})
+    outcomes.push_back(evalcts(
+        {name, "--implementation", "production", "--worker", command(other), "--output", folder_.string()}));
+  for (const Outcome& outcome : outcomes) {
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_TRUE(contains(outcome.text, "build both from the same sources")) << outcome.text;
+  }
+}
+
+TEST_F(Elsewhere, MeasuresTheSameErrors) {
+  std::vector<std::string> ulp = {"ulp",      "--implementation", "production",
+                                  "--filter", "curve/4/ordinary", "--values",
+                                  "500",      "--output",         folder_.string()};
+  EXPECT_EQ(evalcts(ulp).code, 0);
+  const std::string here = text_of("ulp.csv");
+  EXPECT_TRUE(contains(here, "curve/4/ordinary"));
+  ulp.insert(ulp.end(), {"--worker", command("exec \"$@\"")});
+  const Outcome elsewhere = evalcts(ulp);
+  EXPECT_EQ(elsewhere.code, 0) << elsewhere.text;
+  EXPECT_EQ(text_of("ulp.csv"), here);
 }
 
 // Nobody sends a worker elsewhere a signal if it hangs.

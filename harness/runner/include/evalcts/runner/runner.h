@@ -62,6 +62,10 @@ inline constexpr std::size_t kMostRerun = 100;
 // Returns the option of the suite program for the captures that are available: {"--captures", "a,b"}.
 std::vector<std::string> captures_option(const ImplementationRecord& implementation);
 
+// Returns the reason why the answers of a worker cannot be used, because it was built from other sources than
+// this program, which has these tests; empty if they can.
+std::string why_other_suite(const std::vector<ListedTest>& tests, const Description& description);
+
 // Runs the tests, writes results-NAME.json (format "evalcts-results-1") and returns its content. During the
 // run, records-NAME.jsonl in the output folder grows by a line for each test that starts, for each first
 // failing case and for each record, and log-NAME.txt contains the output of the library and the suite. If the
