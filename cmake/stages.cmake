@@ -52,8 +52,9 @@ evalcts_stage(faults 21600 $<TARGET_FILE:evalcts> faults --complete --output ${C
 # No test fails on conforming libraries that differ from the available ones, and typical faults in these are detected.
 evalcts_stage(legal 21600 $<TARGET_FILE:evalcts> faults --legal --output ${CMAKE_BINARY_DIR}/legal)
 
-# The worker for Windows, under Wine.
+# The workers for Windows, under Wine, and for aarch64, under QEMU.
 evalcts_stage(wine 7200 bash harness/tests/wine.sh $<TARGET_FILE:evalcts>)
+evalcts_stage(aarch64-suite 7200 bash harness/tests/aarch64_suite.sh $<TARGET_FILE:evalcts>)
 
 # The pages in the distribution's browser. Selenium is a package of the distribution's Python, and the first Python on the
 # PATH may be another one.
@@ -86,9 +87,12 @@ exit $status")
   set_tests_properties(stage.${stage} PROPERTIES SKIP_RETURN_CODE 77)
 endforeach()
 
-# The preset aarch64 also runs the tests of the library under the emulator.
+# The preset aarch64 also runs the tests of the library under the emulator. The cortex-a53 is an ARMv8.0 processor.
 if(CMAKE_CROSSCOMPILING)
-  evalcts_stage(aarch64 21600 harness/tests/emulated.sh $<TARGET_FILE_DIR:evalcts> ${CMAKE_CROSSCOMPILING_EMULATOR})
+  foreach(processor max cortex-a53)
+    evalcts_stage(aarch64-${processor} 21600 env QEMU_CPU=${processor} bash harness/tests/digest.sh
+      ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:glevaluator_rounding>)
+  endforeach()
 endif()
 
 # The preset coverage reports which lines of the project's own code the tests reach. It ignores the tests themselves and the

@@ -8,7 +8,7 @@
 #     code 0, and the run may have no new failures. The exit code is that of the command, or 77 if the root could not
 #     be made (no network, no such suite, not root).
 #
-# Scripts that source this file get the functions make_root, inside and remove_root; nothing is run.
+# Scripts that source this file get the functions bootstrap, make_root, inside and remove_root; nothing is run.
 
 # Writes this machine's Debian sources with the name of the given suite into the folder, one file for each of apt's two
 # formats. Unstable has neither updates nor a security archive. Archives of other distributions are omitted; if no source
@@ -20,15 +20,20 @@ write_sources() { # suite, folder
     awk -v RS= -v ORS='\n\n' -v suite="$1" 'index($0, "Suites: " suite)' >"$2/sources.sources"
 }
 
-# Makes a clean root of the suite in FOLDER/root, with /proc, /dev, /dev/pts and /dev/shm, and sets $root to it.
-make_root() { # suite, folder
+# Unpacks a root of the suite in FOLDER/root.
+bootstrap() { # suite, folder, option of mmdebstrap...
   local file options=() sources=()
-  root=$2/root
   # The root's apt gets the options with which this machine's apt reaches its sources.
   for file in /etc/apt/apt.conf.d/*; do grep -q '^ *Acquire::' "$file" && options+=("--aptopt=$file"); done
   write_sources "$1" "$2"
   for file in "$2"/sources.{list,sources}; do [[ -s $file ]] && sources+=("$file"); done
-  mmdebstrap --quiet --variant=apt "${options[@]}" "$1" "$root" "${sources[@]}" &&
+  mmdebstrap --quiet "${@:3}" "${options[@]}" "$1" "$2/root" "${sources[@]}"
+}
+
+# Makes a clean root of the suite in FOLDER/root, with /proc, /dev, /dev/pts and /dev/shm, and sets $root to it.
+make_root() { # suite, folder
+  root=$2/root
+  bootstrap "$1" "$2" --variant=apt &&
     mount -t proc proc "$root/proc" &&
     mount --bind /dev "$root/dev" &&
     mount --make-private "$root/dev" && # mounts below it must not appear in this machine's /dev

@@ -79,6 +79,9 @@ std::unique_ptr<ContextMaker> make_glx_contexts(const std::string& library, GlxR
 // Makes contexts of WGL, of Windows. `library`: a path or a name; empty: opengl32.dll. Throws CannotStart.
 std::unique_ptr<ContextMaker> make_wgl_contexts(const std::string& library);
 
+// Makes contexts of CGL, of macOS. `library`: a path; empty: the framework OpenGL. Throws CannotStart.
+std::unique_ptr<ContextMaker> make_cgl_contexts(const std::string& library);
+
 // Loads a provider, a shared library that implements evalcts_provider.h. Throws CannotStart.
 std::unique_ptr<ContextMaker> load_provider(const std::string& path);
 

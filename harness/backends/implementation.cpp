@@ -37,6 +37,7 @@ const Interface kOSMesa = {"osmesa", {"OSMesaCreateContextExt", "OSMesaCreateCon
 const Interface kEgl = {"egl", {"eglGetDisplay"}};
 const Interface kGlx = {"glx", {"glXCreateNewContext"}};
 const Interface kWgl = {"wgl", {"wglCreateContext"}};
+const Interface kCgl = {"cgl", {"CGLCreateContext"}};
 
 bool has_interface(const SharedLibrary& library, const Interface& interface) {
   return std::ranges::any_of(interface.functions,
@@ -63,6 +64,7 @@ const std::vector<NamedContexts>& named_contexts() {
       {"glx-indirect", &kGlx,
        [](Library library) { return make_glx_contexts(library, GlxRendering::kIndirect); }},
       {"wgl", &kWgl, [](Library library) { return make_wgl_contexts(library); }},
+      {"cgl", &kCgl, [](Library library) { return make_cgl_contexts(library); }},
       {"none", nullptr, [](Library) { return make_no_contexts(); }},
   };
   return kAll;
@@ -71,7 +73,7 @@ const std::vector<NamedContexts>& named_contexts() {
 std::string guessed_kind(const std::string& path) {
   const SharedLibrary library(path);
   if (library.exported("evalcts_sink_open")) return "sink";
-  for (const Interface* interface : {&kOSMesa, &kEgl, &kGlx, &kWgl})
+  for (const Interface* interface : {&kOSMesa, &kEgl, &kGlx, &kWgl, &kCgl})
     if (has_interface(library, *interface)) return interface->name;
   if (library.exported("evalcts_provider_open"))
     throw CannotStart(fmt::format("{0} is a provider of contexts: pass it with --context", path));
@@ -79,7 +81,7 @@ std::string guessed_kind(const std::string& path) {
       "{}: choose the interface that creates its contexts with --context ({}, or the path of a provider, see "
       "evalcts_provider.h)",
       fmt::format("{} exports none of OSMesaCreateContext, eglGetDisplay, glXCreateNewContext, "
-                  "wglCreateContext and evalcts_sink_open",
+                  "wglCreateContext, CGLCreateContext and evalcts_sink_open",
                   path),
       fmt::join(context_names(), ", ")));
 }
@@ -154,6 +156,7 @@ const std::vector<ImplementationKind>& implementation_kinds() {
       {"dropin-egl", "the same in front of libEGL, without a window system", "libegl1", false},
       {"dropin-glx", "the same in front of libGL, rendering directly, under an X server", "xvfb", false},
       {"wgl", "the GL of opengl32.dll on Windows, where a worker judges it (--worker)", "", false},
+      {"cgl", "the GL of macOS (never tried), where a worker judges it (--worker)", "", false},
       {"sink", "an evaluator that is not a GL, given with --library", "", false},
   };
   return kKinds;
@@ -178,6 +181,7 @@ std::unique_ptr<Implementation> open_implementation(const ImplementationOptions&
     return make_gl_library(name, make_glx_contexts(options.library, rendering), "");
   }
   if (name == "wgl") return make_gl_library(name, make_wgl_contexts(options.library), "");
+  if (name == "cgl") return make_gl_library(name, make_cgl_contexts(options.library), "");
   if (name == "dropin" || name == "dropin-egl" || name == "dropin-glx")
     return open_dropin(name, options.library);
   if (name == "sink") return open_sink(options.library);

@@ -21,6 +21,7 @@ std::unique_ptr<ContextMaker> make_gles2_contexts() { refuse("EGL"); }
 std::unique_ptr<ContextMaker> make_glx_contexts(const std::string&, GlxRendering, const std::string&) {
   refuse("GLX");
 }
+std::unique_ptr<ContextMaker> make_cgl_contexts(const std::string&) { refuse("CGL"); }
 std::unique_ptr<Implementation> open_dropin(const std::string&, const std::string&) {
   refuse("the drop-in library");
 }

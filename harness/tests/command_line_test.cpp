@@ -59,7 +59,7 @@ TEST_F(CommandLine, ListsAndExplains) {
   const json requirements = parse_json(evalcts({"list", "requirements", "--json"}).text);
   EXPECT_EQ(requirements["requirements"].size(), 401u);
   const json implementations = parse_json(evalcts({"list", "implementations", "--json"}).text);
-  EXPECT_EQ(implementations["implementations"].size(), 11u);
+  EXPECT_EQ(implementations["implementations"].size(), 12u);
   const json coverage = parse_json(evalcts({"coverage", "--json"}).text);
   EXPECT_EQ(coverage["requirements"].size(), 401u);
   EXPECT_TRUE(coverage["problems"].empty());
@@ -537,7 +537,7 @@ TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
   const std::pair<std::vector<std::string>, std::string> contexts[] = {
       {{"--context", "none"}, "--context none needs --library"},
       {{"--context", "nonsense"},
-       "neither one of osmesa, egl-surfaceless, egl-device, egl-gles2, glx, glx-indirect, wgl, none nor a "
+       "neither one of osmesa, egl-surfaceless, egl-device, egl-gles2, glx, glx-indirect, wgl, cgl, none nor a "
        "provider"},
       {{"--context", "egl-gles2"}, "--context egl-gles2 needs --library"},
       {{"--context", "./absent.so"}, "cannot load './absent.so'"},

@@ -4,7 +4,11 @@
 // divided into shards, whose results `merge` sums up to the result of the whole task.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#ifdef _WIN32
+#include <shlwapi.h>
+#else
 #include <fnmatch.h>
+#endif
 #include <glevaluator.h>
 #include <reference/filter.h>
 
@@ -490,9 +494,17 @@ Result digest_item(const Task& task, std::uint64_t item) {
                         std::min(kValuesOfItem, task.values - before));
 }
 
+bool matches(const std::string& pattern, const std::string& name) {
+#ifdef _WIN32
+  return PathMatchSpecA(name.c_str(), pattern.c_str());
+#else
+  return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+#endif
+}
+
 // Returns the number of items of the task in a class; 0: the class does not belong to the task.
 std::uint64_t items_of(const Task& task, const Class& what) {
-  if (fnmatch(task.filter.c_str(), what.name().c_str(), 0) != 0) return 0;
+  if (!matches(task.filter, what.name())) return 0;
   if (task.kind == "check") return (task.values - 1) / CheckItem::arguments(what) + 1;
   if (what.vorder > 0) return 0;
   return static_cast<std::uint64_t>((number_of(task.to) - number_of(task.from)) / kBlock + 1);
