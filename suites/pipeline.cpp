@@ -204,6 +204,10 @@ EVALCTS_TEST(Pipeline, CurrentEdgeFlag, kMust, "EV-ATTR-NOMAPS/1-D",
 
   const Picture control = draw(t, gl::control("explicit vertices"), state, flags);
   require_an_effect(control, draw(t, gl::control("all edges"), state, all_edges));
+  // Mesa's flags of explicit vertices are undefined in feedback, and rarely show.
+  const Picture again = draw(t, gl::control("explicit vertices again"), state, flags);
+  if (!alike(again.values(), control.values(), 0))
+    throw NotObservable("pipeline: explicit vertices have other edges when they are drawn again");
   expect_like_explicit(t, "evaluated", state, evaluated, control.parts.at(0));
 };
 

@@ -28,7 +28,7 @@ def main():
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--except", action="append", default=[], dest="omitted")
     arguments = parser.parse_args()
-    command = [arguments.evalcts, "run", "--depth", "quick", "--no-bugs", "--strict"]
+    command = [arguments.evalcts, "run", "--depth", "quick", "--no-bugs", "--strict", "--timeout", "600"]
     for name in OWN:
         command += ["--implementation", name]
     here, elsewhere = arguments.folder / "here", arguments.folder / "elsewhere"
