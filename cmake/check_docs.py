@@ -40,7 +40,7 @@ NOT_RUN = {
     "vectors.check": "takes a minute: the test vectors.check runs it",
     "vectors.lint": "takes seconds: the test vectors.lint runs it",
     "vectors write": "takes 20 seconds: the test vectors.VectorsCommand.WritesTheShippedFiles runs it",
-    "another machine": "needs another machine, or Wine: the stage wine runs it",
+    "another machine": "needs another machine, Wine or QEMU: the stages wine and aarch64-suite run it",
     "CI services": "needs the environment of a CI service",
     "release": "makes a commit and a tag",
     "bisection": "needs the repository of a library: the test harness.CommandLine.ChecksDecideABisection does the same",

@@ -14,6 +14,7 @@
 
 #include <evalcts/gl/call_in_flight.h>
 #include <evalcts/gl/errors.h>
+#include <evalcts/gl/roles.h>
 #include "pages.h"
 
 namespace evalcts::gl {

@@ -43,7 +43,7 @@ void SuiteProcesses::run_in_parallel(const std::vector<std::string>& tests, cons
             // memory in each context, and a test of thorough depth may need more than half of the
             // limit.
             const std::uint64_t most = std::min(request_.limits.memory / 4, kMostBetweenTests);
-            command.insert(command.end(), {"--renew-above", std::to_string(most >> 20)});
+            command.insert(command.end(), {"--most-growth", std::to_string(most >> 20)});
             if (uses_warm_context()) command.push_back("--warm");
             return command;
           },

@@ -49,7 +49,7 @@ struct Options {
   SessionOptions session;
   std::string depth = "full", events, programs;
   bool is_worker = false;         // runs jobs
-  std::uint64_t renew_above = 0;  // MiB; 0: no limit
+  std::uint64_t most_growth = 0;  // MiB; 0: no limit
   double most_seconds = 0;        // between two events of a job; 0: no limit
 };
 
@@ -150,8 +150,9 @@ void parse(int argc, char** argv, Options& options) {
       "run the jobs that standard input has, a line of JSON each, and write events to this file or pipe, or "
       "to standard output (\"-\"); end when the process that started this one ends. With the only option "
       "--remote, a worker reads its options from standard input");
-  app.add_option("--renew-above", options.renew_above,
-                 "end after a job if this process uses more memory than this, in MiB")
+  app.add_option("--most-growth", options.most_growth,
+                 "end after a job if the memory of this process has grown by more than this since the first "
+                 "job, in MiB")
       ->needs(events);
   app.add_option("--most-seconds", options.most_seconds,
                  "end if a job reports no event for so long, with the command in flight")
@@ -239,8 +240,8 @@ class JobLoop {
       report(JobEnded{});
       set_working(false);
       std::cout.flush();
-      // Another process continues if this one has little memory left, or if the library has closed files.
-      if (events_.was_closed() || (options_.renew_above != 0 && own_memory() > options_.renew_above << 20)) {
+      // Another process continues if this one has grown much, or if the library has closed files.
+      if (events_.was_closed() || has_grown()) {
         std::fflush(stdout);
         _exit(0);
       }
@@ -252,6 +253,14 @@ class JobLoop {
 
  private:
   void report(const Event& event) { events_.write(to_line(event)); }
+
+  // Called after each job. A library may need much memory for its first context.
+  bool has_grown() {
+    if (options_.most_growth == 0) return false;
+    const std::uint64_t now = own_memory();
+    if (memory_after_first_job_ == 0) memory_after_first_job_ = now;
+    return now > memory_after_first_job_ + (options_.most_growth << 20);
+  }
 
   // Returns the subject of jobs that run many programs.
   const Subject& subject_of_programs() {
@@ -316,6 +325,7 @@ class JobLoop {
   std::map<std::string, const TestInfo*> tests_;
   JobReader jobs_;
   std::optional<Subject> of_programs_;
+  std::uint64_t memory_after_first_job_ = 0;  // bytes; 0: no job has ended
   std::chrono::steady_clock::time_point reported_;
   // Each is set by the first job of its kind.
   std::function<fuzz::Reduction(const fuzz::FailingCase&)> reduce_;

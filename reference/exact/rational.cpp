@@ -184,7 +184,9 @@ Rational pow(const Rational& x, unsigned n) {
 std::int64_t floor_log2(const Rational& x) {
   if (x.is_zero()) throw std::domain_error("zero has no logarithm");
   const Integer numerator = abs(x.numerator());
-  const std::int64_t difference = std::int64_t{msb(numerator)} - std::int64_t{msb(x.denominator())};
+  // The type of msb() depends on the version of Boost.
+  const auto difference =
+      static_cast<std::int64_t>(msb(numerator)) - static_cast<std::int64_t>(msb(x.denominator()));
   // numerator/denominator lies in (2^(difference - 1), 2^(difference + 1)).
   const bool reached =
       x.denominator() == 1 || (difference >= 0 ? numerator >= (x.denominator() << difference)
