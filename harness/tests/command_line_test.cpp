@@ -537,8 +537,8 @@ TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
   const std::pair<std::vector<std::string>, std::string> contexts[] = {
       {{"--context", "none"}, "--context none needs --library"},
       {{"--context", "nonsense"},
-       "neither one of osmesa, egl-surfaceless, egl-device, egl-gles2, glx, glx-indirect, wgl, cgl, none nor a "
-       "provider"},
+       "neither one of osmesa, egl-surfaceless, egl-device, egl-gles2, glx, glx-indirect, wgl, cgl, none nor "
+       "a provider"},
       {{"--context", "egl-gles2"}, "--context egl-gles2 needs --library"},
       {{"--context", "./absent.so"}, "cannot load './absent.so'"},
       {{"--context", "libm.so.6"}, "does not export evalcts_provider_open"},
