@@ -96,6 +96,15 @@ TEST_F(Elsewhere, MeasuresTheSameErrors) {
   EXPECT_EQ(text_of("ulp.csv"), here);
 }
 
+// A library that needs much memory from the start must not cost a process for each test.
+TEST(Worker, MemoryOfTheFirstJobIsNoGrowth) {
+  const std::string jobs = R"({"job": "test", "name": "Points.LastIsExact/1-D_U"})";
+  const std::string text = "for i in 1 2 3; do echo '" + jobs + "'; done | " + kSuite +
+                           " --implementation production --depth quick --events - --most-growth 8 2>&1 | "
+                           "grep -c '\"event\":\"result\"' | grep -qx 3";
+  EXPECT_EQ(std::system(text.c_str()), 0);
+}
+
 // Nobody sends a worker elsewhere a signal if it hangs.
 TEST_F(Elsewhere, CrashesAndHangsAreReported) {
   for (const auto& [what, verdict] : {std::pair{"crash", "crash"}, {"hang", "timeout"}}) {
