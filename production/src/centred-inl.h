@@ -120,21 +120,30 @@ EvaluatesRows<Real> rows_function(int m, std::size_t rows) {
   return kOf[rows - 1][m];
 }
 
-// Calls resolve(position) for each undecided position of a row, and stores the results at `to`.
-template <class Resolver>
-HWY_NOINLINE void resolve_row(const Strip<double>& strip, int m, std::size_t count, double y_of_row,
-                              float* to, const Resolver& resolve) {
-  const Vector y = hn::Set(kDoubles, y_of_row);
-  for (std::size_t p = 0; p < count; p += kLanes) {
-    Vector sum = hn::LoadU(kDoubles, strip.power[m] + p);
-    for (int j = m - 1; j > 0; --j) sum = hn::MulAdd(sum, y, hn::LoadU(kDoubles, strip.power[j] + p));
+// Calls resolve(position) for each undecided position of a row, and stores the results at `to`. place_at()
+// returns the places of the curves at a position. Curves repeat after `period` positions.
+template <class PlaceAt, class Resolver>
+HWY_NOINLINE void resolve_row(const Strip<double>& strip, std::size_t period, int degree, std::size_t count,
+                              const PlaceAt& place_at, float* to, const Resolver& resolve) {
+  for (std::size_t p = 0, own = 0; p < count; p += kLanes, own = own + kLanes == period ? 0 : own + kLanes) {
+    const Vector place = place_at(p);
+    Vector sum = hn::LoadU(kDoubles, strip.power[degree] + own);
+    for (int j = degree - 1; j > 0; --j)
+      sum = hn::MulAdd(sum, place, hn::LoadU(kDoubles, strip.power[j] + own));
     const auto end = [&](const double* first) HWY_ATTR {
-      const Vector value = hn::LoadU(kDoubles, first + p);
-      return hn::DemoteTo(kHalves, m == 0 ? value : hn::MulAdd(sum, y, value));
+      const Vector value = hn::LoadU(kDoubles, first + own);
+      return hn::DemoteTo(kHalves, degree == 0 ? value : hn::MulAdd(sum, place, value));
     };
     const Half bits = hn::Xor(end(strip.low), end(strip.high));
     if (HWY_UNLIKELY(!are_zero(bits))) resolve_lanes(bits, p, count, to, resolve);
   }
+}
+// Same for curves in y, which do not repeat.
+template <class Resolver>
+void resolve_row(const Strip<double>& strip, int m, std::size_t count, double y, float* to,
+                 const Resolver& resolve) {
+  const auto place_at = [&](std::size_t) HWY_ATTR { return hn::Set(kDoubles, y); };
+  resolve_row(strip, Strip<double>::kSize, m, count, place_at, to, resolve);
 }
 
 inline void narrow(const Strip<double>& strip, int m, std::size_t count, Strip<float>* to) {
@@ -217,12 +226,12 @@ struct Rows {
 // Evaluates the rows of a strip with `count` values per row. Source computes curves of degree m: compute()
 // those of the strip, and compute_row() those of degree 0 of a row that has its own rounding test. Sink
 // stores rows: begin() returns their memory, and end() is called after each row; resolve() returns a value
-// that its interval does not decide; the values of a column are a multiple of kUnit. With GLEV_FAST, `edges`
+// that its interval does not decide; the values of a column are a multiple of unit(). With GLEV_FAST, `edges`
 // are the first and last column if these are on the boundary. They are correctly rounded: adjacent patches
 // then meet without a crack, because points on the boundary depend only on the exact value.
 template <class Source, class Sink>
-HWY_INLINE void evaluate_strip(const Source& source, const Source& edges, bool has_first, Method method,
-                               int m, const Rows& rows, std::size_t count, Sink& sink) {
+HWY_NOINLINE void evaluate_strip(const Source& source, const Source& edges, bool has_first, Method method,
+                                 int m, const Rows& rows, std::size_t count, Sink& sink) {
   Strip<double> strip, own, edge;
   Strip<float> fast;
   HWY_ALIGN float edge_values[2][2 * 4 * kPatchLanes + kFewestPositions];
@@ -269,8 +278,8 @@ HWY_INLINE void evaluate_strip(const Source& source, const Source& edges, bool h
         };
         round(edges, edge, rows.has_own_edge_test[r], r, next, edge_count, padded_edge, ends, position);
         for (std::size_t i = 0; i < next; ++i) {
-          for (std::size_t p = 0; p < edge_count; p += Sink::kUnit)
-            std::memcpy(to[i] + position(p), ends[i] + p, Sink::kUnit * sizeof(float));
+          for (std::size_t p = 0; p < edge_count; p += sink.unit())
+            std::memcpy(to[i] + position(p), ends[i] + p, sink.unit() * sizeof(float));
         }
       }
     }

@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -143,19 +144,22 @@ struct MeshCurves {
 constexpr std::size_t kMostWideColumns = 512, kMostWideValues = 4 * kMostWideColumns;
 
 // Stores rows, and resolves their values.
-template <int kComponents>
 struct MeshSink {
-  static constexpr std::size_t kUnit = kComponents;
   const PreparedMap& map;
   const MeshRange& range;
   const Destination& to;
+  std::size_t components;
   MeshSink(const PreparedMap& its_map, const MeshRange& its_range, const Destination& its_to)
-      : map(its_map), range(its_range), to(its_to) {}
+      : map(its_map),
+        range(its_range),
+        to(its_to),
+        components(static_cast<std::size_t>(map.surface.components)) {}
 
   std::size_t first_row = 0, first_column = 0, columns = 0;
   bool is_direct = false;
   HWY_ALIGN float values[2][kMostWideValues + kFewestPositions];
 
+  std::size_t unit() const { return components; }
   std::byte* data_of(std::size_t r) const {
     return to.data + (first_row + r) * to.row_stride + first_column * to.stride;
   }
@@ -164,25 +168,31 @@ struct MeshSink {
       row[i] = is_direct ? reinterpret_cast<float*>(data_of(r + i)) : values[i];
   }
   void end(std::size_t r, const float* row) const {
-    if (!is_direct) scatter<kComponents>(row, columns, to, data_of(r));
+    if (!is_direct) scatter(components, row, columns, to, data_of(r));
   }
   float resolve(std::size_t r, std::size_t p) const {
-    return glev::resolve(map, static_cast<int>(p % kComponents), range.u_of(first_column + p / kComponents),
+    return glev::resolve(map, static_cast<int>(p % components), range.u_of(first_column + p / components),
                          range.v_of(first_row + r));
   }
 };
 
-// Evaluates a row by Horner's rule in x. `row` has the coefficients of x^i of kWidth columns, and `x` that of
-// each position. Calls resolve(position) for values that their interval does not decide; floats have none.
-template <int kComponents, class Real, int kDegree, class Resolver>
-void evaluate_wide_row(const Strip<Real>& row, const Real* x, std::size_t count, float* to,
-                       const Resolver& resolve) {
+template <class Real>
+constexpr std::size_t kWideLanes = hn::MaxLanes(hn::CappedTag<Real, kMostLanes<Real>>());
+// The number of vectors after which the order of components repeats.
+template <class Real>
+constexpr std::size_t wide_period(std::size_t components) {
+  return components / std::gcd(components, kWideLanes<Real>);
+}
+
+// Evaluates a row by Horner's rule in x. `row` has the coefficients of x^i of kPeriod vectors, and `x` that
+// of each position. The results are ends of intervals; floats have none. Returns true if both ends of all
+// intervals round to the same float.
+template <class Real, int kDegree, std::size_t kPeriod>
+bool evaluate_wide_row(const Strip<Real>& row, const Real* x, std::size_t count, float* to) {
   constexpr bool kIntervals = sizeof(Real) == sizeof(double);
   constexpr hn::CappedTag<Real, kMostLanes<Real>> kTag;
   constexpr hn::Rebind<float, decltype(kTag)> kResults;
-  constexpr std::size_t kWidth = hn::MaxLanes(kTag);
-  // The number of vectors after which the order of components repeats.
-  constexpr std::size_t kPeriod = kComponents / std::gcd(std::size_t{kComponents}, kWidth);
+  constexpr std::size_t kWidth = kWideLanes<Real>;
   using Values = hn::Vec<decltype(kTag)>;
   using Results = hn::Vec<decltype(kResults)>;
   Values power[kDegree + 1][kPeriod], first[2][kPeriod];
@@ -219,31 +229,42 @@ void evaluate_wide_row(const Strip<Real>& row, const Real* x, std::size_t count,
     hn::StoreU(value, kResults, last);
     std::memcpy(to + p, last, std::min(kWidth, count - p) * sizeof(float));
   }
-  if (HWY_LIKELY(!kIntervals || are_zero(open))) return;
-  for (p = 0; p < count; p += kWidth) {
-    const Results bits = evaluate(p, p / kWidth % kPeriod, &value);
-    if (!are_zero(bits)) resolve_lanes(bits, p, count, to, resolve);
-  }
+  return !kIntervals || are_zero(open);
 }
 
-// Computes the coefficients of a row for evaluate_wide_row().
-template <int kComponents, class Real, int kDegree>
-HWY_INLINE void repeat_row(const MeshCurves::Row& row, Strip<Real>* strip) {
-  constexpr std::size_t kWidth = hn::MaxLanes(hn::CappedTag<Real, kMostLanes<Real>>());
-  const auto repeat = [](FourVector value, std::size_t part, Real* to) HWY_ATTR {
-    for (std::size_t c = 0; c < kWidth; ++c) {
+template <class Real>
+using EvaluatesWideRow = bool (*)(const Strip<Real>& row, const Real* x, std::size_t count, float* to);
+template <class Real, std::size_t kComponents>
+constexpr std::array<EvaluatesWideRow<Real>, kMaxCentredDegree> wide_row_functions() {
+  constexpr std::size_t kPeriod = wide_period<Real>(kComponents);
+  return {evaluate_wide_row<Real, 1, kPeriod>, evaluate_wide_row<Real, 2, kPeriod>,
+          evaluate_wide_row<Real, 3, kPeriod>};
+}
+// Returns the function for rows of curves of degree n.
+template <class Real>
+EvaluatesWideRow<Real> wide_row_function(int n, std::size_t components) {
+  constexpr std::array<EvaluatesWideRow<Real>, kMaxCentredDegree> kOf[] = {
+      wide_row_functions<Real, 1>(), wide_row_functions<Real, 2>(), wide_row_functions<Real, 3>(),
+      wide_row_functions<Real, 4>()};
+  return kOf[components - 1][static_cast<std::size_t>(n) - 1];
+}
+
+// Computes the coefficients of a row of curves of degree n for evaluate_wide_row().
+template <class Real>
+HWY_INLINE void repeat_row(const MeshCurves::Row& row, int n, std::size_t components, Strip<Real>* strip) {
+  const auto repeat = [&](FourVector value, std::size_t part, Real* to) HWY_ATTR {
+    for (std::size_t c = 0; c < kWideLanes<Real>; ++c) {
       // The values behind the last component are overwritten by the next column.
       if constexpr (sizeof(Real) == sizeof(double)) {
-        hn::StoreU(value, kFour, to + c * kComponents + part);
+        hn::StoreU(value, kFour, to + c * components + part);
       } else {
-        hn::StoreU(hn::DemoteTo(kFourFloats, value), kFourFloats, to + c * kComponents + part);
+        hn::StoreU(hn::DemoteTo(kFourFloats, value), kFourFloats, to + c * components + part);
       }
     }
   };
   for (std::size_t part = 4; part-- > 0;) {
     if (part % hn::MaxLanes(kFour) != 0) continue;
-    for (int i = 0; i <= kDegree; ++i)
-      repeat(hn::Load(kFour, row.power + 4 * i + part), part, strip->power[i]);
+    for (int i = 0; i <= n; ++i) repeat(hn::Load(kFour, row.power + 4 * i + part), part, strip->power[i]);
     if constexpr (sizeof(Real) == sizeof(double)) {
       const FourVector value = hn::Load(kFour, row.power + part),
                        error = hn::LoadU(kFour, &row.test.error[part]);
@@ -254,11 +275,11 @@ HWY_INLINE void repeat_row(const MeshCurves::Row& row, Strip<Real>* strip) {
 }
 
 // Repeats the x of each column for each component.
-template <int kComponents, class Real>
-HWY_INLINE void repeat_places(const double* x, std::size_t columns, Real* to) {
+template <class Real>
+HWY_INLINE void repeat_places(const double* x, std::size_t columns, std::size_t components, Real* to) {
   constexpr hn::CappedTag<Real, 4> kTag;
-  for (std::size_t c = 0; c < columns; ++c, to += kComponents) {
-    for (std::size_t k = 0; k < kComponents; k += hn::MaxLanes(kTag))
+  for (std::size_t c = 0; c < columns; ++c, to += components) {
+    for (std::size_t k = 0; k < components; k += hn::MaxLanes(kTag))
       hn::StoreU(hn::Set(kTag, static_cast<Real>(x[c])), kTag, to + k);
   }
 }
@@ -266,22 +287,23 @@ HWY_INLINE void repeat_places(const double* x, std::size_t columns, Real* to) {
 // Evaluates the rows of a strip of a large mesh, one by one, as curves in x: the curves of all columns would
 // take too long if a range has few rows. `special`: the columns, with the numbers `at`, that have the tests
 // of curves in y, because they are on lines or on the boundary.
-template <int kComponents, int kDegree>
-HWY_NOINLINE void evaluate_wide_strip(const MeshCurves& curves, const MeshCurves& special,
-                                      const std::size_t* at, bool is_fast, const Rows& rows,
-                                      MeshSink<kComponents>& sink) {
-  const int m = curves.map.surface.degree[1];
-  const std::size_t count = curves.columns * kComponents, special_count = special.columns * kComponents,
+HWY_NOINLINE inline void evaluate_wide_strip(const MeshCurves& curves, const MeshCurves& special,
+                                             const std::size_t* at, bool is_fast, const Rows& rows,
+                                             MeshSink& sink) {
+  const auto [n, m] = curves.map.surface.degree;
+  const std::size_t components = sink.components, count = curves.columns * components,
+                    special_count = special.columns * components,
                     padded = std::max(special_count, kFewestPositions);
+  const auto evaluate = wide_row_function<double>(n, components);
+  const auto evaluate_fast = wide_row_function<float>(n, components);
   HWY_ALIGN double places[kMostWideValues + kFewestPositions];
   HWY_ALIGN float fast_places[kMostWideValues + kFewestPositions];
   Strip<double> strip, row, own;
   Strip<float> fast_row;
   const auto repeat = [&](auto* to) HWY_ATTR {
-    repeat_places<kComponents>(curves.x, curves.columns, to);
+    repeat_places(curves.x, curves.columns, components, to);
     // The values of special columns are replaced. They must not be undecided.
-    for (std::size_t i = 0; i < special.columns; ++i)
-      std::fill_n(to + at[i] * kComponents, kComponents, 0.3F);
+    for (std::size_t i = 0; i < special.columns; ++i) std::fill_n(to + at[i] * components, components, 0.3F);
     std::fill_n(to + count, kFewestPositions, 0.3F);
   };
   if (is_fast) repeat(fast_places);
@@ -296,18 +318,19 @@ HWY_NOINLINE void evaluate_wide_strip(const MeshCurves& curves, const MeshCurves
     float* to;
     sink.begin(r, 1, &to);
     if (is_fast && !rows.has_own_test[r]) {
-      repeat_row<kComponents, float, kDegree>(values, &fast_row);
-      evaluate_wide_row<kComponents, float, kDegree>(fast_row, fast_places, count, to, resolve);
+      repeat_row(values, n, components, &fast_row);
+      evaluate_fast(fast_row, fast_places, count, to);
     } else {
-      repeat_row<kComponents, double, kDegree>(values, &row);
-      evaluate_wide_row<kComponents, double, kDegree>(row, places, count, to, resolve);
+      repeat_row(values, n, components, &row);
+      if (HWY_UNLIKELY(!evaluate(row, places, count, to))) {
+        const auto place_at = [&](std::size_t p) HWY_ATTR { return hn::Load(kDoubles, places + p); };
+        resolve_row(row, wide_period<double>(components) * kLanes, n, count, place_at, to, resolve);
+      }
     }
     if (special_count != 0) {
-      float ends[8 * kComponents + kFewestPositions];
+      float ends[8 * 4 + kFewestPositions];
       float* const to_ends[1] = {ends};
-      const auto position = [&](std::size_t p) {
-        return at[p / kComponents] * kComponents + p % kComponents;
-      };
+      const auto position = [&](std::size_t p) { return at[p / components] * components + p % components; };
       const bool is_on_line = rows.has_own_edge_test[r];
       if (is_on_line) special.compute_row(rows.y[r], &own);
       const bool is_settled = is_on_line
@@ -316,8 +339,8 @@ HWY_NOINLINE void evaluate_wide_strip(const MeshCurves& curves, const MeshCurves
       if (HWY_UNLIKELY(!is_settled))
         resolve_row(is_on_line ? own : strip, is_on_line ? 0 : m, special_count, rows.y[r], ends,
                     [&](std::size_t p) { return resolve(position(p)); });
-      for (std::size_t p = 0; p < special_count; p += kComponents)
-        std::memcpy(to + position(p), ends + p, kComponents * sizeof(float));
+      for (std::size_t p = 0; p < special_count; p += components)
+        std::memcpy(to + position(p), ends + p, components * sizeof(float));
     }
     sink.end(r, to);
   }
@@ -329,9 +352,8 @@ HWY_NOINLINE void evaluate_wide_strip(const MeshCurves& curves, const MeshCurves
 // In units of 2^-24 max|R|, the errors with `fast` are 2.5 of coefficients, whose magnitudes have a sum of at
 // most 2.5 max|R|, 3 of y, and 7.5 of the sums, or twice that without fused operations. So the bound of
 // GLEV_FAST, 6 (n + m) + 12, holds.
-template <int kComponents>
-bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,
-                           double* x) {
+inline bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, bool fast,
+                                  const Destination& to, double* x) {
   const auto [n, m] = map.surface.degree;
   if (n == 0 || map.centred == nullptr) return false;
   // The ends of intervals are compared as bits, and NaNs could be equal. (If the first and last column are
@@ -347,7 +369,7 @@ bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, bool 
   bool is_exact = true;
   const int bits_of_arguments =
       n * bits_of_places(domain_u, range.u) + (m == 0 ? 0 : m * bits_of_places(domain_v, range.v));
-  for (int k = 0; k < kComponents; ++k) {
+  for (int k = 0; k < map.surface.components; ++k) {
     double& error = curves.test.error[static_cast<std::size_t>(k)];
     if (map.centred_bits[k] + bits_of_arguments <= kExactBits) error = 0;
     is_exact = is_exact && error == 0;
@@ -368,8 +390,9 @@ bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, bool 
   // The boundary of a curve consists of its ends.
   const bool has_ends_v = is_fast && to.row_stride != 0;
 
-  const std::size_t most_columns = is_wide ? kMostWideColumns : kMostPositions / kComponents;
-  MeshSink<kComponents> sink(map, range, to);
+  MeshSink sink(map, range, to);
+  const std::size_t most_columns = is_wide ? kMostWideColumns : kMostPositions / sink.components;
+  const bool packed = is_packed(sink.components, to);
   Rows rows;
   for (std::size_t r0 = 0; r0 < range.rows; r0 += Rows::kMost) {
     rows.count = std::min(Rows::kMost, range.rows - r0);
@@ -383,15 +406,12 @@ bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, bool 
       sink.columns = std::min(most_columns, range.columns - c0);
       curves.choose(x + c0, range.u, range.u_of(c0).index, sink.columns);
       sink.first_column = c0;
-      const std::size_t count = sink.columns * kComponents;
-      sink.is_direct = is_packed<kComponents>(to) && (is_wide || count >= kFewestPositions);
+      const std::size_t count = sink.columns * sink.components;
+      sink.is_direct = packed && (is_wide || count >= kFewestPositions);
       const bool is_first = has_first && c0 == 0, is_last = has_last && c0 + sink.columns == range.columns;
       const double ends[2] = {is_first ? x[0] : x[last], x[last]};
       MeshCurves edges = curves;
       if (is_wide) {
-        constexpr decltype(&evaluate_wide_strip<kComponents, 1>) kOf[kMaxCentredDegree] = {
-            evaluate_wide_strip<kComponents, 1>, evaluate_wide_strip<kComponents, 2>,
-            evaluate_wide_strip<kComponents, 3>};
         std::size_t at[5], special = 0;
         double places[5];
         const auto add = [&](std::size_t column) { at[special++] = column; };
@@ -400,7 +420,7 @@ bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, bool 
         for (std::size_t line = 0; line < curves.lines.count && !is_fast; ++line) add(curves.lines.at[line]);
         for (std::size_t i = 0; i < special; ++i) places[i] = curves.x[at[i]];
         edges.choose_lines(places, special);
-        kOf[n - 1](curves, edges, at, is_fast, rows, sink);
+        evaluate_wide_strip(curves, edges, at, is_fast, rows, sink);
         continue;
       }
       edges.choose_lines(ends, is_first && is_last && last != 0 ? 2 : is_first || is_last ? 1 : 0);

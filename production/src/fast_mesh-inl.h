@@ -60,7 +60,7 @@ bool evaluate_fast_inside(const PreparedMap& map, const MeshRange& range, const 
   double* const s = t + padded;
   auto* const weights = reinterpret_cast<float*>(s + padded);
   compute_fast_weights(map.surface.domain[0], range, n, padded, t, s, weights);
-  const bool packed = is_packed<kComponents>(to);
+  const bool packed = is_packed(kComponents, to);
   for (std::size_t r = 0; r < range.rows; ++r) {
     double row[4 * kMaxOrder];
     compute_fast_row<kComponents>(map, range, r, row);

@@ -34,11 +34,9 @@ namespace glev::HWY_NAMESPACE {
 
 template <int kComponents>
 void evaluate_mesh_of(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,
-                      std::byte* scratch) {
-  auto* const doubles = reinterpret_cast<double*>(scratch);
-  if (evaluate_centred_mesh<kComponents>(map, range, fast, to, doubles)) return;
-  if (fast && evaluate_fast_mesh<kComponents>(map, range, to, doubles)) return;
-  evaluate_rounded_mesh<kComponents>(map, range, to, doubles);
+                      double* scratch) {
+  if (fast && evaluate_fast_mesh<kComponents>(map, range, to, scratch)) return;
+  evaluate_rounded_mesh<kComponents>(map, range, to, scratch);
 }
 
 void evaluate_curve(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to) {
@@ -71,7 +69,9 @@ void evaluate_mesh(const PreparedMap& map, const MeshRange& range, bool fast, co
                    std::byte* scratch) {
   constexpr decltype(&evaluate_mesh_of<1>) kOf[] = {evaluate_mesh_of<1>, evaluate_mesh_of<2>,
                                                     evaluate_mesh_of<3>, evaluate_mesh_of<4>};
-  kOf[map.surface.components - 1](map, range, fast, to, scratch);
+  auto* const values = reinterpret_cast<double*>(scratch);
+  if (!evaluate_centred_mesh(map, range, fast, to, values))
+    kOf[map.surface.components - 1](map, range, fast, to, values);
 }
 
 bool evaluate_double_mesh(const PreparedMap& map, const MeshRange& range, const Destination& to,

@@ -119,7 +119,7 @@ void evaluate_fast_bicubic_surfaces(const PreparedMap& map, const Input& input_u
   float points[kOrder * kOrder * kComponents];
   for (int i = 0; i < kOrder * kOrder * kComponents; ++i)
     points[i] = static_cast<float>(map.surface.scaled[i]);
-  const bool packed = is_packed<kComponents>(to);
+  const bool packed = is_packed(kComponents, to);
   for (std::size_t begin = 0; begin < count; begin += kStep) {
     const std::size_t part_count = std::min(kStep, count - begin);
     Whole weights_u[kOrder], weights_v[kOrder];

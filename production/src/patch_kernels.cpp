@@ -61,13 +61,13 @@ struct OfPatches {
 
 // One component of the patches: the coefficients of x^i y^j, and the bound on the error of values. A value is
 // correctly rounded if value - error and value + error round to the same float.
-template <int kDegree>
 struct Component {
-  OfPatches power[kMostValues];  // that of x^i y^j has number j * (kDegree + 1) + i
+  OfPatches power[kMostValues];  // that of x^i y^j has number j * (n + 1) + i
   OfPatches error, line_error;   // line_error: along lines, 0 in patches that Horner's rule does not round
 
   // `step`: distance between control points, in units of kPatchLanes values. Returns the patches that have
   // bounds, for GLEV_FAST if `fast`.
+  template <int kDegree>
   HWY_INLINE hn::Mask<Doubles> set(const double* net, std::size_t step, const PatchBlock& block,
                                    std::size_t h) {
     const int m = block.degree[1];
@@ -142,29 +142,44 @@ struct Component {
 };
 
 // The curves of some columns of the patches.
-template <int kDegree>
 struct PatchCurves {
-  const Component<kDegree>* component;
+  const Component* component;
   std::size_t components;
-  int m;
+  int n, m;
   bool has_lines;
   const double* x = nullptr;
   std::size_t columns = 0;
 
   HWY_INLINE void choose(const double* places, std::size_t count) { x = places, columns = count; }
 
-  HWY_INLINE void compute(bool has_ends, Strip<double>* strip) const {
-    for (std::size_t k = 0; k < components; ++k) {
-      const Component<kDegree>& own = component[k];
-      for (int j = 0; j <= m; ++j) compute_power(own.power + j * (kDegree + 1), j, k, strip);
-      if (has_ends) set_ends(own.error, own.line_error, m, k, strip);
+  void compute(bool has_ends, Strip<double>* strip) const {
+    constexpr decltype(&compute_of<1>) kOf[kMaxCentredDegree] = {compute_of<1>, compute_of<2>, compute_of<3>};
+    kOf[n - 1](*this, has_ends, strip);
+  }
+  void compute_row(double y, Strip<double>* strip) const {
+    constexpr decltype(&compute_row_of<1>) kOf[kMaxCentredDegree] = {compute_row_of<1>, compute_row_of<2>,
+                                                                     compute_row_of<3>};
+    kOf[n - 1](*this, y, strip);
+  }
+
+ private:
+  // The curves are passed by value, so that the compiler keeps their members in registers between stores.
+  template <int kDegree>
+  static void compute_of(PatchCurves curves, bool has_ends, Strip<double>* strip) {
+    for (std::size_t k = 0; k < curves.components; ++k) {
+      const Component& own = curves.component[k];
+      for (int j = 0; j <= curves.m; ++j)
+        curves.compute_power<kDegree>(own.power + j * (kDegree + 1), j, k, strip);
+      if (has_ends) curves.set_ends(own.error, own.line_error, curves.m, k, strip);
     }
   }
 
-  HWY_INLINE void compute_row(double y_of_row, Strip<double>* strip) const {
+  template <int kDegree>
+  static void compute_row_of(PatchCurves curves, double y_of_row, Strip<double>* strip) {
+    const int m = curves.m;
     const Vector y = hn::Set(kDoubles, y_of_row);
-    for (std::size_t k = 0; k < components; ++k) {
-      const Component<kDegree>& own = component[k];
+    for (std::size_t k = 0; k < curves.components; ++k) {
+      const Component& own = curves.component[k];
       OfPatches row[kDegree + 1], error = own.error;
       for (std::size_t h = 0; h < kHalvesOfLanes; ++h) {
         auto is_constant = is_zero(hn::Zero(kDoubles));
@@ -177,16 +192,16 @@ struct PatchCurves {
         if (is_line(y_of_row))
           error.store(hn::IfThenElse(is_constant, own.line_error.load(h), own.error.load(h)), h);
       }
-      compute_power(row, 0, k, strip);
-      set_ends(error, is_line(y_of_row) ? own.line_error : error, 0, k, strip);
+      curves.compute_power<kDegree>(row, 0, k, strip);
+      curves.set_ends(error, is_line(y_of_row) ? own.line_error : error, 0, k, strip);
     }
   }
 
- private:
   std::size_t position(std::size_t column, std::size_t k, std::size_t h) const {
     return (column * components + k) * kPatchLanes + h * kLanes;
   }
 
+  template <int kDegree>
   HWY_INLINE void compute_power(const OfPatches* coefficient, int j, std::size_t k,
                                 Strip<double>* strip) const {
     for (std::size_t h = 0; h < kHalvesOfLanes; ++h) {
@@ -273,22 +288,16 @@ HWY_INLINE void transpose_all(const float* values, std::size_t count, float* con
   }
 }
 
-template <int kComponents>
-void write_elements(const float* values, std::size_t count, const Destination& to, std::byte* data) {
-  scatter<kComponents>(values, count, to, data);
-}
-
 // Collects rows of a strip, and writes them to the patches.
 class PatchSink {
  public:
-  static constexpr std::size_t kUnit = kPatchLanes;
-
   explicit PatchSink(const PatchBlock& block)
       : block_(block), components_(static_cast<std::size_t>(block.components)) {
     const Destination& to = block.to;
     is_packed_ = to.components == block.components && to.stride == components_ * sizeof(float);
   }
 
+  static constexpr std::size_t unit() { return kPatchLanes; }
   void start(std::size_t first_row, std::size_t first_column, std::size_t columns) {
     first_row_ = first_row, first_column_ = first_column, columns_ = columns;
     first_ = count_ = 0;
@@ -306,8 +315,6 @@ class PatchSink {
   }
 
   HWY_INLINE void flush() {
-    constexpr decltype(&write_elements<1>) kWrite[] = {write_elements<1>, write_elements<2>,
-                                                       write_elements<3>, write_elements<4>};
     const Destination& to = block_.to;
     const bool joins_rows = is_packed_ && to.row_stride == columns_ * to.stride;
     const std::size_t parts = joins_rows ? 1 : count_, elements = joins_rows ? count_ * columns_ : columns_;
@@ -321,7 +328,7 @@ class PatchSink {
       }
       transpose_all(values_ + part * row_values(), elements * components_, at);
       for (std::size_t p = 0; p < block_.patches && !is_packed_; ++p)
-        kWrite[components_ - 1](packed_[p], elements, to, data + p * block_.patch_stride);
+        scatter(components_, packed_[p], elements, to, data + p * block_.patch_stride);
     }
     count_ = 0;
   }
@@ -341,28 +348,39 @@ class PatchSink {
   HWY_ALIGN float packed_[kPatchLanes][kMostValues / kPatchLanes];
 };
 
-// Evaluates patches. Returns the undecided ones as bits.
+// Sets the components. Returns the patches without bounds as bits.
 template <int kDegree>
-unsigned evaluate(const PatchBlock& block) {
+unsigned set_components(const PatchBlock& block, Component* component, bool* is_exact) {
   const auto components = static_cast<std::size_t>(block.components);
-  const int m = block.degree[1];
-  Component<kDegree> component[4];
   unsigned left = 0;
-  bool is_exact = true;
+  bool exact = true;
   for (std::size_t h = 0; h < kHalvesOfLanes; ++h) {
     auto is_claimed = is_zero(hn::Zero(kDoubles));
     for (std::size_t k = 0; k < components; ++k) {
-      is_claimed = hn::And(is_claimed,
-                           component[k].set(block.net + k * kPatchLanes + h * kLanes, components, block, h));
-      is_exact = is_exact && hn::AllTrue(kDoubles, is_zero(component[k].error.load(h)));
+      const double* const net = block.net + k * kPatchLanes + h * kLanes;
+      is_claimed = hn::And(is_claimed, component[k].set<kDegree>(net, components, block, h));
+      exact = exact && hn::AllTrue(kDoubles, is_zero(component[k].error.load(h)));
     }
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(kDoubles, hn::Not(is_claimed), bits);
     left |= static_cast<unsigned>(bits[0]) << (h * kLanes);
   }
+  *is_exact = exact;
+  return left;
+}
+
+// Evaluates patches. Returns the undecided ones as bits.
+unsigned evaluate(const PatchBlock& block) {
+  const auto components = static_cast<std::size_t>(block.components);
+  const auto [n, m] = block.degree;
+  constexpr decltype(&set_components<1>) kSet[kMaxCentredDegree] = {set_components<1>, set_components<2>,
+                                                                    set_components<3>};
+  Component component[4];
+  bool is_exact;
+  const unsigned left = kSet[n - 1](block, component, &is_exact);
   const Method method = block.fast ? Method::kFast : is_exact ? Method::kExact : Method::kIntervals;
   const std::size_t most_columns = kMostPositions / (components * kPatchLanes), last = block.columns - 1;
-  PatchCurves<kDegree> curves = {component, components, m, block.has_lines};
+  PatchCurves curves = {component, components, n, m, block.has_lines};
   PatchSink sink(block);
   Rows rows;
   for (std::size_t r0 = 0; r0 < block.rows; r0 += Rows::kMost) {
@@ -374,7 +392,7 @@ unsigned evaluate(const PatchBlock& block) {
       const bool is_first = block.fast && c0 == 0,
                  is_last = block.fast && c0 + curves.columns == block.columns;
       const double ends[2] = {is_first ? block.x[0] : block.x[last], block.x[last]};
-      PatchCurves<kDegree> edges = curves;
+      PatchCurves edges = curves;
       edges.choose(ends, is_first && is_last && last != 0 ? 2 : is_first || is_last ? 1 : 0);
       sink.start(r0, c0, curves.columns);
       evaluate_strip(curves, edges, is_first, method, m, rows, curves.columns * components * kPatchLanes,
@@ -387,11 +405,7 @@ unsigned evaluate(const PatchBlock& block) {
 
 }  // namespace patches
 
-unsigned evaluate_patches(const PatchBlock& block) {
-  constexpr decltype(&patches::evaluate<1>) kOf[kMaxCentredDegree] = {
-      patches::evaluate<1>, patches::evaluate<2>, patches::evaluate<3>};
-  return kOf[block.degree[0] - 1](block);
-}
+unsigned evaluate_patches(const PatchBlock& block) { return patches::evaluate(block); }
 
 }  // namespace glev::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -18,11 +18,10 @@ HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
 // Returns true if points can be stored contiguously. Single floats must be aligned for this.
-template <int kComponents>
-bool is_packed(const Destination& to) {
+HWY_INLINE bool is_packed(std::size_t components, const Destination& to) {
   const bool is_aligned =
       reinterpret_cast<std::uintptr_t>(to.data) % alignof(float) == 0 && to.row_stride % alignof(float) == 0;
-  return to.components == kComponents && to.stride == kComponents * sizeof(float) &&
+  return to.components == static_cast<int>(components) && to.stride == components * sizeof(float) &&
          (kLanes > 1 || is_aligned);
 }
 
@@ -39,6 +38,13 @@ HWY_NOINLINE void scatter(const float* values, std::size_t count, const Destinat
       std::memcpy(data + k * sizeof(float), &missing, sizeof missing);
     }
   }
+}
+
+// Same for a number of components that is no constant.
+inline void scatter(std::size_t components, const float* values, std::size_t count, const Destination& to,
+                    std::byte* data) {
+  constexpr decltype(&scatter<1>) kOf[] = {scatter<1>, scatter<2>, scatter<3>, scatter<4>};
+  kOf[components - 1](values, count, to, data);
 }
 
 // Stores kStep points without padding.
@@ -66,7 +72,7 @@ class Writer {
 
   Writer(const PreparedMap::Test& test, const Destination& to, std::byte* data) : to_(to), data_(data) {
     for (int k = 0; k < kComponents; ++k) error_[k] = hn::Set(kDoubles, test.error[k]);
-    is_packed_ = is_packed<kComponents>(to);
+    is_packed_ = is_packed(kComponents, to);
   }
 
   HWY_INLINE Rounded round(const Vector (&value)[kUnroll][kComponents]) const {
