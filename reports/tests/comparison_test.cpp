@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <regex>
 #include <sstream>
 
 #include "comparison.h"
@@ -372,6 +371,28 @@ Tests that no implementation fails are left out.
 )");
 }
 
+// Removes code spans: text between a run of backticks and the next run of the same length in the same line.
+std::string without_code(const std::string& page) {
+  const auto run_at = [&](std::size_t at) {
+    return std::min(page.find_first_not_of('`', at), page.size()) - at;
+  };
+  std::string outside;
+  for (std::size_t at = 0; at < page.size();) {
+    const std::size_t run = run_at(at);
+    if (run == 0) {
+      outside += page[at++];
+      continue;
+    }
+    std::size_t end = at + run;
+    while (end < page.size() && page[end] != '\n' && run_at(end) != run)
+      end += std::max(run_at(end), std::size_t{1});
+    const bool is_span = end < page.size() && page[end] == '`';
+    if (!is_span) outside.append(run, '`');
+    at = is_span ? end + run : at + run;
+  }
+  return outside;
+}
+
 // Text of a record is in code spans only, and adds no bars to a table.
 TEST(Markdown, HostileTextStaysInCode) {
   json record = hostile_record();
@@ -380,9 +401,7 @@ TEST(Markdown, HostileTextStaysInCode) {
   record["tests"][0]["name"] = text;
   record["tests"][0]["message"] = "`";
   const std::string page = markdown_of({record}, {record});
-  // Text between a run of backticks and the next run of the same length is code.
-  const std::string outside =
-      std::regex_replace(page, std::regex("(^|[^`])(`+)([^`]|[^`][^\\n]*?[^`])\\2(?!`)"), "$1CODE");
+  const std::string outside = without_code(page);
   for (const char* part : {"@", "<", "[", "`", "script", "heading", "code"})
     EXPECT_FALSE(contains(outside, part)) << part << "\n" << outside;
   std::istringstream lines(page);
