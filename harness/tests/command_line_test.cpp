@@ -681,8 +681,9 @@ TEST_F(CommandLine, ExamplesOfKnownBugsShowThem) {
                                  is_indirect ? "-lX11" : "-lEGL", "-lGL"});
     ASSERT_EQ(built.code, 0) << bug.id << built.text;
     const std::string driver = bug.affects.renderer.empty() ? "llvmpipe" : bug.affects.renderer;
-    const Outcome run = is_indirect ? start({"/bin/sh", "-c", kWithIndirectGlx, program})
-                                    : start({"/usr/bin/env", "GALLIUM_DRIVER=" + driver, program});
+    const Outcome run = is_indirect
+                            ? start({"/bin/sh", "-c", kWithIndirectGlx, program})
+                            : start({"/usr/bin/env", "GALLIUM_DRIVER=" + driver, "timeout", "60", program});
     const std::string version = run.text.substr(0, run.text.find('\n'));
     if (run.code == 2 || !contains(version, bug.affects.renderer)) continue;
     const auto is_one_of = [&](const std::vector<std::string>& versions) {
