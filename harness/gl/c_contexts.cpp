@@ -1,5 +1,5 @@
-// The C code that makes contexts, for each kind of context: OSMesa, EGL, a provider, a sink, libglevaluator,
-// or none.
+// The C code that makes contexts, for each kind of context: OSMesa, EGL, WGL, a provider, a sink,
+// libglevaluator, or none.
 #include "c_contexts.h"
 
 #include <fmt/format.h>
@@ -94,17 +94,7 @@ constexpr char kDisplay[] =
   }
 )";
 
-constexpr char kEgl[] = R"(
-/* EGL without a surface: a framebuffer object of 64x64 pixels with colour, depth and stencil. */
-static void *display, *config, *contexts[MOST_CONTEXTS];
-
-static void *address_of(const char *name) {
-  void *address = dlsym(library, name);
-  void *(*get)(const char *) = (void *(*)(const char *))dlsym(library, "eglGetProcAddress");
-  return address ? address : get ? get(name) : NULL;
-}
-
-static void bind_framebuffer(void) {
+constexpr char kFramebuffer[] = R"(static void bind_framebuffer(void) {
   GLuint framebuffer, color, depth;
 #define GL(name) ((__typeof__(name) *)address_of(#name))
   GL(glGenFramebuffers)(1, &framebuffer);
@@ -127,7 +117,19 @@ static void bind_framebuffer(void) {
 #undef GL
 }
 
-static void use_context(GLuint number, int how) {
+)";
+
+constexpr char kEgl[] = R"(
+/* EGL without a surface: a framebuffer object of 64x64 pixels with colour, depth and stencil. */
+static void *display, *config, *contexts[MOST_CONTEXTS];
+
+static void *address_of(const char *name) {
+  void *address = dlsym(library, name);
+  void *(*get)(const char *) = (void *(*)(const char *))dlsym(library, "eglGetProcAddress");
+  return address ? address : get ? get(name) : NULL;
+}
+
+%FRAMEBUFFER%static void use_context(GLuint number, int how) {
   void *(*create)(void *, void *, void *, const int *) =
       (void *(*)(void *, void *, void *, const int *))need("eglCreateContext");
   unsigned (*make_current)(void *, void *, void *, void *) =
@@ -195,6 +197,68 @@ static void make_context(const char *path) {
   const int wanted[] = {0x3040, 4, 0x3033, 1, 0x3024, 8, 0x3021, 8, 0x3025, 24, 0x3026, 8, 0x3038};
   int count = 0;
   if (!choose(display, wanted, &config, 1, &count) || count == 0) stop("EGL has no configuration for OpenGL ES 2");
+  use_context(0, 0);
+}
+)";
+
+constexpr char kWgl[] = R"(
+/* WGL: a hidden window, whose pixels are undefined, and a framebuffer object of 64x64 pixels. */
+static HGLRC contexts[MOST_CONTEXTS];
+static HDC devices[MOST_CONTEXTS];
+
+#define WGL(name) ((__typeof__(name) *)need(#name))
+static void *address_of(const char *name) {
+  void *address = dlsym(library, name);
+  const INT_PTR number = address ? 0 : (INT_PTR)WGL(wglGetProcAddress)(name);
+  return number >= -1 && number <= 3 ? address : (void *)number; /* some return small numbers for null */
+}
+
+%FRAMEBUFFER%static HGLRC create(HDC device, HGLRC shared, int how) {
+  /* WGL_CONTEXT_MAJOR_VERSION_ARB, MINOR_VERSION, and: core profile; forward-compatible; compatibility profile with
+     debug, and with no-error */
+  const int kinds[][9] = {{0},
+                          {0},
+                          {0x2091, 3, 0x2092, 2, 0x9126, 1, 0},
+                          {0x2091, 3, 0x2092, 1, 0x2094, 2, 0},
+                          {0x2091, 3, 0x2092, 2, 0x9126, 2, 0x2094, 1, 0},
+                          {0x2091, 3, 0x2092, 2, 0x9126, 2, 0x31B3, 1, 0}};
+  if (how > 1) {
+    HGLRC (*create_kind)(HDC, HGLRC, const int *) =
+        (HGLRC (*)(HDC, HGLRC, const int *))address_of("wglCreateContextAttribsARB");
+    return create_kind ? create_kind(device, NULL, kinds[how]) : NULL;
+  }
+  HGLRC context = WGL(wglCreateContext)(device);
+  if (context && how == 1 && !WGL(wglShareLists)(shared, context)) stop("wglShareLists fails");
+  return context;
+}
+
+static void use_context(GLuint number, int how) {
+  /* opengl32.dll has functions for pixel formats as well. Those of gdi32.dll would ask the system's library. */
+  int (*choose)(HDC, const PIXELFORMATDESCRIPTOR *) =
+      (int (*)(HDC, const PIXELFORMATDESCRIPTOR *))need("wglChoosePixelFormat");
+  BOOL (*set)(HDC, int, const PIXELFORMATDESCRIPTOR *) =
+      (BOOL (*)(HDC, int, const PIXELFORMATDESCRIPTOR *))need("wglSetPixelFormat");
+  const PIXELFORMATDESCRIPTOR wanted = {.nSize = sizeof wanted,
+                                        .nVersion = 1,
+                                        .dwFlags = PFD_DRAW_TO_WINDOW | PFD_SUPPORT_OPENGL | PFD_DOUBLEBUFFER,
+                                        .iPixelType = PFD_TYPE_RGBA,
+                                        .cColorBits = 24,
+                                        .cAlphaBits = 8,
+                                        .cDepthBits = 24,
+                                        .cStencilBits = 8};
+  const int is_new = !contexts[number];
+  if (is_new) {
+    HDC device = devices[number] =
+        GetDC(CreateWindowA("STATIC", "", WS_POPUP, 0, 0, 64, 64, NULL, NULL, NULL, NULL));
+    if (!set(device, choose(device, &wanted), &wanted)) stop("WGL has no pixel format");
+    contexts[number] = create(device, contexts[0], how);
+  }
+  if (!contexts[number] || !WGL(wglMakeCurrent)(devices[number], contexts[number])) stop("WGL gives no context");
+  if (is_new && address_of("glGenFramebuffers")) bind_framebuffer();
+}
+
+static void make_context(const char *path) {
+  open_library(path);
   use_context(0, 0);
 }
 )";
@@ -366,6 +430,7 @@ const char* fragment_of(const std::string& context) {
   if (context == "osmesa") return kOSMesa;
   if (context == "egl") return kEgl;
   if (context == "egl-gles2") return kGles2;
+  if (context == "wgl") return kWgl;
   if (context == "provider") return kProvider;
   if (context == "sink") return kSink;
   if (context == "none") return kNone;
@@ -383,6 +448,7 @@ std::string c_contexts(const CProgram& program) {
   std::string text = fragment_of(program.context);
   if (program.context == "sink") text = emitted + text;
   replace_all(text, "%DISPLAY%", kDisplay);
+  replace_all(text, "%FRAMEBUFFER%", kFramebuffer);
   std::string open_library = kOpenLibrary;
   const bool is_in_front = !program.library_below.empty();
   if (is_in_front) replace_all(open_library, "static void *library;", "static void *library, *below;");

@@ -24,6 +24,47 @@ namespace {
 
 // --- The rest of the program -------------------------------------------------------------------------------
 
+// Headers of a program for Windows, and the functions of POSIX that Windows lacks.
+constexpr char kOnWindows[] = R"(#include <windows.h>
+
+#include <fcntl.h>
+#include <io.h>
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The functions of POSIX that are used below. */
+enum { RTLD_NOW, RTLD_LOCAL = 0, PROT_NONE = 0, PROT_READ, PROT_WRITE, MAP_PRIVATE = 0, MAP_ANONYMOUS = 0, _SC_PAGESIZE };
+enum { SIGALRM = 14 };
+#define MAP_FAILED NULL
+static inline void *dlopen(const char *path, int how) { return (void)how, (void *)LoadLibraryA(path); }
+static inline void *dlsym(void *from, const char *name) { return (void *)GetProcAddress((HMODULE)from, name); }
+static inline const char *dlerror(void) { return "LoadLibrary fails"; }
+static inline long sysconf(int name) {
+  SYSTEM_INFO info;
+  GetSystemInfo(&info);
+  return (void)name, (long)info.dwPageSize;
+}
+static inline void *mmap(void *at, size_t size, int access, int kind, int file, long begin) {
+  (void)at, (void)access, (void)kind, (void)file, (void)begin;
+  return VirtualAlloc(NULL, size, MEM_RESERVE | MEM_COMMIT, PAGE_READWRITE);
+}
+static inline int mprotect(void *at, size_t size, int access) {
+  DWORD before;
+  return (void)access, !VirtualProtect(at, size, PAGE_NOACCESS, &before);
+}
+static inline int munmap(void *at, size_t size) { return (void)size, !VirtualFree(at, 0, MEM_RELEASE); }
+static void died(int);
+static DWORD WINAPI wait_for_alarm(void *seconds) {
+  Sleep(1000 * (DWORD)(size_t)seconds);
+  died(SIGALRM);
+  return 0;
+}
+static inline void alarm(unsigned seconds) { CreateThread(NULL, 0, wait_for_alarm, (void *)(size_t)seconds, 0, NULL); }
+)";
+
 constexpr char kClientArrays[] = R"(
 /* A client array ends directly before an inaccessible page: reading past its end crashes. */
 struct array {
@@ -189,6 +230,7 @@ class Writer {
 
  private:
   bool production() const { return program_.context == "production"; }
+  bool on_windows() const { return program_.context == "wgl"; }
   bool is_full() const { return program_.style == CStyle::kFull; }
   bool checks_written_elements() const {
     return program_.check && program_.check->answer.kind == Answer::Kind::kWritten;
@@ -317,15 +359,22 @@ class Writer {
   }
 
   void headers() {
-    text_ += "#ifndef _GNU_SOURCE\n#define _GNU_SOURCE\n#endif\n";
-    for (const char* header :
-         {"dlfcn.h", "math.h", "signal.h", "stdio.h", "stdlib.h", "string.h", "sys/mman.h", "unistd.h"})
-      line("#include <{}>", header);
+    if (on_windows()) {
+      text_ += kOnWindows;
+    } else {
+      posix_headers();
+    }
     text_ +=
         "\n#define GL_GLEXT_PROTOTYPES 1 /* for the types only */\n#include <GL/gl.h>\n#include "
         "<GL/glext.h>\n";
     if (production()) text_ += "#include <glevaluator.h>\n";
     text_ += "\nenum { MOST_CONTEXTS = 8 };\n";
+  }
+  void posix_headers() {
+    text_ += "#ifndef _GNU_SOURCE\n#define _GNU_SOURCE\n#endif\n";
+    for (const char* header :
+         {"dlfcn.h", "math.h", "signal.h", "stdio.h", "stdlib.h", "string.h", "sys/mman.h", "unistd.h"})
+      line("#include <{}>", header);
   }
 
   void entry_points() {
@@ -808,8 +857,10 @@ class Writer {
     text_ += kDied;
     text_ +=
         "\nint main(int argc, char **argv) {\n"
-        "  static const int deadly[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM};\n"
-        "  for (size_t i = 0; i < sizeof deadly / sizeof *deadly; ++i) signal(deadly[i], died);\n"
+        "  static const int deadly[] = {SIGSEGV, SIGFPE, SIGILL, SIGABRT";
+    text_ += on_windows() ? "" : ", SIGBUS, SIGALRM";
+    text_ +=
+        "};\n  for (size_t i = 0; i < sizeof deadly / sizeof *deadly; ++i) signal(deadly[i], died);\n"
         "#ifdef SECONDS\n  alarm(SECONDS);\n#endif\n";
     if (production()) {
       text_ += "  (void)argc, (void)argv;\n  make_context();\n";
