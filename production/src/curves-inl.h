@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "arguments-inl.h"
+#include "low_degree-inl.h"
 #include "resolve.h"
 #include "writer-inl.h"
 
@@ -24,40 +25,6 @@ HWY_INLINE Vector raise_to_power(Vector base, int exponent) {
     if (exponent & 1) power = hn::Mul(power, base);
     exponent >>= 1;
     if (exponent == 0) return power;
-  }
-}
-
-// Evaluates curves of low degree in powers of x = t - s.
-template <int kComponents, int kDegree>
-void evaluate_low_curves(const PreparedMap& map, const Input& input, std::size_t count,
-                         const Destination& to) {
-  const Place place(map, 0);
-  const double* const centred = map.centred;
-  const Writer<kComponents> writer(map.centred_test, to, to.data);
-  const Vector one = hn::Set(kDoubles, 1), nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
-  const Arguments arguments(input, count);
-  for (std::size_t begin = 0; begin < count; begin += kStep) {
-    const std::size_t part_count = std::min(kStep, count - begin);
-    Vector x[kUnroll];
-    arguments.load(begin, x);
-    for (std::size_t part = 0; part < kUnroll; ++part) x[part] = place.x_of(x[part]);
-    Vector farthest = hn::Abs(x[0]);
-    for (std::size_t part = 1; part < kUnroll; ++part) farthest = hn::Max(farthest, hn::Abs(x[part]));
-    if (HWY_UNLIKELY(!hn::AllTrue(kDoubles, hn::Le(farthest, one)))) {
-      for (std::size_t part = 0; part < kUnroll; ++part)
-        x[part] = hn::IfThenElse(hn::Le(hn::Abs(x[part]), one), x[part], nan);
-    }
-    Vector value[kUnroll][kComponents];
-    for (int k = 0; k < kComponents; ++k) {
-      for (int i = kDegree; i >= 0; --i) {
-        const Vector next = hn::Set(kDoubles, centred[4 * i + k]);
-        for (std::size_t part = 0; part < kUnroll; ++part)
-          value[part][k] = i == kDegree ? next : hn::MulAdd(value[part][k], x[part], next);
-      }
-    }
-    writer.write(writer.round(value), begin, part_count, [&](std::size_t i, int k) {
-      return resolve(map, k, argument_at(input[i]), argument_at(0));
-    });
   }
 }
 
@@ -106,11 +73,11 @@ template <int kComponents>
 void evaluate_curves(const PreparedMap& map, const Input& input, std::size_t count, const Destination& to) {
   switch (map.surface.degree[0]) {
     case 1:
-      return evaluate_low_curves<kComponents, 1>(map, input, count, to);
+      return evaluate_low_degree<kComponents, 1, 0>(map, input, {}, count, to);
     case 2:
-      return evaluate_low_curves<kComponents, 2>(map, input, count, to);
+      return evaluate_low_degree<kComponents, 2, 0>(map, input, {}, count, to);
     case 3:
-      return evaluate_low_curves<kComponents, 3>(map, input, count, to);
+      return evaluate_low_degree<kComponents, 3, 0>(map, input, {}, count, to);
     default:
       return evaluate_high_curves<kComponents>(map, input, count, to);
   }

@@ -8,7 +8,6 @@
 #endif
 
 #include <cstddef>
-#include <cstdint>
 
 #include "plan.h"
 #include "point-inl.h"
@@ -27,20 +26,6 @@ inline bool is_nearest(const PreparedMap::Probe& probe) {
   return is_nearest;
 }
 
-// Stores the floats. Returns true if all wanted components are correctly rounded.
-HWY_INLINE bool is_settled(const PreparedMap::Test& test, const FourVector (&sum)[kParts], unsigned wanted,
-                           float* result) {
-  unsigned settled = 0;
-  for (std::size_t part = 0; part < kParts; ++part) {
-    const auto [low, high] = sides_of(test, sum[part], part);
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(kFourFloats, hn::Eq(low, high), bits);
-    settled |= static_cast<unsigned>(bits[0]) << (part * hn::MaxLanes(kFour));
-    hn::StoreU(high, kFourFloats, result + part * hn::MaxLanes(kFour));
-  }
-  return (settled & wanted) == wanted;
-}
-
 inline bool evaluate_directly(const glev_plan& plan, double u, double v, float* position) {
   const PreparedMap& map = plan.map(Attribute::kVertex);
   const auto [n, m] = map.surface.degree;
@@ -55,9 +40,9 @@ inline bool evaluate_directly(const glev_plan& plan, double u, double v, float* 
   FourVector sum[kParts];
   value_at(map, at_u, at_v, sum);
   const int components = map.surface.components;
-  const bool settled = is_settled(map.test, sum, (1U << components) - 1, position);
+  const unsigned wanted = (1U << components) - 1, settled = settle(map.test, sum, position) & wanted;
   if (components == 3) position[3] = 1;
-  return settled && is_nearest(map.probe);
+  return settled == wanted && is_nearest(map.probe);
 }
 
 // Evaluates cubics in powers of x and y, in a domain whose width has an exact inverse.
@@ -91,7 +76,7 @@ bool evaluate_cubic_directly(const glev_plan& plan, double u, double v, float* p
     }
   }
   const bool inside = hn::AllTrue(kFour, hn::Le(farthest, hn::Set(kFour, 1)));
-  return is_settled(map.centred_test, sum, 0xF, position) && inside && is_nearest(map.probe);
+  return settle(map.centred_test, sum, position) == 0xF && inside && is_nearest(map.probe);
 }
 
 }  // namespace glev::HWY_NAMESPACE

@@ -23,7 +23,7 @@
 #include "doubles-inl.h"
 #include "enclosure-inl.h"
 #include "fast_mesh-inl.h"
-#include "low_surfaces-inl.h"
+#include "low_degree-inl.h"
 #include "mesh-inl.h"
 #include "normals-inl.h"
 #include "point-inl.h"
@@ -53,7 +53,7 @@ void evaluate_surfaces_of(const PreparedMap& map, const Input& u, const Input& v
   const bool is_bicubic = map.surface.degree == std::array{3, 3};
   const auto evaluate = kHasFast && is_bicubic && fast && has_fast_bound(map)
                             ? evaluate_fast_bicubic_surfaces<kComponents>
-                        : is_bicubic ? evaluate_bicubic_surfaces<kComponents>
+                        : is_bicubic ? evaluate_low_degree<kComponents, 3, 3>
                                      : evaluate_surfaces<kComponents>;
   evaluate(map, u, v, count, to);
 }

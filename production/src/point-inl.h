@@ -137,6 +137,19 @@ HWY_INLINE Sides sides_of(const PreparedMap::Test& test, FourVector value, std::
   return {hn::DemoteTo(kFourFloats, hn::Sub(value, error)), hn::DemoteTo(kFourFloats, hn::Add(value, error))};
 }
 
+// Stores the floats. Returns the correctly rounded components as bits.
+HWY_INLINE unsigned settle(const PreparedMap::Test& test, const FourVector (&sum)[kParts], float* result) {
+  unsigned settled = 0;
+  for (std::size_t part = 0; part < kParts; ++part) {
+    const auto [low, high] = sides_of(test, sum[part], part);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(kFourFloats, hn::Eq(low, high), bits);
+    settled |= static_cast<unsigned>(bits[0]) << (part * hn::MaxLanes(kFour));
+    hn::StoreU(high, kFourFloats, result + part * hn::MaxLanes(kFour));
+  }
+  return settled;
+}
+
 HWY_NOINLINE inline void resolve_point(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
                                        const GridArgument& u, const GridArgument& v, const double* values,
                                        unsigned settled, float* result) {
@@ -156,15 +169,7 @@ inline void evaluate_point(const PreparedMap& map, const GridArgument& u, const 
   const Parameter at_v = m == 0 ? Parameter{1, 0, Parameter::End::kNeither} : place_of(map, 1, v);
   FourVector sum[kParts];
   value_at(map, at_u, at_v, sum);
-  unsigned settled = 0;
-  for (std::size_t part = 0; part < kParts; ++part) {
-    constexpr std::size_t kCount = hn::MaxLanes(kFour);
-    const auto [low, high] = sides_of(map.test, sum[part], part);
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(kFourFloats, hn::Eq(low, high), bits);
-    settled |= static_cast<unsigned>(bits[0]) << (part * kCount);
-    hn::StoreU(high, kFourFloats, result + part * kCount);
-  }
+  const unsigned settled = settle(map.test, sum, result);
   const bool inside =
       at_u.is_sure && at_v.is_sure && at_u.s >= 0 && at_u.t >= 0 && at_v.s >= 0 && at_v.t >= 0;
   const unsigned wanted = (1u << map.surface.components) - 1;

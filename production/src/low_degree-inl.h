@@ -1,9 +1,9 @@
-// Evaluates bicubic surfaces at scattered arguments, one in each lane.
-#if defined(GLEVALUATOR_LOW_SURFACES_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLEVALUATOR_LOW_SURFACES_INL_H_
-#undef GLEVALUATOR_LOW_SURFACES_INL_H_
+// Evaluates curves of low degree and bicubic surfaces at scattered arguments, one in each lane.
+#if defined(GLEVALUATOR_LOW_DEGREE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLEVALUATOR_LOW_DEGREE_INL_H_
+#undef GLEVALUATOR_LOW_DEGREE_INL_H_
 #else
-#define GLEVALUATOR_LOW_SURFACES_INL_H_
+#define GLEVALUATOR_LOW_DEGREE_INL_H_
 #endif
 
 #include <algorithm>
@@ -18,45 +18,50 @@
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
-// Evaluates correctly rounded surfaces by Horner's rule in x = t - s of both directions. Arguments outside
-// the domain are undecided.
-template <int kComponents>
-void evaluate_bicubic_surfaces(const PreparedMap& map, const Input& input_u, const Input& input_v,
-                               std::size_t count, const Destination& to) {
-  constexpr int kDegree = 3, kRow = 4 * (kDegree + 1);
-  const Place place_u(map, 0), place_v(map, 1);
+// Evaluates correctly rounded maps of degrees kN and kM by Horner's rule in x = t - s of each direction.
+// Arguments outside the domain are undecided. If kM is 0, `input_v` is not used.
+template <int kComponents, int kN, int kM>
+void evaluate_low_degree(const PreparedMap& map, const Input& input_u, const Input& input_v,
+                         std::size_t count, const Destination& to) {
+  const Place place_u(map, 0), place_v(map, kM == 0 ? 0 : 1);
   const double* const centred = map.centred;
   const Writer<kComponents> writer(map.centred_test, to, to.data);
   const Vector one = hn::Set(kDoubles, 1), nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
-  const Arguments arguments_u(input_u, count), arguments_v(input_v, count);
+  const Arguments arguments_u(input_u, count), arguments_v(kM == 0 ? input_u : input_v, count);
   for (std::size_t begin = 0; begin < count; begin += kStep) {
     const std::size_t part_count = std::min(kStep, count - begin);
-    Vector x[kUnroll], y[kUnroll], value[kUnroll][kComponents];
-    arguments_u.load(begin, x);
-    arguments_v.load(begin, y);
-    for (std::size_t part = 0; part < kUnroll; ++part) {
-      const auto place_of = [&](const Place& place, Vector argument) HWY_ATTR {
-        const Vector at = place.x_of(argument);
-        return hn::IfThenElse(hn::Le(hn::Abs(at), one), at, nan);
-      };
-      x[part] = place_of(place_u, x[part]);
-      y[part] = place_of(place_v, y[part]);
+    Vector x[kUnroll], y[kUnroll], farthest = hn::Zero(kDoubles);
+    const auto place = [&](const Arguments& arguments, const Place& place, Vector(&at)[kUnroll]) HWY_ATTR {
+      arguments.load(begin, at);
+      for (std::size_t part = 0; part < kUnroll; ++part) {
+        at[part] = place.x_of(at[part]);
+        farthest = hn::Max(farthest, hn::Abs(at[part]));
+      }
+    };
+    place(arguments_u, place_u, x);
+    if constexpr (kM != 0) place(arguments_v, place_v, y);
+    if (HWY_UNLIKELY(!hn::AllTrue(kDoubles, hn::Le(farthest, one)))) {
+      for (std::size_t part = 0; part < kUnroll; ++part) {
+        x[part] = hn::IfThenElse(hn::Le(hn::Abs(x[part]), one), x[part], nan);
+        if constexpr (kM != 0) x[part] = hn::IfThenElse(hn::Le(hn::Abs(y[part]), one), x[part], nan);
+      }
     }
+    Vector value[kUnroll][kComponents];
     for (int k = 0; k < kComponents; ++k) {
-      for (int j = kDegree; j >= 0; --j) {
-        const double* const row = centred + kRow * j + k;
+      for (int j = kM; j >= 0; --j) {
+        const double* const row = centred + 4 * (kN + 1) * j + k;
         Vector sum[kUnroll];
-        for (int i = kDegree; i >= 0; --i) {
+        for (int i = kN; i >= 0; --i) {
           const Vector next = hn::Set(kDoubles, row[4 * i]);
           for (std::size_t part = 0; part < kUnroll; ++part)
-            sum[part] = i == kDegree ? next : hn::MulAdd(sum[part], x[part], next);
+            sum[part] = i == kN ? next : hn::MulAdd(sum[part], x[part], next);
         }
         for (std::size_t part = 0; part < kUnroll; ++part)
-          value[part][k] = j == kDegree ? sum[part] : hn::MulAdd(value[part][k], y[part], sum[part]);
+          value[part][k] = j == kM ? sum[part] : hn::MulAdd(value[part][k], y[part], sum[part]);
       }
     }
     writer.write(writer.round(value), begin, part_count, [&](std::size_t i, int k) {
-      return resolve(map, k, argument_at(input_u[i]), argument_at(input_v[i]));
+      return resolve(map, k, argument_at(input_u[i]), argument_at(kM == 0 ? 0 : input_v[i]));
     });
   }
 }
@@ -148,7 +153,7 @@ void evaluate_fast_bicubic_surfaces(const PreparedMap& map, const Input& input_u
     const auto part_of = [&](const Input& input) {
       return Input{input.data + begin * input.stride, input.stride, input.is_double};
     };
-    evaluate_bicubic_surfaces<kComponents>(
+    evaluate_low_degree<kComponents, 3, 3>(
         map, part_of(input_u), part_of(input_v), part_count,
         {reinterpret_cast<std::byte*>(exact), kComponents * sizeof(float), 0, kComponents});
     for (std::size_t i = 0; i < part_count; ++i) {
@@ -166,4 +171,4 @@ void evaluate_fast_bicubic_surfaces(const PreparedMap& map, const Input& input_u
 }  // namespace glev::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#endif  // GLEVALUATOR_LOW_SURFACES_INL_H_
+#endif  // GLEVALUATOR_LOW_DEGREE_INL_H_
