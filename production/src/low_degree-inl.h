@@ -31,15 +31,15 @@ void evaluate_low_degree(const PreparedMap& map, const Input& input_u, const Inp
   for (std::size_t begin = 0; begin < count; begin += kStep) {
     const std::size_t part_count = std::min(kStep, count - begin);
     Vector x[kUnroll], y[kUnroll], farthest = hn::Zero(kDoubles);
-    const auto place = [&](const Arguments& arguments, const Place& place, Vector(&at)[kUnroll]) HWY_ATTR {
+    const auto load = [&](const Arguments& arguments, const Place& place, Vector(&at)[kUnroll]) HWY_ATTR {
       arguments.load(begin, at);
       for (std::size_t part = 0; part < kUnroll; ++part) {
         at[part] = place.x_of(at[part]);
         farthest = hn::Max(farthest, hn::Abs(at[part]));
       }
     };
-    place(arguments_u, place_u, x);
-    if constexpr (kM != 0) place(arguments_v, place_v, y);
+    load(arguments_u, place_u, x);
+    if constexpr (kM != 0) load(arguments_v, place_v, y);
     if (HWY_UNLIKELY(!hn::AllTrue(kDoubles, hn::Le(farthest, one)))) {
       for (std::size_t part = 0; part < kUnroll; ++part) {
         x[part] = hn::IfThenElse(hn::Le(hn::Abs(x[part]), one), x[part], nan);
