@@ -74,7 +74,7 @@ std::string compile_line(const std::vector<std::string>& options, const std::str
       environment = "LD_LIBRARY_PATH=" + shell_line({library.parent_path().string()}) + " ";
   } else if (includes("windows.h")) {
     command = {"x86_64-w64-mingw32-gcc", "-o", program + ".exe", source, "-lgdi32"};
-    return shell_line(command) + " && " + program + ".exe";
+    return shell_line(command) + " && " + shell_line({program + ".exe"});
   } else if (includes("GL/glx.h")) {
     command.insert(command.end(), {"-lGL", "-lX11"});
   } else if (value_of(options, "--implementation") == "production") {

@@ -27,7 +27,6 @@ namespace {
 // Headers of a program for Windows, and the functions of POSIX that Windows lacks.
 constexpr char kOnWindows[] = R"(#include <windows.h>
 
-#include <fcntl.h>
 #include <io.h>
 #include <math.h>
 #include <signal.h>
