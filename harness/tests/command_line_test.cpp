@@ -695,7 +695,9 @@ TEST_F(CommandLine, ExamplesOfKnownBugsShowThem) {
       EXPECT_EQ(run.code, 0) << bug.id << run.text;
     }
     if (!is_one_of(bug.affects.tested)) continue;
-    EXPECT_NE(run.code, 124) << bug.id << " exceeds the time limit: " << run.text;
+    if (!is_indirect) {  // an indirect context has a bug that is a hang
+      EXPECT_NE(run.code, 124) << bug.id << " exceeds the time limit: " << run.text;
+    }
     if (bug.fails.empty()) {
       EXPECT_NE(run.code, 0) << bug.id << run.text;
     } else {
