@@ -22,7 +22,7 @@ std::vector<double> concatenated(const std::vector<std::array<double, 4>>& value
 
 // The distinct vertices of the control and, for each of them that was seen, the seen vertex at the same
 // place.
-struct Vertices {
+struct MatchedVertices {
   std::vector<std::array<double, 12>> of_control, seen;
   std::size_t elsewhere = 0;  // seen vertices at places where the control has none
 };
@@ -39,8 +39,8 @@ std::size_t nearest(const std::vector<std::array<double, 12>>& vertices,
   return vertices.size();
 }
 
-Vertices matched(const Part& seen, const Part& control) {
-  Vertices vertices;
+MatchedVertices matched(const Part& seen, const Part& control) {
+  MatchedVertices vertices;
   for (const FeedbackPrimitive& primitive : primitives_of(control))
     for (const auto& vertex : primitive.vertices)
       if (nearest(vertices.of_control, vertex) == vertices.of_control.size())
@@ -255,7 +255,7 @@ void expect_drawn_like_explicit(CheckedTrace& checked, const Drawing& drawing, c
     }
     return;
   }
-  const Vertices vertices = matched(seen, control);
+  const MatchedVertices vertices = matched(seen, control);
   checked.expect(vertices.elsewhere == 0, seen.shown,
                  fmt::format("{} vertices are where no explicit one is ({})", vertices.elsewhere, seen.name),
                  "no other vertices", fmt::format("{} other vertices", vertices.elsewhere));

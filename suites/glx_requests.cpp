@@ -28,20 +28,20 @@ bool is_of_evaluators(const SentCommand& command) {
              : command.opcode >= kSinglesBegin && command.opcode < kSinglesBegin + std::size(kSingles);
 }
 
-using View = std::span<const std::uint8_t>;
+using ByteSpan = std::span<const std::uint8_t>;
 
 template <class T>
-T read(View bytes, std::size_t at) {
+T read(ByteSpan bytes, std::size_t at) {
   if (at + sizeof(T) > bytes.size()) throw std::runtime_error("a request ends early");
   T value;
   std::memcpy(&value, bytes.data() + at, sizeof value);
   return value;
 }
 
-Bytes copy(View bytes) { return {bytes.begin(), bytes.end()}; }
+Bytes copy(ByteSpan bytes) { return {bytes.begin(), bytes.end()}; }
 
 // Section 2.3.1: reads the commands of one Render request.
-void read_render(View body, std::vector<SentCommand>& commands) {
+void read_render(ByteSpan body, std::vector<SentCommand>& commands) {
   for (std::size_t at = 0; at < body.size();) {
     const std::size_t length = read<std::uint16_t>(body, at);
     const unsigned opcode = read<std::uint16_t>(body, at + 2);
@@ -58,10 +58,10 @@ void read_render(View body, std::vector<SentCommand>& commands) {
 class Large {
  public:
   // Returns true if the command is complete.
-  bool add(View body) {
+  bool add(ByteSpan body) {
     const unsigned number = read<std::uint16_t>(body, 4), total = read<std::uint16_t>(body, 6);
     const std::size_t count = read<std::uint32_t>(body, 8);
-    const View data = body.subspan(12);
+    const ByteSpan data = body.subspan(12);
     if (number != seen_ + 1 || number > total || (seen_ > 0 && total != total_))
       throw std::runtime_error(
           fmt::format("RenderLarge {} of {} follows number {} of {}", number, total, seen_, total_));
@@ -104,7 +104,7 @@ std::vector<SentCommand> evaluator_commands(const Bytes& requests) {
   std::vector<SentCommand> all;
   Large large;
   for (std::size_t at = 0; at < requests.size();) {
-    const View rest = View(requests).subspan(at);
+    const ByteSpan rest = ByteSpan(requests).subspan(at);
     const unsigned opcode = read<std::uint8_t>(rest, 1);
     std::size_t header = 4, length = 4 * std::size_t{read<std::uint16_t>(rest, 2)};
     if (length == 0) {  // BIG-REQUESTS
@@ -112,7 +112,7 @@ std::vector<SentCommand> evaluator_commands(const Bytes& requests) {
       length = 4 * std::size_t{read<std::uint32_t>(rest, 4)};
     }
     if (length < header || length > rest.size()) throw std::runtime_error("a request is cut off");
-    const View body = rest.subspan(header, length - header);  // from the context tag on
+    const ByteSpan body = rest.subspan(header, length - header);  // from the context tag on
     if (large.begun() && opcode != kRenderLarge)
       throw std::runtime_error(fmt::format("request {} comes between those of RenderLarge", opcode));
     if (opcode == kRender) {
@@ -139,7 +139,7 @@ std::string in_words(const std::vector<SentCommand>& commands) {
   for (const SentCommand& command : commands) {
     const char* name = command.rendering ? kRendering[command.opcode - kRenderingBegin]
                                          : kSingles[command.opcode - kSinglesBegin];
-    const View shown = View(command.parameters).first(std::min(command.parameters.size(), kShown));
+    const ByteSpan shown = ByteSpan(command.parameters).first(std::min(command.parameters.size(), kShown));
     words.push_back(fmt::format("{} ({}{}), {} bytes: {:02x}{}", name, command.opcode,
                                 command.in_parts ? ", RenderLarge" : "", command.parameters.size(),
                                 fmt::join(shown, " "),

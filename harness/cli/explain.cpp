@@ -225,7 +225,7 @@ bool has_all(const std::string& text, const std::vector<std::string>& words) {
 
 // Prints what the words occur in. Returns false if there is nothing.
 bool search(const std::vector<std::string>& words, const std::vector<ListedTest>& tests) {
-  constexpr std::size_t kMostListed = 30;
+  constexpr std::size_t kMostTopics = 30;
   std::vector<const Requirement*> found;
   // Requirements with the words in their ID or rule come first.
   for (const bool in_the_rule : {true, false})
@@ -264,9 +264,9 @@ bool search(const std::vector<std::string>& words, const std::vector<ListedTest>
   const auto list = [&](const char* heading, const auto& all, const auto& line_of) {
     if (all.empty()) return;
     std::cout << fmt::format("{} ({}):\n", heading, all.size());
-    for (std::size_t i = 0; i < std::min(all.size(), kMostListed); ++i) paragraph(line_of(all[i]));
-    if (all.size() > kMostListed)
-      paragraph(fmt::format("and {} more; another word makes them fewer", all.size() - kMostListed));
+    for (std::size_t i = 0; i < std::min(all.size(), kMostTopics); ++i) paragraph(line_of(all[i]));
+    if (all.size() > kMostTopics)
+      paragraph(fmt::format("and {} more; another word makes them fewer", all.size() - kMostTopics));
   };
   list("Requirements", found, [](const Requirement* each) {
     return fmt::format("{}: {} [{}]", each->id, each->text, each->source);

@@ -30,7 +30,7 @@ constexpr std::size_t kLongestWord = 64;
 
 // Returns " TEXT", " INT" or " {quick,full}", the type of a value or the accepted words, without the range of
 // a number; empty for a flag.
-std::string value_of(const CLI::Option& option) {
+std::string type_shown(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::size_t colon = type.find(':');
   if (option.get_type_size() == 0 || type.empty()) return {};
@@ -56,7 +56,7 @@ class HelpFormatter : public CLI::Formatter {
     for (const CLI::Option* option : app->get_options(std::function<bool(const CLI::Option*)>())) {
       if (option->get_group().empty()) continue;
       const bool repeats = option->get_expected_max() >= CLI::detail::expected_max_vector_size;
-      const std::string value = value_of(*option) + (repeats ? " ..." : "");
+      const std::string value = type_shown(*option) + (repeats ? " ..." : "");
       if (option->get_positional()) {
         const std::string word = option->get_name(true) + (repeats ? "..." : "");
         usage += option->get_required() ? " " + word : " [" + word + "]";

@@ -21,7 +21,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kMostAttempts = 150;  // maximum number of candidates for one program
+constexpr int kMostCandidates = 150;  // maximum number of candidates for one program
 
 // Answers the jobs of the kind "reduce" of a worker.
 class ReductionJobs {
@@ -31,7 +31,7 @@ class ReductionJobs {
         table_(subject.implementation->create_context()->table()),
         max_order_(subject.info.max_order()),
         shared_(SharedContext::of(subject)),
-        reducer_(subject, shared_.get(), kMostAttempts, {.is_over = [this] { return is_over(); }}) {}
+        reducer_(subject, shared_.get(), kMostCandidates, {.is_over = [this] { return is_over(); }}) {}
 
   Reduction run(const FailingCase& failing) {
     seconds_ = failing.seconds;
@@ -103,7 +103,7 @@ std::function<std::optional<Finding>(const std::string&, double)> bug_prover(con
   const auto end = std::make_shared<Clock::time_point>();
   const std::shared_ptr<SharedContext> shared = SharedContext::of(subject);
   const auto reducer =
-      std::make_shared<Reducer>(subject, shared.get(), kMostAttempts,
+      std::make_shared<Reducer>(subject, shared.get(), kMostCandidates,
                                 Reducer::Hooks{.is_over = [end] { return Clock::now() >= *end; }});
   return [end, shared, reducer](const std::string& bug, double seconds) {
     *end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));

@@ -220,12 +220,12 @@ TEST(IndexBuffers, MisuseIsRefusedAndNothingWritten) {
     EXPECT_TRUE(memory.is_untouched());
     return glevGetIndexCount(&indices);
   };
-  constexpr glev_result kWrong = GLEV_ERROR_INVALID_ARGUMENT, kWrongSize = GLEV_ERROR_STRUCTURE_SIZE;
+  constexpr glev_result kWrong = GLEV_ERROR_INVALID_ARGUMENT, kSizeError = GLEV_ERROR_STRUCTURE_SIZE;
   EXPECT_EQ(glevGetIndices(nullptr), kWrong);
   EXPECT_EQ(glevGetIndexCount(nullptr), 0u);
-  EXPECT_EQ(with(kWrongSize, [](glev_indices& indices) { indices.size = 0; }), 0u);
+  EXPECT_EQ(with(kSizeError, [](glev_indices& indices) { indices.size = 0; }), 0u);
   EXPECT_EQ(
-      with(kWrongSize, [](glev_indices& indices) { indices.size = offsetof(glev_indices, patches) - 1; }),
+      with(kSizeError, [](glev_indices& indices) { indices.size = offsetof(glev_indices, patches) - 1; }),
       0u);
   for (glev_enum mode : {GLEV_POINTS, GLEV_LINES, 0x1AFF, 0x1B03})
     EXPECT_EQ(with(kWrong, [&](glev_indices& indices) { indices.mode = mode; }), 0u);

@@ -16,7 +16,7 @@ namespace {
 using Orders = std::array<int, 2>;
 using Line = std::vector<Rational>;
 
-constexpr double kTiny = 0x1p-1074, kHuge = std::numeric_limits<double>::max();
+constexpr double kSmallestDouble = 0x1p-1074, kLargestDouble = std::numeric_limits<double>::max();
 
 struct Net {
   Orders order;
@@ -180,7 +180,7 @@ TEST_F(Reduction, ALineOfOrderTen) {
 
 TEST_F(Reduction, ConstantsAndZeros) {
   for (int order : {1, 2, 3, 10, 64}) {
-    for (double value : {0.1, kTiny, -kHuge, 0.0, 3.0}) {
+    for (double value : {0.1, kSmallestDouble, -kLargestDouble, 0.0, 3.0}) {
       const Net reduced = reduce_net({{order, 1}, std::vector<double>(order, value)});
       EXPECT_EQ(reduced.order, (Orders{1, 1}));
       EXPECT_TRUE(same_bits(reduced.points, {value}));
@@ -205,7 +205,7 @@ TEST_F(Reduction, OneBitIsEnoughToKeepTheOrder) {
     const int order = 3 + integer_below(62);
     Net net = elevated({order, 1}, {integer_below(std::min(order - 1, 5)), 0}, 0);
     double& point = net.points[integer_below(order)];
-    point = std::nextafter(point, integer_below(2) == 0 ? kHuge : -kHuge);
+    point = std::nextafter(point, integer_below(2) == 0 ? kLargestDouble : -kLargestDouble);
     if (point != 0 && std::fabs(point) < 0x1p-300) continue;  // the range is too wide for a reduction
     expect_unchanged(net);
   }
@@ -264,9 +264,9 @@ TEST_F(Reduction, WhatIsTooWideStays) {
   expect_unchanged({{3, 1}, {0x1p-599, 0x1p-600, 1}});
   expect_unchanged({{3, 1}, {-0x1p1000, 0x1p-1000, 0x1p1000}});
   // The curve differs from a line only by 2^-1074: the relevant bits are far apart.
-  expect_unchanged({{3, 1}, {-1, kTiny, 1}});
-  expect_reduced({{3, 1}, {-kHuge, 0, kHuge}});
-  expect_reduced({{3, 1}, {-kTiny, 0, kTiny}});
+  expect_unchanged({{3, 1}, {-1, kSmallestDouble, 1}});
+  expect_reduced({{3, 1}, {-kLargestDouble, 0, kLargestDouble}});
+  expect_reduced({{3, 1}, {-kSmallestDouble, 0, kSmallestDouble}});
 }
 
 TEST_F(Reduction, PointsThatAreNoDoublesAtTheTrueDegree) {
@@ -287,13 +287,13 @@ TEST_F(Reduction, TheEndsOfTheRangeOfDouble) {
   EXPECT_EQ(order(2 * 0x1.8p52), 3);
   EXPECT_EQ(order(2 * (0x1p53 + 1) / 3), 4);  // 2^53 + 1 has 54 bits
   EXPECT_EQ(order(2 * (0x1p53 - 2) / 3), 3);
-  EXPECT_EQ(order(kTiny), 4);
-  EXPECT_EQ(order(2 * kTiny), 3);
+  EXPECT_EQ(order(kSmallestDouble), 4);
+  EXPECT_EQ(order(2 * kSmallestDouble), 3);
   EXPECT_EQ(order(0x1p1022), 3);
   EXPECT_EQ(order(-0x1.5555555555554p1023), 3);
   EXPECT_EQ(order(0x1.5555555555556p1023), 4);
   EXPECT_EQ(order(0x1.8p1023), 4);
-  for (double x : {0x1p52, 2 * kTiny, 0x1p1022, -0x1.5555555555554p1023})
+  for (double x : {0x1p52, 2 * kSmallestDouble, 0x1p1022, -0x1.5555555555554p1023})
     expect_reduced({{4, 1}, {0, x, x, 0}});
 }
 
