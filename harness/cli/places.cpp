@@ -34,14 +34,17 @@ Places places() {
             .output = output_folder(top / "reports/out"),
             .vectors = top / "vectors",
             .production_headers = top / "production/include",
-            .production_library = fs::weakly_canonical(folder / "../../production/libglevaluator.a")};
+            .production_library = fs::weakly_canonical(folder / "../../production/libglevaluator.a"),
+            .recorder = fs::weakly_canonical(folder / "../record/preload/libevalcts_record.so")};
   const fs::path data = fs::weakly_canonical(folder / EVALCTS_DATA_FROM_PROGRAMS);
   return {.suite_program = folder / "evalcts-suite",
           .faulty_suite_program = folder / "evalcts-faulty-suite",
           .output = output_folder(fs::current_path() / "evalcts-results"),
           .vectors = data / "vectors",
           .production_headers = {},
-          .production_library = {}};
+          .production_library = {},
+          .recorder =
+              fs::weakly_canonical(folder / EVALCTS_LIBRARIES_FROM_PROGRAMS "/evalcts/libevalcts_record.so")};
 }
 
 void become(const std::string& program) {

@@ -19,6 +19,7 @@
 #include <string_view>
 
 #include <evalcts/cli/command.h>
+#include <evalcts/cli/places.h>
 #include <evalcts/cli/recordings.h>
 #include <evalcts/record/programs.h>
 #include <evalcts/record/recording.h>
@@ -46,15 +47,6 @@ std::string first_of(const std::vector<Counted>& commands) {
     texts.push_back(fmt::format("{} {}", commands[i].name, commands[i].times));
   if (commands.size() > kMostNamed) texts.push_back(fmt::format("{} more", commands.size() - kMostNamed));
   return fmt::format("{}", fmt::join(texts, ", "));
-}
-
-// Returns the recorder, in a build or in an installation; an empty path if there is none.
-fs::path recorder_library() {
-  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
-  for (const char* const place : {"../record/preload", EVALCTS_LIBRARIES_FROM_PROGRAMS "/evalcts"})
-    if (const fs::path file = folder / place / "libevalcts_record.so"; fs::exists(file))
-      return fs::canonical(file);
-  return {};
 }
 
 // Returns the path of the program as the shell finds it; an empty path if there is none.
@@ -218,9 +210,9 @@ std::string why_nothing(const RecordOptions& options, std::vector<Counted> seen)
 }
 
 int record_program(const RecordOptions& options) {
-  const fs::path library = recorder_library(), file = fs::absolute(options.output).lexically_normal();
-  if (library.empty())
-    return wrong_use("the recorder, libevalcts_record.so, is not installed with this evalcts");
+  const fs::path library = places().recorder, file = fs::absolute(options.output).lexically_normal();
+  if (!fs::exists(library))
+    return wrong_use(fmt::format("the recorder is missing: no file '{}'", library.string()));
   if (library.string().find_first_of(" :") != std::string::npos)
     return wrong_use(fmt::format(
         "LD_PRELOAD cannot name '{}'; move evalcts to a path without spaces and colons", library.string()));

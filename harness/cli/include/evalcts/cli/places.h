@@ -18,6 +18,8 @@ struct Places {
   // Headers and library of libglevaluator for C programs; empty in an installation, where the
   // compiler finds them.
   std::filesystem::path production_headers, production_library;
+  // The library that `record` preloads; may not exist.
+  std::filesystem::path recorder;
 };
 Places places();
 
