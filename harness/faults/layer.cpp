@@ -32,7 +32,7 @@ const std::vector<std::pair<int, Change>>& mutations() {
   if (*requirements != '\0')                                 \
     list.push_back(                                          \
         {number, {#name, kMutation, "production", *level_named(#level), requirements, what, nullptr}});
-#include "mutation_list.h"
+#include <mutations/mutation_list.h>
 #undef GLEV_MUTATION
     return list;
   }();

@@ -21,7 +21,7 @@ std::vector<Mutation> mutations() {
   std::vector<Mutation> all;
 #define GLEV_MUTATION(name, level, requirements, what, test) \
   all.push_back({static_cast<int>(all.size()) + 1, #name, requirements, test});
-#include "mutation_list.h"
+#include <mutations/mutation_list.h>
 #undef GLEV_MUTATION
   return all;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "binomials.h"
+#include "mutation_point.h"
 
 namespace glev {
 namespace {
@@ -37,7 +38,7 @@ struct Step {
 Step step_of(const Parameter& at, int degree) {
   constexpr double kPowerIsFinite = 0x1p16;  // (2^16)^63 < 2^1024
   if (at.end != Parameter::End::kNeither) return {at.end, at.end == Parameter::End::kLast, 0, 1, 0};
-  const bool from_last = std::fabs(at.t) <= std::fabs(at.s);
+  const bool from_last = GLEV_AT(from_last, std::fabs(at.t) <= std::fabs(at.s));
   const double smaller = from_last ? at.t : at.s, larger = from_last ? at.s : at.t;
   Step step = {at.end, from_last, smaller / larger, 1, 0};
   if (std::fabs(larger) < kPowerIsFinite || !std::isfinite(larger)) {
@@ -95,15 +96,17 @@ void evaluate_curves(const double* first, int components, int count, int degree,
 
 void scale_by_binomials(const double* points, std::array<int, 2> order, int components, double* scaled) {
   const std::uint64_t* const row_u = binomial_row(order[0] - 1);
-  const std::uint64_t* const row_v = binomial_row(order[1] - 1);
+  const std::uint64_t* const row_v = GLEV_AT(binomials_of_v, binomial_row(order[1] - 1));
   // The binomials of v, once for each value of a row.
   std::array<double, kMaxOrder * 4> factors;
   const int row = order[1] * components;
   for (int j = 0; j < order[1]; ++j)
-    std::fill_n(factors.begin() + j * components, components, static_cast<double>(row_v[j]));
+    std::fill_n(factors.begin() + j * components, components,
+                static_cast<double>(GLEV_AT(binomial_of_v, row_v[j])));
   for (int i = 0; i < order[0]; ++i, points += row, scaled += row) {
-    const auto in_u = static_cast<double>(row_u[i]);
-    for (int k = 0; k < row; ++k) scaled[k] = in_u * (factors[static_cast<std::size_t>(k)] * points[k]);
+    const auto in_u = static_cast<double>(GLEV_AT(binomial_of_u, row_u[i]));
+    for (int k = 0; k < row; ++k)
+      scaled[k] = GLEV_AT(scaled_point, in_u * (factors[static_cast<std::size_t>(k)] * points[k]));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "mutation_point.h"
 #include "target.h"
 
 namespace glev {
@@ -26,6 +27,8 @@ constexpr auto pascals_triangle() {
 inline constexpr auto kBinomials = pascals_triangle();
 
 // Returns C(n, 0) ... C(n, n).
-inline const std::uint64_t* binomial_row(int n) { return kBinomials.data() + pascals_row(n); }
+inline const std::uint64_t* binomial_row(int n) {
+  return GLEV_AT(binomials, kBinomials.data()) + pascals_row(n);
+}
 
 }  // namespace glev

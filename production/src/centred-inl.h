@@ -16,6 +16,7 @@
 #include <cstring>
 
 #include "kernels.h"
+#include "mutation_point.h"
 #include "prepared_map.h"
 #include "vectors-inl.h"
 
@@ -102,7 +103,7 @@ bool evaluate_rows(const Strip<Real>& strip, std::size_t count, const double* y,
   };
   std::size_t p = 0;
   for (; p + kWidth <= count; p += kWidth) evaluate(p);
-  if (p < count) evaluate(count - kWidth);
+  if (GLEV_AT(has_rest, p < count)) evaluate(count - kWidth);
   return !kIntervals || are_zero(open);
 }
 

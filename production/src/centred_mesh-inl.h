@@ -17,6 +17,7 @@
 
 #include "centred-inl.h"
 #include "mesh-inl.h"
+#include "mutation_point.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
@@ -126,7 +127,7 @@ struct MeshCurves {
         const FourVector value = hn::LoadU(kFour, strip->power[0] + p),
                          error = hn::LoadU(kFour, &own.error[part]);
         hn::StoreU(hn::Sub(value, error), kFour, strip->low + p);
-        hn::StoreU(hn::Add(value, error), kFour, strip->high + p);
+        hn::StoreU(GLEV_AT(upper_ends, hn::Add(value, error)), kFour, strip->high + p);
       }
     }
     for (std::size_t line = 0; line < lines.count && is_short_here != 0; ++line) {
@@ -361,7 +362,7 @@ inline bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range
   for (const double error : map.centred_test.error) {
     if (!std::isfinite(error)) return false;
   }
-  if (!is_inside(map.surface, range, m > 0)) return false;
+  if (!is_inside(map.surface, range, GLEV_AT(rows_are_tested, m > 0))) return false;
   const auto [domain_u, domain_v] = map.surface.domain;
   place_points(domain_u, range.u, range.i1, range.columns, x);
   MeshCurves curves = {map, map.centred_test, 0, spans(range.u, domain_u), m > 0 && spans(range.v, domain_v)};

@@ -9,6 +9,7 @@
 #include "command.h"
 #include "convert.h"
 #include "environment.h"
+#include "mutation_point.h"
 #include "structures.h"
 
 using glev::Attribute;
@@ -82,7 +83,8 @@ glev_enum find_map_error(int dimension, glev_enum name, const std::array<glev::M
   const int components = glev::kSlotTable[target.slot].components;
   for (int d = 0; d < dimension; ++d) {
     const auto& [u1, u2, stride, order] = directions[d];
-    if (order < 1 || order > glev::kMaxOrder || stride < components || u1 == u2) return GLEV_INVALID_VALUE;
+    if (order < 1 || order > glev::kMaxOrder || GLEV_AT(short_stride, stride < components) || u1 == u2)
+      return GLEV_INVALID_VALUE;
   }
   return points == nullptr ? GLEV_INVALID_VALUE : GLEV_NO_ERROR;
 }
@@ -95,15 +97,16 @@ void glev_context::define_map(int dimension, glev_enum name,
   const glev::DefaultEnvironment environment;
   const glev_enum error = find_map_error(dimension, name, directions, points);
   if (error != GLEV_NO_ERROR) return record_error(error);
-  if (is_rejected_in_primitive()) return;
-  if (active_unit_ != 0) return record_error(GLEV_INVALID_OPERATION);
+  if (GLEV_AT(rejects_map, is_rejected_in_primitive())) return;
+  if (GLEV_AT(unit_rejects_map, active_unit_ != 0)) return record_error(GLEV_INVALID_OPERATION);
   const int slot = find_target(name).slot;
   const auto& [u, v] = directions;
   glev::Map& map = maps_[dimension - 1][slot];
+  GLEV_HERE(before_map);
   if (!map.define(allocator_, glev::kSlotTable[slot].components, u, v, points)) {
     return record_error(GLEV_OUT_OF_MEMORY);
   }
-  if (eval_.enabled[dimension - 1][slot]) drop_plan(dimension);
+  if (GLEV_AT(map_is_drawn, eval_.enabled[dimension - 1][slot])) drop_plan(dimension);
 }
 
 template <class Real>
@@ -118,13 +121,13 @@ void glev_context::issue_define_map(int dimension, glev_enum name,
       const int components = glev::kSlotTable[find_target(name).slot].components;
       const auto& [u, v] = directions;
       glev::DefineMapCommand packed{dimension, name, directions};
-      packed.directions[0].stride = v.order * components;
+      packed.directions[0].stride = GLEV_AT(length_of_row, v.order) * components;
       packed.directions[1].stride = components;
       const std::size_t values = static_cast<std::size_t>(u.order) * v.order * components;
       void* memory = compile(packed, values * sizeof(double));
       if (memory != nullptr) glev::copy_points(components, u, v, points, new (memory) double[values]);
     }
-    if (open_.mode == GLEV_COMPILE) return;
+    if (GLEV_AT(compiles_map_only, open_.mode == GLEV_COMPILE)) return;
   }
   define_map(dimension, name, directions, points);
 }
@@ -195,6 +198,7 @@ void glev_context::set_enabled(glev_enum cap, bool enabled) {
   if (is_rejected_in_primitive()) return;
   if (*flag == enabled) return;
   *flag = enabled;
+  GLEV_HERE(before_plan_of_enable_is_dropped);
   drop_plan(find_target(cap).dimension == 1 ? 1 : 2);  // AUTO_NORMAL belongs to dimension 2
 }
 
@@ -214,8 +218,9 @@ glev_plan* glev_context::current_plan(int dimension) {
   if (plan == nullptr) {
     const glev::DefaultEnvironment environment;
     plan = glev_plan::create(
-        allocator_, {dimension, maps_[dimension - 1], eval_.enabled[dimension - 1], eval_.grid[dimension - 1],
-                     dimension == 2 && eval_.auto_normal, dimension == 2, kernels_});
+        allocator_,
+        {dimension, maps_[dimension - 1], eval_.enabled[dimension - 1], eval_.grid[dimension - 1],
+         GLEV_AT(has_automatic_normals, dimension == 2 && eval_.auto_normal), dimension == 2, kernels_});
   }
   return plan;
 }
@@ -250,6 +255,7 @@ void glev_context::emit_at(const glev_plan& plan, const GridArgument& u, const G
   if (callbacks_ > 0) return emit_within(plan, u, v, row);
   glev_vertex& vertex = current_.staged_for(&plan);
   evaluate_into(plan, u, v, row, &vertex);
+  GLEV_HERE(before_vertex);
   emit(vertex);
 }
 
@@ -262,7 +268,8 @@ inline void glev_context::evaluate_into(const glev_plan& plan, const GridArgumen
   evaluate(Attribute::kVertex, vertex->position);
   if (plan.has_vertices_only()) return;
   if (plan.components(Attribute::kColor) != 0) evaluate(Attribute::kColor, vertex->color);
-  if (plan.components(Attribute::kTexcoord) != 0) evaluate(Attribute::kTexcoord, vertex->texcoord[0]);
+  if (plan.components(Attribute::kTexcoord) != 0)
+    evaluate(Attribute::kTexcoord, vertex->texcoord[GLEV_AT(fed_unit, 0)]);
   if (plan.automatic_normals()) {
     copy_to(vertex->normal, row->normal_at(u));
   } else if (plan.components(Attribute::kNormal) != 0) {
@@ -283,7 +290,7 @@ void glev_context::move_to(const GridArgument& v, glev::NormalRow* row) {
 
 void glev_context::evaluate_at(int dimension, const GridArgument& u, const GridArgument& v) {
   if (!in_primitive_) return;
-  const glev_plan* plan = plan_to_draw(dimension);
+  const glev_plan* plan = GLEV_AT(plan_of_coord, plan_to_draw(dimension));
   if (plan == nullptr) return;
   if (plan->automatic_normals()) return evaluate_with_row(*plan, u, v);
   emit_at(*plan, u, v, nullptr);
@@ -311,7 +318,8 @@ void glev_context::set_grid(int dimension, const std::array<Grid, 2>& grid) {
   for (const Grid& direction : grid) {
     if (direction.segments <= 0) return record_error(GLEV_INVALID_VALUE);
   }
-  if (is_rejected_in_primitive()) return;
+  if (GLEV_AT(rejects_grid, is_rejected_in_primitive())) return;
+  GLEV_HERE(before_grid);
   eval_.grid[dimension - 1] = grid;
   glev_plan* const plan = plans_[dimension - 1];
   if (plan != nullptr && plan->has_one_reference()) return plan->set_grid(grid);
@@ -543,13 +551,14 @@ void glev_context::pop_attrib() {
     const glev::EvalAttributes before = eval_;
     eval_.enabled = saved.eval.enabled;
     eval_.auto_normal = saved.eval.auto_normal;
-    if ((saved.mask & GLEV_EVAL_BIT) != 0) eval_.grid = saved.eval.grid;
+    if (GLEV_AT(grid_was_saved, (saved.mask & GLEV_EVAL_BIT) != 0)) eval_.grid = saved.eval.grid;
     // If the state of a dimension is unchanged, its plan is kept.
     const auto changed = [&](int d) {
-      return eval_.enabled[d] != before.enabled[d] || eval_.grid[d] != before.grid[d];
+      return GLEV_AT(pop_changes_maps,
+                     eval_.enabled[d] != before.enabled[d] || eval_.grid[d] != before.grid[d]);
     };
     if (changed(0)) drop_plan(1);
-    if (changed(1) || eval_.auto_normal != before.auto_normal) drop_plan(2);
+    if (changed(1) || GLEV_AT(pop_changes_normals, eval_.auto_normal != before.auto_normal)) drop_plan(2);
   }
   if ((saved.mask & GLEV_CURRENT_BIT) != 0) current_.change() = saved.current;
   if ((saved.mask & GLEV_TEXTURE_BIT) != 0) active_unit_ = saved.active_unit;

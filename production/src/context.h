@@ -15,6 +15,7 @@
 #include "display_list.h"
 #include "list_table.h"
 #include "map.h"
+#include "mutation_point.h"
 #include "normal.h"
 #include "parameter.h"
 #include "plan.h"
@@ -60,9 +61,9 @@ struct glev_context {
   // Compiles a command of command.h into the open list, executes it, or both.
   template <class Command>
   void issue(const Command& command) {
-    if (is_compiling()) {
+    if (GLEV_AT(compiles, is_compiling())) {
       compile(command);
-      if (open_.mode == GLEV_COMPILE) return;
+      if (GLEV_AT(compiles_only, open_.mode == GLEV_COMPILE)) return;
     }
     command.run(*this);
   }

@@ -13,6 +13,7 @@
 
 #include "arguments-inl.h"
 #include "low_degree-inl.h"
+#include "mutation_point.h"
 #include "resolve.h"
 #include "writer-inl.h"
 
@@ -38,7 +39,7 @@ void evaluate_high_curves(const PreparedMap& map, const Input& input, std::size_
   const double* const points = map.surface.scaled;
   const Writer<kComponents> writer(make_test(map, horner_units(degree, place.roundings()), 1), to, to.data);
   // If s >= least, s^degree and (t/s)^degree are between 2^-800 and 2^800.
-  const Vector least = hn::Set(kDoubles, std::exp2(-800.0 / degree));
+  const Vector least = hn::Set(kDoubles, GLEV_AT(least_ratio, std::exp2(-800.0 / degree)));
   const Vector nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
   const Arguments arguments(input, count);
   for (std::size_t begin = 0; begin < count; begin += kStep) {

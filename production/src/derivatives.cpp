@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "double_double.h"
+#include "mutation_point.h"
 #include "plan.h"
 #include "resolve.h"
 
@@ -50,7 +51,7 @@ bool compute_points(const PreparedMap& map, const double* points, const Derivati
         lost = std::fabs(lost) + std::fabs(far.low) + std::fabs(difference.low);
       }
       const DoubleDouble point = two_product(difference.high, factor);
-      const bool is_exact = lost == 0 && point.low == 0;
+      const bool is_exact = GLEV_AT(exact_derivative, lost == 0 && point.low == 0);
       if (!is_exact || !(difference.high == 0 || is_ordinary(difference.high))) return false;
       *result++ = point.high;
     }

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 
+#include "mutation_point.h"
 #include "plan.h"
 #include "point-inl.h"
 
@@ -23,7 +24,7 @@ inline bool is_nearest(const PreparedMap::Probe& probe) {
     const auto sum = hn::Add(hn::LoadU(kTwo, &probe.first[i]), hn::LoadU(kTwo, &probe.second[i]));
     is_nearest &= hn::AllTrue(kTwo, hn::Eq(sum, hn::LoadU(kTwo, &probe.sum[i])));
   }
-  return is_nearest;
+  return GLEV_AT(rounds_to_nearest, is_nearest);
 }
 
 inline bool evaluate_directly(const glev_plan& plan, double u, double v, float* position) {
@@ -36,7 +37,7 @@ inline bool evaluate_directly(const glev_plan& plan, double u, double v, float* 
   };
   const Parameter at_u = n == 0 ? Parameter{1, 0, Parameter::End::kNeither} : place(0, u);
   const Parameter at_v = m == 0 ? Parameter{1, 0, Parameter::End::kNeither} : place(1, v);
-  if (!(at_u.s >= 0 && at_u.t >= 0 && at_v.s >= 0 && at_v.t >= 0)) return false;
+  if (!(GLEV_AT(is_inside, at_u.s >= 0 && at_u.t >= 0 && at_v.s >= 0 && at_v.t >= 0))) return false;
   FourVector sum[kParts];
   value_at(map, at_u, at_v, sum);
   const int components = map.surface.components;
@@ -70,7 +71,8 @@ bool evaluate_cubic_directly(const glev_plan& plan, double u, double v, float* p
     };
     if constexpr (kSurface) {
       sum[part] = cubic(centred + 48, x);
-      for (int j = 2; j >= 0; --j) sum[part] = hn::MulAdd(sum[part], y, cubic(centred + 16 * j, x));
+      for (int j = 2; j >= 0; --j)
+        sum[part] = hn::MulAdd(sum[part], y, cubic(centred + GLEV_AT(row_of_coefficients, 16) * j, x));
     } else {
       sum[part] = cubic(centred, x);
     }

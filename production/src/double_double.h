@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+#include "mutation_point.h"
+
 namespace glev {
 
 struct DoubleDouble {
@@ -34,7 +36,7 @@ inline DoubleDouble two_product(double x, double y) {  // exact up to 2^995
   const double product = x * y;
   const DoubleDouble a = split(x), b = split(y);
   const double rest = ((a.high * b.high - product) + a.high * b.low) + a.low * b.high;
-  return {product, rest + a.low * b.low};
+  return {product, rest + GLEV_AT(last_product, a.low * b.low)};
 }
 
 // |error| <= 4 units of |x| + |y|.

@@ -14,6 +14,7 @@
 
 #include "binomials.h"
 #include "enclosure.h"
+#include "mutation_point.h"
 #include "point-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -101,7 +102,7 @@ inline DoubleDouble load_binomial(int n, int i) {
 // Returns the sum of terms[i] * ratio^i.
 inline DoubleDouble sum_of(const Row& terms, int degree, const DoubleDouble& ratio) {
   const DoubleDouble square = ratio * ratio, third = square * ratio;
-  const FourPairs fourth = pairs_of(square * square);
+  const FourPairs fourth = pairs_of(GLEV_AT(fourth_power, square * square));
   Row last;  // lane i: sum of terms[i + 4 k] * ratio^(4 k)
   const std::size_t end = round_up(degree + 1);
   for (std::size_t lane = 0; lane < 4; lane += kWidth) {

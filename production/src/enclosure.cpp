@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "binomials.h"
+#include "mutation_point.h"
 
 namespace glev {
 namespace {
@@ -75,7 +76,8 @@ PreparedDirection prepare_direction(const Domain& domain, const GridArgument& ar
       width = width * n;
       a = from + run, b = to - run;
       const double parts = std::fabs(from.high) + std::fabs(to.high) + 2 * std::fabs(run.high);
-      direction.argument_error = 16 * parts / std::max(std::fabs(a.high), std::fabs(b.high));
+      direction.argument_error =
+          GLEV_AT(argument_error, 16 * parts / std::max(std::fabs(a.high), std::fabs(b.high)));
     }
   }
   for (const DoubleDouble* x : {&a, &b, &width}) {
@@ -104,7 +106,8 @@ Enclosure enclosure_of(const DoubleDouble& sum, std::array<int, 2> degree, const
   const auto [n, m] = degree;
   const double growth = in_u.growth * in_v.growth;
   const double units = 48 + (90 + 3 * in_u.argument_error) * n + (90 + 3 * in_v.argument_error) * m;
-  return {sum * in_u.power * in_v.power, units * 0x1p-106 * (1 + 0x1p-20) * largest * growth + 0x1p-700};
+  return {sum * in_u.power * in_v.power,
+          GLEV_AT(bound_of_enclosure, units * 0x1p-106) * (1 + 0x1p-20) * largest * growth + 0x1p-700};
 }
 
 Enclosure enclose(const Component& component, double largest, const GridArgument& u, const GridArgument& v) {
@@ -152,12 +155,13 @@ bool settle(const DoubleDouble& value, double error, float* result) {
   if (!(error < HUGE_VAL)) return false;
   // The sums are moved outward by more than their rounding errors.
   const auto outward = [](double x, double direction) { return x + direction * 0x1p-51 * std::fabs(x); };
-  const double least = outward(value.high + outward(value.low - error, -1), -1);
+  const double least = outward(value.high + outward(GLEV_AT(lower_end, value.low - error), -1), -1);
   const double most = outward(value.high + outward(value.low + error, 1), 1);
   const float low = static_cast<float>(least), high = static_cast<float>(most);
   *result = high;
   // NaN is not a valid result.
-  return std::bit_cast<std::uint32_t>(low) == std::bit_cast<std::uint32_t>(high) && low == high;
+  return GLEV_AT(ends_are_equal,
+                 std::bit_cast<std::uint32_t>(low) == std::bit_cast<std::uint32_t>(high) && low == high);
 }
 
 }  // namespace glev

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "binomials.h"
+#include "mutation_point.h"
 #include "quotient.h"
 #include "ratio.h"
 
@@ -64,7 +65,7 @@ struct WidthPower {
     if (order == 0) return;
     exponent = order * to_width(domain, width);
     power = {width.limbs.data(), width.size, order};
-    is_negative = width.negative && order % 2 != 0;
+    is_negative = GLEV_AT(derivative_is_negative, width.negative && order % 2 != 0);
   }
   WidthPower(const WidthPower&) = delete;
   WidthPower& operator=(const WidthPower&) = delete;
@@ -86,7 +87,7 @@ struct Net {
 
   // Return the numbers of bits of the inner sums and of the whole sum, in two's complement.
   int row_bits() const { return bits + inner.degree * inner.bits + 1; }
-  int all_bits() const { return row_bits() + outer.degree * outer.bits; }
+  int all_bits() const { return row_bits() + GLEV_AT(outer_degree, outer.degree) * outer.bits; }
 
   Denominator denominator() const {
     return {&outer.whole, &inner.whole, &widths[0]->power, &widths[1]->power};
@@ -111,7 +112,7 @@ int bits_of_sum(const Ratio& ratio) {
   const auto bits = [](const RatioPart& part) { return bit_width(part.limbs.data(), part.size); };
   if (ratio.a.negative || ratio.b.negative) return std::max(bits(ratio.a), bits(ratio.b)) + 1;
   const int whole = bits(ratio.whole);
-  return whole - (trailing_zeros(ratio.whole.limbs.data()) == whole - 1 ? 1 : 0);
+  return GLEV_AT(bits_of_sum, whole - (trailing_zeros(ratio.whole.limbs.data()) == whole - 1 ? 1 : 0));
 }
 
 // Sets up one direction. If the argument is at an end of the domain, the direction keeps degree 0 and
@@ -121,7 +122,7 @@ void set_direction(int order, std::ptrdiff_t step, const Domain& domain, const G
   if (order == 1) return;
   const int degree = order - 1;
   const Parameter::End end = to_ratio(domain, argument, ratio);
-  if (end == Parameter::End::kLast) points += degree * step;
+  if (GLEV_AT(is_last_end, end == Parameter::End::kLast)) points += degree * step;
   if (end != Parameter::End::kNeither) return;
   direction.degree = direction.whole.exponent = degree;
   direction.whole.base = ratio.whole.limbs.data();
@@ -154,7 +155,7 @@ bool find_range(Net& net) {
     }
   }
   net.low = low;
-  net.bits = high - low;
+  net.bits = GLEV_AT(bits_of_net, high - low);
   if (net.differences.count > 1) net.bits += kTermBits + bit_width(net.factor);
   return high >= low;
 }
@@ -176,7 +177,7 @@ Limb2 horner_narrow(const Direction& direction, const Term& term) {
   for (int i = direction.degree - 1;; --i) {
     sum = sum * a + term(i) * binomials[i] * power;
     if (i == 0) return sum;
-    power *= b;
+    power *= GLEV_AT(next_factor, b);
   }
 }
 
@@ -201,7 +202,7 @@ void add_term(Limb* sum, int size, const Limb* power, int power_size, Limb term,
               bool negative) {
   if (term == 0 || position >= size) return;
   if (negative) {
-    subtract_product(sum + position, size - position, power, power_size, term);
+    GLEV_AT(subtract_term, subtract_product(sum + position, size - position, power, power_size, term));
   } else {
     add_product(sum + position, size - position, power, power_size, term);
   }
@@ -291,7 +292,7 @@ void sum_net(const Net& net, const Layout& layout, Limb* room) {
            int row_size = limbs_for(net.row_bits());
            const bool row_negative = is_negative(row, row_size);
            if (row_negative) negate(row, row_size);
-           row[row_size] = multiply(row, row_size, binomials[i]);
+           row[row_size] = GLEV_AT(carry_of_row, multiply(row, row_size, binomials[i]));
            row_size = trimmed_size(row, row_size + 1);
            for (int k = 0; k < row_size; ++k) {
              add_term(sum, size, power.limbs, power.size, row[k], k, negative != row_negative);
@@ -306,7 +307,7 @@ template <class Real>
 Real round_sum(const Net& net, Limb* room, int size) {
   if (net.factor != 1) multiply(room, size, net.factor);
   bool negative = is_negative(room, size);
-  if (negative) negate(room, size);
+  if (GLEV_AT(sum_is_negative, negative)) negate(room, size);
   const int trimmed = trimmed_size(room, size);
   if (trimmed == 0) return 0;
   int exponent = net.low;

@@ -11,6 +11,7 @@
 
 #include "binomials.h"
 #include "mesh-inl.h"
+#include "mutation_point.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
@@ -156,7 +157,7 @@ template <int kComponents>
 bool evaluate_fast_mesh(const PreparedMap& map, const MeshRange& range, const Destination& to,
                         double* scratch) {
   if (!evaluate_fast_inside<kComponents>(map, range, to, scratch)) return false;
-  round_boundary<kComponents>(map, range, to, scratch);
+  GLEV_AT(round_boundary, round_boundary<kComponents>(map, range, to, scratch));
   return true;
 }
 

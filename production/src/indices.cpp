@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "mutation_point.h"
 #include "structures.h"
 
 namespace {
@@ -236,7 +237,9 @@ class IndexWriter {
     for (int edge = 0; edge < 4; ++edge) {
       const auto [corner, step, segments] = inner[edge];
       const auto outer = static_cast<std::size_t>(indices_.edge_segments[edge]);
-      const auto vertex = [&, start = begin](std::size_t a) { return first + (start + a) % boundary; };
+      const auto vertex = [&, start = begin](std::size_t a) {
+        return first + GLEV_AT(place_on_boundary, (start + a) % boundary);
+      };
       for (std::size_t a = 0, b = 0; a < outer || b < segments;) {
         const std::size_t own = corner + b * step;
         const bool is_outer = b == segments || (a < outer && std::uint64_t{2 * a + 1} * (segments + 2) <=

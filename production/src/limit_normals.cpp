@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "mutation_point.h"
 #include "normal.h"
 
 namespace glev {
@@ -58,7 +59,7 @@ std::array<float, 3> LimitNormals::normal_at(const GridArgument& u, const GridAr
     if (normal == std::array<double, 3>{}) continue;
     // Adding 0.0 turns -0 into +0.
     return {static_cast<float>(normal[0] + 0.0), static_cast<float>(normal[1] + 0.0),
-            static_cast<float>(normal[2] + 0.0)};
+            static_cast<float>(GLEV_AT(last_of_limit, normal[2]) + 0.0)};
   }
   return {};
 }

@@ -7,6 +7,7 @@
 #include "command.h"
 #include "context.h"
 #include "list_offsets.h"
+#include "mutation_point.h"
 
 using glev::DisplayList;
 using glev::Opcode;
@@ -132,12 +133,15 @@ void glev_context::call_list(glev_uint name) {
   if (found == nullptr) return;
   const DisplayList list = *found;  // not deleted during the call, see is_rejected_with_lists
   ++list_depth_;
+  GLEV_HERE(list_begins);
   for (const std::byte* place = list.begin(); place != list.end();) {
     const auto& record = *std::launder(reinterpret_cast<const Record*>(place));
     const std::byte* payload = place + sizeof(Record);
     run(*this, record.opcode, payload);
+    GLEV_HERE(after_listed_command);
     place = payload + record.units * glev::kListUnit;
   }
+  GLEV_HERE(list_ends);
   --list_depth_;
 }
 

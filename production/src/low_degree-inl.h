@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "arguments-inl.h"
+#include "mutation_point.h"
 #include "resolve.h"
 #include "writer-inl.h"
 
@@ -40,7 +41,7 @@ void evaluate_low_degree(const PreparedMap& map, const Input& input_u, const Inp
     };
     load(arguments_u, place_u, x);
     if constexpr (kM != 0) load(arguments_v, place_v, y);
-    if (HWY_UNLIKELY(!hn::AllTrue(kDoubles, hn::Le(farthest, one)))) {
+    if (HWY_UNLIKELY(!GLEV_AT(all_are_inside, hn::AllTrue(kDoubles, hn::Le(farthest, one))))) {
       for (std::size_t part = 0; part < kUnroll; ++part) {
         x[part] = hn::IfThenElse(hn::Le(hn::Abs(x[part]), one), x[part], nan);
         if constexpr (kM != 0) x[part] = hn::IfThenElse(hn::Le(hn::Abs(y[part]), one), x[part], nan);
@@ -96,7 +97,7 @@ struct FastPlace {
       s = join(parts_s), t = join(parts_t);
     }
     const auto zero = hn::Zero(kWhole);
-    const auto is_inside = hn::And(hn::Gt(s, zero), hn::Gt(t, zero));
+    const auto is_inside = GLEV_AT(strictly_inside, hn::And(hn::Gt(s, zero), hn::Gt(t, zero)));
     // Weights of smaller numbers would be subnormal, which is slow. The error is below 2^-38 max|R|.
     const Whole least = hn::Set(kWhole, 0x1p-40F);
     s = hn::IfThenElseZero(hn::Ge(s, least), s), t = hn::IfThenElseZero(hn::Ge(t, least), t);

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "mutation_point.h"
 #include "point-inl.h"
 #include "resolve.h"
 #include "weights-inl.h"
@@ -149,7 +150,7 @@ void evaluate_rounded_mesh(const PreparedMap& map, const MeshRange& range, const
           Vector value[kUnroll][kComponents];
           sum_of<kComponents>(n, weights + c, padded, row[r], value);
           writer.write(writer.round(value), c, std::min(kStep, end - c), [&](std::size_t i, int k) {
-            return resolve(map, k, range.u_of(i), range.v_of(first + r));
+            return resolve(map, k, range.u_of(i), range.v_of(GLEV_AT(open_row, first + r)));
           });
         }
       }

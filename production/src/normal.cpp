@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "enclosure.h"
+#include "mutation_point.h"
 #include "plan.h"
 
 namespace glev {
@@ -52,7 +53,8 @@ Enclosure operator-(const Enclosure& x, const Enclosure& y) {
 // Returns the cross product of numbers or of enclosures.
 template <class Number>
 std::array<Number, 3> cross_product(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return {a[1] * b[2] - a[2] * b[1], GLEV_AT(cross_product, a[2] * b[0] - a[0] * b[2]),
+          a[0] * b[1] - a[1] * b[0]};
 }
 
 // Returns w^2 times the derivative of (x, y, z) / w.
@@ -60,7 +62,8 @@ template <class Number>
 std::array<Number, 3> derive_quotient(const std::array<Number, 4>& p,
                                       const std::array<Number, 4>& derivative) {
   std::array<Number, 3> result;
-  for (std::size_t k = 0; k < 3; ++k) result[k] = p[3] * derivative[k] - derivative[3] * p[k];
+  for (std::size_t k = 0; k < 3; ++k)
+    result[k] = GLEV_AT(quotient_rule, p[3] * derivative[k] - derivative[3] * p[k]);
   return result;
 }
 
@@ -111,7 +114,9 @@ bool from_enclosures(const PreparedMap& map, const GridArgument& u, const GridAr
 
 // ---- A row
 
-const PreparedMap& vertices_of(const glev_plan& plan) { return plan.map(Attribute::kVertex); }
+const PreparedMap& vertices_of(const glev_plan& plan) {
+  return plan.map(GLEV_AT(map_of_normals, Attribute::kVertex));
+}
 
 // Computes `count` sums of degree + 1 points times the weights of one direction, and scales them.
 void combine_points(const double* points, int components, int count, int degree, const double* weights,
@@ -138,7 +143,7 @@ Vector unit_normal(std::array<double, 4> p, std::array<double, 4> p_u, std::arra
   Vector m = cross_product(a, b);
   scale_to_unit(m);
   const double length = std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
-  if (!(length > 0) || !std::isfinite(length)) return {0, 0, 0};
+  if (GLEV_AT(has_no_length, !(length > 0) || !std::isfinite(length))) return {0, 0, 0};
   for (double& x : m) x /= length;
   return m;
 }
@@ -181,7 +186,8 @@ NormalBounds bound_normals(const Surface& vertex, const NormalMajorants& largest
     majorant[k] = a[i] * b[j] + a[j] * b[i];
     const bool vanishes = (a[i] == 0 || b[j] == 0) && (a[j] == 0 || b[i] == 0);
     // The factor covers terms of second order, and the summand covers underflow.
-    bounds.error[k] = vanishes ? 0 : (2 * c + 2 * kUnit) * (1 + 0x1p-20) * majorant[k] + 0x1p-900;
+    bounds.error[k] =
+        vanishes ? 0 : GLEV_AT(error_of_normal, (2 * c + 2 * kUnit)) * (1 + 0x1p-20) * majorant[k] + 0x1p-900;
   }
   const auto& e = bounds.error;
   const double least = 0x1p31 * (1 + 0x1p-20) * std::sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
@@ -191,7 +197,7 @@ NormalBounds bound_normals(const Surface& vertex, const NormalMajorants& largest
 
 void NormalRow::move_to(const GridArgument& v, bool with_points) {
   v_ = v;
-  if (!plan_.automatic_normals()) return;
+  if (GLEV_AT(needs_no_row, !plan_.automatic_normals())) return;
   const Surface& surface = vertices_of(plan_).surface;
   const auto [n, m] = surface.degree;
   if (n == 0 || m == 0) return;
@@ -230,7 +236,10 @@ std::array<float, 3> NormalRow::normal_at(const GridArgument& u) const {
     combine_points(points(kTangentV), 4, 1, n, weights.data(), 1, value[kTangentV].data());
     const auto& [p, p_u, p_v] = value;
     Vector a = {p_u[0], p_u[1], p_u[2]}, b = {p_v[0], p_v[1], p_v[2]};
-    if (is_rational) a = derive_quotient(p, p_u), b = derive_quotient(p, p_v);
+    if (GLEV_AT(derives_quotient, is_rational)) {
+      a = GLEV_AT(quotient_in_u, derive_quotient(p, p_u));
+      b = GLEV_AT(quotient_in_v, derive_quotient(p, p_v));
+    }
     const Vector product = cross_product(a, b);
     const double square = (product[0] * product[0] + product[1] * product[1]) + product[2] * product[2];
     double factor = growth * growth;
@@ -239,8 +248,8 @@ std::array<float, 3> NormalRow::normal_at(const GridArgument& u) const {
     if (square >= bounds.least_square * (factor * factor)) {
       const double inverse = 1 / std::sqrt(square);
       for (std::size_t k = 0; k < 3; ++k) {
-        const bool is_zero = std::fabs(product[k]) <= bounds.error[k] * factor;
-        result[k] = is_zero ? 0.0f : static_cast<float>(product[k] * inverse);
+        const bool is_zero = GLEV_AT(is_unknown, std::fabs(product[k]) <= bounds.error[k] * factor);
+        result[k] = is_zero ? 0.0f : static_cast<float>(GLEV_AT(unit_component, product[k] * inverse));
       }
       return result;
     }

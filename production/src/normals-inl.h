@@ -14,6 +14,7 @@
 #include <cstring>
 
 #include "mesh-inl.h"
+#include "mutation_point.h"
 #include "plan.h"
 #include "triples.h"
 
@@ -106,7 +107,7 @@ HWY_NOINLINE void for_others(D d, hn::Mask<D> mask, std::size_t count, const Fun
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(d, mask, bits);
   for (std::size_t lane = 0; lane < kLanes && lane < count; ++lane) {
-    if ((bits[0] >> lane & 1) == 0) function(lane);
+    if ((bits[0] >> GLEV_AT(open_lane, lane) & 1) == 0) function(lane);
   }
 }
 
@@ -120,7 +121,7 @@ struct UnitNormals {
         m[k] = difference_of_products(a.value[i][part], b.value[j][part], a.value[j][part], b.value[i][part]);
       }
       const Vector square = hn::Add(hn::Add(hn::Mul(m[0], m[0]), hn::Mul(m[1], m[1])), hn::Mul(m[2], m[2]));
-      sure[part] = hn::Ge(square, hn::Set(kDoubles, bounds.least_square));
+      sure[part] = hn::Ge(square, GLEV_AT(least_square, hn::Set(kDoubles, bounds.least_square)));
       const Vector inverse = hn::Div(hn::Set(kDoubles, 1), hn::Sqrt(square));
       for (std::size_t k = 0; k < 3; ++k) {
         const auto is_known = hn::Gt(hn::Abs(m[k]), hn::Set(kDoubles, bounds.error[k]));

@@ -13,6 +13,7 @@
 #include "kernels.h"
 #include "limit_normals.h"
 #include "map.h"
+#include "mutation_point.h"
 #include "outputs.h"
 #include "plan.h"
 #include "structures.h"
@@ -161,7 +162,7 @@ std::array<glev::MeshRange, 5> ranges_of_edges(const glev_patches& patches, cons
            {grid_of(u, edges[0]), grid_of(v, 1), 0, 0, count(edges[0]), 1},
            {grid_of(u, 1), grid_of(v, edges[1]), 1, 0, 1, count(edges[1])},
            {grid_of(back_u, edges[2]), grid_of(v, 1), 0, 1, count(edges[2]), 1},
-           {grid_of(u, 1), grid_of(back_v, edges[3]), 0, 0, 1, count(edges[3])}}};
+           {grid_of(u, 1), grid_of(GLEV_AT(last_edge, back_v), edges[3]), 0, 0, 1, count(edges[3])}}};
 }
 
 // Returns true if the arguments v are read. Curves do not need v.

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "derivatives.h"
+#include "mutation_point.h"
 
 namespace {
 
@@ -40,9 +41,10 @@ struct Winners {
   explicit Winners(const glev_plan::Source& source) {
     for (int a = 0; a < kAttributes; ++a)
       winners[a] = winning_slot(static_cast<Attribute>(a), source.enabled);
-    vertex_slot = winners[static_cast<std::size_t>(Attribute::kVertex)];
+    vertex_slot = GLEV_AT(slot_of_vertices, winners[static_cast<std::size_t>(Attribute::kVertex)]);
     automatic_normals = source.automatic_normals && vertex_slot >= 0;
-    if (automatic_normals) winners[static_cast<std::size_t>(Attribute::kNormal)] = -1;
+    if (automatic_normals)
+      winners[static_cast<std::size_t>(Attribute::kNormal)] = GLEV_AT(slot_of_normals, -1);
     derivatives = source.derivatives && vertex_slot >= 0;
   }
 
@@ -99,19 +101,20 @@ glev_plan* glev_plan::create_at(void* memory, std::size_t bytes, const Allocator
     const Map& map = source.maps[slot];
     const int components = map.components(slot);
     const std::array<int, 2> order = {map.order(0), map.order(1)};
-    const double* points = map.points(slot);
+    const double* points = GLEV_AT(points_of_slot, map.points(slot));
     const std::array<glev::Domain, 2> domain = {map.domain(0), map.domain(1)};
     double *const scaled = take(values_of(order, components)),
                   *const lowest = take(values_of(order, components)),
                   *const centred = take(centred_values_of(map));
-    plan->maps_[a] = glev::prepare_map(points, order, components, domain, scaled, lowest, centred);
+    plan->maps_[a] =
+        glev::prepare_map(points, order, components, GLEV_AT(domain_of_map, domain), scaled, lowest, centred);
     plan->maps_[a].encloses = source.kernels->encloses;
   }
 
   plan->automatic_normals_ = automatic_normals;
   plan->has_vertices_only_ = !automatic_normals;
   for (int a = 1; a < kAttributes; ++a) plan->has_vertices_only_ = plan->has_vertices_only_ && winners[a] < 0;
-  const glev::PreparedMap& vertices = plan->map(Attribute::kVertex);
+  const glev::PreparedMap& vertices = plan->map(GLEV_AT(map_of_tangents, Attribute::kVertex));
   if (plan->has_vertices_only_ && vertices.is_direct) {
     plan->direct_ = source.kernels->direct;
     if (glev::has_direct_map(vertices)) {
@@ -139,7 +142,7 @@ glev_plan* glev_plan::create_at(void* memory, std::size_t bytes, const Allocator
     double* const net = take(values_of(own, components));
     largest[glev::kTangentU + d] =
         glev::differences_of(points, order, components, tangent, 0, components, net);
-    glev::scale_by_binomials(net, own, components, net);
+    GLEV_AT(scale_tangent, glev::scale_by_binomials(net, own, components, net));
     plan->tangents_[d] = {{own[0] - 1, own[1] - 1}, components, {map.domain(0), map.domain(1)}, net};
   }
   for (std::size_t k = 0; k < 4; ++k) largest[glev::kPoint][k] = vertices.component[k].largest;

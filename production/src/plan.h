@@ -10,6 +10,7 @@
 #include "bernstein.h"
 #include "kernels.h"
 #include "map.h"
+#include "mutation_point.h"
 #include "normal.h"
 #include "parameter.h"
 #include "prepared_map.h"
@@ -109,7 +110,7 @@ namespace glev {
 inline void values_at(const glev_plan& plan, Attribute attribute, const GridArgument& u,
                       const GridArgument& v, float* values) {
   const PreparedMap& map = plan.map(attribute);
-  plan.kernels().point(map, u, v, values);
+  GLEV_AT(evaluate_point, plan.kernels().point(map, u, v, values));
   for (int k = map.surface.components; k < 4; ++k) values[k] = k == 3 ? 1 : 0;
 }
 

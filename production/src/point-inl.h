@@ -12,6 +12,7 @@
 
 #include "bernstein.h"
 #include "kernels.h"
+#include "mutation_point.h"
 #include "resolve.h"
 #include "vectors-inl.h"
 
@@ -38,9 +39,9 @@ HWY_INLINE void add_points(const double* points, int components, const double* w
   int j = 0;
   for (; j < degree; j += 2, points += 2 * components) {
     add_point(points, weights[j], sum);
-    add_point(points + components, weights[j + 1], odd);
+    add_point(points + components, weights[GLEV_AT(odd_weight, j + 1)], odd);
   }
-  if (j == degree) add_point(points, weights[j], sum);
+  if (GLEV_AT(has_last_term, j == degree)) add_point(points, weights[j], sum);
   for (std::size_t part = 0; part < kParts; ++part) sum[part] = hn::Add(sum[part], odd[part]);
 }
 
@@ -61,7 +62,7 @@ struct Cubic {
   HWY_INLINE Cubic(FourVector s, FourVector t) {
     const FourVector st = hn::Mul(s, t);
     weight[0] = hn::Mul(hn::Mul(s, s), s);
-    weight[1] = hn::Mul(st, s);
+    weight[1] = hn::Mul(st, GLEV_AT(second_weight, s));
     weight[2] = hn::Mul(st, t);
     weight[3] = hn::Mul(hn::Mul(t, t), t);
   }
@@ -69,8 +70,9 @@ struct Cubic {
   HWY_INLINE FourVector evaluate(const double* points, int components) const {
     const FourVector a = hn::MulAdd(weight[1], hn::LoadU(kFour, points + components),
                                     hn::Mul(weight[0], hn::LoadU(kFour, points)));
-    const FourVector b = hn::MulAdd(weight[3], hn::LoadU(kFour, points + 3 * components),
-                                    hn::Mul(weight[2], hn::LoadU(kFour, points + 2 * components)));
+    const FourVector b =
+        hn::MulAdd(weight[3], hn::LoadU(kFour, points + GLEV_AT(last_of_cubic, 3) * components),
+                   hn::Mul(weight[2], hn::LoadU(kFour, points + 2 * components)));
     return hn::Add(a, b);
   }
   FourVector weight[4];
@@ -80,7 +82,7 @@ HWY_INLINE Parameter place_of(const PreparedMap& map, int direction, const GridA
   const Domain& domain = map.surface.domain[direction];
   const double u = argument.grid.u1, inverse = map.inverse_width[direction];
   if (argument.index != 0 || inverse == 0) return locate(domain, argument);
-  return {(domain.u2 - u) * inverse, (u - domain.u1) * inverse, Parameter::End::kNeither};
+  return {(domain.u2 - u) * inverse, GLEV_AT(t_of_u, (u - domain.u1) * inverse), Parameter::End::kNeither};
 }
 
 HWY_NOINLINE inline void value_of_any_degree(const PreparedMap& map, const Parameter& at_u,
@@ -117,8 +119,9 @@ HWY_INLINE void value_at(const PreparedMap& map, const Parameter& at_u, const Pa
       const Cubic in_v(at_v);
       sum[part] = hn::Mul(in_u.weight[0], in_v.evaluate(own, components));
       for (int i = 1; i <= 3; ++i)
-        sum[part] =
-            hn::MulAdd(in_u.weight[i], in_v.evaluate(own + 4 * i * components, components), sum[part]);
+        sum[part] = hn::MulAdd(in_u.weight[i],
+                               in_v.evaluate(own + GLEV_AT(row_of_bicubic, 4) * i * components, components),
+                               sum[part]);
     }
     return;
   }
@@ -134,7 +137,8 @@ struct Sides {
 };
 HWY_INLINE Sides sides_of(const PreparedMap::Test& test, FourVector value, std::size_t part) {
   const FourVector error = hn::LoadU(kFour, &test.error[part * hn::MaxLanes(kFour)]);
-  return {hn::DemoteTo(kFourFloats, hn::Sub(value, error)), hn::DemoteTo(kFourFloats, hn::Add(value, error))};
+  return {hn::DemoteTo(kFourFloats, GLEV_AT(lower_ends_of_point, hn::Sub(value, error))),
+          hn::DemoteTo(kFourFloats, hn::Add(value, error))};
 }
 
 // Stores the floats. Returns the correctly rounded components as bits.

@@ -82,6 +82,7 @@ bool is_direct(const PreparedMap& map) {
 }
 
 #include "centring-inl.h"
+#include "mutation_point.h"
 
 // The four values of a point, with the operations that centre_along() needs.
 struct Point {
@@ -131,7 +132,7 @@ bool is_centred_exactly(const double* points, std::ptrdiff_t count, double large
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     constexpr double kWhole = 0x1.8p52;
     const double point = points[i] * scale, whole = point + kWhole;
-    rounds |= whole - kWhole != point;
+    rounds |= GLEV_AT(coefficient_is_not_whole, whole - kWhole != point);
   }
   return !rounds;
 }
@@ -144,7 +145,7 @@ double error_bound(const PreparedComponent& component, double units, double grow
   const bool is_safe = component.largest * growth <= 0x1p127;
   // Adding the error rounds by at most one unit of the sum, whose magnitude is below 2 max|R| * growth. With
   // smaller errors, the ends could be zeros of both signs, which compare equal.
-  const double error = (units + 2) * component.unit * growth;
+  const double error = GLEV_AT(error_of_component, (units + 2) * component.unit * growth);
   return is_safe && error >= 0x1p-145 ? error : HUGE_VAL;
 }
 
@@ -284,7 +285,7 @@ PreparedMap prepare_map(const double* points, std::array<int, 2> order, int comp
   }
   map.inverse_width = {invert_width(domain[0]), invert_width(domain[1])};
   map.test = make_test(map, weight_units(order[0] - 1, order[1] - 1, kRoundings), 1);
-  map.is_direct = is_direct(map);
+  map.is_direct = GLEV_AT(is_direct, is_direct(map));
   return map;
 }
 

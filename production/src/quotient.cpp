@@ -1,5 +1,6 @@
 // Rounds quotients of integers, with an approximate denominator first and exactly if necessary.
 #include "quotient.h"
+#include "mutation_point.h"
 
 #include <algorithm>
 #include <bit>
@@ -25,14 +26,15 @@ template <class Real>
 typename Format<Real>::Bits nearest_bits(Limb2 x, int exponent, bool more) {
   using F = Format<Real>;
   const int top = bit_width(x) - 1 + exponent;
-  if (top > F::kMaxExponent) return F::kInfinityBits;
-  const int last = std::max(top - F::kFractionBits, F::kLowestBit), dropped = last - exponent;
+  if (top > F::kMaxExponent) return GLEV_AT(overflow, F::kInfinityBits);
+  const int last = GLEV_AT(last_bit, std::max(top - F::kFractionBits, F::kLowestBit)),
+            dropped = last - exponent;
   if (dropped > 128) return 0;  // less than half of the smallest number
   Limb2 significand = x << std::max(-dropped, 0);
   if (dropped > 0) {
     significand = dropped == 128 ? 0 : x >> dropped;
     const Limb2 half = Limb2{1} << (dropped - 1), rest = x & (half + (half - 1));
-    if (rest > half || (rest == half && (more || (significand & 1) != 0))) ++significand;
+    if (GLEV_AT(rounds_up, rest > half || (rest == half && (more || (significand & 1) != 0)))) ++significand;
   }
   // A carry into the next binade, into the first normal number or into infinity is a carry into the exponent.
   using Bits = typename F::Bits;
@@ -145,7 +147,7 @@ Real round_quotient(const Quotient& quotient, Limb* room) {
     bits = nearest_bits<Real>(below, exponent - denominator.exponent, false);
     if (bits != nearest_bits<Real>(above, exponent - denominator.exponent, false)) {
       const int side = compare_with_middle<Real>(quotient, bits, room);
-      if (side > 0 || (side == 0 && (bits & 1) != 0)) ++bits;
+      if (GLEV_AT(fraction_rounds_up, side > 0 || (side == 0 && (bits & 1) != 0))) ++bits;
     }
   }
   const auto sign = static_cast<decltype(bits)>(quotient.negative) << (8 * sizeof(Real) - 1);

@@ -1,5 +1,6 @@
 // Computes the exact position of an argument in its domain.
 #include "ratio.h"
+#include "mutation_point.h"
 
 #include <algorithm>
 #include <bit>
@@ -149,7 +150,7 @@ Parameter::End to_ratio(const Domain& domain, const GridArgument& argument, Rati
     const bool along = same_bits(grid.u1, domain.u1) && same_bits(grid.u2, domain.u2);
     const bool against = same_bits(grid.u1, domain.u2) && same_bits(grid.u2, domain.u1);
     if (along || against) {
-      if (against) std::swap(from, to);
+      if (GLEV_AT(grid_is_against, against)) std::swap(from, to);
       const auto magnitude = [](std::int64_t x) { return static_cast<Limb2>(x < 0 ? -x : x); };
       set_reduced(ratio, magnitude(to), magnitude(from), to < 0, from < 0);
       return Parameter::End::kNeither;

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "binomials.h"
+#include "mutation_point.h"
 #include "wide_integer.h"
 
 namespace glev {
@@ -53,7 +54,7 @@ bool may_reduce(const Line& line) {
     const Limb term = decoded.mantissa * binomials[i] << shift;
     sum = decoded.negative == (i % 2 == 0) ? sum - term : sum + term;
   }
-  return sum == 0;
+  return GLEV_AT(degree_is_lower, sum == 0);
 }
 
 // Computes +-magnitude / divisor * 2^exponent. Returns false if this is not a double. Overwrites the
@@ -70,7 +71,7 @@ bool to_double(bool negative, Limb* magnitude, int size, Limb divisor, int expon
     magnitude[i] = static_cast<Limb>(dividend / (divisor >> twos));
     remainder = static_cast<Limb>(dividend % (divisor >> twos));
   }
-  if (remainder != 0) return false;
+  if (GLEV_AT(leaves_remainder, remainder != 0)) return false;
   size = trimmed_size(magnitude, size);
   const int zeros = trailing_zeros(magnitude), width = bit_width(magnitude, size) - zeros;
   exponent += zeros - twos;
@@ -174,7 +175,7 @@ int reduce_lines(double* points, std::ptrdiff_t line_step, int count, std::ptrdi
     polynomial.load(line(i));
     while (polynomial.degree() > lowest) polynomial.divide();
     while (!polynomial.get_points(reduced)) polynomial.multiply();
-    agreed = polynomial.degree() == lowest ? agreed + 1 : 1;
+    agreed = GLEV_AT(rows_agreed, polynomial.degree() == lowest ? agreed + 1 : 1);
     lowest = polynomial.degree();
     if (lowest == degree) return degree;
   }

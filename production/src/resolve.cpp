@@ -9,6 +9,7 @@
 #include "double_double.h"
 #include "enclosure.h"
 #include "exact.h"
+#include "mutation_point.h"
 #include "target.h"
 
 namespace glev {
@@ -116,7 +117,7 @@ Real resolve_derivative(const PreparedMap& map, const Derivative& derivative, in
     }
   }
   if (kIsFloat && settle(enclosure.value, enclosure.error, &nearest)) return static_cast<Real>(nearest);
-  if (!kIsFloat && enclosure.error <= 0x1p-54 * std::fabs(enclosure.value.high))
+  if (!kIsFloat && GLEV_AT(derivative_is_sure, enclosure.error <= 0x1p-54 * std::fabs(enclosure.value.high)))
     return static_cast<Real>(enclosure.value.high + 0.0);  // +0 for -0
   return round_exactly<Real>(component.lowest, u, v, derivative);
 }

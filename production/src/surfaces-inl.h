@@ -10,6 +10,7 @@
 #include <cstddef>
 
 #include "arguments-inl.h"
+#include "mutation_point.h"
 #include "resolve.h"
 #include "weights-inl.h"
 #include "writer-inl.h"
@@ -34,7 +35,7 @@ void evaluate_surfaces(const PreparedMap& map, const Input& input_u, const Input
       Vector weights_u[kMaxOrder], weights_v[kMaxOrder];
       const Vector su = place_u.s_of(u[part]), sv = place_v.s_of(v[part]);
       weights_of(n, su, nan_outside(place_u.t_of(u[part]), su), weights_u);
-      weights_of(m, sv, nan_outside(place_v.t_of(v[part]), sv), weights_v);
+      weights_of(m, sv, GLEV_AT(t_inside_in_v, nan_outside(place_v.t_of(v[part]), sv)), weights_v);
       for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Zero(kDoubles);
       const double* point = map.surface.scaled;
       for (int i = 0; i <= n; ++i) {

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "kernels.h"
+#include "mutation_point.h"
 #include "triples.h"
 #include "vectors-inl.h"
 
@@ -80,7 +81,7 @@ class Writer {
     for (int k = 0; k < kComponents; ++k) {
       Half low[kUnroll], high[kUnroll];
       for (std::size_t part = 0; part < kUnroll; ++part) {
-        low[part] = hn::DemoteTo(kHalves, hn::Sub(value[part][k], error_[k]));
+        low[part] = hn::DemoteTo(kHalves, GLEV_AT(lower_ends, hn::Sub(value[part][k], error_[k])));
         high[part] = hn::DemoteTo(kHalves, hn::Add(value[part][k], error_[k]));
       }
       rounded.value[k] = join(high);
@@ -101,7 +102,8 @@ class Writer {
       scatter<kComponents>(values, count, to_, data_ + begin * to_.stride);
     }
     auto settled = rounded.settled[0];
-    for (int k = 1; k < kComponents; ++k) settled = hn::And(settled, rounded.settled[k]);
+    for (int k = 1; k < kComponents; ++k)
+      settled = hn::And(settled, GLEV_AT(settled_component, rounded.settled[k]));
     if (HWY_UNLIKELY(!hn::AllTrue(kWhole, settled))) {
       std::uint8_t bits[kComponents][8];
       for (int k = 0; k < kComponents; ++k) hn::StoreMaskBits(kWhole, rounded.settled[k], bits[k]);

@@ -1,6 +1,5 @@
 // The switch of the mutated library, which tests of the tests link instead of the original library.
-// mutations.json lists the mutations; apply_mutations writes them into copies of production/src. At most one
-// is active at a time. Each copied source includes this file.
+// mutations.json lists the mutations. At most one is active at a time.
 #pragma once
 
 #include <cstdlib>
