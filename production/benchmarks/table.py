@@ -106,7 +106,7 @@ def first_value(file, key, separator):
 def environment(context):
     date = datetime.datetime.fromisoformat(context["date"]).astimezone(datetime.timezone.utc).date()
     caches = ", ".join(f"L{c['level']} {c['size'] // 1024} KiB" for c in context["caches"]
-                       if c["type"] != "Instruction")
+                       if c["type"] != "Instruction") or "caches unknown"
     processor = first_value("/proc/cpuinfo", "model name", ":")
     system = first_value("/etc/os-release", "PRETTY_NAME", "=")
     return f"{date}, one core of {processor} ({caches}), {context['compiler']}, peers as packaged by {system}."
