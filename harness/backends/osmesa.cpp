@@ -20,7 +20,7 @@ using CreateContextExt = OSMesaContext (*)(GLenum format, GLint depth, GLint ste
 using CreateContextAttribs = OSMesaContext (*)(const int* attributes, OSMesaContext share);
 using MakeCurrent = GLboolean (*)(OSMesaContext, void* buffer, GLenum type, GLsizei width, GLsizei height);
 using DestroyContext = void (*)(OSMesaContext);
-using GetProcAddress = void* (*)(const char* name);
+using FindCommand = void* (*)(const char* name);
 
 #ifdef _WIN32
 constexpr char kUsualLibrary[] = "osmesa.dll";
@@ -34,7 +34,7 @@ class OSMesaContexts final : public ContextMaker {
       : library_(library, in_front),
         create_(library_.find_as<CreateContext>("OSMesaCreateContext")),
         create_ext_(library_.find_as<CreateContextExt>("OSMesaCreateContextExt")),
-        get_proc_address_(library_.find_as<GetProcAddress>("OSMesaGetProcAddress")) {
+        get_proc_address_(library_.find_as<FindCommand>("OSMesaGetProcAddress")) {
     const auto required = [&](const char* symbol) {
       void* address = library_.find(symbol);
       if (!address) throw CannotStart(fmt::format("{} has no {}: it is not OSMesa", library_.path(), symbol));
@@ -114,7 +114,7 @@ class OSMesaContexts final : public ContextMaker {
   SharedLibrary library_;
   CreateContext create_;
   CreateContextExt create_ext_;
-  GetProcAddress get_proc_address_;
+  FindCommand get_proc_address_;
   MakeCurrent make_current_ = nullptr;
   DestroyContext destroy_ = nullptr;
   bool exports_commands_ = false;
