@@ -49,10 +49,10 @@ std::vector<Depth> Schedule::of_deliveries(Depth from, const std::vector<gl::Del
   for (const gl::Delivery& delivery : deliveries) {
     if (uses_lists(delivery)) {
       depths.push_back(list++ == list_in_turn ? from_with_lists : Depth::kThorough);
-    } else if (is_other(delivery) && other++ != other_in_turn) {
-      depths.push_back(delivery.sparing ? Depth::kThorough : Depth::kFull);
-    } else {
+    } else if (delivery.is_plain() || other++ == other_in_turn) {
       depths.push_back(from);
+    } else {  // no injected fault needs it at full depth for each combination
+      depths.push_back(from == Depth::kQuick && !delivery.sparing ? Depth::kFull : Depth::kThorough);
     }
   }
   return depths;

@@ -120,6 +120,15 @@ TEST(Schedule, OneOfTheOtherDeliveriesIsTakenInEachTest) {
   EXPECT_NEAR(taken[0], kTests / 2.0, kTests / 10.0);
 }
 
+TEST(Schedule, CombinationsOfFullDepthHaveOneOtherDeliveryAsWell) {
+  for (int i = 0; i < kTests; ++i) {
+    const std::vector<Depth> depths = Schedule(test(i)).of_deliveries(Depth::kFull, some_deliveries());
+    EXPECT_EQ(depths[0], Depth::kFull);
+    EXPECT_EQ(std::min(depths[1], depths[2]), Depth::kFull);
+    EXPECT_EQ(std::max(depths[1], depths[2]), Depth::kThorough);
+  }
+}
+
 TEST(Schedule, OneWayThroughListsIsTakenInOneTestOfNineAndAtFullDepthOfThree) {
   std::map<Depth, int> of_least;
   std::array<int, 2> taken = {};

@@ -88,12 +88,13 @@ class Parameters {
     return kept;
   }
   // Makes one test for each delivery. Of each test, quick depth runs one combination, through the plain
-  // deliveries and one other delivery without display lists. Full depth runs all combinations through all
-  // deliveries without display lists (but sparing ones as quick depth does); thorough depth runs all
-  // deliveries. Besides, one delivery through display lists runs for every ninth test at quick depth and
-  // every third at full depth. A hash of the test's name makes these choices. Further tests are then moved to
-  // quick depth until it has pairwise coverage in each suite: every value, every pair of values of two
-  // parameters, every evaluation command and every form of display lists that full depth has.
+  // deliveries and one other delivery without display lists. Full depth runs all combinations in this way,
+  // and that of quick depth through all deliveries without display lists, unless they are sparing; thorough
+  // depth runs all combinations through all deliveries. Besides, one delivery through display lists runs for
+  // every ninth test at quick depth and every third at full depth. A hash of the test's name makes these
+  // choices. Further tests are then moved to quick depth until it has pairwise coverage in each suite: every
+  // value, every pair of values of two parameters, every evaluation command and every form of display lists
+  // that full depth has.
   Parameters by(std::vector<gl::Delivery> deliveries) const {
     Parameters delivered = *this;
     delivered.deliveries_ = std::move(deliveries);
