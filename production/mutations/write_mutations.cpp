@@ -58,7 +58,29 @@ void add(Point& point, int number, const std::string& code) {
   point.statements += "if (" + is_active + ") { " + code + " } ";
 }
 
-void write_headers(const fs::path& mutations, const fs::path& folder) {
+// Returns the sources as one text.
+std::string read_all(const fs::path& sources) {
+  std::string text;
+  for (const fs::directory_entry& file : fs::directory_iterator(sources)) text += read(file.path());
+  return text;
+}
+
+int count(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+// Throws std::runtime_error unless the sources name the point exactly once.
+void check(const std::string& sources, const std::string& name) {
+  const int found = count(sources, "GLEV_AT(" + name + ",") + count(sources, "GLEV_HERE(" + name + ")");
+  if (found != 1)
+    throw std::runtime_error("the point " + name +
+                             " of mutations.json must occur once in the sources, but occurs " +
+                             std::to_string(found) + " times");
+}
+
+void write_headers(const fs::path& mutations, const std::string& sources, const fs::path& folder) {
   std::map<std::string, Point> points;
   std::string definitions, macros;
   int number = 0;
@@ -68,9 +90,11 @@ void write_headers(const fs::path& mutations, const fs::path& folder) {
     for (const json& edit : row.value("edits", json::array({row})))
       add(points[edit.at("at")], number, edit.at("code"));
   }
-  for (const auto& [name, point] : points)
+  for (const auto& [name, point] : points) {
+    check(sources, name);
     macros += "#define GLEV_AT_" + name + "(...) (" + point.expression + "__VA_ARGS__)\n#define GLEV_HERE_" +
               name + " " + point.statements + "\n";
+  }
   write(folder / "mutation_list.h", definitions);
   write(folder / "mutation_points.h", macros);
 }
@@ -78,12 +102,12 @@ void write_headers(const fs::path& mutations, const fs::path& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::cerr << "usage: write_mutations MUTATIONS.json FOLDER\n";
+  if (argc != 4) {
+    std::cerr << "usage: write_mutations MUTATIONS.json SOURCE-FOLDER OUTPUT-FOLDER\n";
     return 2;
   }
   try {
-    write_headers(argv[1], argv[2]);
+    write_headers(argv[1], read_all(argv[2]), argv[3]);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "write_mutations: " << error.what() << "\n";

@@ -12,6 +12,7 @@
 #include "binomials.h"
 #include "double_double.h"
 #include "environment.h"
+#include "mutation_point.h"
 #include "reduction.h"
 
 namespace glev {
@@ -82,7 +83,6 @@ bool is_direct(const PreparedMap& map) {
 }
 
 #include "centring-inl.h"
-#include "mutation_point.h"
 
 // The four values of a point, with the operations that centre_along() needs.
 struct Point {
