@@ -38,7 +38,7 @@ class Run {
     progress_({"starting", 0, request_.tests.size(), ""});
     try {
       if (!start()) return finish(interrupted ? RunStatus::kInterrupted : RunStatus::kNotStarted);
-      run_tests();
+      if (!run_tests()) return finish(RunStatus::kInterrupted);
       if (request_.is_second_pass())
         explain_by_history();
       else
@@ -127,7 +127,8 @@ class Run {
     return captures;
   }
 
-  void run_tests() {
+  // Returns false, with the reason in the result, if a worker elsewhere can no longer be reached.
+  bool run_tests() {
     for (const ListedTest& test : request_.tests)
       if (const std::optional<std::string> why = baseline_.skip(test.name))
         records_.add(test.name, Verdict::kSkipped, *why).baseline_reason = *why;
@@ -136,17 +137,22 @@ class Run {
       std::vector<std::string> remaining;
       for (const ListedTest& test : request_.tests)
         if (!records_.find(test.name)) remaining.push_back(test.name);
-      if (remaining.empty()) return;
+      if (remaining.empty()) return true;
       const std::size_t before = records_.size(), omitted_before = processes_.omitted_calls().size();
       WorkerRun last;
       deaths_.confirm_and_record(run_in_parallel(remaining, last));
       if (interrupted || records_.size() > before || processes_.omitted_calls().size() > omitted_before ||
           ++fruitless < kMostFruitless)
         continue;
+      if (last.is_elsewhere() && !last.began_a_job() && !last.crash) {
+        result_.reason = why_no_answer(last, log_);
+        return false;
+      }
       for (const std::string& name : remaining)
         if (!records_.find(name))
           records_.add(name, verdict_of_death(last), describe(last) + " before its first test");
     }
+    return true;
   }
 
   // Runs the tests in parallel processes and adds their records. Returns the processes that died in a test,

@@ -4,6 +4,9 @@
 # GL below it does not have are printed. A C program for Windows must show a failure.
 # usage: wine.sh EVALCTS, in the root of the checkout
 set -euo pipefail
+# One display, and one Wine that stays, for all workers: to start them takes longer than most tests, and a program that starts while
+# Wine ends may hang.
+if [[ ! ${EVALCTS_STAGE_DISPLAY:-} ]]; then EVALCTS_STAGE_DISPLAY=yes exec xvfb-run -a bash "$0" "$@"; fi
 evalcts=$1 folder=$PWD/build/mingw/results
 fail() { echo "$*" >&2; exit 1; }
 export WINEPREFIX=$PWD/build/mingw/wine WINEDEBUG=-all
@@ -11,6 +14,8 @@ export WINEPREFIX=$PWD/build/mingw/wine WINEDEBUG=-all
 cmake --preset mingw >/dev/null
 # Workers that start at once would all make the prefix.
 wine wineboot --init 2>/dev/null
+coproc KEEPER { wine cmd; }
+trap 'wineserver -k || true' EXIT
 cmake --build --preset mingw
 cpack --preset mingw
 rm -rf "$folder" build/mingw/archive
@@ -26,7 +31,7 @@ wine build/mingw/production/tests/glevaluator_rounding.exe check --values 2000
 
 # The GL of Wine is that of libGL, so its known bugs show here as well.
 "$evalcts" run --implementation glx --depth quick --no-bugs --output "$folder/glx" >/dev/null || (($? == 1))
-xvfb-run -a "$evalcts" run --library opengl32.dll --depth quick --no-bugs --output "$folder/wgl" --worker "$worker" || (($? == 1))
+"$evalcts" run --library opengl32.dll --depth quick --no-bugs --output "$folder/wgl" --worker "$worker" || (($? == 1))
 python3 - "$folder" <<'X'
 import json, pathlib, sys
 folder = pathlib.Path(sys.argv[1])
@@ -49,5 +54,5 @@ X
 "$evalcts" reproduce "library:$test" --run "$folder/wgl" --worker "$worker" --output "$folder/program.c" >/dev/null
 x86_64-w64-mingw32-gcc -Wall -Wextra -Werror -o "$folder/program.exe" "$folder/program.c" -lgdi32
 code=0
-xvfb-run -a wine "$folder/program.exe" || code=$?
+wine "$folder/program.exe" || code=$?
 [[ $code == 1 ]] || fail "the C program of $test ends with exit code $code"

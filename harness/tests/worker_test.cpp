@@ -64,6 +64,18 @@ TEST_F(Elsewhere, ALostConnectionLosesNothing) {
   }
 }
 
+// That the host is gone says nothing about the library.
+TEST_F(Elsewhere, AConnectionThatNeverComesBackIsNoCrash) {
+  const Outcome outcome =
+      run("test -d broken && { echo 'no route to host' >&2; exit 255; }; "
+          "\"$@\" | sed -u -e '/\"name\":\"Points/e mkdir -p broken && kill '$$' $PPID'");
+  EXPECT_EQ(outcome.code, 2) << outcome.text;
+  EXPECT_TRUE(contains(outcome.text, "the worker printed \"no route to host\"")) << outcome.text;
+  const json result = results("production");
+  EXPECT_EQ(as_text(result["status"]), "interrupted");
+  for (const auto& [name, verdict] : verdicts_of(result)) EXPECT_EQ(verdict, "pass") << name;
+}
+
 TEST_F(Elsewhere, WhatDoesNotStartIsNamed) {
   const Outcome missing = run("echo 'no route to host' >&2; exit 255");
   EXPECT_EQ(missing.code, 2);
