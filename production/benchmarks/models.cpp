@@ -54,30 +54,33 @@ std::vector<Model> all_models() {
   return result;
 }
 
+// Evaluates a patch on its grid, row by row, by float Horner.
+void horner_patch(const Model& model, std::size_t patch, float* results) {
+  const float scale = 1 / static_cast<float>(model.segments);
+  for (int j = 0; j <= model.segments; ++j) {
+    for (int i = 0; i <= model.segments; ++i, results += 3)
+      horner_surface(model.patches[patch].data(), model.order, model.order, 3, static_cast<float>(i) * scale,
+                     static_cast<float>(j) * scale, results);
+  }
+}
+
+// Evaluates a block of ManyPatches. horner_surface() takes its arguments in the order v, u for these points.
+void horner_block(const float* points, float* results) {
+  constexpr float kScale = 1.0F / ManyPatches::kSegments;
+  for (std::size_t p = 0; p < ManyPatches::kBlock; ++p, points += ManyPatches::kValues) {
+    for (int j = 0; j <= ManyPatches::kSegments; ++j) {
+      for (int i = 0; i <= ManyPatches::kSegments; ++i, results += 3)
+        horner_surface(points, 4, 4, 3, static_cast<float>(j) * kScale, static_cast<float>(i) * kScale,
+                       results);
+    }
+  }
+}
+
 [[maybe_unused]] const bool kRegistered = [] {
-  add_many_patches("float_Horner", [] {
-    return [](const float* points, float* results) {
-      constexpr float kScale = 1.0F / ManyPatches::kSegments;
-      for (std::size_t p = 0; p < ManyPatches::kBlock; ++p, points += ManyPatches::kValues) {
-        // horner_surface() takes its arguments in the order v, u for these points.
-        for (int j = 0; j <= ManyPatches::kSegments; ++j) {
-          for (int i = 0; i <= ManyPatches::kSegments; ++i, results += 3)
-            horner_surface(points, 4, 4, 3, static_cast<float>(j) * kScale, static_cast<float>(i) * kScale,
-                           results);
-        }
-      }
-    };
-  });
+  add_many_patches("float_Horner", [] { return horner_block; });
   for (const Model& model : models()) {
     add(model, "float_Horner", [&model]() -> PatchSide {
-      return [&model](std::size_t patch, float* results) {
-        const auto scale = 1 / static_cast<float>(model.segments);
-        for (int j = 0; j <= model.segments; ++j) {
-          for (int i = 0; i <= model.segments; ++i, results += 3)
-            horner_surface(model.patches[patch].data(), model.order, model.order, 3,
-                           static_cast<float>(i) * scale, static_cast<float>(j) * scale, results);
-        }
-      };
+      return [&model](std::size_t patch, float* results) { horner_patch(model, patch, results); };
     });
   }
   return true;
@@ -108,15 +111,7 @@ void add_many_patches(const std::string& side,
     const auto evaluate = prepare();
     evaluate(points.data(), results());
     std::vector<float> expected(ManyPatches::kBlock * ManyPatches::kPoints * 3);
-    float* next = expected.data();
-    constexpr float kScale = 1.0F / ManyPatches::kSegments;
-    for (std::size_t p = 0; p < ManyPatches::kBlock; ++p) {
-      for (int j = 0; j <= ManyPatches::kSegments; ++j) {
-        for (int i = 0; i <= ManyPatches::kSegments; ++i, next += 3)
-          horner_surface(points.data() + p * ManyPatches::kValues, 4, 4, 3, static_cast<float>(j) * kScale,
-                         static_cast<float>(i) * kScale, next);
-      }
-    }
+    horner_block(points.data(), expected.data());
     check_agreement({results(), expected.size()}, expected, tolerance_for(4, points));
     const auto block = [&points, evaluate, first = std::size_t{0}]() mutable {
       evaluate(points.data() + first * ManyPatches::kValues, results());
@@ -132,13 +127,7 @@ void add(const Model& model, const std::string& side, std::function<PatchSide()>
     std::vector<float> expected(model.points_of_patch() * 3);
     for (std::size_t patch = 0; patch < model.patches.size(); ++patch) {
       made(patch, results());
-      for (int j = 0; j <= model.segments; ++j) {
-        for (int i = 0; i <= model.segments; ++i)
-          horner_surface(model.patches[patch].data(), model.order, model.order, 3,
-                         static_cast<float>(i) / static_cast<float>(model.segments),
-                         static_cast<float>(j) / static_cast<float>(model.segments),
-                         &expected[static_cast<std::size_t>(j * (model.segments + 1) + i) * 3]);
-      }
+      horner_patch(model, patch, expected.data());
       check_agreement({results(), expected.size()}, expected,
                       tolerance_for(model.order, model.patches[patch]));
     }

@@ -2,6 +2,7 @@
 #include <glevaluator.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -57,56 +58,76 @@ Plan make_plan(const Context& context, std::size_t dimension) {
   return {plan, glevReleasePlan};
 }
 
-glev_output output(float* data, std::size_t points, std::size_t values, std::size_t offset,
+// Returns an output of `points` points, `values` values apart, for their values from `offset` on.
+template <class Real>
+glev_output output(Real* data, std::size_t points, std::size_t values, std::size_t offset,
                    std::size_t components) {
-  return {sizeof(glev_output),
-          data + offset,
-          (points * values - offset) * sizeof(float),
-          values * sizeof(float),
-          components,
-          GLEV_FLOAT,
-          0,
-          0};
+  return {.size = sizeof(glev_output),
+          .data = data + offset,
+          .data_size = (points * values - offset) * sizeof(Real),
+          .stride = values * sizeof(Real),
+          .components = components,
+          .type = sizeof(Real) == sizeof(float) ? GLEV_FLOAT : GLEV_DOUBLE,
+          .row_stride = 0,
+          .patch_stride = 0};
+}
+
+// Evaluates vertices at `count` arguments. `v` is null for curves.
+void evaluate_at(const Plan& plan, const float* u, const float* v, std::size_t count,
+                 glev_precision precision, const glev_output& vertex) {
+  const auto input = [count](const float* data) {
+    return data == nullptr ? glev_input{} : glev_input{data, count * sizeof(float), sizeof(float)};
+  };
+  const glev_attribute_output outputs = {GLEV_ATTRIBUTE_VERTEX, &vertex};
+  const glev_batch batch = {.size = sizeof batch,
+                            .count = count,
+                            .type = GLEV_FLOAT,
+                            .precision = precision,
+                            .u = input(u),
+                            .v = input(v),
+                            .outputs = &outputs,
+                            .output_count = 1};
+  require(glevEvaluate(plan.get(), &batch), "glevEvaluate fails");
+}
+
+using Scratch = std::vector<unsigned char>;
+
+// Evaluates rows of a mesh from `row` on.
+void evaluate_rows(const Plan& plan, int columns, int row, int rows, glev_precision precision,
+                   std::initializer_list<glev_attribute_output> outputs, Scratch& scratch) {
+  glev_mesh mesh = {};
+  mesh.size = sizeof mesh;
+  mesh.i2 = columns - 1;
+  mesh.j1 = row;
+  mesh.j2 = row + rows - 1;
+  mesh.precision = precision;
+  mesh.outputs = outputs.begin();
+  mesh.output_count = outputs.size();
+  if (scratch.empty()) scratch.resize(glevGetMeshScratchSize(plan.get(), &mesh));
+  mesh.scratch = scratch.data();
+  mesh.scratch_size = scratch.size();
+  require(glevEvaluateMesh(plan.get(), &mesh), "glevEvaluateMesh fails");
 }
 
 CurveSide side(const Curve& curve, const char* target, glev_precision precision) {
   const Plan plan = make_plan(make_context(target, curve), 1);
   return [&curve, plan, precision](float* results) {
-    const glev_output vertex = output(results, curve.u.size(), curve.components, 0, curve.components);
-    glev_batch batch = {};
-    batch.size = sizeof batch;
-    batch.count = curve.u.size();
-    batch.type = GLEV_FLOAT;
-    batch.precision = precision;
-    batch.u = {curve.u.data(), curve.u.size() * sizeof(float), sizeof(float)};
-    const glev_attribute_output outputs = {GLEV_ATTRIBUTE_VERTEX, &vertex};
-    batch.outputs = &outputs;
-    batch.output_count = 1;
-    require(glevEvaluate(plan.get(), &batch), "glevEvaluate fails");
+    evaluate_at(plan, curve.u.data(), nullptr, curve.u.size(), precision,
+                output(results, curve.u.size(), curve.components, 0, curve.components));
   };
 }
 
 MeshSide side(const Mesh& mesh, const char* target, glev_precision precision) {
   const Plan plan = make_plan(make_context(target, mesh), 2);
-  return [&mesh, plan, precision, scratch = std::vector<unsigned char>()](int row, int rows,
-                                                                          float* results) mutable {
+  return [&mesh, plan, precision, scratch = Scratch()](int row, int rows, float* results) mutable {
     const std::size_t points = static_cast<std::size_t>(mesh.columns) * rows, values = mesh.values();
     const glev_output vertex = output(results, points, values, 0, mesh.components);
+    if (!mesh.normals)
+      return evaluate_rows(plan, mesh.columns, row, rows, precision, {{GLEV_ATTRIBUTE_VERTEX, &vertex}},
+                           scratch);
     const glev_output normal = output(results, points, values, mesh.components, 3);
-    glev_mesh batch = {};
-    batch.size = sizeof batch;
-    batch.i2 = mesh.columns - 1;
-    batch.j1 = row;
-    batch.j2 = row + rows - 1;
-    batch.precision = precision;
-    const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_VERTEX, &vertex},
-                                             {GLEV_ATTRIBUTE_NORMAL, &normal}};
-    batch.outputs = outputs;
-    batch.output_count = mesh.normals ? 2 : 1;
-    if (scratch.empty()) scratch.resize(glevGetMeshScratchSize(plan.get(), &batch) + 1);
-    batch.scratch = scratch.data();
-    batch.scratch_size = scratch.size();
-    require(glevEvaluateMesh(plan.get(), &batch), "glevEvaluateMesh fails");
+    evaluate_rows(plan, mesh.columns, row, rows, precision,
+                  {{GLEV_ATTRIBUTE_VERTEX, &vertex}, {GLEV_ATTRIBUTE_NORMAL, &normal}}, scratch);
   };
 }
 
@@ -126,20 +147,11 @@ Context make_context(const char* target, const Model& model) {
   return context;
 }
 
-void evaluate(const Plan& plan, const Model& model, glev_precision precision,
-              std::vector<unsigned char>& scratch, float* results) {
+void evaluate(const Plan& plan, const Model& model, glev_precision precision, Scratch& scratch,
+              float* results) {
   const glev_output vertex = output(results, model.points_of_patch(), 3, 0, 3);
-  glev_mesh mesh = {};
-  mesh.size = sizeof mesh;
-  mesh.i2 = mesh.j2 = model.segments;
-  mesh.precision = precision;
-  const glev_attribute_output outputs = {GLEV_ATTRIBUTE_VERTEX, &vertex};
-  mesh.outputs = &outputs;
-  mesh.output_count = 1;
-  if (scratch.empty()) scratch.resize(glevGetMeshScratchSize(plan.get(), &mesh));
-  mesh.scratch = scratch.data();
-  mesh.scratch_size = scratch.size();
-  require(glevEvaluateMesh(plan.get(), &mesh), "glevEvaluateMesh fails");
+  evaluate_rows(plan, model.segments + 1, 0, model.segments + 1, precision,
+                {{GLEV_ATTRIBUTE_VERTEX, &vertex}}, scratch);
 }
 
 PatchSide side(const Model& model, const char* target, glev_precision precision) {
@@ -149,15 +161,14 @@ PatchSide side(const Model& model, const char* target, glev_precision precision)
     define(context, model, patch);
     plans.push_back(make_plan(context, 2));
   }
-  return [&model, precision, plans, scratch = std::vector<unsigned char>()](std::size_t patch,
-                                                                            float* results) mutable {
+  return [&model, precision, plans, scratch = Scratch()](std::size_t patch, float* results) mutable {
     evaluate(plans[patch], model, precision, scratch, results);
   };
 }
 
 PatchSide side_with_map(const Model& model, const char* target) {
-  return [&model, context = make_context(target, model), scratch = std::vector<unsigned char>()](
-             std::size_t patch, float* results) mutable {
+  return [&model, context = make_context(target, model), scratch = Scratch()](std::size_t patch,
+                                                                              float* results) mutable {
     define(context, model, patch);
     evaluate(make_plan(context, 2), model, GLEV_CORRECTLY_ROUNDED, scratch, results);
   };
@@ -185,8 +196,7 @@ glev_patches bicubic(const float* points, std::size_t count) {
   return patches;
 }
 
-void evaluate(const glev_patches& patches, const glev_patch_grid& grid, std::vector<unsigned char>& scratch,
-              float* to) {
+void evaluate(const glev_patches& patches, const glev_patch_grid& grid, Scratch& scratch, float* to) {
   const auto side = static_cast<std::size_t>(grid.u_segments) + 1;
   const glev_output vertex = output(to, patches.count * side * side, 3, 0, 3);
   const glev_attribute_output outputs = {GLEV_ATTRIBUTE_VERTEX, &vertex};
@@ -196,7 +206,7 @@ void evaluate(const glev_patches& patches, const glev_patch_grid& grid, std::vec
 }
 
 std::function<void(const float*, float*)> many_patches_side(const char* target) {
-  return [target, scratch = std::vector<unsigned char>()](const float* points, float* to) mutable {
+  return [target, scratch = Scratch()](const float* points, float* to) mutable {
     evaluate(bicubic(points, ManyPatches::kBlock), uniform_grid(target, ManyPatches::kSegments), scratch, to);
   };
 }
@@ -219,7 +229,7 @@ Measured model_by_patches(const Model& model, const char* target) {
   patches.v_stride = 12 * sizeof(float);
   patches.patch_stride = 48 * sizeof(float);
   const auto run = [patches, points, grid = uniform_grid(target, model.segments),
-                    scratch = std::vector<unsigned char>()]() mutable {
+                    scratch = Scratch()]() mutable {
     patches.points = points.data();
     evaluate(patches, grid, scratch, results());
   };
@@ -255,80 +265,39 @@ Measured plans(const char* target, int order, bool grid_alone) {
 
 // ---- Doubles and tangents
 
-struct DoubleOutputs {
-  std::vector<double> memory;
-  std::vector<unsigned char> scratch;
-};
-
-// The results of a mesh: vertices as doubles, or both tangents as floats or doubles.
-enum class MeshResult { kDoubles, kTangents, kDoubleTangents };
-
-Measured mesh_of(const char* target, MeshResult wanted, glev_precision precision) {
+// Evaluates vertices, or both tangents, of rows of a bicubic mesh. Real is the type of the results.
+template <class Real>
+Measured mesh_of(const char* target, bool has_tangents, glev_precision precision) {
   const Mesh& mesh = *std::ranges::find_if(
       meshes(), [](const Mesh& m) { return m.order == 4 && m.ring != m.rows && !m.normals; });
-  constexpr int kRows = 4;
+  constexpr int kFirstRow = 100, kRows = 4;
   const Plan plan = make_plan(make_context(target, mesh), 2);
   const std::size_t points = static_cast<std::size_t>(mesh.columns) * kRows;
-  const auto room = std::make_shared<DoubleOutputs>();
-  room->memory.resize(6 * points);
-  const auto run = [&mesh, plan, wanted, precision, room, points] {
-    const bool is_double = wanted != MeshResult::kTangents;
-    const std::size_t size = is_double ? sizeof(double) : sizeof(float);
-    const auto output_at = [&](std::size_t first) -> glev_output {
-      return {sizeof(glev_output),
-              reinterpret_cast<unsigned char*>(room->memory.data()) + first * size,
-              3 * points * size,
-              3 * size,
-              3,
-              static_cast<glev_enum>(is_double ? GLEV_DOUBLE : GLEV_FLOAT),
-              0,
-              0};
-    };
-    const glev_output first = output_at(0), second = output_at(3 * points);
-    glev_mesh batch = {};
-    batch.size = sizeof batch;
-    batch.i2 = mesh.columns - 1;
-    batch.j1 = 100;
-    batch.j2 = batch.j1 + kRows - 1;
-    batch.precision = precision;
-    const glev_attribute_output vertices[] = {{GLEV_ATTRIBUTE_VERTEX, &first}},
-                                tangents[] = {{GLEV_ATTRIBUTE_TANGENT_U, &first},
-                                              {GLEV_ATTRIBUTE_TANGENT_V, &second}};
-    batch.outputs = wanted == MeshResult::kDoubles ? vertices : tangents;
-    batch.output_count = wanted == MeshResult::kDoubles ? 1 : 2;
-    if (room->scratch.empty()) room->scratch.resize(glevGetMeshScratchSize(plan.get(), &batch));
-    batch.scratch = room->scratch.data();
-    batch.scratch_size = room->scratch.size();
-    require(glevEvaluateMesh(plan.get(), &batch), "glevEvaluateMesh fails");
-  };
-  run();
-  return {run, static_cast<std::int64_t>(points)};
+  const auto memory = std::make_shared<std::vector<Real>>(6 * points);
+  return {[&mesh, plan, has_tangents, precision, memory, points, scratch = Scratch()]() mutable {
+            const glev_output first = output(memory->data(), points, 3, 0, 3),
+                              second = output(memory->data() + 3 * points, points, 3, 0, 3);
+            if (has_tangents) {
+              evaluate_rows(plan, mesh.columns, kFirstRow, kRows, precision,
+                            {{GLEV_ATTRIBUTE_TANGENT_U, &first}, {GLEV_ATTRIBUTE_TANGENT_V, &second}},
+                            scratch);
+            } else {
+              evaluate_rows(plan, mesh.columns, kFirstRow, kRows, precision,
+                            {{GLEV_ATTRIBUTE_VERTEX, &first}}, scratch);
+            }
+          },
+          static_cast<std::int64_t>(points)};
 }
 
-// Evaluates batches of `count` arguments of a curve of order 4, to doubles or floats.
-Measured batches_of(const char* target, std::size_t count, bool is_double) {
+// Evaluates batches of `count` arguments of a curve of order 4. Real is the type of the results.
+template <class Real>
+Measured batches_of(const char* target, std::size_t count) {
   const Curve& curve = curves().front();
   const Plan plan = make_plan(make_context(target, curve), 1);
-  const auto memory = std::make_shared<std::vector<double>>(3 * count);
-  return {[&curve, plan, count, is_double, memory, first = std::size_t{0}]() mutable {
-            const std::size_t size = is_double ? sizeof(double) : sizeof(float);
-            const glev_output vertex = {sizeof vertex,
-                                        memory->data(),
-                                        memory->size() * sizeof(double),
-                                        3 * size,
-                                        3,
-                                        static_cast<glev_enum>(is_double ? GLEV_DOUBLE : GLEV_FLOAT),
-                                        0,
-                                        0};
-            glev_batch batch = {};
-            batch.size = sizeof batch;
-            batch.count = count;
-            batch.type = GLEV_FLOAT;
-            batch.u = {curve.u.data() + first, count * sizeof(float), sizeof(float)};
-            const glev_attribute_output outputs = {GLEV_ATTRIBUTE_VERTEX, &vertex};
-            batch.outputs = &outputs;
-            batch.output_count = 1;
-            require(glevEvaluate(plan.get(), &batch), "glevEvaluate fails");
+  const auto memory = std::make_shared<std::vector<Real>>(3 * count);
+  return {[&curve, plan, count, memory, first = std::size_t{0}]() mutable {
+            evaluate_at(plan, curve.u.data() + first, nullptr, count, GLEV_CORRECTLY_ROUNDED,
+                        output(memory->data(), count, 3, 0, 3));
             first = (first + count) % (curve.u.size() - count + 1);
           },
           static_cast<std::int64_t>(count)};
@@ -336,24 +305,14 @@ Measured batches_of(const char* target, std::size_t count, bool is_double) {
 
 // Evaluates scattered points of a bicubic surface.
 Measured scattered(const char* target, glev_precision precision) {
-  const Mesh& surface = called_surface();
   const std::vector<float>& u = called_curve().u;
-  const Plan plan = make_plan(make_context(target, surface), 2);
-  return {[&u, plan, precision] {
-            const glev_output vertex = output(results(), u.size(), 3, 0, 3);
-            glev_batch batch = {};
-            batch.size = sizeof batch;
-            batch.count = u.size() / 2;
-            batch.type = GLEV_FLOAT;
-            batch.precision = precision;
-            batch.u = {u.data(), u.size() * sizeof(float), sizeof(float)};
-            batch.v = {u.data() + u.size() / 2, u.size() / 2 * sizeof(float), sizeof(float)};
-            const glev_attribute_output outputs = {GLEV_ATTRIBUTE_VERTEX, &vertex};
-            batch.outputs = &outputs;
-            batch.output_count = 1;
-            require(glevEvaluate(plan.get(), &batch), "glevEvaluate fails");
+  const Plan plan = make_plan(make_context(target, called_surface()), 2);
+  const std::size_t count = u.size() / 2;
+  return {[&u, plan, precision, count] {
+            evaluate_at(plan, u.data(), u.data() + count, count, precision,
+                        output(results(), count, 3, 0, 3));
           },
-          static_cast<std::int64_t>(u.size() / 2)};
+          static_cast<std::int64_t>(count)};
 }
 
 // Calls EvalMesh2 of a bicubic patch with 64 segments, with a sink.
@@ -404,15 +363,13 @@ void add_target(const char* target) {
   add_work("Plan/bicubic", [target] { return plans(target, 4, false); });
   add_work("Plan/order:64", [target] { return plans(target, 64, false); });
   add_work("Plan/grid_alone", [target] { return plans(target, 4, true); });
-  add_work("Double/mesh", [target] { return mesh_of(target, MeshResult::kDoubles, GLEV_CORRECTLY_ROUNDED); });
-  add_work("Double/curve", [target] { return batches_of(target, 1024, true); });
-  add_work("Tangents/float",
-           [target] { return mesh_of(target, MeshResult::kTangents, GLEV_CORRECTLY_ROUNDED); });
-  add_work("Tangents/fast", [target] { return mesh_of(target, MeshResult::kTangents, GLEV_FAST); });
-  add_work("Tangents/double",
-           [target] { return mesh_of(target, MeshResult::kDoubleTangents, GLEV_CORRECTLY_ROUNDED); });
-  add_work("Batch/count:1", [target] { return batches_of(target, 1, false); });
-  add_work("Batch/count:8", [target] { return batches_of(target, 8, false); });
+  add_work("Double/mesh", [target] { return mesh_of<double>(target, false, GLEV_CORRECTLY_ROUNDED); });
+  add_work("Double/curve", [target] { return batches_of<double>(target, 1024); });
+  add_work("Tangents/float", [target] { return mesh_of<float>(target, true, GLEV_CORRECTLY_ROUNDED); });
+  add_work("Tangents/fast", [target] { return mesh_of<float>(target, true, GLEV_FAST); });
+  add_work("Tangents/double", [target] { return mesh_of<double>(target, true, GLEV_CORRECTLY_ROUNDED); });
+  add_work("Batch/count:1", [target] { return batches_of<float>(target, 1); });
+  add_work("Batch/count:8", [target] { return batches_of<float>(target, 8); });
   add_work("Scattered/bicubic", [target] { return scattered(target, GLEV_CORRECTLY_ROUNDED); });
   add_work("Scattered/fast", [target] { return scattered(target, GLEV_FAST); });
   add_work("Sink/mesh", [target] { return mesh_to_sink(target); });
