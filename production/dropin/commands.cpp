@@ -22,89 +22,61 @@ void issue(Context* context, const Operation& operation) {
 
 // Returns the number of values that Map reads for each control point; 0 if it reads none because its
 // arguments are invalid.
-template <int kDimension>
-std::size_t components_of(GLenum name, const GLint (&orders)[kDimension],
-                          const GLint (&strides)[kDimension]) {
+template <class Real>
+std::size_t components_of(int dimension, GLenum name, const MapDirections<Real>& directions) {
   const glev::Target target = glev::find_target(name);
-  if (target.dimension != kDimension) return 0;
+  if (target.dimension != dimension) return 0;
   const int components = glev::kSlotTable[static_cast<std::size_t>(target.slot)].components;
-  for (int k = 0; k < kDimension; ++k)
-    if (orders[k] < 1 || orders[k] > glev::kMaxOrder || strides[k] < components) return 0;
+  for (int d = 0; d < dimension; ++d) {
+    const auto& [first, last, stride, order] = directions[static_cast<std::size_t>(d)];
+    if (order < 1 || order > glev::kMaxOrder || stride < components) return 0;
+  }
   return static_cast<std::size_t>(components);
 }
 
-// Executes Map1, or compiles it with a packed copy of the control points.
+// Executes Map, or compiles it with a packed copy of the control points.
 template <class Real>
-void define_map1(Context* context, GLenum target, Real u1, Real u2, GLint stride, GLint order,
-                 const Real* points) {
+void define_map(Context* context, int dimension, GLenum target, const MapDirections<Real>& directions,
+                const Real* points) {
   evaluators_used.note();
-  if (!context->list.open) return context->map1(target, u1, u2, stride, order, points);
-  const std::size_t k = points != nullptr ? components_of<1>(target, {order}, {stride}) : 0;
-  const auto packed = static_cast<GLint>(k);
-  const bool null = points == nullptr;
+  if (!context->list.open) return context->map(dimension, target, directions, points);
+  const std::size_t components = points != nullptr ? components_of(dimension, target, directions) : 0;
+  const MapDirection<Real>&u = directions[0], &v = directions[1];
+  MapDirections<Real> packed = directions;
+  if (components > 0) {
+    packed[0].stride = static_cast<GLint>(components) * v.order;
+    packed[1].stride = static_cast<GLint>(components);
+  }
+  const std::size_t size = components * sizeof(Real);
+  const bool is_null = points == nullptr;
   context->issue_with(
       [=](Context& executing, const unsigned char* copy) {
-        executing.map1(target, u1, u2, packed > 0 ? packed : stride, order,
-                       null ? nullptr : reinterpret_cast<const Real*>(copy));
+        executing.map(dimension, target, packed, is_null ? nullptr : reinterpret_cast<const Real*>(copy));
       },
-      k * static_cast<std::size_t>(order) * sizeof(Real),
+      components > 0 ? size * static_cast<std::size_t>(u.order) * static_cast<std::size_t>(v.order) : 0,
       [&](unsigned char* copy) {
-        if (k == 0) return;
-        for (GLint i = 0; i < order; ++i, copy += k * sizeof(Real))
-          std::memcpy(copy, points + static_cast<std::ptrdiff_t>(i) * stride, k * sizeof(Real));
-      });
-}
-
-template <class Real>
-void define_map2(Context* context, GLenum target, Real u1, Real u2, GLint ustride, GLint uorder, Real v1,
-                 Real v2, GLint vstride, GLint vorder, const Real* points) {
-  evaluators_used.note();
-  if (!context->list.open)
-    return context->map2(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  const std::size_t k =
-      points != nullptr ? components_of<2>(target, {uorder, vorder}, {ustride, vstride}) : 0;
-  const auto packed = static_cast<GLint>(k);
-  const bool null = points == nullptr;
-  context->issue_with(
-      [=](Context& executing, const unsigned char* copy) {
-        executing.map2(target, u1, u2, packed > 0 ? packed * vorder : ustride, uorder, v1, v2,
-                       packed > 0 ? packed : vstride, vorder,
-                       null ? nullptr : reinterpret_cast<const Real*>(copy));
-      },
-      k * static_cast<std::size_t>(uorder) * static_cast<std::size_t>(vorder) * sizeof(Real),
-      [&](unsigned char* copy) {
-        if (k == 0) return;
-        for (GLint i = 0; i < uorder; ++i)
-          for (GLint j = 0; j < vorder; ++j, copy += k * sizeof(Real))
-            std::memcpy(
-                copy,
-                points + static_cast<std::ptrdiff_t>(i) * ustride + static_cast<std::ptrdiff_t>(j) * vstride,
-                k * sizeof(Real));
+        for (std::ptrdiff_t i = 0; components > 0 && i < u.order; ++i)
+          for (std::ptrdiff_t j = 0; j < v.order; ++j, copy += size)
+            std::memcpy(copy, points + i * u.stride + j * v.stride, size);
       });
 }
 
 }  // namespace
 
-DROPIN_EXPORT void glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order,
-                           const GLfloat* points) {
-  OF_EVALUATORS(Map1f, target, u1, u2, stride, order, points);
-  define_map1(context, target, u1, u2, stride, order, points);
-}
-DROPIN_EXPORT void glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
-                           const GLdouble* points) {
-  OF_EVALUATORS(Map1d, target, u1, u2, stride, order, points);
-  define_map1(context, target, u1, u2, stride, order, points);
-}
-DROPIN_EXPORT void glMap2f(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1,
-                           GLfloat v2, GLint vstride, GLint vorder, const GLfloat* points) {
-  OF_EVALUATORS(Map2f, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  define_map2(context, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-}
-DROPIN_EXPORT void glMap2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
-                           GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
-  OF_EVALUATORS(Map2d, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  define_map2(context, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-}
+#define MAP(letter, type)                                                                                   \
+  DROPIN_EXPORT void glMap1##letter(GLenum target, type u1, type u2, GLint stride, GLint order,             \
+                                    const type* points) {                                                   \
+    OF_EVALUATORS(Map1##letter, target, u1, u2, stride, order, points);                                     \
+    define_map<type>(context, 1, target, {{{u1, u2, stride, order}, {0, 1, 0, 1}}}, points);                \
+  }                                                                                                         \
+  DROPIN_EXPORT void glMap2##letter(GLenum target, type u1, type u2, GLint ustride, GLint uorder, type v1,  \
+                                    type v2, GLint vstride, GLint vorder, const type* points) {             \
+    OF_EVALUATORS(Map2##letter, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);          \
+    define_map<type>(context, 2, target, {{{u1, u2, ustride, uorder}, {v1, v2, vstride, vorder}}}, points); \
+  }
+MAP(f, GLfloat)
+MAP(d, GLdouble)
+#undef MAP
 
 // These commands are executed at once and rejected between Begin and End.
 #define GET_MAP(letter, type)                                                                       \
@@ -146,12 +118,12 @@ MAP_GRID(d, GLdouble)
 #define EVAL_COORD(letter, type)                                                          \
   DROPIN_EXPORT void glEvalCoord1##letter(type u) {                                       \
     OF_EVALUATORS(EvalCoord1##letter, u);                                                 \
-    issue(context, [=](Context& executing) { executing.eval_coord1(u); });                \
+    issue(context, [=](Context& executing) { executing.eval_coord(1, u, 0); });           \
   }                                                                                       \
   DROPIN_EXPORT void glEvalCoord1##letter##v(const type* u) { glEvalCoord1##letter(*u); } \
   DROPIN_EXPORT void glEvalCoord2##letter(type u, type v) {                               \
     OF_EVALUATORS(EvalCoord2##letter, u, v);                                              \
-    issue(context, [=](Context& executing) { executing.eval_coord2(u, v); });             \
+    issue(context, [=](Context& executing) { executing.eval_coord(2, u, v); });           \
   }                                                                                       \
   DROPIN_EXPORT void glEvalCoord2##letter##v(const type* u) { glEvalCoord2##letter(u[0], u[1]); }
 EVAL_COORD(f, GLfloat)
@@ -160,11 +132,11 @@ EVAL_COORD(d, GLdouble)
 
 DROPIN_EXPORT void glEvalPoint1(GLint i) {
   OF_EVALUATORS(EvalPoint1, i);
-  issue(context, [=](Context& executing) { executing.eval_point1(i); });
+  issue(context, [=](Context& executing) { executing.eval_point(1, i, 0); });
 }
 DROPIN_EXPORT void glEvalPoint2(GLint i, GLint j) {
   OF_EVALUATORS(EvalPoint2, i, j);
-  issue(context, [=](Context& executing) { executing.eval_point2(i, j); });
+  issue(context, [=](Context& executing) { executing.eval_point(2, i, j); });
 }
 DROPIN_EXPORT void glEvalMesh1(GLenum mode, GLint i1, GLint i2) {
   OF_EVALUATORS(EvalMesh1, mode, i1, i2);

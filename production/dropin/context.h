@@ -2,6 +2,7 @@
 // it must track to preserve the current values and the order of display lists.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +34,16 @@ inline Once evaluators_used;
 inline Once lists_used;
 // Set by ListBase. Until then, the list base is 0.
 inline Once list_base_used;
+
+// The arguments of Map in one direction.
+template <class Real>
+struct MapDirection {
+  Real first, last;
+  GLint stride, order;
+};
+// u and v. One-dimensional maps do not use v, which has order 1.
+template <class Real>
+using MapDirections = std::array<MapDirection<Real>, 2>;
 
 class Context {
  public:
@@ -89,10 +100,7 @@ class Context {
   bool has_vertex_map() const;
   void set_enabled(GLenum cap, bool on);
   template <class Real>
-  void map1(GLenum target, Real u1, Real u2, GLint stride, GLint order, const Real* points);
-  template <class Real>
-  void map2(GLenum target, Real u1, Real u2, GLint ustride, GLint uorder, Real v1, Real v2, GLint vstride,
-            GLint vorder, const Real* points);
+  void map(int dimension, GLenum target, const MapDirections<Real>& directions, const Real* points);
   void map_grid1(GLint n, double u1, double u2);
   void map_grid2(GLint un, double u1, double u2, GLint vn, double v1, double v2);
   void push_attrib(GLbitfield mask);
@@ -102,10 +110,8 @@ class Context {
   // --- evaluation.cpp Must be called before Begin. Queries the state that evaluation between Begin and End
   // changes.
   void before_primitive();
-  void eval_coord1(double u);
-  void eval_coord2(double u, double v);
-  void eval_point1(GLint i);
-  void eval_point2(GLint i, GLint j);
+  void eval_coord(int dimension, double u, double v);
+  void eval_point(int dimension, GLint i, GLint j);
   void eval_mesh1(GLenum mode, GLint i1, GLint i2);
   void eval_mesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2);
 
@@ -156,6 +162,9 @@ class Context {
   void evaluate_point2(GLint i, GLint j);
   void set_active_texture();
   bool prepare_evaluation(int dimension);
+  void finish_evaluation(int dimension);
+  template <class Draw>
+  void draw_mesh(int dimension, const Draw& draw);
   // --- shader_normals.cpp
   bool is_vertex_shader_active();
   double length_of_normal(const glev_batch* batch, const glev_mesh* mesh);

@@ -92,34 +92,25 @@ bool Context::prepare_evaluation(int dimension) {
   return true;
 }
 
-void Context::eval_coord1(double u) {
-  if (!prepare_evaluation(1)) return;
-  glevEvalCoord1d(evaluators, u);
+void Context::finish_evaluation(int dimension) {
   glevEnd(evaluators);
-  restore(1);
+  restore(dimension);
   report();
 }
 
-void Context::eval_coord2(double u, double v) {
-  if (!prepare_evaluation(2)) return;
-  if (keeps_length) {
+void Context::eval_coord(int dimension, double u, double v) {
+  if (!prepare_evaluation(dimension)) return;
+  if (dimension == 2 && keeps_length) {
     const glev_batch batch = {
         sizeof batch, 1, GLEV_DOUBLE, GLEV_CORRECTLY_ROUNDED, {&u, sizeof u, 0}, {&v, sizeof v, 0},
         nullptr,      0};
     normal_length_ = length_of_normal(&batch, nullptr);
   }
-  glevEvalCoord2d(evaluators, u, v);
-  glevEnd(evaluators);
-  restore(2);
-  report();
-}
-
-void Context::eval_point1(GLint i) {
-  if (!prepare_evaluation(1)) return;
-  glevEvalPoint1(evaluators, i);
-  glevEnd(evaluators);
-  restore(1);
-  report();
+  if (dimension == 1)
+    glevEvalCoord1d(evaluators, u);
+  else
+    glevEvalCoord2d(evaluators, u, v);
+  finish_evaluation(dimension);
 }
 
 void Context::evaluate_point2(GLint i, GLint j) {
@@ -130,40 +121,42 @@ void Context::evaluate_point2(GLint i, GLint j) {
   glevEvalPoint2(evaluators, i, j);
 }
 
-void Context::eval_point2(GLint i, GLint j) {
-  if (!prepare_evaluation(2)) return;
-  evaluate_point2(i, j);
-  glevEnd(evaluators);
-  restore(2);
+void Context::eval_point(int dimension, GLint i, GLint j) {
+  if (!prepare_evaluation(dimension)) return;
+  if (dimension == 1)
+    glevEvalPoint1(evaluators, i);
+  else
+    evaluate_point2(i, j);
+  finish_evaluation(dimension);
+}
+
+// `draw` draws in primitives of its own, or the evaluators draw a mesh; see in_mesh.
+template <class Draw>
+void Context::draw_mesh(int dimension, const Draw& draw) {
+  if (!is_outside()) return;
+  const bool draws = generated_by(enabled, dimension).vertex != 0;
+  if (draws) take_snapshot();
+  emitting = dimension;
+  draw(draws);
+  in_mesh = false;
+  if (draws) restore(dimension);
   report();
 }
 
 void Context::eval_mesh1(GLenum mode, GLint i1, GLint i2) {
-  if (!is_outside()) return;
-  const bool draws = generated_by(enabled, 1).vertex != 0;
-  if (draws) take_snapshot();
-  emitting = 1;
-  in_mesh = true;
-  glevEvalMesh1(evaluators, mode, i1, i2);
-  in_mesh = false;
-  if (draws) restore(1);
-  report();
+  draw_mesh(1, [&](bool) {
+    in_mesh = true;
+    glevEvalMesh1(evaluators, mode, i1, i2);
+  });
 }
 
 void Context::eval_mesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-  if (!is_outside()) return;
-  const bool draws = generated_by(enabled, 2).vertex != 0;
-  if (draws) take_snapshot();
-  emitting = 2;
-  if (draws && keeps_length && (mode == GL_POINT || mode == GL_LINE || mode == GL_FILL)) {
-    mesh_by_points(mode, i1, i2, j1, j2);
-  } else {
+  draw_mesh(2, [&](bool draws) {
+    if (draws && keeps_length && (mode == GL_POINT || mode == GL_LINE || mode == GL_FILL))
+      return mesh_by_points(mode, i1, i2, j1, j2);
     in_mesh = true;
     glevEvalMesh2(evaluators, mode, i1, i2, j1, j2);
-    in_mesh = false;
-  }
-  if (draws) restore(2);
-  report();
+  });
 }
 
 // The loops of GL 2.1 section 5.1. Indices have 64 bits, so that the loops end for i2 = INT_MAX.

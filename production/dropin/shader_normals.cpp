@@ -6,9 +6,6 @@
 
 namespace glev::dropin {
 
-// --- Automatic normals with a vertex shader: m = q_u x q_v as it is (GL 2.0 5.1, ARB_vertex_program issue
-// 92)
-
 bool Context::is_vertex_shader_active() {
   if (vertex_programs && gl_below().IsEnabled(GL_VERTEX_PROGRAM_ARB)) return true;
   if (version < 20) return false;

@@ -1,4 +1,6 @@
 // The state of the evaluators: enables, maps, grids, and their part of the attribute stack.
+#include <type_traits>
+
 #include "context.h"
 #include "enables.h"
 
@@ -30,37 +32,26 @@ void Context::set_active_texture() {
   glevActiveTexture(evaluators, is_first ? GL_TEXTURE0 : GL_TEXTURE1);
 }
 
-template <>
-void Context::map1(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
+template <class Real>
+void Context::map(int dimension, GLenum target, const MapDirections<Real>& directions, const Real* points) {
   if (!is_outside()) return;
   set_active_texture();
-  glevMap1f(evaluators, target, u1, u2, stride, order, points);
+  const auto define = [&](auto define_curve, auto define_surface) {
+    const auto& [u, v] = directions;
+    if (dimension == 1)
+      define_curve(evaluators, target, u.first, u.last, u.stride, u.order, points);
+    else
+      define_surface(evaluators, target, u.first, u.last, u.stride, u.order, v.first, v.last, v.stride,
+                     v.order, points);
+  };
+  if constexpr (std::is_same_v<Real, GLfloat>)
+    define(glevMap1f, glevMap2f);
+  else
+    define(glevMap1d, glevMap2d);
   report();
 }
-template <>
-void Context::map1(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
-                   const GLdouble* points) {
-  if (!is_outside()) return;
-  set_active_texture();
-  glevMap1d(evaluators, target, u1, u2, stride, order, points);
-  report();
-}
-template <>
-void Context::map2(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
-                   GLint vstride, GLint vorder, const GLfloat* points) {
-  if (!is_outside()) return;
-  set_active_texture();
-  glevMap2f(evaluators, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  report();
-}
-template <>
-void Context::map2(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
-                   GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
-  if (!is_outside()) return;
-  set_active_texture();
-  glevMap2d(evaluators, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  report();
-}
+template void Context::map(int, GLenum, const MapDirections<GLfloat>&, const GLfloat*);
+template void Context::map(int, GLenum, const MapDirections<GLdouble>&, const GLdouble*);
 
 void Context::map_grid1(GLint n, double u1, double u2) {
   if (!is_outside()) return;
