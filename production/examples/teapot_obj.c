@@ -1,44 +1,45 @@
 /* Writes the teapot as an OBJ file: teapot_obj FILE [SEGMENTS]
- * Adjacent patches have the same bits along their common edge, so comparing bits is sufficient to connect
- * them to one surface. */
+ * Adjacent patches have the same bits along their common edge, so glevGetIndices, which compares bits,
+ * connects them to one surface. */
+#include <glevaluator.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "teapot_mesh.h"
 
-static const teapot_mesh* sorted;
-
-/* Orders vertices by the bits of their positions, and equal positions by the numbers of the vertices. */
-static int compare(const void* a, const void* b) {
-  const unsigned i = *(const unsigned*)a, j = *(const unsigned*)b;
-  const int order = memcmp(sorted->vertices[i].position, sorted->vertices[j].position, 3 * sizeof(float));
-  return order ? order : (i > j) - (i < j);
-}
-
-/* Computes the number (from 1) of the position of each vertex, and a list of one vertex for each position.
- * Returns the number of positions. */
-static unsigned weld(const teapot_mesh* mesh, unsigned* numbers, unsigned* list) {
+/* Computes the number (from 1) of the position of each vertex. Returns 0 if a call fails or there is no
+ * memory. */
+static int number_positions(const teapot_mesh* mesh, unsigned* numbers) {
+  glev_indices points = {.size = sizeof points,
+                         .mode = GLEV_POINT,
+                         .columns = mesh->vertex_count,
+                         .rows = 1,
+                         .type = GLEV_UNSIGNED_INT,
+                         .vertices = mesh->vertices,
+                         .vertices_size = mesh->vertex_count * sizeof *mesh->vertices,
+                         .vertex_stride = sizeof *mesh->vertices,
+                         .vertex_bytes = sizeof mesh->vertices->position,
+                         .data = numbers,
+                         .data_size = mesh->vertex_count * sizeof *numbers};
+  points.scratch_size = glevGetIndexScratchSize(&points);
+  points.scratch = malloc(points.scratch_size);
+  const int done = points.scratch && glevGetIndices(&points) == GLEV_SUCCESS;
+  free(points.scratch);
+  /* Here, each number is that of the first vertex with this position. */
   unsigned count = 0;
-  for (unsigned i = 0; i < mesh->vertex_count; ++i) list[i] = i;
-  sorted = mesh;
-  qsort(list, mesh->vertex_count, sizeof *list, compare);
-  for (size_t i = 0; i < mesh->vertex_count; ++i) {
-    const unsigned vertex = list[i];
-    if (count == 0 || memcmp(mesh->vertices[vertex].position, mesh->vertices[list[count - 1]].position,
-                             3 * sizeof(float)) != 0)
-      list[count++] = vertex;
-    numbers[vertex] = count;
-  }
-  return count;
+  for (size_t i = 0; done && i < mesh->vertex_count; ++i)
+    numbers[i] = numbers[i] == i ? ++count : numbers[numbers[i]];
+  return done;
 }
 
-static int write_obj(FILE* file, const teapot_mesh* mesh, const unsigned* numbers, const unsigned* list,
-                     unsigned count) {
+static int write_obj(FILE* file, const teapot_mesh* mesh, const unsigned* numbers) {
   fprintf(file, "# The teapot of Martin Newell, by glevaluator\n");
-  for (unsigned i = 0; i < count; ++i) {
-    const float* p = mesh->vertices[list[i]].position;
+  unsigned written = 0;
+  for (size_t i = 0; i < mesh->vertex_count; ++i) {
+    if (numbers[i] <= written) continue;
+    const float* p = mesh->vertices[i].position;
     fprintf(file, "v %.9g %.9g %.9g\n", p[0], p[1], p[2]);
+    written = numbers[i];
   }
   for (size_t i = 0; i < mesh->vertex_count; ++i) {
     const float* n = mesh->vertices[i].normal;
@@ -61,13 +62,11 @@ int main(int argc, char** argv) {
   teapot_mesh mesh;
   if (!teapot_create_mesh(segments, &mesh)) return 1;
   unsigned* numbers = malloc(mesh.vertex_count * sizeof *numbers);
-  unsigned* list = malloc(mesh.vertex_count * sizeof *list);
   FILE* file = fopen(argv[1], "w");
-  int written = file && numbers && list && write_obj(file, &mesh, numbers, list, weld(&mesh, numbers, list));
+  int written = file && numbers && number_positions(&mesh, numbers) && write_obj(file, &mesh, numbers);
   if (file && fclose(file) != 0) written = 0;
   if (!written) fprintf(stderr, "cannot write %s\n", argv[1]);
   free(numbers);
-  free(list);
   teapot_free_mesh(&mesh);
   return !written;
 }
