@@ -8,7 +8,6 @@
 #include <new>
 #include <utility>
 
-#include "command.h"
 #include "context.h"
 #include "environment.h"
 #include "outputs.h"
@@ -18,18 +17,11 @@ using glev::widen;
 
 namespace {
 
-// Returns `values` with the first kCount values replaced by those at v, as floats.
-template <std::size_t kCount, std::size_t kSize, class Real>
-std::array<float, kSize> load(std::array<float, kSize> values, const Real* v) {
-  for (std::size_t k = 0; k < kCount; ++k) values[k] = static_cast<float>(v[k]);
-  return values;
-}
-
 // GetMap does not know the size of the array.
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 
 bool rejected(glev_context* context, const void* v) {
-  if (v == nullptr) context->issue(glev::ErrorCommand{GLEV_INVALID_VALUE});
+  if (v == nullptr) context->issue<&glev_context::record_error>(glev_enum{GLEV_INVALID_VALUE});
   return v == nullptr;
 }
 
@@ -39,7 +31,11 @@ double widened(double x) { return x; }
 // This is a separate function so that the fast path has a small stack frame.
 template <class Real>
 [[gnu::noinline]] void issue_eval_coord(glev_context* context, int dimension, Real u, Real v) {
-  context->issue(glev::EvalCoordCommand{dimension, widened(u), widened(v)});
+  context->issue<&glev_context::eval_coord>(dimension, widened(u), widened(v));
+}
+
+void set_grid(glev_context* context, int dimension, const std::array<glev::Grid, 2>& grid) {
+  context->issue<&glev_context::set_grid>(dimension, grid);
 }
 
 template <class Real>
@@ -54,27 +50,15 @@ void eval_coord(glev_context* context, Real u, Real v) {
   issue_eval_coord(context, 2, u, v);
 }
 
-template <std::size_t kCount, class Real>
-void issue_vertex(glev_context* context, const Real* v) {
+// Issues a command that sets kSize floats: kCount values at v, completed with those of (0, 0, 0, 1). `first`:
+// the arguments before them.
+template <auto kMethod, std::size_t kSize, std::size_t kCount, class Real, class... First>
+void issue_floats(glev_context* context, const Real* v, First... first) {
   if (rejected(context, v)) return;
-  context->issue(glev::VertexCommand{load<kCount>(std::array<float, 4>{0, 0, 0, 1}, v)});
-}
-
-template <std::size_t kCount, class Real>
-void issue_color(glev_context* context, const Real* v) {
-  if (rejected(context, v)) return;
-  context->issue(glev::ColorCommand{load<kCount>(std::array<float, 4>{0, 0, 0, 1}, v)});
-}
-
-template <std::size_t kCount, class Real>
-void issue_normal(glev_context* context, const Real* v) {
-  if (!rejected(context, v)) context->issue(glev::NormalCommand{load<kCount>(std::array<float, 3>{}, v)});
-}
-
-template <std::size_t kCount, class Real>
-void issue_tex_coord(glev_context* context, const Real* v, glev_enum texture = GLEV_TEXTURE0) {
-  if (rejected(context, v)) return;
-  context->issue(glev::MultiTexCoordCommand{texture, load<kCount>(std::array<float, 4>{0, 0, 0, 1}, v)});
+  std::array<float, kSize> values{};
+  if constexpr (kSize == 4) values[3] = 1;
+  for (std::size_t k = 0; k < kCount; ++k) values[k] = static_cast<float>(v[k]);
+  context->issue<kMethod>(first..., values);
 }
 
 }  // namespace
@@ -178,9 +162,11 @@ GLEV_GET_MAP(d, glev_double)
 GLEV_GET_MAP(i, glev_int)
 #undef GLEV_GET_MAP
 
-void glevEnable(glev_context* context, glev_enum cap) { context->issue(glev::SetEnabledCommand{cap, true}); }
+void glevEnable(glev_context* context, glev_enum cap) {
+  context->issue<&glev_context::set_enabled>(cap, true);
+}
 void glevDisable(glev_context* context, glev_enum cap) {
-  context->issue(glev::SetEnabledCommand{cap, false});
+  context->issue<&glev_context::set_enabled>(cap, false);
 }
 glev_boolean glevIsEnabled(glev_context* context, glev_enum cap) {
   return context->is_enabled(cap) ? GLEV_TRUE : GLEV_FALSE;
@@ -203,36 +189,35 @@ GLEV_EVAL_COORD(d, glev_double)
 
 // ---- Grids and meshes
 
-#define GLEV_MAP_GRID(f, real)                                                                        \
-  void glevMapGrid1##f(glev_context* context, glev_int n, real u1, real u2) {                         \
-    context->issue(glev::SetGridCommand{1, {{{widened(u1), widened(u2), n}, {}}}});                   \
-  }                                                                                                   \
-  void glevMapGrid2##f(glev_context* context, glev_int un, real u1, real u2, glev_int vn, real v1,    \
-                       real v2) {                                                                     \
-    context->issue(                                                                                   \
-        glev::SetGridCommand{2, {{{widened(u1), widened(u2), un}, {widened(v1), widened(v2), vn}}}}); \
+#define GLEV_MAP_GRID(f, real)                                                                     \
+  void glevMapGrid1##f(glev_context* context, glev_int n, real u1, real u2) {                      \
+    set_grid(context, 1, {{{widened(u1), widened(u2), n}, {}}});                                   \
+  }                                                                                                \
+  void glevMapGrid2##f(glev_context* context, glev_int un, real u1, real u2, glev_int vn, real v1, \
+                       real v2) {                                                                  \
+    set_grid(context, 2, {{{widened(u1), widened(u2), un}, {widened(v1), widened(v2), vn}}});      \
   }
 GLEV_MAP_GRID(f, glev_float)
 GLEV_MAP_GRID(d, glev_double)
 #undef GLEV_MAP_GRID
 
-void glevEvalPoint1(glev_context* context, glev_int i) { context->issue(glev::EvalPointCommand{1, i, 0}); }
+void glevEvalPoint1(glev_context* context, glev_int i) { context->issue<&glev_context::eval_point>(1, i, 0); }
 void glevEvalPoint2(glev_context* context, glev_int i, glev_int j) {
-  context->issue(glev::EvalPointCommand{2, i, j});
+  context->issue<&glev_context::eval_point>(2, i, j);
 }
 
 void glevEvalMesh1(glev_context* context, glev_enum mode, glev_int i1, glev_int i2) {
-  context->issue(glev::EvalMesh1Command{mode, i1, i2});
+  context->issue<&glev_context::eval_mesh1>(mode, i1, i2);
 }
 void glevEvalMesh2(glev_context* context, glev_enum mode, glev_int i1, glev_int i2, glev_int j1,
                    glev_int j2) {
-  context->issue(glev::EvalMesh2Command{mode, i1, i2, j1, j2});
+  context->issue<&glev_context::eval_mesh2>(mode, i1, i2, j1, j2);
 }
 
 // ---- Primitives
 
-void glevBegin(glev_context* context, glev_enum mode) { context->issue(glev::BeginCommand{mode}); }
-void glevEnd(glev_context* context) { context->issue(glev::EndCommand{}); }
+void glevBegin(glev_context* context, glev_enum mode) { context->issue<&glev_context::begin>(mode); }
+void glevEnd(glev_context* context) { context->issue<&glev_context::end>(); }
 
 // ---- Vertices and current values
 
@@ -245,36 +230,40 @@ void glevEnd(glev_context* context) { context->issue(glev::EndCommand{}); }
 #define GLEV_VALUES_3 x, y, z
 #define GLEV_VALUES_4 x, y, z, w
 
-#define GLEV_FORMS(command, issue, count, f, real)                                                    \
-  void glev##command##count##f##v(glev_context* context, const real* v) { issue<count>(context, v); } \
-  void glev##command##count##f(glev_context* context, GLEV_PARAMETERS_##count(real)) {                \
-    const real v[] = {GLEV_VALUES_##count};                                                           \
-    glev##command##count##f##v(context, v);                                                           \
+#define GLEV_FORMS(command, method, size, count, f, real)                              \
+  void glev##command##count##f##v(glev_context* context, const real* v) {              \
+    issue_floats<&glev_context::method, size, count>(context, v);                      \
+  }                                                                                    \
+  void glev##command##count##f(glev_context* context, GLEV_PARAMETERS_##count(real)) { \
+    const real v[] = {GLEV_VALUES_##count};                                            \
+    glev##command##count##f##v(context, v);                                            \
   }
-#define GLEV_SETTER(command, issue, count)         \
-  GLEV_FORMS(command, issue, count, f, glev_float) \
-  GLEV_FORMS(command, issue, count, d, glev_double)
-GLEV_SETTER(Vertex, issue_vertex, 2)
-GLEV_SETTER(Vertex, issue_vertex, 3)
-GLEV_SETTER(Vertex, issue_vertex, 4)
-GLEV_SETTER(Color, issue_color, 3)
-GLEV_SETTER(Color, issue_color, 4)
-GLEV_SETTER(Normal, issue_normal, 3)
-GLEV_SETTER(TexCoord, issue_tex_coord, 1)
-GLEV_SETTER(TexCoord, issue_tex_coord, 2)
-GLEV_SETTER(TexCoord, issue_tex_coord, 3)
-GLEV_SETTER(TexCoord, issue_tex_coord, 4)
+#define GLEV_SETTER(command, method, size, count)         \
+  GLEV_FORMS(command, method, size, count, f, glev_float) \
+  GLEV_FORMS(command, method, size, count, d, glev_double)
+GLEV_SETTER(Vertex, vertex, 4, 2)
+GLEV_SETTER(Vertex, vertex, 4, 3)
+GLEV_SETTER(Vertex, vertex, 4, 4)
+GLEV_SETTER(Color, color, 4, 3)
+GLEV_SETTER(Color, color, 4, 4)
+GLEV_SETTER(Normal, normal, 3, 3)
 #undef GLEV_SETTER
 #undef GLEV_FORMS
 
 #define GLEV_TEXTURE_FORMS(count, f, real)                                                       \
   void glevMultiTexCoord##count##f##v(glev_context* context, glev_enum texture, const real* v) { \
-    issue_tex_coord<count>(context, v, texture);                                                 \
+    issue_floats<&glev_context::multi_tex_coord, 4, count>(context, v, texture);                 \
   }                                                                                              \
   void glevMultiTexCoord##count##f(glev_context* context, glev_enum texture,                     \
                                    GLEV_PARAMETERS_##count(real)) {                              \
     const real v[] = {GLEV_VALUES_##count};                                                      \
     glevMultiTexCoord##count##f##v(context, texture, v);                                         \
+  }                                                                                              \
+  void glevTexCoord##count##f##v(glev_context* context, const real* v) {                         \
+    glevMultiTexCoord##count##f##v(context, GLEV_TEXTURE0, v);                                   \
+  }                                                                                              \
+  void glevTexCoord##count##f(glev_context* context, GLEV_PARAMETERS_##count(real)) {            \
+    glevMultiTexCoord##count##f(context, GLEV_TEXTURE0, GLEV_VALUES_##count);                    \
   }
 #define GLEV_TEXTURE_SETTER(count)         \
   GLEV_TEXTURE_FORMS(count, f, glev_float) \
@@ -286,35 +275,35 @@ GLEV_TEXTURE_SETTER(4)
 #undef GLEV_TEXTURE_SETTER
 #undef GLEV_TEXTURE_FORMS
 
-#define GLEV_INDEX(f, real)                                                                \
-  void glevIndex##f##v(glev_context* context, const real* v) {                             \
-    if (!rejected(context, v)) context->issue(glev::IndexCommand{static_cast<float>(*v)}); \
-  }                                                                                        \
+#define GLEV_INDEX(f, real)                                                                  \
+  void glevIndex##f##v(glev_context* context, const real* v) {                               \
+    if (!rejected(context, v)) context->issue<&glev_context::index>(static_cast<float>(*v)); \
+  }                                                                                          \
   void glevIndex##f(glev_context* context, real index) { glevIndex##f##v(context, &index); }
 GLEV_INDEX(f, glev_float)
 GLEV_INDEX(d, glev_double)
 #undef GLEV_INDEX
 
 void glevEdgeFlag(glev_context* context, glev_boolean flag) {
-  context->issue(glev::EdgeFlagCommand{flag != GLEV_FALSE});
+  context->issue<&glev_context::edge_flag>(flag != GLEV_FALSE);
 }
 void glevEdgeFlagv(glev_context* context, const glev_boolean* v) {
-  if (!rejected(context, v)) context->issue(glev::EdgeFlagCommand{*v != GLEV_FALSE});
+  if (!rejected(context, v)) context->issue<&glev_context::edge_flag>(*v != GLEV_FALSE);
 }
 
 void glevActiveTexture(glev_context* context, glev_enum texture) {
-  context->issue(glev::ActiveTextureCommand{texture});
+  context->issue<&glev_context::active_texture>(texture);
 }
 
 // ---- Display lists and the attribute stack
 
 void glevNewList(glev_context* context, glev_uint list, glev_enum mode) { context->new_list(list, mode); }
 void glevEndList(glev_context* context) { context->end_list(); }
-void glevCallList(glev_context* context, glev_uint list) { context->issue(glev::CallListCommand{list}); }
+void glevCallList(glev_context* context, glev_uint list) { context->issue<&glev_context::call_list>(list); }
 void glevCallLists(glev_context* context, glev_int n, glev_enum type, const void* lists) {
   context->issue_call_lists(n, type, lists);
 }
-void glevListBase(glev_context* context, glev_uint base) { context->issue(glev::ListBaseCommand{base}); }
+void glevListBase(glev_context* context, glev_uint base) { context->issue<&glev_context::list_base>(base); }
 glev_uint glevGenLists(glev_context* context, glev_int range) { return context->gen_lists(range); }
 glev_boolean glevIsList(glev_context* context, glev_uint list) {
   return context->is_list(list) ? GLEV_TRUE : GLEV_FALSE;
@@ -324,9 +313,9 @@ void glevDeleteLists(glev_context* context, glev_uint list, glev_int range) {
 }
 
 void glevPushAttrib(glev_context* context, glev_bitfield mask) {
-  context->issue(glev::PushAttribCommand{mask});
+  context->issue<&glev_context::push_attrib>(mask);
 }
-void glevPopAttrib(glev_context* context) { context->issue(glev::PopAttribCommand{}); }
+void glevPopAttrib(glev_context* context) { context->issue<&glev_context::pop_attrib>(); }
 
 void glevFlush(glev_context* context) { context->flush(); }
 void glevFinish(glev_context* context) { context->flush(); }

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <utility>
 
-#include "command.h"
 #include "convert.h"
 #include "environment.h"
 #include "mutation_point.h"
+#include "normal.h"
 #include "structures.h"
 
 using glev::Attribute;
@@ -19,6 +19,8 @@ using glev::GridArgument;
 using glev::Target;
 
 namespace {
+
+constexpr Attribute kOtherAttributes[] = {Attribute::kColor, Attribute::kNormal, Attribute::kTexcoord};
 
 constexpr glev_enum kLinesAdjacency = 0x000A, kTriangleStripAdjacency = 0x000D, kPatches = 0x000E;
 
@@ -116,15 +118,19 @@ void glev_context::issue_define_map(int dimension, glev_enum name,
   if (is_compiling()) {
     const glev_enum error = find_map_error(dimension, name, directions, points);
     if (error != GLEV_NO_ERROR) {
-      compile(glev::ErrorCommand{error});
+      compile(glev::listed<&glev_context::record_error>(error));
     } else {
       const int components = glev::kSlotTable[find_target(name).slot].components;
-      const auto& [u, v] = directions;
-      glev::DefineMapCommand packed{dimension, name, directions};
-      packed.directions[0].stride = GLEV_AT(length_of_row, v.order) * components;
-      packed.directions[1].stride = components;
+      const glev::MapDirection &u = directions[0], &v = directions[1];
+      std::array<glev::MapDirection, 2> packed = directions;
+      packed[0].stride = GLEV_AT(length_of_row, v.order) * components;
+      packed[1].stride = components;
       const std::size_t values = static_cast<std::size_t>(u.order) * v.order * components;
-      void* memory = compile(packed, values * sizeof(double));
+      void* memory = compile(
+          [=](glev_context& gl, const void* copy) {
+            gl.define_map(dimension, name, packed, static_cast<const double*>(copy));
+          },
+          values * sizeof(double));
       if (memory != nullptr) glev::copy_points(components, u, v, points, new (memory) double[values]);
     }
     if (GLEV_AT(compiles_map_only, open_.mode == GLEV_COMPILE)) return;
@@ -242,6 +248,23 @@ const glev_plan* glev_context::plan_to_draw(int dimension) {
   return plan->components(Attribute::kVertex) != 0 ? plan : nullptr;
 }
 
+// Sets an attribute of a vertex.
+inline void glev_context::put(const float (&values)[4], Attribute attribute, glev_vertex* vertex) const {
+  float* const to = attribute == Attribute::kColor    ? vertex->color
+                    : attribute == Attribute::kNormal ? vertex->normal
+                                                      : vertex->texcoord[GLEV_AT(fed_unit, 0)];
+  std::copy_n(values, attribute == Attribute::kNormal ? 3 : 4, to);
+}
+
+// Emits the staged vertex, after fill(vertex) has set what the plan evaluates.
+template <class Fill>
+inline void glev_context::emit_staged(const glev_plan& plan, const Fill& fill) {
+  glev_vertex& vertex = current_.staged_for(&plan);
+  fill(&vertex);
+  GLEV_HERE(before_vertex);
+  emit(vertex);
+}
+
 // Emits a vertex from within a callback. It does not use the staged vertex, which the callback is reading.
 void glev_context::emit_within(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
                                const glev::NormalRow* row) {
@@ -253,46 +276,28 @@ void glev_context::emit_within(const glev_plan& plan, const GridArgument& u, con
 void glev_context::emit_at(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
                            const glev::NormalRow* row) {
   if (callbacks_ > 0) return emit_within(plan, u, v, row);
-  glev_vertex& vertex = current_.staged_for(&plan);
-  evaluate_into(plan, u, v, row, &vertex);
-  GLEV_HERE(before_vertex);
-  emit(vertex);
+  emit_staged(plan, [&](glev_vertex* vertex) { evaluate_into(plan, u, v, row, vertex); });
 }
 
 inline void glev_context::evaluate_into(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
                                         const glev::NormalRow* row, glev_vertex* vertex) const {
   const glev::DefaultEnvironment environment;
-  const auto evaluate = [&](Attribute attribute, float* values) {
-    glev::values_at(plan, attribute, u, v, values);
-  };
-  evaluate(Attribute::kVertex, vertex->position);
+  glev::values_at(plan, Attribute::kVertex, u, v, vertex->position);
   if (plan.has_vertices_only()) return;
-  if (plan.components(Attribute::kColor) != 0) evaluate(Attribute::kColor, vertex->color);
-  if (plan.components(Attribute::kTexcoord) != 0)
-    evaluate(Attribute::kTexcoord, vertex->texcoord[GLEV_AT(fed_unit, 0)]);
-  if (plan.automatic_normals()) {
-    copy_to(vertex->normal, row->normal_at(u));
-  } else if (plan.components(Attribute::kNormal) != 0) {
+  for (const Attribute attribute : kOtherAttributes) {
+    if (plan.components(attribute) == 0) continue;
     float values[4];
-    evaluate(Attribute::kNormal, values);
-    copy_to(vertex->normal, {values[0], values[1], values[2]});
+    glev::values_at(plan, attribute, u, v, values);
+    put(values, attribute, vertex);
   }
-}
-
-void glev_context::emit_row(const glev::NormalRow& row, const GridArgument& u) {
-  emit_at(row.plan(), u, row.v(), &row);
-}
-
-void glev_context::move_to(const GridArgument& v, glev::NormalRow* row) {
-  const glev::DefaultEnvironment environment;
-  row->move_to(v);
+  if (row != nullptr) copy_to(vertex->normal, row->normal_at(u));
 }
 
 void glev_context::evaluate_at(int dimension, const GridArgument& u, const GridArgument& v) {
   if (!in_primitive_) return;
   const glev_plan* plan = GLEV_AT(plan_of_coord, plan_to_draw(dimension));
   if (plan == nullptr) return;
-  if (plan->automatic_normals()) return evaluate_with_row(*plan, u, v);
+  if (plan->automatic_normals()) return evaluate_with_normal(*plan, u, v);
   emit_at(*plan, u, v, nullptr);
   // A callback may have ended the primitive or dropped the plan.
   if (plans_[dimension - 1] == plan && is_direct(*plan)) direct_[dimension - 1] = plan;
@@ -304,10 +309,13 @@ bool glev_context::is_direct(const glev_plan& plan) const {
 }
 
 // This is a separate function because of its large stack frame.
-void glev_context::evaluate_with_row(const glev_plan& plan, const GridArgument& u, const GridArgument& v) {
+void glev_context::evaluate_with_normal(const glev_plan& plan, const GridArgument& u, const GridArgument& v) {
   glev::NormalRow row(plan);
-  move_to(v, &row);
-  emit_row(row, u);
+  {
+    const glev::DefaultEnvironment environment;
+    row.move_to(v);
+  }
+  emit_at(plan, u, v, &row);
 }
 
 void glev_context::eval_coord(int dimension, double u, double v) {
@@ -346,138 +354,113 @@ void glev_context::mesh_primitive(glev_enum mode, const Body& body) {
 
 namespace {
 
-// Positions of at most kMost columns and two rows of a mesh, or of one column and at most kMost rows,
-// computed by the mesh kernel.
+// Values of at most kMost columns and two rows of a mesh, or of one column and at most kMost rows, computed
+// by the kernels.
 class MeshPart {
  public:
   static constexpr std::int64_t kMost = 64;
+  // Automatic normals need twice as much scratch memory.
+  static std::int64_t most(const glev_plan& plan) { return plan.automatic_normals() ? kMost / 2 : kMost; }
 
   MeshPart(const glev_plan& plan, std::int64_t i, std::int64_t j, std::int64_t columns, std::int64_t rows) {
     const glev::DefaultEnvironment environment;
     const glev::MeshRange range = {
         plan.grid(0), plan.grid(1), i, j, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)};
-    const std::size_t stride = sizeof position_[0];
-    plan.kernels().mesh(plan.map(Attribute::kVertex), range, false,
-                        {reinterpret_cast<std::byte*>(position_), stride, range.columns * stride, 4},
-                        scratch_);
+    const auto destination_of = [&](Attribute attribute) -> glev::Destination {
+      float* const values = values_[static_cast<std::size_t>(attribute)][0];
+      constexpr std::size_t kStride = sizeof values_[0][0];
+      return {reinterpret_cast<std::byte*>(values), kStride, range.columns * kStride, 4};
+    };
+    const auto evaluate = [&](Attribute attribute) {
+      plan.kernels().mesh(plan.map(attribute), range, false, destination_of(attribute), scratch_);
+    };
+    evaluate(Attribute::kVertex);
+    if (plan.has_vertices_only()) return;
+    for (const Attribute attribute : kOtherAttributes) {
+      if (plan.components(attribute) != 0) evaluate(attribute);
+    }
+    if (!plan.automatic_normals()) return;
+    glev::Destination to = destination_of(Attribute::kNormal);
+    to.components = 3;
+    plan.kernels().normals(plan, range, to, false, scratch_);
   }
-  const float (&operator[](std::int64_t point) const)[4] { return position_[point]; }
+  const float (&values(Attribute attribute, std::int64_t point) const)[4] {
+    return values_[static_cast<std::size_t>(attribute)][point];
+  }
 
  private:
-  float position_[2 * kMost][4];
+  float values_[glev::kAttributes][2 * kMost][4];
   alignas(glev::kCacheLine) std::byte scratch_[kMost * (glev::kMaxOrder + 2) * sizeof(double)];
 };
 
-}  // namespace
-
-void glev_context::emit_position(const glev_plan& plan, const float (&position)[4]) {
-  glev_vertex& vertex = current_.staged_for(&plan);
-  std::copy_n(position, 4, vertex.position);
-  emit(vertex);
-}
-
 // Calls body(first, count) for parts of the indices from `first` to `last`.
 template <class Body>
-static void for_each_part(std::int64_t first, std::int64_t last, const Body& body) {
-  for (std::int64_t i = first; i <= last; i += MeshPart::kMost)
-    body(i, std::min(MeshPart::kMost, last - i + 1));
+void for_each_part(const glev_plan& plan, std::int64_t first, std::int64_t last, const Body& body) {
+  const std::int64_t most = MeshPart::most(plan);
+  for (std::int64_t i = first; i <= last; i += most) body(i, std::min(most, last - i + 1));
 }
 
-// Emits the points from `first` to `last` of row `other` or, with is_column, of column `other`.
-void glev_context::emit_line(const glev_plan& plan, bool is_column, std::int64_t other, std::int64_t first,
-                             std::int64_t last) {
-  for_each_part(first, last, [&](std::int64_t k, std::int64_t count) {
-    const MeshPart part = is_column ? MeshPart(plan, other, k, 1, count) : MeshPart(plan, k, other, count, 1);
-    for (std::int64_t point = 0; point < count; ++point) emit_position(plan, part[point]);
-  });
-}
-
-// Draws meshes of plans that have only vertices.
-void glev_context::mesh_of_vertices(const glev_plan& plan, glev_enum mode, std::int64_t i1, std::int64_t i2,
-                                    std::int64_t j1, std::int64_t j2) {
-  if (mode == GLEV_POINT) {
-    mesh_primitive(GLEV_POINTS, [&] {
-      for (std::int64_t j = j1; j <= j2; ++j) emit_line(plan, false, j, i1, i2);
-    });
-  } else if (mode == GLEV_LINE) {
-    for (std::int64_t j = j1; j <= j2; ++j)
-      mesh_primitive(GLEV_LINE_STRIP, [&] { emit_line(plan, false, j, i1, i2); });
-    for (std::int64_t i = i1; i <= i2 && plan.dimension() == 2; ++i)
-      mesh_primitive(GLEV_LINE_STRIP, [&] { emit_line(plan, true, i, j1, j2); });
-  } else {
-    for (std::int64_t j = j1; j < j2; ++j) {
-      mesh_primitive(GLEV_QUAD_STRIP, [&] {
-        for_each_part(i1, i2, [&](std::int64_t i, std::int64_t count) {
-          const MeshPart part(plan, i, j, count, 2);
-          for (std::int64_t point = 0; point < count; ++point) {
-            emit_position(plan, part[point]);
-            emit_position(plan, part[count + point]);
-          }
-        });
-      });
-    }
-  }
-}
+}  // namespace
 
 void glev_context::eval_mesh1(glev_enum mode, glev_int i1, glev_int i2) {
   if (mode != GLEV_POINT && mode != GLEV_LINE) return record_error(GLEV_INVALID_ENUM);
-  if (is_rejected_in_primitive()) return;
-  const glev_plan* plan = plan_to_draw(1);
-  if (plan == nullptr) return;
-  if (plan->has_vertices_only()) return mesh_of_vertices(*plan, mode, i1, i2, 0, 0);
-
-  glev::NormalRow row(*plan);
-  move_to({}, &row);
-  mesh_primitive(mode == GLEV_POINT ? GLEV_POINTS : GLEV_LINE_STRIP, [&] {
-    for (std::int64_t i = i1; i <= i2; ++i) emit_row(row, GridArgument{plan->grid(0), i});
-  });
+  draw_mesh(1, mode, i1, i2, 0, 0);
 }
 
 void glev_context::eval_mesh2(glev_enum mode, glev_int i1, glev_int i2, glev_int j1, glev_int j2) {
   if (mode != GLEV_POINT && mode != GLEV_LINE && mode != GLEV_FILL) return record_error(GLEV_INVALID_ENUM);
-  if (is_rejected_in_primitive()) return;
-  const glev_plan* plan = plan_to_draw(2);
-  if (plan == nullptr) return;
-  if (plan->has_vertices_only()) return mesh_of_vertices(*plan, mode, i1, i2, j1, j2);
+  draw_mesh(2, mode, i1, i2, j1, j2);
+}
 
-  const auto u = [&](std::int64_t i) { return GridArgument{plan->grid(0), i}; };
-  const auto v = [&](std::int64_t j) { return GridArgument{plan->grid(1), j}; };
-  glev::NormalRow row(*plan);
-  if (mode == GLEV_POINT) {
-    mesh_primitive(GLEV_POINTS, [&] {
-      for (std::int64_t j = j1; j <= j2; ++j) {
-        move_to(v(j), &row);
-        for (std::int64_t i = i1; i <= i2; ++i) emit_row(row, u(i));
+void glev_context::draw_mesh(int dimension, glev_enum mode, std::int64_t i1, std::int64_t i2, std::int64_t j1,
+                             std::int64_t j2) {
+  if (is_rejected_in_primitive()) return;
+  const glev_plan* const plan = plan_to_draw(dimension);
+  if (plan == nullptr) return;
+  const bool has_vertices_only = plan->has_vertices_only();
+  const auto emit_point = [=, this](const MeshPart& part, std::int64_t point) {
+    emit_staged(*plan, [&](glev_vertex* vertex) {
+      std::copy_n(part.values(Attribute::kVertex, point), 4, vertex->position);
+      if (has_vertices_only) return;
+      for (const Attribute attribute : kOtherAttributes) {
+        if (plan->components(attribute) != 0 ||
+            (attribute == Attribute::kNormal && plan->automatic_normals()))
+          put(part.values(attribute, point), attribute, vertex);
       }
     });
+  };
+  // Emits the points of row j, or those of column i.
+  const auto emit_row = [&](std::int64_t j) {
+    for_each_part(*plan, i1, i2, [&](std::int64_t i, std::int64_t count) {
+      const MeshPart part(*plan, i, j, count, 1);
+      for (std::int64_t point = 0; point < count; ++point) emit_point(part, point);
+    });
+  };
+  const auto emit_column = [&](std::int64_t i) {
+    for_each_part(*plan, j1, j2, [&](std::int64_t j, std::int64_t count) {
+      const MeshPart part(*plan, i, j, 1, count);
+      for (std::int64_t point = 0; point < count; ++point) emit_point(part, point);
+    });
+  };
+  if (mode == GLEV_POINT) {
+    mesh_primitive(GLEV_POINTS, [&] {
+      for (std::int64_t j = j1; j <= j2; ++j) emit_row(j);
+    });
   } else if (mode == GLEV_LINE) {
-    for (std::int64_t j = j1; j <= j2; ++j) {
-      move_to(v(j), &row);
-      mesh_primitive(GLEV_LINE_STRIP, [&] {
-        for (std::int64_t i = i1; i <= i2; ++i) emit_row(row, u(i));
-      });
-    }
-    for (std::int64_t i = i1; i <= i2; ++i) {
-      mesh_primitive(GLEV_LINE_STRIP, [&] {
-        for (std::int64_t j = j1; j <= j2; ++j) {
-          move_to(v(j), &row);
-          emit_row(row, u(i));
-        }
-      });
-    }
+    for (std::int64_t j = j1; j <= j2; ++j) mesh_primitive(GLEV_LINE_STRIP, [&] { emit_row(j); });
+    for (std::int64_t i = i1; i <= i2 && dimension == 2; ++i)
+      mesh_primitive(GLEV_LINE_STRIP, [&] { emit_column(i); });
   } else {
-    glev::NormalRow next(*plan);
-    glev::NormalRow *lower = &row, *upper = &next;
-    move_to(v(j1), lower);
     for (std::int64_t j = j1; j < j2; ++j) {
-      move_to(v(j + 1), upper);
       mesh_primitive(GLEV_QUAD_STRIP, [&] {
-        for (std::int64_t i = i1; i <= i2; ++i) {
-          emit_row(*lower, u(i));
-          emit_row(*upper, u(i));
-        }
+        for_each_part(*plan, i1, i2, [&](std::int64_t i, std::int64_t count) {
+          const MeshPart part(*plan, i, j, count, 2);
+          for (std::int64_t point = 0; point < count; ++point) {
+            emit_point(part, point);
+            emit_point(part, count + point);
+          }
+        });
       });
-      std::swap(lower, upper);
     }
   }
 }

@@ -16,7 +16,6 @@
 #include "list_table.h"
 #include "map.h"
 #include "mutation_point.h"
-#include "normal.h"
 #include "parameter.h"
 #include "plan.h"
 #include "target.h"
@@ -40,6 +39,18 @@ struct StateValues {
   bool normalized = false;  // a colour or normal, see convert()
 };
 
+// Returns a command of a list, which calls a method of the context.
+template <auto kMethod, class... Arguments>
+auto listed(const Arguments&... arguments) {
+  return [arguments...](glev_context& gl, const void*) { (gl.*kMethod)(arguments...); };
+}
+
+template <class Command>
+void run_listed(glev_context& gl, const std::byte* payload) {
+  (*std::launder(reinterpret_cast<const Command*>(payload)))(
+      gl, payload + round_up_to_list_unit(sizeof(Command)));
+}
+
 }  // namespace glev
 
 // The methods are the commands, independently of the form of their arguments (f, d, v). Errors that depend on
@@ -58,14 +69,14 @@ struct glev_context {
   }
   glev_enum get_error();
 
-  // Compiles a command of command.h into the open list, executes it, or both.
-  template <class Command>
-  void issue(const Command& command) {
+  // Compiles a command into the open list, executes it, or both.
+  template <auto kMethod, class... Arguments>
+  void issue(const Arguments&... arguments) {
     if (GLEV_AT(compiles, is_compiling())) {
-      compile(command);
+      compile(glev::listed<kMethod>(arguments...));
       if (GLEV_AT(compiles_only, open_.mode == GLEV_COMPILE)) return;
     }
-    command.run(*this);
+    (this->*kMethod)(arguments...);
   }
   // Do what issue() does for the two commands with arrays, which are read immediately.
   template <class Real>
@@ -136,10 +147,11 @@ struct glev_context {
   // Commands of a callback are not compiled, because the callback issues them again when the list is
   // executed.
   bool is_compiling() const { return open_.mode != 0 && callbacks_ == 0; }
-  // Appends the command to the open list. Returns `more_bytes` bytes for the caller to fill. If there is no
-  // memory, marks the list as broken and returns null.
+  // Appends a command to the open list, with an array of `bytes` bytes for the caller to fill, which is
+  // returned. The command is called with the context and the array. If there is no memory, marks the list as
+  // broken and returns null.
   template <class Command>
-  void* compile(const Command& command, std::uint64_t more_bytes = 0);
+  void* compile(const Command& command, std::uint64_t bytes = 0);
   // Returns the flag of a capability; null if there is none.
   bool* find_flag(glev_enum cap);
   // Returns the values of a state variable; count 0 if there is no such variable.
@@ -150,28 +162,23 @@ struct glev_context {
   // Returns the plan to draw with; null if there is no vertex map. If there is no memory, records the error
   // and returns null.
   const glev_plan* plan_to_draw(int dimension);
-  // Emits the vertex at u of the row.
-  void emit_row(const glev::NormalRow& row, const glev::GridArgument& u);
-  // Emits the vertex at (u, v). `row` must be at v, or null if the plan does not need a row.
-  void emit_at(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
-               const glev::NormalRow* row);
+  template <class Fill>
+  void emit_staged(const glev_plan& plan, const Fill& fill);
   void emit_within(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
                    const glev::NormalRow* row);
+  // Emits the vertex at (u, v). `row` is at v, or null if the plan has no automatic normals.
+  void emit_at(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
+               const glev::NormalRow* row);
+  void put(const float (&values)[4], glev::Attribute attribute, glev_vertex* vertex) const;
   void evaluate_into(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
                      const glev::NormalRow* row, glev_vertex* vertex) const;
-  void evaluate_with_row(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v);
-  static void move_to(const glev::GridArgument& v, glev::NormalRow* row);
+  void evaluate_with_normal(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v);
   void evaluate_at(int dimension, const glev::GridArgument& u, const glev::GridArgument& v);
   // Draws a primitive of a mesh: begin, body(), end.
   template <class Body>
   void mesh_primitive(glev_enum mode, const Body& body);
-  // Draws meshes of plans that have only vertices, evaluating many vertices at a time.
-  void mesh_of_vertices(const glev_plan& plan, glev_enum mode, std::int64_t i1, std::int64_t i2,
-                        std::int64_t j1, std::int64_t j2);
-  // Emits the points from `first` to `last` of row or column `other`.
-  void emit_line(const glev_plan& plan, bool is_column, std::int64_t other, std::int64_t first,
-                 std::int64_t last);
-  void emit_position(const glev_plan& plan, const float (&position)[4]);
+  void draw_mesh(int dimension, glev_enum mode, std::int64_t i1, std::int64_t i2, std::int64_t j1,
+                 std::int64_t j2);
   void emit(const glev_vertex& vertex) { call_sink(sink_.vertex, &vertex); }
   template <class Callback, class... Arguments>
   void call_sink(Callback callback, Arguments... arguments) {
@@ -213,11 +220,11 @@ inline bool glev_context::eval_directly(int dimension, double u, double v) {
 }
 
 template <class Command>
-void* glev_context::compile(const Command& command, std::uint64_t more_bytes) {
+void* glev_context::compile(const Command& command, std::uint64_t bytes) {
   static_assert(std::is_trivially_copyable_v<Command> && alignof(Command) <= glev::kListUnit);
   constexpr std::uint64_t kSize = glev::round_up_to_list_unit(sizeof(Command));
   if (open_.broken) return nullptr;
-  std::byte* payload = open_.list.append(allocator_, Command::kOpcode, kSize + more_bytes);
+  std::byte* payload = open_.list.append(allocator_, glev::run_listed<Command>, kSize + bytes);
   if (payload == nullptr) {
     open_.broken = true;
     record_error(GLEV_OUT_OF_MEMORY);

@@ -8,7 +8,7 @@
 
 namespace glev {
 
-std::byte* DisplayList::append(const Allocator& allocator, Opcode opcode, std::uint64_t payload_bytes) {
+std::byte* DisplayList::append(const Allocator& allocator, RunsCommand run, std::uint64_t payload_bytes) {
   constexpr std::size_t kSmallest = 256;
   const std::uint64_t bytes = round_up_to_list_unit(sizeof(Record) + payload_bytes);
   if (bytes > capacity_ - size_) {
@@ -23,7 +23,7 @@ std::byte* DisplayList::append(const Allocator& allocator, Opcode opcode, std::u
     capacity_ = capacity;
   }
   std::byte* place = data_ + size_;
-  new (place) Record{opcode, static_cast<std::uint32_t>((bytes - sizeof(Record)) / kListUnit)};
+  new (place) Record{run, static_cast<std::size_t>(bytes - sizeof(Record))};
   size_ += bytes;
   return place + sizeof(Record);
 }

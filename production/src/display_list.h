@@ -4,34 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <glevaluator.h>
+
 #include "allocator.h"
 
 namespace glev {
-
-enum class Opcode : std::uint32_t {
-  kError,
-  kDefineMap,
-  kSetEnabled,
-  kSetGrid,
-  kEvalCoord,
-  kEvalPoint,
-  kEvalMesh1,
-  kEvalMesh2,
-  kBegin,
-  kEnd,
-  kVertex,
-  kColor,
-  kNormal,
-  kIndex,
-  kEdgeFlag,
-  kMultiTexCoord,
-  kActiveTexture,
-  kPushAttrib,
-  kPopAttrib,
-  kCallList,
-  kCallLists,
-  kListBase
-};
 
 // The alignment of every part of a list.
 inline constexpr std::size_t kListUnit = 8;
@@ -40,11 +17,15 @@ constexpr std::uint64_t round_up_to_list_unit(std::uint64_t bytes) {
   return (bytes + kListUnit - 1) / kListUnit * kListUnit;
 }
 
+// Executes a command of a list.
+using RunsCommand = void (*)(glev_context& gl, const std::byte* payload);
+
 // The header of each command.
-struct alignas(kListUnit) Record {
-  Opcode opcode;
-  std::uint32_t units;  // size of the payload that follows: the command and the memory behind its pointers
+struct Record {
+  RunsCommand run;
+  std::size_t bytes;  // size of the payload that follows: the command and its arrays
 };
+static_assert(alignof(Record) <= kListUnit && sizeof(Record) % kListUnit == 0);
 
 // A handle of a list. Copies share the memory, which is valid until free(). An empty list has no memory.
 class DisplayList {
@@ -55,7 +36,7 @@ class DisplayList {
 
   // Appends a record and returns its payload for the caller to fill. Returns null, and changes nothing, if
   // there is no memory.
-  std::byte* append(const Allocator& allocator, Opcode opcode, std::uint64_t payload_bytes);
+  std::byte* append(const Allocator& allocator, RunsCommand run, std::uint64_t payload_bytes);
   void free(const Allocator& allocator);
 
  private:

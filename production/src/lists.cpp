@@ -4,13 +4,11 @@
 #include <limits>
 #include <new>
 
-#include "command.h"
 #include "context.h"
 #include "list_offsets.h"
 #include "mutation_point.h"
 
 using glev::DisplayList;
-using glev::Opcode;
 using glev::Record;
 
 namespace {
@@ -20,65 +18,6 @@ glev_enum find_call_lists_error(glev_int count, glev_enum type, const void* offs
   if (count < 0) return GLEV_INVALID_VALUE;
   if (glev::bytes_of_offset(type) == 0) return GLEV_INVALID_ENUM;
   return count > 0 && offsets == nullptr ? GLEV_INVALID_VALUE : GLEV_NO_ERROR;
-}
-
-template <class Command>
-void run(glev_context& gl, const std::byte* payload) {
-  const auto& command = *std::launder(reinterpret_cast<const Command*>(payload));
-  if constexpr (requires { command.run(gl, payload); }) {
-    command.run(gl, payload + glev::round_up_to_list_unit(sizeof(Command)));
-  } else {
-    command.run(gl);
-  }
-}
-
-void run(glev_context& gl, Opcode opcode, const std::byte* payload) {
-  switch (opcode) {
-    case Opcode::kError:
-      return run<glev::ErrorCommand>(gl, payload);
-    case Opcode::kDefineMap:
-      return run<glev::DefineMapCommand>(gl, payload);
-    case Opcode::kSetEnabled:
-      return run<glev::SetEnabledCommand>(gl, payload);
-    case Opcode::kSetGrid:
-      return run<glev::SetGridCommand>(gl, payload);
-    case Opcode::kEvalCoord:
-      return run<glev::EvalCoordCommand>(gl, payload);
-    case Opcode::kEvalPoint:
-      return run<glev::EvalPointCommand>(gl, payload);
-    case Opcode::kEvalMesh1:
-      return run<glev::EvalMesh1Command>(gl, payload);
-    case Opcode::kEvalMesh2:
-      return run<glev::EvalMesh2Command>(gl, payload);
-    case Opcode::kBegin:
-      return run<glev::BeginCommand>(gl, payload);
-    case Opcode::kEnd:
-      return run<glev::EndCommand>(gl, payload);
-    case Opcode::kVertex:
-      return run<glev::VertexCommand>(gl, payload);
-    case Opcode::kColor:
-      return run<glev::ColorCommand>(gl, payload);
-    case Opcode::kNormal:
-      return run<glev::NormalCommand>(gl, payload);
-    case Opcode::kIndex:
-      return run<glev::IndexCommand>(gl, payload);
-    case Opcode::kEdgeFlag:
-      return run<glev::EdgeFlagCommand>(gl, payload);
-    case Opcode::kMultiTexCoord:
-      return run<glev::MultiTexCoordCommand>(gl, payload);
-    case Opcode::kActiveTexture:
-      return run<glev::ActiveTextureCommand>(gl, payload);
-    case Opcode::kPushAttrib:
-      return run<glev::PushAttribCommand>(gl, payload);
-    case Opcode::kPopAttrib:
-      return run<glev::PopAttribCommand>(gl, payload);
-    case Opcode::kCallList:
-      return run<glev::CallListCommand>(gl, payload);
-    case Opcode::kCallLists:
-      return run<glev::CallListsCommand>(gl, payload);
-    case Opcode::kListBase:
-      return run<glev::ListBaseCommand>(gl, payload);
-  }
 }
 
 }  // namespace
@@ -114,10 +53,11 @@ void glev_context::issue_call_lists(glev_int count, glev_enum type, const void* 
   if (is_compiling()) {
     const glev_enum error = find_call_lists_error(count, type, offsets);
     if (error != GLEV_NO_ERROR) {
-      compile(glev::ErrorCommand{error});
+      compile(glev::listed<&glev_context::record_error>(error));
     } else {
       const std::uint64_t bytes = static_cast<std::uint64_t>(count) * glev::bytes_of_offset(type);
-      void* memory = compile(glev::CallListsCommand{count, type}, bytes);
+      void* memory =
+          compile([=](glev_context& gl, const void* copy) { gl.call_lists(count, type, copy); }, bytes);
       if (memory != nullptr && bytes != 0) std::memcpy(memory, offsets, bytes);
     }
     if (open_.mode == GLEV_COMPILE) return;
@@ -137,9 +77,9 @@ void glev_context::call_list(glev_uint name) {
   for (const std::byte* place = list.begin(); place != list.end();) {
     const auto& record = *std::launder(reinterpret_cast<const Record*>(place));
     const std::byte* payload = place + sizeof(Record);
-    run(*this, record.opcode, payload);
+    record.run(*this, payload);
     GLEV_HERE(after_listed_command);
-    place = payload + record.units * glev::kListUnit;
+    place = payload + record.bytes;
   }
   GLEV_HERE(list_ends);
   --list_depth_;

@@ -17,6 +17,12 @@ inline int active_mutation = [] {
 // Memory that the places of a mutation share.
 inline int mutation_memory[256] = {};
 
+// True if both are the same method.
+template <auto kOne, auto kOther>
+inline constexpr bool kAreSame = false;
+template <auto kMethod>
+inline constexpr bool kAreSame<kMethod, kMethod> = true;
+
 inline bool mutation_is(int number) { return active_mutation == number; }
 
 }  // namespace glev
