@@ -23,8 +23,8 @@ struct Place {
         u2(hn::Set(kDoubles, map.surface.domain[direction].u2)),
         width(hn::Sub(u2, u1)),
         inverse(hn::Set(kDoubles, map.inverse_width[direction])),
-        scale(hn::Add(inverse, inverse)),
-        middle(hn::Mul(hn::Add(u1, u2), inverse)),
+        scale(hn::Set(kDoubles, map.place[direction].scale)),
+        middle(hn::Set(kDoubles, map.place[direction].middle)),
         has_inverse(map.inverse_width[direction] != 0) {}
   HWY_INLINE Vector divide_by_width(Vector x) const {
     return has_inverse ? hn::Mul(x, inverse) : hn::Div(x, width);

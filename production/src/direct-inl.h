@@ -49,10 +49,9 @@ inline bool evaluate_directly(const glev_plan& plan, double u, double v, float* 
 // Evaluates cubics in powers of x and y, in a domain whose width has an exact inverse.
 template <bool kSurface>
 bool evaluate_cubic_directly(const glev_plan& plan, double u, double v, float* position) {
-  const DirectMap& direct = plan.direct_map();
   const PreparedMap& map = plan.map(Attribute::kVertex);
   const auto place = [&](int direction, double argument) {
-    const auto& [scale, middle] = direct.place[direction];
+    const auto& [scale, middle] = map.place[direction];
     return hn::MulSub(hn::Set(kFour, argument), hn::Set(kFour, scale), hn::Set(kFour, middle));
   };
   const FourVector x = place(0, u);

@@ -135,13 +135,12 @@ inline bool evaluate_mesh(const PreparedMap& map, const MeshRange& range, const 
 inline bool evaluate_curve(const PreparedMap& map, const Input& input, std::size_t count,
                            const Destination& to) {
   const double inverse = map.inverse_width[0];
-  const auto [u1, u2] = map.surface.domain[0];
   // The limits of `inverse` prevent underflow of x.
   if (map.surface.degree[0] == 0 || map.centred == nullptr ||
       !(inverse != 0 && std::fabs(inverse) < 0x1p40 && std::fabs(inverse) > 0x1p-40))
     return false;
   const Bounds bounds(map);
-  const Vector scale = hn::Set(kDoubles, 2 * inverse), middle = hn::Set(kDoubles, (u1 + u2) * inverse);
+  const Vector scale = hn::Set(kDoubles, map.place[0].scale), middle = hn::Set(kDoubles, map.place[0].middle);
   Row row;
   row.set(map, {});
   for (std::size_t begin = 0; begin < count; begin += kLanes) {

@@ -73,31 +73,10 @@ bool evaluate_fast_inside(const PreparedMap& map, const MeshRange& range, const 
     std::byte* const data = to.data + r * to.row_stride;
     for (std::size_t c = 0; c < range.columns; c += kFloatStep) {
       hn::Vec<Floats> value[kUnroll][kComponents];
-      for (std::size_t part = 0; part < kUnroll; ++part) {
-        for (int k = 0; k < kComponents; ++k)
-          value[part][k] =
-              hn::Mul(hn::Load(kFloats, weights + c + part * kFloatLanes), hn::Set(kFloats, points[k]));
-      }
-      const float* column = weights + c + padded;
-      const float* point = points + 4;
-      for (int i = 1; i <= n; ++i, column += padded, point += 4) {
-        for (std::size_t part = 0; part < kUnroll; ++part) {
-          const auto weight = hn::Load(kFloats, column + part * kFloatLanes);
-          for (int k = 0; k < kComponents; ++k)
-            value[part][k] = hn::MulAdd(weight, hn::Set(kFloats, point[k]), value[part][k]);
-        }
-      }
-      if (HWY_LIKELY(packed && c + kFloatStep <= range.columns)) {
-        for (std::size_t part = 0; part < kUnroll; ++part) {
-          interleave<kComponents>(
-              value[part], reinterpret_cast<float*>(data + c * to.stride) + part * kFloatLanes * kComponents);
-        }
-        continue;
-      }
-      alignas(64) float values[kFloatStep * kComponents];
-      for (std::size_t part = 0; part < kUnroll; ++part)
-        interleave<kComponents>(value[part], values + part * kFloatLanes * kComponents);
-      scatter<kComponents>(values, std::min(kFloatStep, range.columns - c), to, data + c * to.stride);
+      sum_of<kComponents, true>(kFloats, n, weights + c, padded, points, value);
+      for (std::size_t part = 0, first = c; part < kUnroll && first < range.columns; ++part, first += kStep)
+        store_points<kComponents>(value[part], std::min(kStep, range.columns - first), packed, to,
+                                  data + first * to.stride);
     }
   }
   return true;

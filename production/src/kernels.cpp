@@ -18,16 +18,14 @@
 #include <hwy/foreach_target.h>
 
 #include "centred_mesh-inl.h"
-#include "curves-inl.h"
 #include "direct-inl.h"
 #include "doubles-inl.h"
 #include "enclosure-inl.h"
 #include "fast_mesh-inl.h"
-#include "low_degree-inl.h"
 #include "mesh-inl.h"
 #include "normals-inl.h"
 #include "point-inl.h"
-#include "surfaces-inl.h"
+#include "scattered-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
@@ -40,29 +38,16 @@ void evaluate_mesh_of(const PreparedMap& map, const MeshRange& range, bool fast,
 }
 
 void evaluate_curve(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to) {
-  static constexpr decltype(&evaluate_curves<1>) kOf[] = {evaluate_curves<1>, evaluate_curves<2>,
-                                                          evaluate_curves<3>, evaluate_curves<4>};
-  kOf[map.surface.components - 1](map, u, count, to);
-}
-
-template <int kComponents>
-void evaluate_surfaces_of(const PreparedMap& map, const Input& u, const Input& v, std::size_t count,
-                          bool fast, const Destination& to) {
-  // The instruction sets before these convert too slowly.
-  constexpr bool kHasFast = HWY_NATIVE_FMA || HWY_TARGET == HWY_SSE4;
-  const bool is_bicubic = map.surface.degree == std::array{3, 3};
-  const auto evaluate = kHasFast && is_bicubic && fast && has_fast_bound(map)
-                            ? evaluate_fast_bicubic_surfaces<kComponents>
-                        : is_bicubic ? evaluate_low_degree<kComponents, 3, 3>
-                                     : evaluate_surfaces<kComponents>;
-  evaluate(map, u, v, count, to);
+  constexpr decltype(&evaluate_curves<1>) kOf[] = {evaluate_curves<1>, evaluate_curves<2>, evaluate_curves<3>,
+                                                   evaluate_curves<4>};
+  kOf[map.surface.components - 1](map, {u, u, count}, to);
 }
 
 void evaluate_surface(const PreparedMap& map, const Input& u, const Input& v, std::size_t count, bool fast,
                       const Destination& to) {
-  constexpr decltype(&evaluate_surfaces_of<1>) kOf[] = {evaluate_surfaces_of<1>, evaluate_surfaces_of<2>,
-                                                        evaluate_surfaces_of<3>, evaluate_surfaces_of<4>};
-  kOf[map.surface.components - 1](map, u, v, count, fast, to);
+  constexpr decltype(&evaluate_surfaces<1>) kOf[] = {evaluate_surfaces<1>, evaluate_surfaces<2>,
+                                                     evaluate_surfaces<3>, evaluate_surfaces<4>};
+  kOf[map.surface.components - 1](map, {u, v, count}, fast, to);
 }
 
 void evaluate_mesh(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,
@@ -79,7 +64,9 @@ bool evaluate_double_mesh(const PreparedMap& map, const MeshRange& range, const 
   return doubles::evaluate_mesh(map, range, to, reinterpret_cast<double*>(scratch));
 }
 
-unsigned evaluate_patches(const PatchBlock& block);  // patch_kernels.cpp
+namespace patches {
+unsigned evaluate(const PatchBlock& block);  // patch_kernels.cpp
+}  // namespace patches
 
 constexpr Kernels make_kernels(const char* name) {
   return {.name = name,
@@ -94,7 +81,7 @@ constexpr Kernels make_kernels(const char* name) {
           .encloses = enclosure::enclose_all,
           .double_curve = doubles::evaluate_curve,
           .double_mesh = evaluate_double_mesh,
-          .patches = evaluate_patches};
+          .patches = patches::evaluate};
 }
 
 }  // namespace glev::HWY_NAMESPACE

@@ -89,25 +89,26 @@ HWY_INLINE void row_of(const Surface& surface, const double* weights_v, double* 
   }
 }
 
-// Computes the sums of weights times control points. The weights of each i are `padded` apart, and control
-// points have four values.
-template <int kComponents>
-HWY_INLINE void sum_of(int degree, const double* weights, std::size_t padded, const double* points,
-                       Vector (&value)[kUnroll][kComponents]) {
+// Computes the sums of weights times control points at kUnroll vectors of columns. The weights of each i are
+// `padded` apart, and control points have four values. kFused allows fused operations.
+template <int kComponents, bool kFused, class D>
+HWY_INLINE void sum_of(D d, int degree, const hn::TFromD<D>* weights, std::size_t padded,
+                       const hn::TFromD<D>* points, hn::Vec<D> (&value)[kUnroll][kComponents]) {
+  constexpr std::size_t kWidth = hn::MaxLanes(D());
   for (int k = 0; k < kComponents; ++k) {
     for (std::size_t part = 0; part < kUnroll; ++part)
-      value[part][k] = hn::Mul(hn::Load(kDoubles, weights + part * kLanes), hn::Set(kDoubles, points[k]));
+      value[part][k] = hn::Mul(hn::Load(d, weights + part * kWidth), hn::Set(d, points[k]));
   }
   for (int i = 1; i <= degree; ++i) {
     weights += padded;
     points += 4;
-    Vector weight[kUnroll];
-    for (std::size_t part = 0; part < kUnroll; ++part)
-      weight[part] = hn::Load(kDoubles, weights + part * kLanes);
+    hn::Vec<D> weight[kUnroll];
+    for (std::size_t part = 0; part < kUnroll; ++part) weight[part] = hn::Load(d, weights + part * kWidth);
     for (int k = 0; k < kComponents; ++k) {
-      const Vector next = hn::Set(kDoubles, points[k]);
+      const hn::Vec<D> next = hn::Set(d, points[k]);
       for (std::size_t part = 0; part < kUnroll; ++part)
-        value[part][k] = hn::MulAdd(weight[part], next, value[part][k]);
+        value[part][k] = kFused ? hn::MulAdd(weight[part], next, value[part][k])
+                                : hn::Add(value[part][k], hn::Mul(weight[part], next));
     }
   }
 }
@@ -148,7 +149,7 @@ void evaluate_rounded_mesh(const PreparedMap& map, const MeshRange& range, const
         const Writer<kComponents> writer(tests[r], to, to.data + (first + r) * to.row_stride);
         for (std::size_t c = begin; c < end; c += kStep) {
           Vector value[kUnroll][kComponents];
-          sum_of<kComponents>(n, weights + c, padded, row[r], value);
+          sum_of<kComponents, true>(kDoubles, n, weights + c, padded, row[r], value);
           writer.write(writer.round(value), c, std::min(kStep, end - c), [&](std::size_t i, int k) {
             return resolve(map, k, range.u_of(i), range.v_of(GLEV_AT(open_row, first + r)));
           });

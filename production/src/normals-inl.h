@@ -22,34 +22,17 @@ HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 namespace normals {
 
-template <std::size_t kCount>
+template <int kCount>
 struct Block {
-  Vector value[kCount][kUnroll];
+  Vector value[kUnroll][kCount];
 };
 
-// Evaluates a curve of a row at the columns whose weights begin at `weights`. kFused allows fused operations,
-// for values whose bits may differ.
+// Evaluates a curve of a row at the columns whose weights begin at `weights`.
 template <int kComponents, bool kFused = false>
-HWY_INLINE Block<kComponents> combine(const double* point, int degree, const double* weights,
+HWY_INLINE Block<kComponents> combine(const double* points, int degree, const double* weights,
                                       std::size_t padded) {
   Block<kComponents> sum;
-  for (std::size_t part = 0; part < kUnroll; ++part) {
-    const Vector weight = hn::Load(kDoubles, weights + part * kLanes);
-    for (int k = 0; k < kComponents; ++k) sum.value[k][part] = hn::Mul(weight, hn::Set(kDoubles, point[k]));
-  }
-  for (int i = 1; i <= degree; ++i) {
-    point += 4;
-    weights += padded;
-    Vector weight[kUnroll];
-    for (std::size_t part = 0; part < kUnroll; ++part)
-      weight[part] = hn::Load(kDoubles, weights + part * kLanes);
-    for (int k = 0; k < kComponents; ++k) {
-      const Vector value = hn::Set(kDoubles, point[k]);
-      for (std::size_t part = 0; part < kUnroll; ++part)
-        sum.value[k][part] = kFused ? hn::MulAdd(weight[part], value, sum.value[k][part])
-                                    : hn::Add(sum.value[k][part], hn::Mul(weight[part], value));
-    }
-  }
+  sum_of<kComponents, kFused>(kDoubles, degree, weights, padded, points, sum.value);
   return sum;
 }
 
@@ -60,10 +43,10 @@ HWY_INLINE Vector difference_of_products(Vector x, Vector y, Vector z, Vector w)
 
 HWY_INLINE Block<3> derive_quotient(const Block<4>& p, const Block<4>& derivative) {
   Block<3> result;
-  for (int k = 0; k < 3; ++k) {
-    for (std::size_t part = 0; part < kUnroll; ++part)
-      result.value[k][part] = difference_of_products(p.value[3][part], derivative.value[k][part],
-                                                     derivative.value[3][part], p.value[k][part]);
+  for (std::size_t part = 0; part < kUnroll; ++part) {
+    const Vector(&at)[4] = p.value[part], (&slope)[4] = derivative.value[part];
+    for (int k = 0; k < 3; ++k)
+      result.value[part][k] = difference_of_products(at[3], slope[k], slope[3], at[k]);
   }
   return result;
 }
@@ -118,7 +101,7 @@ struct UnitNormals {
       Vector m[3];
       for (int k = 0; k < 3; ++k) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        m[k] = difference_of_products(a.value[i][part], b.value[j][part], a.value[j][part], b.value[i][part]);
+        m[k] = difference_of_products(a.value[part][i], b.value[part][j], a.value[part][j], b.value[part][i]);
       }
       const Vector square = hn::Add(hn::Add(hn::Mul(m[0], m[0]), hn::Mul(m[1], m[1])), hn::Mul(m[2], m[2]));
       sure[part] = hn::Ge(square, GLEV_AT(least_square, hn::Set(kDoubles, bounds.least_square)));
@@ -141,8 +124,8 @@ struct Positions {
       settled[part] = hn::Eq(hn::Zero(kHalves), hn::Zero(kHalves));
       for (std::size_t k = 0; k < 3; ++k) {
         const Vector error = hn::Set(kDoubles, test.error[k]);
-        const Half least = hn::DemoteTo(kHalves, hn::Sub(at.value[k][part], error));
-        value[part][k] = hn::DemoteTo(kHalves, hn::Add(at.value[k][part], error));
+        const Half least = hn::DemoteTo(kHalves, hn::Sub(at.value[part][k], error));
+        value[part][k] = hn::DemoteTo(kHalves, hn::Add(at.value[part][k], error));
         settled[part] = hn::And(settled[part], hn::Eq(least, value[part][k]));
       }
     }

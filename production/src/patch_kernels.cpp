@@ -404,8 +404,5 @@ unsigned evaluate(const PatchBlock& block) {
 }
 
 }  // namespace patches
-
-unsigned evaluate_patches(const PatchBlock& block) { return patches::evaluate(block); }
-
 }  // namespace glev::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -116,12 +116,11 @@ glev_plan* glev_plan::create_at(void* memory, std::size_t bytes, const Allocator
   for (int a = 1; a < kAttributes; ++a) plan->has_vertices_only_ = plan->has_vertices_only_ && winners[a] < 0;
   const glev::PreparedMap& vertices = plan->map(GLEV_AT(map_of_tangents, Attribute::kVertex));
   if (plan->has_vertices_only_ && vertices.is_direct) {
+    const auto [n, m] = vertices.surface.degree;
+    const auto [inverse_u, inverse_v] = vertices.inverse_width;
     plan->direct_ = source.kernels->direct;
-    if (glev::has_direct_map(vertices)) {
-      plan->direct_map_ = glev::direct_map_of(vertices);
-      plan->direct_ = vertices.surface.degree[1] == 0 ? source.kernels->direct_cubic_curve
-                                                      : source.kernels->direct_bicubic;
-    }
+    if (n == 3 && m == 0 && inverse_u != 0) plan->direct_ = source.kernels->direct_cubic_curve;
+    if (n == 3 && m == 3 && inverse_u != 0 && inverse_v != 0) plan->direct_ = source.kernels->direct_bicubic;
   }
   if (vertex_slot < 0) return plan;
   const Map& map = source.maps[vertex_slot];

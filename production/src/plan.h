@@ -57,8 +57,6 @@ struct glev_plan {
   // Returns the function for consecutive single calls; null if the plan has other attributes than vertices,
   // or if its map cannot be evaluated in this way.
   glev::EvaluatesDirectly direct() const { return direct_; }
-  // Returns the transformation of arguments that direct() uses. Valid only if direct() is not null.
-  const glev::DirectMap& direct_map() const { return direct_map_; }
   // Returns true if normals are computed from the vertex map. The plan then has no normal map.
   bool automatic_normals() const { return automatic_normals_; }
   // Returns the surface of the derivative by a normalised coordinate, without its factor, if the plan has
@@ -95,7 +93,6 @@ struct glev_plan {
   std::array<glev::Grid, 2> grid_;
   const glev::Kernels* kernels_;
   std::array<glev::PreparedMap, glev::kAttributes> maps_;
-  glev::DirectMap direct_map_;
   glev::EvaluatesDirectly direct_ = nullptr;
   bool automatic_normals_ = false, has_vertices_only_ = false;
   const double* points_ = nullptr;

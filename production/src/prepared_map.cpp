@@ -283,26 +283,14 @@ PreparedMap prepare_map(const double* points, std::array<int, 2> order, int comp
       component.slope = slope.high;
     }
   }
-  map.inverse_width = {invert_width(domain[0]), invert_width(domain[1])};
+  for (const std::size_t d : {0, 1}) {
+    const double inverse = invert_width(domain[d]);
+    map.inverse_width[d] = inverse;
+    map.place[d] = {2 * inverse, (domain[d].u1 + domain[d].u2) * inverse};
+  }
   map.test = make_test(map, weight_units(order[0] - 1, order[1] - 1, kRoundings), 1);
   map.is_direct = GLEV_AT(is_direct, is_direct(map));
   return map;
-}
-
-bool has_direct_map(const PreparedMap& map) {
-  const auto [n, m] = map.surface.degree;
-  return map.is_direct && n == 3 && (m == 0 || m == 3) && map.inverse_width[0] != 0 &&
-         (m == 0 || map.inverse_width[1] != 0);
-}
-
-DirectMap direct_map_of(const PreparedMap& map) {
-  DirectMap direct;
-  for (std::size_t d : {0, 1}) {
-    const auto [u1, u2] = map.surface.domain[d];
-    const double inverse = map.inverse_width[d];
-    direct.place[d] = {2 * inverse, (u1 + u2) * inverse};
-  }
-  return direct;
 }
 
 namespace {
@@ -316,14 +304,15 @@ bool place_exactly(const PreparedMap& map, int direction, const GridArgument& ar
   const Domain& domain = map.surface.domain[direction];
   const auto& [grid, index] = argument;
   if (index == 0 || grid.u1 == grid.u2) {
-    const double u = grid.u1, scale = 2 * map.inverse_width[direction];
+    const double u = grid.u1;
+    const auto& [scale, middle] = map.place[direction];
     if (u == domain.u1 || u == domain.u2) {
       *x = u == domain.u1 ? -1 : 1;
       return true;
     }
     if (scale == 0) return false;
     const double twice = u * scale;
-    const DoubleDouble place = two_sum(twice, -(domain.u1 + domain.u2) * (scale / 2));
+    const DoubleDouble place = two_sum(twice, -middle);
     if (twice / scale != u || place.low != 0 || !(std::fabs(place.high) < 1)) return false;
     constexpr double kMost = 0x1p40;
     const auto part = static_cast<std::int64_t>(place.high * kMost);

@@ -97,19 +97,14 @@ struct PreparedMap {
     std::array<double, 2> first = {1, 1}, second = {0x1p-54, 0x3p-54}, sum = {1, 1 + 0x1p-52};
   };
   Probe probe;
-  // True if evaluation in double neither reads subnormal numbers nor accepts subnormal results, so that
-  // flush-to-zero has no effect.
-  bool is_direct = false;
-};
-
-// The transformation of arguments to x and y for consecutive single calls, for a cubic or bicubic map of
-// vertices. The inverse of the width of each domain is exact.
-struct DirectMap {
-  // x = u * scale - middle
+  // If a direction has an inverse width, x = u * scale - middle has one rounding.
   struct Place {
     double scale = 0, middle = 0;
   };
   std::array<Place, 2> place;
+  // True if evaluation in double neither reads subnormal numbers nor accepts subnormal results, so that
+  // flush-to-zero has no effect.
+  bool is_direct = false;
 };
 
 // Prepares the map with the control points `points`, without padding, v fastest. The caller provides the
@@ -117,10 +112,6 @@ struct DirectMap {
 // centred_values() if both degrees are low.
 PreparedMap prepare_map(const double* points, std::array<int, 2> order, int components,
                         const std::array<Domain, 2>& domain, double* scaled, double* lowest, double* centred);
-
-// Return true if a map of vertices has a direct map, and return this map.
-bool has_direct_map(const PreparedMap& map);
-DirectMap direct_map_of(const PreparedMap& map);
 
 // Evaluates component k exactly if Horner's rule does not round: inside the domain, at dyadic x and y, or
 // along lines at a dyadic x or y on which the component is constant. Ties and zeros are frequent there.

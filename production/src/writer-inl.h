@@ -61,6 +61,17 @@ HWY_INLINE void interleave(const Whole (&value)[kComponents], float* to) {
 #endif
 }
 
+// Stores `count` <= kStep points at `data`. `packed`: is_packed() for the destination.
+template <int kComponents>
+HWY_INLINE void store_points(const Whole (&value)[kComponents], std::size_t count, bool packed,
+                             const Destination& to, std::byte* data) {
+  if (HWY_LIKELY(packed && count == kStep))
+    return interleave<kComponents>(value, reinterpret_cast<float*>(data));
+  alignas(64) float values[kStep * kComponents];
+  interleave<kComponents>(value, values);
+  scatter<kComponents>(values, count, to, data);
+}
+
 // Rounds and writes the results of a map. NaN is undecided.
 template <int kComponents>
 class Writer {
@@ -94,13 +105,7 @@ class Writer {
   template <class Resolver>
   HWY_INLINE void write(const Rounded& rounded, std::size_t begin, std::size_t count,
                         const Resolver& resolve) const {
-    if (HWY_LIKELY(is_packed_ && count == kStep)) {
-      interleave<kComponents>(rounded.value, reinterpret_cast<float*>(data_ + begin * to_.stride));
-    } else {
-      alignas(64) float values[kStep * kComponents];
-      interleave<kComponents>(rounded.value, values);
-      scatter<kComponents>(values, count, to_, data_ + begin * to_.stride);
-    }
+    store_points<kComponents>(rounded.value, count, is_packed_, to_, data_ + begin * to_.stride);
     auto settled = rounded.settled[0];
     for (int k = 1; k < kComponents; ++k)
       settled = hn::And(settled, GLEV_AT(settled_component, rounded.settled[k]));
