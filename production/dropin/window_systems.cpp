@@ -38,6 +38,19 @@ const void* ask_for_current() {
 
 namespace {
 
+// Notes a new context, and returns its handle.
+void* created(void* context, const void* shared) {
+  note_created(context, shared);
+  return context;
+}
+
+// Notes the current context if the call below was successful. Returns the result of this call.
+template <class Result>
+Result made_current(Result made, const void* context) {
+  if (made != 0) note_current(context);
+  return made;
+}
+
 // Returns a function of this library, and null for functions of the library below.
 void* find_own(const char* name) {
   static const struct Self {
@@ -82,29 +95,21 @@ using namespace glev::dropin;  // NOLINT(google-build-using-namespace): what fol
 
 DROPIN_EXPORT void* OSMesaCreateContext(GLenum format, void* shared) {
   BELOW(OSMesaCreateContext);
-  void* const context = below(format, shared);
-  note_created(context, shared);
-  return context;
+  return created(below(format, shared), shared);
 }
 DROPIN_EXPORT void* OSMesaCreateContextExt(GLenum format, GLint depth, GLint stencil, GLint accumulation,
                                            void* shared) {
   BELOW(OSMesaCreateContextExt);
-  void* const context = below(format, depth, stencil, accumulation, shared);
-  note_created(context, shared);
-  return context;
+  return created(below(format, depth, stencil, accumulation, shared), shared);
 }
 DROPIN_EXPORT void* OSMesaCreateContextAttribs(const int* attributes, void* shared) {
   BELOW(OSMesaCreateContextAttribs);
-  void* const context = below(attributes, shared);
-  note_created(context, shared);
-  return context;
+  return created(below(attributes, shared), shared);
 }
 DROPIN_EXPORT GLboolean OSMesaMakeCurrent(void* context, void* buffer, GLenum type, GLsizei width,
                                           GLsizei height) {
   BELOW(OSMesaMakeCurrent);
-  const GLboolean made = below(context, buffer, type, width, height);
-  if (made) note_current(context);
-  return made;
+  return made_current(below(context, buffer, type, width, height), context);
 }
 DROPIN_EXPORT int OSMesaDestroyContext(void* context) {
   BELOW(OSMesaDestroyContext);
@@ -121,9 +126,7 @@ DROPIN_EXPORT void* OSMesaGetProcAddress(const char* name) {
 
 DROPIN_EXPORT void* eglCreateContext(void* display, void* config, void* shared, const int* attributes) {
   BELOW(eglCreateContext);
-  void* const context = below(display, config, shared, attributes);
-  note_created(context, shared);
-  return context;
+  return created(below(display, config, shared, attributes), shared);
 }
 DROPIN_EXPORT unsigned eglDestroyContext(void* display, void* context) {
   BELOW(eglDestroyContext);
@@ -133,9 +136,7 @@ DROPIN_EXPORT unsigned eglDestroyContext(void* display, void* context) {
 }
 DROPIN_EXPORT unsigned eglMakeCurrent(void* display, void* draw, void* read, void* context) {
   BELOW(eglMakeCurrent);
-  const unsigned made = below(display, draw, read, context);
-  if (made != 0) note_current(context);
-  return made;
+  return made_current(below(display, draw, read, context), context);
 }
 DROPIN_EXPORT unsigned eglReleaseThread() {
   BELOW(eglReleaseThread);
@@ -151,15 +152,11 @@ DROPIN_EXPORT void* eglGetProcAddress(const char* name) {
 
 DROPIN_EXPORT void* glXCreateContext(void* display, void* visual, void* shared, int direct) {
   BELOW(glXCreateContext);
-  void* const context = below(display, visual, shared, direct);
-  note_created(context, shared);
-  return context;
+  return created(below(display, visual, shared, direct), shared);
 }
 DROPIN_EXPORT void* glXCreateNewContext(void* display, void* config, int type, void* shared, int direct) {
   BELOW(glXCreateNewContext);
-  void* const context = below(display, config, type, shared, direct);
-  note_created(context, shared);
-  return context;
+  return created(below(display, config, type, shared, direct), shared);
 }
 DROPIN_EXPORT void* glXCreateContextAttribsARB(void* display, void* config, void* shared, int direct,
                                                const int* attributes) {
@@ -169,22 +166,16 @@ DROPIN_EXPORT void* glXCreateContextAttribsARB(void* display, void* config, void
             find_function_below(static_cast<void* (*)(const char*)>(nullptr), "glXGetProcAddressARB"))
       below = reinterpret_cast<decltype(below)>(get("glXCreateContextAttribsARB"));
   if (below == nullptr) return nullptr;
-  void* const context = below(display, config, shared, direct, attributes);
-  note_created(context, shared);
-  return context;
+  return created(below(display, config, shared, direct, attributes), shared);
 }
 DROPIN_EXPORT int glXMakeCurrent(void* display, unsigned long drawable, void* context) {
   BELOW(glXMakeCurrent);
-  const int made = below(display, drawable, context);
-  if (made != 0) note_current(context);
-  return made;
+  return made_current(below(display, drawable, context), context);
 }
 DROPIN_EXPORT int glXMakeContextCurrent(void* display, unsigned long draw, unsigned long read,
                                         void* context) {
   BELOW(glXMakeContextCurrent);
-  const int made = below(display, draw, read, context);
-  if (made != 0) note_current(context);
-  return made;
+  return made_current(below(display, draw, read, context), context);
 }
 DROPIN_EXPORT int glXDestroyContext(void* display, void* context) {
   BELOW(glXDestroyContext);
