@@ -18,7 +18,7 @@ using glev::widen;
 namespace {
 
 // GetMap does not know the size of the array.
-constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
+constexpr std::int64_t kUnlimited = std::numeric_limits<std::int64_t>::max();
 
 bool rejected(glev_context* context, const void* v) {
   if (v == nullptr) context->issue<&glev_context::record_error>(glev_enum{GLEV_INVALID_VALUE});
@@ -155,7 +155,7 @@ GLEV_MAP(d, glev_double)
     context->get_map(target, query, kUnlimited, v);                                                          \
   }                                                                                                          \
   void glevGetnMap##f##v(glev_context* context, glev_enum target, glev_enum query, glev_int size, type* v) { \
-    context->getn_map(target, query, size, v);                                                               \
+    context->get_map(target, query, size, v);                                                                \
   }
 GLEV_GET_MAP(f, glev_float)
 GLEV_GET_MAP(d, glev_double)

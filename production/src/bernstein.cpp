@@ -14,15 +14,6 @@
 namespace glev {
 namespace {
 
-double raise_to_power(double base, int exponent) {
-  double power = 1;
-  for (;; base *= base) {
-    if (exponent & 1) power *= base;
-    exponent >>= 1;
-    if (exponent == 0) return power;
-  }
-}
-
 // The quantities of Horner's rule that depend on the argument alone. The rule uses the ratio of the smaller
 // to the larger of |s| and |t|: with a ratio of magnitude at most 1 it is stable, and no power underflows.
 struct Step {

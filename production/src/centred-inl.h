@@ -154,11 +154,6 @@ inline void narrow(const Strip<double>& strip, int m, std::size_t count, Strip<f
   }
 }
 
-// Returns true if the grid spans the domain.
-inline bool spans(const Grid& grid, const Domain& domain) {
-  return grid.u1 == domain.u1 && grid.u2 == domain.u2;
-}
-
 // Ties and zeros are frequent at the ends, in the middle and in the quarters of a direction, where Horner's
 // rule does not round the values of most maps.
 inline bool is_line(double x) {

@@ -146,18 +146,9 @@ template void glev_context::issue_define_map(int, glev_enum, const std::array<gl
                                              const double*);
 
 template <class Number>
-void glev_context::getn_map(glev_enum name, glev_enum query, glev_int bytes, Number* v) {
-  if (bytes < 0) return record_error(GLEV_INVALID_VALUE);
-  get_map(name, query, static_cast<std::uint64_t>(bytes), v);
-}
-
-template void glev_context::getn_map(glev_enum, glev_enum, glev_int, glev_double*);
-template void glev_context::getn_map(glev_enum, glev_enum, glev_int, glev_float*);
-template void glev_context::getn_map(glev_enum, glev_enum, glev_int, glev_int*);
-
-template <class Number>
-void glev_context::get_map(glev_enum name, glev_enum query, std::uint64_t bytes, Number* v) {
+void glev_context::get_map(glev_enum name, glev_enum query, std::int64_t bytes, Number* v) {
   const glev::DefaultEnvironment environment;
+  if (bytes < 0) return record_error(GLEV_INVALID_VALUE);
   const Target target = find_target(name);
   if (!target || (query != GLEV_COEFF && query != GLEV_ORDER && query != GLEV_DOMAIN)) {
     return record_error(GLEV_INVALID_ENUM);
@@ -170,7 +161,7 @@ void glev_context::get_map(glev_enum name, glev_enum query, std::uint64_t bytes,
   const int count = query == GLEV_COEFF    ? points
                     : query == GLEV_DOMAIN ? 2 * target.dimension
                                            : target.dimension;
-  if (bytes < count * sizeof(Number)) return record_error(GLEV_INVALID_OPERATION);
+  if (bytes / static_cast<std::int64_t>(sizeof(Number)) < count) return record_error(GLEV_INVALID_OPERATION);
   const auto put = [&v](double value) { glev::convert(value, glev::StateKind::kNumber, v++); };
   if (query == GLEV_COEFF) {
     for (int i = 0; i < count; ++i) put(map.points(target.slot)[i]);
@@ -186,9 +177,9 @@ void glev_context::get_map(glev_enum name, glev_enum query, std::uint64_t bytes,
   }
 }
 
-template void glev_context::get_map(glev_enum, glev_enum, std::uint64_t, glev_double*);
-template void glev_context::get_map(glev_enum, glev_enum, std::uint64_t, glev_float*);
-template void glev_context::get_map(glev_enum, glev_enum, std::uint64_t, glev_int*);
+template void glev_context::get_map(glev_enum, glev_enum, std::int64_t, glev_double*);
+template void glev_context::get_map(glev_enum, glev_enum, std::int64_t, glev_float*);
+template void glev_context::get_map(glev_enum, glev_enum, std::int64_t, glev_int*);
 
 // ---- Enables
 
@@ -389,8 +380,8 @@ class MeshPart {
   }
 
  private:
-  float values_[glev::kAttributes][2 * kMost][4];
   alignas(glev::kCacheLine) std::byte scratch_[kMost * (glev::kMaxOrder + 2) * sizeof(double)];
+  float values_[glev::kAttributes][2 * kMost][4];
 };
 
 // Calls body(first, count) for parts of the indices from `first` to `last`.

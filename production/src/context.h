@@ -90,9 +90,7 @@ struct glev_context {
                   const Real* points);
   // Writes at most `bytes` bytes to v.
   template <class Number>
-  void get_map(glev_enum target, glev_enum query, std::uint64_t bytes, Number* v);
-  template <class Number>
-  void getn_map(glev_enum target, glev_enum query, glev_int bytes, Number* v);
+  void get_map(glev_enum target, glev_enum query, std::int64_t bytes, Number* v);
   void set_enabled(glev_enum cap, bool enabled);
   bool is_enabled(glev_enum cap);
   void set_grid(int dimension, const std::array<glev::Grid, 2>& grid);

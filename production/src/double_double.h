@@ -66,4 +66,15 @@ inline DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
   return fast_two_sum(quotient, rest.high / y.high);
 }
 
+// Returns base^exponent for exponents >= 0. Number is double or DoubleDouble.
+template <class Number>
+Number raise_to_power(Number base, int exponent) {
+  Number power = {1};
+  for (;; base = base * base) {
+    if (exponent & 1) power = power * base;
+    exponent >>= 1;
+    if (exponent == 0) return power;
+  }
+}
+
 }  // namespace glev

@@ -9,10 +9,8 @@
 #endif
 
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 
-#include "binomials.h"
 #include "enclosure.h"
 #include "mutation_point.h"
 #include "point-inl.h"
@@ -93,12 +91,6 @@ struct Row {
 
 constexpr std::size_t round_up(int order) { return (static_cast<std::size_t>(order) + 3) / 4 * 4; }
 
-// Returns a binomial coefficient, which is below 2^60 and so a sum of two doubles.
-inline DoubleDouble load_binomial(int n, int i) {
-  const std::uint64_t binomial = binomial_row(n)[i];
-  return fast_two_sum(static_cast<double>(binomial & ~0xFFFull), static_cast<double>(binomial & 0xFFF));
-}
-
 // Returns the sum of terms[i] * ratio^i.
 inline DoubleDouble sum_of(const Row& terms, int degree, const DoubleDouble& ratio) {
   const DoubleDouble square = ratio * ratio, third = square * ratio;
@@ -134,7 +126,7 @@ inline Enclosure enclose_all(const Component& component, double largest, const G
     // Horner's rule over i for several j at once.
     Row binomials;
     for (int i = 0; i <= n; ++i) {
-      const DoubleDouble binomial = load_binomial(n, i);
+      const DoubleDouble binomial = exact_binomial(n, i);
       binomials.high[i] = binomial.high;
       binomials.low[i] = binomial.low;
     }
@@ -160,7 +152,7 @@ inline Enclosure enclose_all(const Component& component, double largest, const G
     const bool is_there = i <= degree;
     terms.high[j] = is_there ? points.high[from] : 0;
     terms.low[j] = is_there ? points.low[from] : 0;
-    const DoubleDouble binomial = is_there ? load_binomial(degree, i) : DoubleDouble{};
+    const DoubleDouble binomial = is_there ? exact_binomial(degree, i) : DoubleDouble{};
     binomials.high[j] = binomial.high;
     binomials.low[j] = binomial.low;
   }

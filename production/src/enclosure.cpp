@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "binomials.h"
 #include "mutation_point.h"
 
 namespace glev {
@@ -16,25 +15,10 @@ namespace {
 
 bool is_ordinary(double x) { return x == 0 || (std::fabs(x) >= 0x1p-300 && std::fabs(x) <= 0x1p300); }
 
-DoubleDouble raise_to_power(DoubleDouble base, int exponent) {
-  DoubleDouble power = {1, 0};
-  for (;; base = base * base) {
-    if (exponent & 1) power = power * base;
-    exponent >>= 1;
-    if (exponent == 0) return power;
-  }
-}
-
 // Horner's rule, from the last point with the ratio t / s or from the first point with s / t.
 template <class Coefficient>
 DoubleDouble horner(int degree, const PreparedDirection& direction, const Coefficient& coefficient) {
-  const std::uint64_t* binomials = binomial_row(degree);
-  const auto term = [&](int i) {
-    // The coefficient is below 2^60, so it is a sum of two doubles.
-    const double high = static_cast<double>(binomials[i] & ~0xFFFull),
-                 low = static_cast<double>(binomials[i] & 0xFFF);
-    return coefficient(i) * fast_two_sum(high, low);
-  };
+  const auto term = [&](int i) { return coefficient(i) * exact_binomial(degree, i); };
   const int last = direction.from_last ? degree : 0, step = direction.from_last ? -1 : 1;
   DoubleDouble sum = term(last);
   for (int k = 1; k <= degree; ++k) sum = sum * direction.ratio + term(last + k * step);
@@ -62,9 +46,9 @@ PreparedDirection prepare_direction(const Domain& domain, const GridArgument& ar
   const Grid& grid = argument.grid;
   const double i = static_cast<double>(argument.index), n = grid.segments;
   DoubleDouble a, b, width;
-  if (grid.u1 == domain.u1 && grid.u2 == domain.u2) {
+  if (spans(grid, domain)) {
     a = {i}, b = {n - i}, width = {n};
-  } else if (grid.u1 == domain.u2 && grid.u2 == domain.u1) {
+  } else if (spans_backwards(grid, domain)) {
     a = {n - i}, b = {i}, width = {n};
   } else {
     const DoubleDouble start = two_sum(grid.u1, -domain.u1), rest = two_sum(domain.u2, -grid.u1);

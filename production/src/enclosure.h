@@ -1,6 +1,9 @@
 // The second of the three routes to a correctly rounded result: double-double arithmetic.
 #pragma once
 
+#include <cstdint>
+
+#include "binomials.h"
 #include "double_double.h"
 #include "exact.h"
 
@@ -22,6 +25,12 @@ struct Enclosure {
 // sum of magnitudes at a ratio of at most 1. There is no bound if magnitudes are above 2^300 or below 2^-300,
 // because products could then leave the range of double.
 Enclosure enclose(const Component& component, double largest, const GridArgument& u, const GridArgument& v);
+
+// Returns C(n, i), which is below 2^60 and so a sum of two doubles.
+inline DoubleDouble exact_binomial(int n, int i) {
+  const std::uint64_t binomial = binomial_row(n)[i];
+  return fast_two_sum(static_cast<double>(binomial & ~0xFFFull), static_cast<double>(binomial & 0xFFF));
+}
 
 // The type of enclose() and of its counterpart in the kernels, which requires at least three readable values
 // behind the control points of a component.

@@ -43,9 +43,7 @@ HWY_NOINLINE inline void compute_fast_weights(const Domain& domain, const MeshRa
 template <int kComponents>
 HWY_INLINE void compute_fast_row(const PreparedMap& map, const MeshRange& range, std::size_t r, double* row) {
   double weights[kMaxOrder];
-  weights_at(map.surface.degree[1],
-             locate(map.surface.domain[1], GridArgument{range.v, range.j1 + static_cast<std::int64_t>(r)}),
-             weights);
+  weights_at(map.surface.degree[1], locate(map.surface.domain[1], range.v_of(r)), weights);
   row_of<kComponents>(map.surface, weights, row);
 }
 

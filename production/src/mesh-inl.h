@@ -31,8 +31,7 @@ HWY_NOINLINE inline double place_columns(const Domain& domain, const MeshRange& 
   const Grid& grid = range.u;
   const double n = grid.segments;
   double growth = 1;
-  if (spans(grid, domain) && range.i1 >= 0 &&
-      range.i1 + static_cast<std::int64_t>(range.columns) - 1 <= grid.segments) {
+  if (spans(grid, domain) && range.i1 >= 0 && range.last_column() <= grid.segments) {
     const Vector segments = hn::Set(kDoubles, n);
     for (std::size_t c = 0; c < padded; c += kLanes) {
       const Vector index = hn::Iota(kDoubles, static_cast<double>(range.i1) + static_cast<double>(c));
@@ -42,8 +41,7 @@ HWY_NOINLINE inline double place_columns(const Domain& domain, const MeshRange& 
     return growth;
   }
   for (std::size_t c = 0; c < padded; ++c) {
-    const std::size_t column = std::min(c, range.columns - 1);
-    const Parameter at = locate(domain, GridArgument{grid, range.i1 + static_cast<std::int64_t>(column)});
+    const Parameter at = locate(domain, range.u_of(std::min(c, range.columns - 1)));
     const double own = at.is_sure ? growth_of(at, degree) : HUGE_VAL;
     t[c] = own < limit ? at.t : std::numeric_limits<double>::quiet_NaN();
     s[c] = at.s;
@@ -150,7 +148,7 @@ void evaluate_rounded_mesh(const PreparedMap& map, const MeshRange& range, const
         for (std::size_t c = begin; c < end; c += kStep) {
           Vector value[kUnroll][kComponents];
           sum_of<kComponents, true>(kDoubles, n, weights + c, padded, row[r], value);
-          writer.write(writer.round(value), c, std::min(kStep, end - c), [&](std::size_t i, int k) {
+          writer.write(value, c, std::min(kStep, end - c), [&](std::size_t i, int k) {
             return resolve(map, k, range.u_of(i), range.v_of(GLEV_AT(open_row, first + r)));
           });
         }

@@ -165,10 +165,8 @@ NormalBounds bound_normals(const Surface& vertex, const NormalMajorants& largest
     for (double& x : scaled[net]) x *= bounds.scale[net];
   }
   for (const int d : {0, 1}) {
-    const auto [u1, u2] = vertex.domain[d];
-    // Within these limits, t and s do not underflow or overflow.
-    if (!(std::fabs(u1) <= 0x1p900 && std::fabs(u2) <= 0x1p900 && std::fabs(u2 - u1) >= 0x1p-900))
-      return bounds;
+    // In such a domain, t and s do not underflow or overflow.
+    if (!is_ordinary(vertex.domain[d])) return bounds;
   }
   const auto& [p, u, v] = scaled;
   std::array<double, 3> a = {u[0], u[1], u[2]}, b = {v[0], v[1], v[2]}, majorant;

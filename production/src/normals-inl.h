@@ -16,7 +16,6 @@
 #include "mesh-inl.h"
 #include "mutation_point.h"
 #include "plan.h"
-#include "triples.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
@@ -167,18 +166,15 @@ void evaluate_rows(const glev_plan& plan, const MeshRange& range, const Destinat
   const std::size_t before = (kValues - 3) * sizeof(float);
   NormalRow row(plan);
   for (std::size_t r = 0; r < range.rows; ++r) {
-    const GridArgument v = {range.v, range.j1 + static_cast<std::int64_t>(r)};
-    row.move_to(v, kVertices);
+    row.move_to(range.v_of(r), kVertices);
     std::byte* const data = to.data + r * to.row_stride - before;
     const auto put_normal = [&](std::size_t column) {
-      const std::array<float, 3> normal =
-          row.normal_at({range.u, range.i1 + static_cast<std::int64_t>(column)});
+      const std::array<float, 3> normal = row.normal_at(range.u_of(column));
       std::memcpy(data + column * to.stride + before, normal.data(), sizeof normal);
     };
     const auto put_vertex = [&](std::size_t column) {
-      const GridArgument u = {range.u, range.i1 + static_cast<std::int64_t>(column)};
       float vertex[4];
-      values_at(plan, Attribute::kVertex, u, v, vertex);
+      values_at(plan, Attribute::kVertex, range.u_of(column), range.v_of(r), vertex);
       std::memcpy(data + column * to.stride, vertex, 3 * sizeof(float));
     };
     if (row.growth() != 1) {

@@ -22,6 +22,14 @@ struct Grid {
   bool operator==(const Grid&) const = default;
 };
 
+// Return true if the grid goes from the first end of the domain to the last one, or back.
+inline bool spans(const Grid& grid, const Domain& domain) {
+  return grid.u1 == domain.u1 && grid.u2 == domain.u2;
+}
+inline bool spans_backwards(const Grid& grid, const Domain& domain) {
+  return grid.u1 == domain.u2 && grid.u2 == domain.u1;
+}
+
 // Point `index` of a grid, exactly u1 + index * (u2 - u1) / segments. Points of meshes are passed by index,
 // because a rounded argument would be another number.
 struct GridArgument {
@@ -56,8 +64,8 @@ inline Parameter locate(const Domain& domain, const GridArgument& argument) {
   const double i = static_cast<double>(argument.index), n = grid.segments;
   if (i == 0 || grid.u1 == grid.u2) return locate(domain, grid.u1);
   if (i == n) return locate(domain, grid.u2);
-  if (grid.u1 == domain.u1 && grid.u2 == domain.u2) return {(n - i) / n, i / n, Parameter::End::kNeither};
-  if (grid.u2 == domain.u1 && grid.u1 == domain.u2) return {i / n, (n - i) / n, Parameter::End::kNeither};
+  if (spans(grid, domain)) return {(n - i) / n, i / n, Parameter::End::kNeither};
+  if (spans_backwards(grid, domain)) return {i / n, (n - i) / n, Parameter::End::kNeither};
   // Computes n * (u - u1) and n * (u2 - u) for u = grid.u1 + i * (grid.u2 - grid.u1) / n. The differences of
   // ends are exact.
   const DoubleDouble run = two_sum(grid.u2, -grid.u1) * i;

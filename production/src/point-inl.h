@@ -129,23 +129,14 @@ HWY_INLINE void value_at(const PreparedMap& map, const Parameter& at_u, const Pa
 }
 
 constexpr hn::Rebind<float, Four> kFourFloats;
-using FourFloats = hn::Vec<decltype(kFourFloats)>;
-
-// The ends of the interval of a test, rounded to float.
-struct Sides {
-  FourFloats low, high;
-};
-HWY_INLINE Sides sides_of(const PreparedMap::Test& test, FourVector value, std::size_t part) {
-  const FourVector error = hn::LoadU(kFour, &test.error[part * hn::MaxLanes(kFour)]);
-  return {hn::DemoteTo(kFourFloats, GLEV_AT(lower_ends_of_point, hn::Sub(value, error))),
-          hn::DemoteTo(kFourFloats, hn::Add(value, error))};
-}
 
 // Stores the floats. Returns the correctly rounded components as bits.
 HWY_INLINE unsigned settle(const PreparedMap::Test& test, const FourVector (&sum)[kParts], float* result) {
   unsigned settled = 0;
   for (std::size_t part = 0; part < kParts; ++part) {
-    const auto [low, high] = sides_of(test, sum[part], part);
+    const FourVector error = hn::LoadU(kFour, &test.error[part * hn::MaxLanes(kFour)]);
+    const auto low = hn::DemoteTo(kFourFloats, GLEV_AT(lower_ends_of_point, hn::Sub(sum[part], error))),
+               high = hn::DemoteTo(kFourFloats, hn::Add(sum[part], error));
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(kFourFloats, hn::Eq(low, high), bits);
     settled |= static_cast<unsigned>(bits[0]) << (part * hn::MaxLanes(kFour));

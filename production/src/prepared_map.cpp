@@ -321,9 +321,8 @@ bool place_exactly(const PreparedMap& map, int direction, const GridArgument& ar
     *bits = part == 0 ? 0 : std::max(0, 40 - std::countr_zero(static_cast<std::uint64_t>(part)));
     return true;
   }
-  const bool spans = grid.u1 == domain.u1 && grid.u2 == domain.u2,
-             is_reversed = grid.u1 == domain.u2 && grid.u2 == domain.u1;
-  if ((!spans && !is_reversed) || index < 0 || index > grid.segments) return false;
+  const bool is_reversed = spans_backwards(grid, domain);
+  if ((!spans(grid, domain) && !is_reversed) || index < 0 || index > grid.segments) return false;
   // x = (2 i - n) / n
   const int twos = std::countr_zero(static_cast<unsigned>(grid.segments));
   const std::int64_t odd = grid.segments >> twos, part = 2 * index - grid.segments;
@@ -376,11 +375,10 @@ bool evaluate_exactly(const PreparedMap& map, int k, const GridArgument& u, cons
 }
 
 int bits_of_places(const Domain& domain, const Grid& grid) {
-  const bool spans = grid.u1 == domain.u1 && grid.u2 == domain.u2,
-             is_reversed = grid.u1 == domain.u2 && grid.u2 == domain.u1;
   const auto segments = static_cast<unsigned>(grid.segments);
-  if ((!spans && !is_reversed) || !std::has_single_bit(segments)) return kManyBits;
-  return std::max(0, std::countr_zero(segments) - 1);
+  const bool is_dyadic =
+      std::has_single_bit(segments) && (spans(grid, domain) || spans_backwards(grid, domain));
+  return is_dyadic ? std::max(0, std::countr_zero(segments) - 1) : kManyBits;
 }
 
 double growth_of(const Parameter& at, int degree) {

@@ -41,7 +41,7 @@ HWY_INLINE void evaluate_scattered(const PreparedMap& map, const PreparedMap::Te
     arguments_u.load(begin, u);
     if constexpr (kIsSurface) arguments_v.load(begin, v);
     evaluate(u, v, value);
-    writer.write(writer.round(value), begin, std::min(kStep, count - begin), [&](std::size_t i, int k) {
+    writer.write(value, begin, std::min(kStep, count - begin), [&](std::size_t i, int k) {
       return resolve(map, k, argument_at(inputs.u[i]), argument_at(kIsSurface ? inputs.v[i] : 0));
     });
   }
@@ -137,16 +137,17 @@ void evaluate_high_curves(const PreparedMap& map, const ScatteredInputs& inputs,
 template <int kComponents>
 void evaluate_high_surfaces(const PreparedMap& map, const ScatteredInputs& inputs, const Destination& to) {
   const Place place_u(map, 0), place_v(map, 1);
+  const int n = map.surface.degree[0], m = map.surface.degree[1];
+  const double* const points = map.surface.scaled;
   const auto evaluate = [&](const Vector(&u)[kUnroll], const Vector(&v)[kUnroll],
                             Vector(&value)[kUnroll][kComponents]) HWY_ATTR {
-    const auto [n, m] = map.surface.degree;
     for (std::size_t part = 0; part < kUnroll; ++part) {
       Vector weights_u[kMaxOrder], weights_v[kMaxOrder];
       const Vector su = place_u.s_of(u[part]), sv = place_v.s_of(v[part]);
       weights_of(n, su, nan_outside(place_u.t_of(u[part]), su), weights_u);
       weights_of(m, sv, GLEV_AT(t_inside_in_v, nan_outside(place_v.t_of(v[part]), sv)), weights_v);
       for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Zero(kDoubles);
-      const double* point = map.surface.scaled;
+      const double* point = points;
       for (int i = 0; i <= n; ++i) {
         Vector sum[kComponents];
         for (int k = 0; k < kComponents; ++k) sum[k] = hn::Zero(kDoubles);
@@ -159,8 +160,7 @@ void evaluate_high_surfaces(const PreparedMap& map, const ScatteredInputs& input
       }
     }
   };
-  const double units = weight_units(map.surface.degree[0], map.surface.degree[1],
-                                    std::max(place_u.roundings(), place_v.roundings()));
+  const double units = weight_units(n, m, std::max(place_u.roundings(), place_v.roundings()));
   evaluate_scattered<kComponents, true>(map, make_test(map, units, 1), inputs, to, evaluate);
 }
 

@@ -12,7 +12,6 @@
 
 #include "kernels.h"
 #include "mutation_point.h"
-#include "triples.h"
 #include "vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,6 +23,23 @@ HWY_INLINE bool is_packed(std::size_t components, const Destination& to) {
       reinterpret_cast<std::uintptr_t>(to.data) % alignof(float) == 0 && to.row_stride % alignof(float) == 0;
   return to.components == static_cast<int>(components) && to.stride == components * sizeof(float) &&
          (kLanes > 1 || is_aligned);
+}
+
+// Copies `count` elements of three floats, a multiple of 4, to `to`, where they are `stride` bytes apart.
+// Each element is read in two parts, neither of which crosses a block of 16 bytes, because processors cannot
+// forward two stores to one load.
+inline void copy_triples(const float* from, std::size_t count, std::size_t stride, std::byte* to) {
+  constexpr std::size_t kOne = sizeof(float), kTwo = 2 * sizeof(float);
+  for (std::size_t i = 0; i < count; i += 4, from += 12, to += 4 * stride) {
+    std::memcpy(to, from, kTwo);
+    std::memcpy(to + kTwo, from + 2, kOne);
+    std::memcpy(to + stride, from + 3, kOne);
+    std::memcpy(to + stride + kOne, from + 4, kTwo);
+    std::memcpy(to + 2 * stride, from + 6, kTwo);
+    std::memcpy(to + 2 * stride + kTwo, from + 8, kOne);
+    std::memcpy(to + 3 * stride, from + 9, kOne);
+    std::memcpy(to + 3 * stride + kOne, from + 10, kTwo);
+  }
 }
 
 // Copies packed points, which vectors have written, to their destination.
@@ -76,42 +92,34 @@ HWY_INLINE void store_points(const Whole (&value)[kComponents], std::size_t coun
 template <int kComponents>
 class Writer {
  public:
-  // Values as floats, and the lanes in which they are correctly rounded.
-  struct Rounded {
-    Whole value[kComponents];
-    hn::Mask<decltype(kWhole)> settled[kComponents];
-  };
-
   Writer(const PreparedMap::Test& test, const Destination& to, std::byte* data) : to_(to), data_(data) {
     for (int k = 0; k < kComponents; ++k) error_[k] = hn::Set(kDoubles, test.error[k]);
     is_packed_ = is_packed(kComponents, to);
   }
 
-  HWY_INLINE Rounded round(const Vector (&value)[kUnroll][kComponents]) const {
-    Rounded rounded;
+  // Rounds the values of `count` <= kStep elements from `begin` on, and writes them. Calls resolve(element,
+  // component) for undecided values.
+  template <class Resolver>
+  HWY_INLINE void write(const Vector (&value)[kUnroll][kComponents], std::size_t begin, std::size_t count,
+                        const Resolver& resolve) const {
+    Whole rounded[kComponents];
+    hn::Mask<decltype(kWhole)> settled[kComponents];
     for (int k = 0; k < kComponents; ++k) {
       Half low[kUnroll], high[kUnroll];
       for (std::size_t part = 0; part < kUnroll; ++part) {
         low[part] = hn::DemoteTo(kHalves, GLEV_AT(lower_ends, hn::Sub(value[part][k], error_[k])));
         high[part] = hn::DemoteTo(kHalves, hn::Add(value[part][k], error_[k]));
       }
-      rounded.value[k] = join(high);
-      rounded.settled[k] = hn::Eq(join(low), rounded.value[k]);
+      rounded[k] = join(high);
+      settled[k] = hn::Eq(join(low), rounded[k]);
     }
-    return rounded;
-  }
-
-  // Writes `count` <= kStep elements from `begin` on. Calls resolve(element, component) for undecided values.
-  template <class Resolver>
-  HWY_INLINE void write(const Rounded& rounded, std::size_t begin, std::size_t count,
-                        const Resolver& resolve) const {
-    store_points<kComponents>(rounded.value, count, is_packed_, to_, data_ + begin * to_.stride);
-    auto settled = rounded.settled[0];
+    store_points<kComponents>(rounded, count, is_packed_, to_, data_ + begin * to_.stride);
+    auto all_settled = settled[0];
     for (int k = 1; k < kComponents; ++k)
-      settled = hn::And(settled, GLEV_AT(settled_component, rounded.settled[k]));
-    if (HWY_UNLIKELY(!hn::AllTrue(kWhole, settled))) {
+      all_settled = hn::And(all_settled, GLEV_AT(settled_component, settled[k]));
+    if (HWY_UNLIKELY(!hn::AllTrue(kWhole, all_settled))) {
       std::uint8_t bits[kComponents][8];
-      for (int k = 0; k < kComponents; ++k) hn::StoreMaskBits(kWhole, rounded.settled[k], bits[k]);
+      for (int k = 0; k < kComponents; ++k) hn::StoreMaskBits(kWhole, settled[k], bits[k]);
       repair(bits, begin, count, resolve);
     }
   }
