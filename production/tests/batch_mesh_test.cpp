@@ -27,16 +27,14 @@ class GridPoints : public ContextTest {
   }
 
   std::vector<glev_vertex> eval_points(std::size_t dimension, const Range& range) {
-    recording = {};
-    glevBegin(gl, GLEV_POINTS);
-    for (std::int64_t j = range.j1; j <= range.j2; ++j) {
-      for (std::int64_t i = range.i1; i <= range.i2; ++i) {
-        dimension == 1 ? glevEvalPoint1(gl, static_cast<int>(i))
-                       : glevEvalPoint2(gl, static_cast<int>(i), static_cast<int>(j));
+    return draw([&] {
+      for (std::int64_t j = range.j1; j <= range.j2; ++j) {
+        for (std::int64_t i = range.i1; i <= range.i2; ++i) {
+          dimension == 1 ? glevEvalPoint1(gl, static_cast<int>(i))
+                         : glevEvalPoint2(gl, static_cast<int>(i), static_cast<int>(j));
+        }
       }
-    }
-    glevEnd(gl);
-    return recording.vertices;
+    });
   }
 
   void expect_bits_of_eval_point(std::size_t dimension, const Range& range) {
@@ -45,8 +43,9 @@ class GridPoints : public ContextTest {
     const Layout layout = choose_layout(chance_, plan, columns, rows, dimension == 2);
     Memory memory(layout.bytes);
     const LaidOut outputs(layout, memory);
-    glev_mesh mesh = {sizeof mesh,    range.i1,       range.i2, range.j1, range.j2, GLEV_CORRECTLY_ROUNDED,
-                      outputs.data(), outputs.size(), nullptr,  0};
+    glev_mesh mesh = mesh_of(range);
+    mesh.outputs = outputs.data();
+    mesh.output_count = outputs.size();
     // The scratch memory has exactly the required size and any alignment.
     const std::size_t scratch_size = glevGetMeshScratchSize(plan, &mesh),
                       start = static_cast<std::size_t>(chance_.whole(0, 70));
@@ -54,7 +53,7 @@ class GridPoints : public ContextTest {
     mesh.scratch = scratch.data() + start;
     mesh.scratch_size = scratch_size;
     ASSERT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
-    const Memory expected = expected_memory(layout, eval_points(dimension, range), columns);
+    const Memory expected = expected_memory(layout, eval_points(dimension, range));
     ASSERT_TRUE(memory == expected) << "dimension " << dimension << ", " << columns << " x " << rows
                                     << " from " << range.i1 << ", " << range.j1 << ", byte "
                                     << memory.mismatch(expected) << " of " << memory.size();
@@ -140,10 +139,6 @@ class Scratch : public GridPoints {
     define_maps(gl, chance_, 6);
     enable_maps(gl, chance_);
     set_grids({20, 0, 1}, {20, 0, 1});
-  }
-  glev_mesh mesh_of(const Range& range) const {
-    return {sizeof(glev_mesh),      range.i1, range.i2, range.j1, range.j2,
-            GLEV_CORRECTLY_ROUNDED, nullptr,  0,        nullptr,  0};
   }
 };
 
@@ -261,10 +256,7 @@ TEST(BatchMemory, EvaluationDoesNotAllocate) {
 TEST(UnalignedMeshes, AreTheSameOnEveryInstructionSet) {
   constexpr Range kRange = {0, 70, 0, 5};
   Chance chance;
-  for (std::size_t t = 0; const char* target = glevGetTargetName(t); ++t) {
-    const glev_context_info info = {sizeof info, nullptr, target};
-    glev_context* gl = nullptr;
-    ASSERT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS);
+  on_every_instruction_set([&](glev_context* gl) {
     for (const int order : {2, 3, 4, 6}) {
       for (const glev_precision precision : {GLEV_CORRECTLY_ROUNDED, GLEV_FAST}) {
         std::vector<float> points(static_cast<std::size_t>(order) * 4 * 3);
@@ -276,19 +268,14 @@ TEST(UnalignedMeshes, AreTheSameOnEveryInstructionSet) {
         const Floats aligned = evaluate_grid(plan, GLEV_ATTRIBUTE_VERTEX, kRange, precision);
         Memory memory(aligned.size() * sizeof(float) + 1);
         const glev_output output = memory.make_output(1, 3 * sizeof(float), 3, GLEV_FLOAT);
-        glev_mesh mesh = {sizeof mesh, kRange.i1, kRange.i2, kRange.j1, kRange.j2,
-                          precision,   nullptr,   0,         nullptr,   0};
+        glev_mesh mesh = mesh_of(kRange, precision);
         const Outputs outputs(mesh, {{GLEV_ATTRIBUTE_VERTEX, &output}});
-        std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
-        mesh.scratch = scratch.data();
-        mesh.scratch_size = scratch.size();
-        ASSERT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
+        evaluate_mesh(plan, mesh);
         EXPECT_EQ(std::memcmp(memory.data() + 1, aligned.data(), aligned.size() * sizeof(float)), 0)
-            << target << ", order " << order;
+            << "order " << order << ", precision " << precision;
       }
     }
-    glevDestroyContext(gl);
-  }
+  });
 }
 
 }  // namespace

@@ -12,17 +12,15 @@ class ScatteredPoints : public ContextTest {
   template <class Real>
   std::vector<glev_vertex> eval_coords(std::size_t dimension, const std::vector<Real>& u,
                                        const std::vector<Real>& v) {
-    recording = {};
-    glevBegin(gl, GLEV_POINTS);
-    for (std::size_t i = 0; i < u.size(); ++i) {
-      if constexpr (std::is_same_v<Real, float>) {
-        dimension == 1 ? glevEvalCoord1f(gl, u[i]) : glevEvalCoord2f(gl, u[i], v[i]);
-      } else {
-        dimension == 1 ? glevEvalCoord1d(gl, u[i]) : glevEvalCoord2d(gl, u[i], v[i]);
+    return draw([&] {
+      for (std::size_t i = 0; i < u.size(); ++i) {
+        if constexpr (std::is_same_v<Real, float>) {
+          dimension == 1 ? glevEvalCoord1f(gl, u[i]) : glevEvalCoord2f(gl, u[i], v[i]);
+        } else {
+          dimension == 1 ? glevEvalCoord1d(gl, u[i]) : glevEvalCoord2d(gl, u[i], v[i]);
+        }
       }
-    }
-    glevEnd(gl);
-    return recording.vertices;
+    });
   }
 
   // Returns an argument inside the domains, near their ends, outside, or non-finite.
@@ -82,7 +80,7 @@ class ScatteredPoints : public ContextTest {
                               precision,      u.input,       dimension == 2 ? v.input : glev_input{},
                               outputs.data(), outputs.size()};
     ASSERT_EQ(glevEvaluate(plan, &batch), GLEV_SUCCESS);
-    const Memory expected = expected_memory(layout, eval_coords(dimension, u.values, v.values), count);
+    const Memory expected = expected_memory(layout, eval_coords(dimension, u.values, v.values));
     ASSERT_TRUE(memory == expected) << "dimension " << dimension << ", " << count << " points, byte "
                                     << memory.mismatch(expected) << " of " << memory.size();
   }
@@ -127,6 +125,31 @@ TEST_F(ScatteredPoints, OfMapsThatAreNotFiniteToo) {
     for (std::size_t count : {1, 5, 33}) {
       for (std::size_t dimension : {1, 2}) expect_bits_of_eval_coord<double>(dimension, count);
     }
+  }
+}
+
+TEST_F(ScatteredPoints, MayBeWrittenBetweenTheirArguments) {
+  const Floats points = chance_.next_points(12);
+  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 4, points.data());
+  glevEnable(gl, GLEV_MAP1_VERTEX_3);
+  const Plan plan(gl, 1);
+  std::vector<std::array<float, 4>> elements(40);  // an argument and a position
+  std::vector<float> u;
+  for (auto& element : elements) {
+    element[0] = chance_.next_float();
+    u.push_back(element[0]);
+  }
+  const std::size_t bytes = elements.size() * 16;
+  const glev_output vertex = {sizeof vertex, elements[0].data() + 1, bytes - 4, 16, 3, 0, 0, 0};
+  glev_batch batch = {
+      sizeof batch, u.size(), GLEV_FLOAT, GLEV_CORRECTLY_ROUNDED, {elements[0].data(), bytes, 16},
+      {},           nullptr,  0};
+  const Outputs outputs(batch, {{GLEV_ATTRIBUTE_VERTEX, &vertex}});
+  ASSERT_EQ(glevEvaluate(plan, &batch), GLEV_SUCCESS);
+  const std::vector<glev_vertex> one_by_one = eval_coords<float>(1, u, {});
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const float* const p = one_by_one[i].position;
+    EXPECT_EQ(elements[i], (std::array{u[i], p[0], p[1], p[2]})) << i;
   }
 }
 

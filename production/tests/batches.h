@@ -83,14 +83,6 @@ class Memory {
 };
 
 template <class Real>
-std::vector<std::uint64_t> bits_of(const std::vector<Real>& values) {
-  using Word = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-  std::vector<std::uint64_t> bits;
-  for (Real value : values) bits.push_back(std::bit_cast<Word>(value));
-  return bits;
-}
-
-template <class Real>
 constexpr glev_enum kTypeOf = sizeof(Real) == sizeof(double) ? GLEV_DOUBLE : GLEV_FLOAT;
 
 template <class Real>
@@ -99,21 +91,28 @@ glev_input input_of(const std::vector<Real>& arguments) {
   return {arguments.data(), arguments.size() * sizeof(Real), sizeof(Real)};
 }
 
+// Returns an output with all values of a vector: packed elements, or elements `apart` values apart.
+template <class Real>
+glev_output output_to(std::vector<Real>& values, std::size_t components, std::size_t apart = 0) {
+  const std::size_t stride = std::max(apart, components) * sizeof(Real);
+  return {sizeof(glev_output),
+          values.data(),
+          values.size() * sizeof(Real),
+          stride,
+          components,
+          kTypeOf<Real>,
+          0,
+          0};
+}
+
 // Evaluates one attribute at scattered arguments, packed. `v` is for plans of dimension 2.
 template <class Result = float, class Real>
 std::vector<Result> evaluate_scattered(const glev_plan* plan, glev_attribute attribute,
                                        const std::vector<Real>& u, const std::vector<Real>& v = {},
                                        glev_precision precision = GLEV_CORRECTLY_ROUNDED) {
-  const std::size_t components = glevGetPlanComponents(plan, attribute), stride = components * sizeof(Result);
+  const std::size_t components = glevGetPlanComponents(plan, attribute);
   std::vector<Result> results(u.size() * components);
-  const glev_output output = {sizeof output,
-                              results.data(),
-                              results.size() * sizeof(Result),
-                              stride,
-                              components,
-                              kTypeOf<Result>,
-                              0,
-                              0};
+  const glev_output output = output_to(results, components);
   glev_batch batch = {sizeof batch, u.size(), kTypeOf<Real>, precision, input_of(u), input_of(v), nullptr, 0};
   const Outputs outputs(batch, {{attribute, &output}});
   EXPECT_EQ(glevEvaluate(plan, &batch), GLEV_SUCCESS);
@@ -124,7 +123,21 @@ struct Range {
   int i1, i2, j1 = 0, j2 = 0;
   std::size_t columns() const { return i1 > i2 ? 0 : static_cast<std::size_t>(i2) - i1 + 1; }
   std::size_t rows() const { return j1 > j2 ? 0 : static_cast<std::size_t>(j2) - j1 + 1; }
+  std::size_t count() const { return columns() * rows(); }
 };
+
+// Returns a mesh of these points, without outputs and scratch memory.
+inline glev_mesh mesh_of(const Range& range, glev_precision precision = GLEV_CORRECTLY_ROUNDED) {
+  return {sizeof(glev_mesh), range.i1, range.i2, range.j1, range.j2, precision, nullptr, 0, nullptr, 0};
+}
+
+// Evaluates a mesh with scratch memory of exactly the required size.
+inline void evaluate_mesh(const glev_plan* plan, glev_mesh mesh) {
+  std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
+  mesh.scratch = scratch.data();
+  mesh.scratch_size = scratch.size();
+  EXPECT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
+}
 
 // One attribute at points of the grid, packed, or so many values apart with `between` between them.
 template <class Result = float>
@@ -132,22 +145,11 @@ std::vector<Result> evaluate_grid(const glev_plan* plan, glev_attribute attribut
                                   glev_precision precision = GLEV_CORRECTLY_ROUNDED, std::size_t apart = 0,
                                   Result between = 0) {
   const std::size_t components = glevGetPlanComponents(plan, attribute);
-  const std::size_t values = std::max(apart, components), stride = values * sizeof(Result);
-  std::vector<Result> results(range.columns() * range.rows() * values, between);
-  const glev_output output = {sizeof output,
-                              results.data(),
-                              results.size() * sizeof(Result),
-                              stride,
-                              components,
-                              kTypeOf<Result>,
-                              0,
-                              0};
-  glev_mesh mesh = {sizeof mesh, range.i1, range.i2, range.j1, range.j2, precision, nullptr, 0, nullptr, 0};
+  std::vector<Result> results(range.count() * std::max(apart, components), between);
+  const glev_output output = output_to(results, components, apart);
+  glev_mesh mesh = mesh_of(range, precision);
   const Outputs outputs(mesh, {{attribute, &output}});
-  std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
-  mesh.scratch = scratch.data();
-  mesh.scratch_size = scratch.size();
-  EXPECT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
+  evaluate_mesh(plan, mesh);
   return results;
 }
 
@@ -215,13 +217,18 @@ inline void enable_maps(glev_context* gl, Chance& chance) {
 // A random layout of attributes: interleaved or consecutive, with gaps, unaligned, with more components than
 // the map has.
 struct Layout {
+  std::size_t columns, rows;
   std::array<std::size_t, 4> offset{}, stride{}, row_stride{}, components{};
   std::size_t bytes = 0;
+
+  std::size_t place(std::size_t a, std::size_t column, std::size_t row) const {
+    return offset[a] + column * stride[a] + row * (row_stride[a] != 0 ? row_stride[a] : columns * stride[a]);
+  }
 };
 
 inline Layout choose_layout(Chance& chance, const glev_plan* plan, std::size_t columns, std::size_t rows,
                             bool has_rows) {
-  Layout layout;
+  Layout layout{columns, rows};
   std::vector<std::size_t> order = {0, 1, 2, 3};
   for (std::size_t k = 3; k > 0; --k)
     std::swap(order[k], order[static_cast<std::size_t>(chance.whole(0, 3)) % (k + 1)]);
@@ -257,28 +264,29 @@ inline Layout choose_layout(Chance& chance, const glev_plan* plan, std::size_t c
 }
 
 // Returns the expected memory of this layout: the attributes of the vertices, and poison between them.
-inline Memory expected_memory(const Layout& layout, const std::vector<glev_vertex>& vertices,
-                              std::size_t columns) {
+inline Memory expected_memory(const Layout& layout, const std::vector<glev_vertex>& vertices) {
   Memory memory(layout.bytes);
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     for (std::size_t a = 0; a < 4; ++a) {
-      const std::size_t row_stride =
-          layout.row_stride[a] != 0 ? layout.row_stride[a] : columns * layout.stride[a];
       const Floats values = attribute_of(vertices[k], kEveryAttribute[a]);
-      memory.put(layout.offset[a] + k % columns * layout.stride[a] + k / columns * row_stride, values.data(),
+      memory.put(layout.place(a, k % layout.columns, k / layout.columns), values.data(),
                  layout.components[a]);
     }
   }
   return memory;
 }
 
-// The outputs of a layout. The object contains pointers to its own members.
+// The outputs of a layout, of exactly the required size. The object contains pointers to its own members.
 class LaidOut {
  public:
   LaidOut(const Layout& layout, Memory& memory) {
     for (std::size_t a = 0; a < 4; ++a) {
       outputs_[a] = memory.make_output(layout.offset[a], layout.stride[a], layout.components[a], 0,
                                        layout.row_stride[a]);
+      outputs_[a].data_size = layout.columns == 0 || layout.rows == 0
+                                  ? 0
+                                  : layout.place(a, layout.columns - 1, layout.rows - 1) - layout.offset[a] +
+                                        layout.components[a] * sizeof(float);
       all_[a] = {kEveryAttribute[a], &outputs_[a]};
     }
   }

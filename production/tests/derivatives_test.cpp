@@ -67,7 +67,7 @@ class Derivatives : public ContextTest {
             << u[e].grid.u1 << " " << u[e].index << ", v " << v[e].grid.u1 << " " << v[e].index;
         return out.str();
       };
-      ASSERT_EQ(std::bit_cast<std::uint32_t>(floats[at]), std::bit_cast<std::uint32_t>(right))
+      ASSERT_EQ(float_bits(floats[at]), float_bits(right))
           << where() << std::hexfloat << ": " << floats[at] << ", not " << right;
       const auto nearest = std::fabs(value.convert_to<double>());
       const double ulp = std::nextafter(nearest, HUGE_VAL) - nearest;

@@ -30,15 +30,6 @@ class DirectCalls : public ContextTest {
     return u;
   }
 
-  Floats recorded_positions(int components = 4) const {
-    Floats positions;
-    for (const glev_vertex& vertex : recording.vertices) {
-      positions.insert(positions.end(), vertex.position, vertex.position + components);
-      EXPECT_TRUE(components == 4 || vertex.position[3] == 1);
-    }
-    return positions;
-  }
-
   void define_line(glev_enum target = GLEV_MAP1_VERTEX_3) const {
     const float points[][3] = {{1, 2, 3}, {3, 2, 3}};
     glevMap1f(gl, target, 0, 1, 3, 2, &points[0][0]);
@@ -55,11 +46,10 @@ TEST_F(DirectCalls, CurvesAreThoseOfBatches) {
     glevDisable(gl, GLEV_MAP1_VERTEX_4);
     glevMap1f(gl, target, 0, end, components, order, points.data());
     glevEnable(gl, target);
-    recording = {};
     const Floats u = choose_arguments();
-    glevBegin(gl, GLEV_POINTS);
-    for (const float argument : u) glevEvalCoord1f(gl, argument);
-    glevEnd(gl);
+    draw([&] {
+      for (const float argument : u) glevEvalCoord1f(gl, argument);
+    });
     const Plan plan(gl, 1);
     EXPECT_EQ(bits_of(recorded_positions(components)),
               bits_of(evaluate_scattered(plan, GLEV_ATTRIBUTE_VERTEX, u)))
@@ -77,12 +67,10 @@ TEST_F(DirectCalls, SurfacesAreThoseOfBatches) {
     glevDisable(gl, GLEV_MAP2_VERTEX_4);
     glevMap2f(gl, target, 0, end, components * m, n, -1, 1, components, m, points.data());
     glevEnable(gl, target);
-    recording = {};
-    const Floats u = choose_arguments();
-    const Floats v(u.rbegin(), u.rend());
-    glevBegin(gl, GLEV_POINTS);
-    for (std::size_t i = 0; i < u.size(); ++i) glevEvalCoord2f(gl, u[i], v[i]);
-    glevEnd(gl);
+    const Floats u = choose_arguments(), v(u.rbegin(), u.rend());
+    draw([&] {
+      for (std::size_t i = 0; i < u.size(); ++i) glevEvalCoord2f(gl, u[i], v[i]);
+    });
     const Plan plan(gl, 2);
     EXPECT_EQ(bits_of(recorded_positions(components)),
               bits_of(evaluate_scattered(plan, GLEV_ATTRIBUTE_VERTEX, u, v)))
@@ -92,23 +80,29 @@ TEST_F(DirectCalls, SurfacesAreThoseOfBatches) {
 
 // The floating-point environment may change after Begin, too.
 TEST_F(DirectCalls, InWhateverEnvironment) {
-  Floats points = random_points(12);
-  for (float& point : points) point = chance.between(-2, 2);
-  points[1] = points[4] = points[7] = points[10] = 0;
-  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 4, points.data());
-  glevEnable(gl, GLEV_MAP1_VERTEX_3);
+  Floats points;
+  for (int i = 0; i < 12; ++i) points.push_back(i % 3 == 1 ? 0 : chance.between(-2, 2));
+  // With flush-to-zero, both ends of the interval of a subnormal result would become zero.
+  const Floats small = {-0x1p-90F, -0x1p-80F, 0x1p-95F, 0x1p-90F, 0x1p-80F, -0x1p-95F};
   const Floats u = choose_arguments();
   const auto evaluate = [&](const std::function<void()>& change) {
-    recording = {};
-    std::fenv_t before;
-    std::fegetenv(&before);
-    glevBegin(gl, GLEV_POINTS);
-    glevEvalCoord1f(gl, 0.25F);
-    change();
-    for (const float argument : u) glevEvalCoord1f(gl, argument);
-    std::fesetenv(&before);
-    glevEnd(gl);
-    return bits_of(recorded_positions());
+    std::vector<std::uint64_t> bits;
+    for (const Floats& control : {points, small}) {
+      glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, static_cast<int>(control.size() / 3), control.data());
+      glevEnable(gl, GLEV_MAP1_VERTEX_3);
+      std::fenv_t before;
+      std::fegetenv(&before);
+      draw([&] {
+        glevEvalCoord1f(gl, 0.25F);
+        change();
+        for (const float argument : u) glevEvalCoord1f(gl, argument);
+        for (int i = 0; i < 50; ++i) glevEvalCoord1d(gl, 0.5 + (i - 25) * std::ldexp(1.0, -52 + i % 20));
+        std::fesetenv(&before);
+      });
+      const auto more = bits_of(recorded_positions());
+      bits.insert(bits.end(), more.begin(), more.end());
+    }
+    return bits;
   };
   const auto expected = evaluate([] {});
   for (const int rounding : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
@@ -119,53 +113,22 @@ TEST_F(DirectCalls, InWhateverEnvironment) {
 #endif
 }
 
-// With flush-to-zero, both ends of the interval of a subnormal result would become zero.
-TEST_F(DirectCalls, ResultsThatFlushToZeroWouldLose) {
-#if defined(__SSE2__)
-  const float points[][3] = {{-0x1p-90F, -0x1p-80F, 0x1p-95F}, {0x1p-90F, 0x1p-80F, -0x1p-95F}};
-  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 2, &points[0][0]);
-  glevEnable(gl, GLEV_MAP1_VERTEX_3);
-  const auto evaluate = [&](unsigned control) {
-    recording = {};
-    const unsigned before = _mm_getcsr();
-    glevBegin(gl, GLEV_POINTS);
-    _mm_setcsr(control);
-    for (int i = 0; i < 50; ++i) glevEvalCoord1d(gl, 0.5 + (i - 25) * std::ldexp(1.0, -52 + i % 20));
-    _mm_setcsr(before);
-    glevEnd(gl);
-    return bits_of(recorded_positions());
+TEST_F(DirectCalls, HaveNoEffectWithoutAPrimitiveOrAMapAndAreCompiled) {
+  define_line();
+  const auto evaluate = [&] {
+    for (int i = 0; i < 3; ++i) glevEvalCoord1f(gl, 0.5F);
   };
-  const auto usual = evaluate(0x1F80);
-  for (const unsigned control : {0x9F80U, 0x1FC0U, 0x9FC0U}) EXPECT_EQ(evaluate(control), usual);
-#endif
-}
-
-TEST_F(DirectCalls, HaveNoEffectWithoutAPrimitiveOrAMap) {
-  define_line();
-  glevBegin(gl, GLEV_POINTS);
-  for (int i = 0; i < 3; ++i) glevEvalCoord1f(gl, 0.5F);
-  glevEnd(gl);
-  glevEvalCoord1f(gl, 0.5F);
-  glevDisable(gl, GLEV_MAP1_VERTEX_3);
-  glevBegin(gl, GLEV_POINTS);
-  glevEvalCoord1f(gl, 0.5F);
-  glevEnd(gl);
+  EXPECT_EQ(draw(evaluate).size(), 3u);
+  evaluate();
   EXPECT_EQ(recording.vertices.size(), 3u);
-}
-
-TEST_F(DirectCalls, AreCompiled) {
-  define_line();
-  glevBegin(gl, GLEV_POINTS);
-  for (int i = 0; i < 3; ++i) glevEvalCoord1f(gl, 0.5F);
-  glevEnd(gl);
   glevNewList(gl, 1, GLEV_COMPILE_AND_EXECUTE);
-  glevBegin(gl, GLEV_POINTS);
-  for (int i = 0; i < 3; ++i) glevEvalCoord1f(gl, 0.25F);
-  glevEnd(gl);
+  draw(evaluate);
   glevEndList(gl);
   recording = {};
   glevCallList(gl, 1);
   EXPECT_EQ(recording.vertices.size(), 3u);
+  glevDisable(gl, GLEV_MAP1_VERTEX_3);
+  EXPECT_EQ(draw(evaluate).size(), 0u);
 }
 
 TEST_F(DirectCalls, FromCallbacks) {

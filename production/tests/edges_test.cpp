@@ -2,8 +2,8 @@
 // the edges and the inner grid.
 #include <map>
 
-#include "batches.h"
 #include "guarded.h"
+#include "nets.h"
 
 namespace glev_tests {
 namespace {
@@ -17,15 +17,7 @@ struct Tessellation {
   std::size_t inner() const { return static_cast<std::size_t>((u_segments - 1) * (v_segments - 1)); }
   std::size_t boundary() const { return static_cast<std::size_t>(edges[0] + edges[1] + edges[2] + edges[3]); }
   std::size_t points() const { return inner() + boundary(); }
-  glev_patch_grid make_grid() const {
-    glev_patch_grid grid{};
-    grid.size = sizeof grid;
-    grid.kind = GLEV_GRID_EDGES;
-    grid.u_segments = u_segments;
-    grid.v_segments = v_segments;
-    std::copy(edges.begin(), edges.end(), grid.edge_segments);
-    return grid;
-  }
+  glev_patch_grid make_grid() const { return glevaluator::make_edge_grid(u_segments, v_segments, edges); }
   // Returns the position of a point in the domain, from 0 to 1.
   std::array<double, 2> position(std::size_t number) const {
     const auto columns = static_cast<std::size_t>(u_segments) - 1;
@@ -49,32 +41,14 @@ class PatchEdges : public ::testing::Test {
     return {chance_.whole(2, 8), chance_.whole(2, 8), {segments(), segments(), segments(), segments()}};
   }
 
-  struct Net {
-    int uorder, vorder;
-    std::size_t components = 3, count = 1;
-    std::vector<float> points;
-    std::array<double, 4> domain = {0, 1, 0, 1};
-
-    glev_patches describe() const {
-      glev_patches patches{};
-      patches.size = sizeof patches;
-      patches.count = count;
-      patches.components = components;
-      patches.uorder = uorder;
-      patches.vorder = vorder;
-      patches.type = GLEV_FLOAT;
-      patches.points = points.data();
-      patches.points_size = points.size() * sizeof(float);
-      patches.u1 = domain[0], patches.u2 = domain[1], patches.v1 = domain[2], patches.v2 = domain[3];
-      return patches;
-    }
-  };
-
-  Net choose_net() {
-    Net net = {
-        chance_.whole(1, 5), chance_.whole(1, 5), 3, static_cast<std::size_t>(chance_.whole(1, 4)), {}};
+  // Returns patches of float control points in three components.
+  Net random_net(std::array<int, 2> order, std::size_t count) {
+    Net net;
+    net.order = order;
+    net.count = count;
     if (chance_.whole(0, 1) == 0) net.domain = {0.25, 2, 1, 0};
-    net.points = chance_.next_points(net.count * static_cast<std::size_t>(net.uorder * net.vorder) * 3);
+    const Floats points = chance_.next_points(count * net.values_of_patch());
+    net.values.assign(points.begin(), points.end());
     return net;
   }
 
@@ -87,7 +61,9 @@ class PatchEdges : public ::testing::Test {
     Guarded memory(net.count * patch - gap, side);
     glev_output output = {sizeof output, memory.data(), memory.size(), 12, 3, 0, 0, gap == 0 ? 0 : patch};
     const glev_attribute_output outputs = {attribute, &output};
-    const glev_patches patches = net.describe();
+    std::vector<unsigned char> control(net.bytes());
+    net.write(control.data());
+    const glev_patches patches = net.describe(control.data());
     Guarded scratch(glevGetPatchScratchSize(&patches, &grid), side);
     EXPECT_EQ(glevEvaluatePatches(&patches, &grid, &outputs, 1, scratch.data(), scratch.size()),
               GLEV_SUCCESS);
@@ -115,15 +91,8 @@ class PatchEdges : public ::testing::Test {
 
   static std::vector<std::uint32_t> indices_of(const Tessellation& own, glev_enum winding,
                                                std::size_t patches = 1) {
-    glev_indices indices{};
-    indices.size = sizeof indices;
-    indices.mode = GLEV_FILL;
-    indices.columns = static_cast<std::size_t>(own.u_segments) + 1;
-    indices.rows = static_cast<std::size_t>(own.v_segments) + 1;
-    indices.type = GLEV_UNSIGNED_INT;
+    glev_indices indices = glevaluator::make_indices(own.make_grid(), patches);
     indices.winding = winding;
-    indices.patches = patches;
-    std::copy(own.edges.begin(), own.edges.end(), indices.edge_segments);
     Guarded memory(glevGetIndexCount(&indices) * 4, Guarded::Side::kEnd);
     indices.data = memory.data();
     indices.data_size = memory.size();
@@ -139,17 +108,17 @@ class PatchEdges : public ::testing::Test {
 TEST_F(PatchEdges, HaveThePointsOfUniformGrids) {
   for (int k = 0; k < 150; ++k) {
     const Tessellation own = choose();
-    const Net net = choose_net();
+    const Net net =
+        random_net({chance_.whole(1, 5), chance_.whole(1, 5)}, static_cast<std::size_t>(chance_.whole(1, 4)));
     const auto attribute = chance_.one_of(
         {GLEV_ATTRIBUTE_VERTEX, GLEV_ATTRIBUTE_NORMAL, GLEV_ATTRIBUTE_TANGENT_V, GLEV_ATTRIBUTE_SECOND_UU});
     const auto values = evaluate(net, own.make_grid(), attribute, own.points(),
                                  chance_.one_of({std::size_t{0}, std::size_t{9}}));
     // The uniform grids that have the inner points and the points of each edge.
     for (std::size_t part = 0; part < 5; ++part) {
-      glev_patch_grid grid{};
-      grid.size = sizeof grid;
-      grid.u_segments = part == 0 ? own.u_segments : part % 2 == 1 ? own.edges[part - 1] : 1;
-      grid.v_segments = part == 0 ? own.v_segments : part % 2 == 0 ? own.edges[part - 1] : 1;
+      glev_patch_grid grid = glevaluator::make_uniform_grid(1, 1);
+      if (part == 0) grid = glevaluator::make_uniform_grid(own.u_segments, own.v_segments);
+      if (part != 0) (part % 2 == 1 ? grid.u_segments : grid.v_segments) = own.edges[part - 1];
       const auto columns = static_cast<std::size_t>(grid.u_segments) + 1,
                  all = columns * (static_cast<std::size_t>(grid.v_segments) + 1);
       const auto expected = evaluate(net, grid, attribute, all);
@@ -184,15 +153,13 @@ TEST_F(PatchEdges, OfNeighboursMeetWithoutCracks) {
             const std::size_t position = is_second ? other_edge : edge;
             const bool is_along_u = position % 2 == 0, is_last = position == 1 || position == 2;
             const int across = chance_.whole(2, 5);
-            Net net = {is_along_u ? order : across, is_along_u ? across : order, 3, 1, {}};
-            if (chance_.whole(0, 1) == 0) net.domain = {0.25, 2, 1, 0};
-            net.points = chance_.next_points(static_cast<std::size_t>(order * across) * 3);
+            Net net = random_net({is_along_u ? order : across, is_along_u ? across : order}, 1);
             for (int k = 0; k < order; ++k) {
               // The edges v = v2 and u = u1 run from the last control point to the first.
               const bool is_back = (position >= 2) != (is_second && is_reversed);
               const int along = is_back ? order - 1 - k : k, end = is_last ? across - 1 : 0;
               const int i = is_along_u ? along : end, j = is_along_u ? end : along;
-              std::copy_n(shared.begin() + 3 * k, 3, net.points.begin() + 3 * (i * net.vorder + j));
+              std::copy_n(shared.begin() + 3 * k, 3, net.values.begin() + 3 * (i * net.order[1] + j));
             }
             Tessellation own = choose();
             own.edges[position] = segments;
@@ -257,48 +224,6 @@ TEST_F(PatchEdges, IndicesOfPatchesFollowOneAnother) {
   ASSERT_EQ(all.size(), 3 * one.size());
   for (std::size_t k = 0; k < all.size(); ++k)
     EXPECT_EQ(all[k], one[k % one.size()] + k / one.size() * own.points());
-}
-
-TEST(EdgeIndices, MisuseIsRejectedAndNothingWritten) {
-  Memory memory(1000);
-  const auto with = [&](glev_result expected, auto change) {
-    glev_indices indices{};
-    indices.size = sizeof indices;
-    indices.mode = GLEV_FILL;
-    indices.columns = indices.rows = 3;
-    indices.type = GLEV_UNSIGNED_BYTE;
-    std::fill_n(indices.edge_segments, 4, 3);
-    indices.data = memory.data();
-    indices.data_size = memory.size();
-    change(indices);
-    EXPECT_EQ(glevGetIndices(&indices), expected);
-    EXPECT_EQ(memory.is_untouched(), expected != GLEV_SUCCESS);
-    memory.poison(0, memory.size());
-    return glevGetIndexCount(&indices);
-  };
-  constexpr glev_result kWrong = GLEV_ERROR_INVALID_ARGUMENT;
-  EXPECT_EQ(with(GLEV_SUCCESS, [](glev_indices&) {}), 36u);
-  EXPECT_EQ(with(GLEV_SUCCESS, [](glev_indices& indices) { indices.data_size = 36; }), 36u);
-  EXPECT_EQ(with(GLEV_ERROR_BUFFER_TOO_SMALL, [](glev_indices& indices) { indices.data_size = 35; }), 36u);
-  for (glev_enum mode : {GLEV_POINT, GLEV_LINE, GLEV_TRIANGLE_STRIP})
-    EXPECT_EQ(with(kWrong, [&](glev_indices& indices) { indices.mode = mode; }), 0u);
-  for (int edge = 0; edge < 4; ++edge) {
-    for (int segments : {0, -1, INT_MIN, 253, INT_MAX})
-      EXPECT_EQ(with(kWrong, [&](glev_indices& indices) { indices.edge_segments[edge] = segments; }), 0u);
-  }
-  for (std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{2}, SIZE_MAX}) {
-    EXPECT_EQ(with(kWrong, [&](glev_indices& indices) { indices.columns = count; }), 0u);
-    EXPECT_EQ(with(kWrong, [&](glev_indices& indices) { indices.rows = count; }), 0u);
-  }
-  // 13 vertices of each patch
-  EXPECT_EQ(with(GLEV_SUCCESS, [](glev_indices& indices) { indices.first = 243; }), 36u);
-  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.first = 244; }), 0u);
-  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.patches = 20; }), 0u);
-  EXPECT_EQ(with(GLEV_SUCCESS, [](glev_indices& indices) { indices.patches = 19; }), 684u);
-  // Programs of an earlier version have no edges, whatever follows their structure.
-  EXPECT_EQ(
-      with(GLEV_SUCCESS, [](glev_indices& indices) { indices.size = offsetof(glev_indices, edge_segments); }),
-      24u);
 }
 
 }  // namespace

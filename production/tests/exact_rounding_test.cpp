@@ -1,16 +1,13 @@
 // Tests correct rounding against exact integers, in every rounding mode.
 #include <algorithm>
-#include <cfenv>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <sstream>
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
 
 #include "exact.h"
 #include "fixture.h"
+#include "rounding_modes.h"
 #include "src/exact.h"
 
 namespace glev_tests {
@@ -47,25 +44,6 @@ std::string show(const Problem& problem) {
   return out.str();
 }
 
-// The rounding modes that a caller may set; -1: flush-to-zero and denormals-are-zero.
-constexpr int kModes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, -1};
-
-float round_in(int mode, const glev::Component& component, const std::array<GridArgument, 2>& at) {
-#if defined(__SSE2__)
-  const unsigned control = _mm_getcsr();
-  if (mode < 0) _mm_setcsr(control | 0x8040);  // denormals-are-zero and flush-to-zero
-#endif
-  if (mode >= 0) std::fesetround(mode);
-  const float result = glev::round_exactly(component, at[0], at[1]);
-  std::fesetround(FE_TONEAREST);
-#if defined(__SSE2__)
-  _mm_setcsr(control);
-#endif
-  return result;
-}
-
-std::uint32_t float_bits(float x) { return std::bit_cast<std::uint32_t>(x); }
-
 // The result is `expected` in the first `modes` modes, for dense and strided points.
 void expect_rounded(const Problem& problem, float expected, int modes = std::size(kModes)) {
   constexpr int kStride = 3;
@@ -75,7 +53,8 @@ void expect_rounded(const Problem& problem, float expected, int modes = std::siz
     const bool dense = i % 2 == 0;
     const glev::Component component = {dense ? problem.points.data() : spread.data(), dense ? 1 : kStride,
                                        problem.order, problem.domain};
-    const float got = round_in(kModes[i], component, problem.at);
+    float got = 0;
+    call_in_mode(kModes[i], [&] { got = glev::round_exactly(component, problem.at[0], problem.at[1]); });
     EXPECT_EQ(float_bits(got), float_bits(expected))
         << got << " for " << expected << ", mode " << kModes[i] << ": " << show(problem);
   }

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <functional>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include <glevaluator.h>
@@ -123,14 +126,29 @@ class ContextTest : public ::testing::Test {
     expect_error(GLEV_NO_ERROR);
   }
 
-  template <class Evaluate>
-  glev_vertex one_vertex(Evaluate evaluate) {
+  // Returns the vertices that a call emits between Begin and End.
+  template <class Call>
+  const std::vector<glev_vertex>& draw(const Call& call) {
     recording = {};
     glevBegin(gl, GLEV_POINTS);
-    evaluate();
+    call();
     glevEnd(gl);
+    return recording.vertices;
+  }
+  template <class Call>
+  glev_vertex one_vertex(const Call& call) {
+    draw(call);
     EXPECT_EQ(recording.vertices.size(), 1u);
     return recording.vertices.empty() ? glev_vertex{} : recording.vertices.front();
+  }
+  // Returns the first components of the positions of all recorded vertices.
+  std::vector<float> recorded_positions(int components = 4) const {
+    std::vector<float> positions;
+    for (const glev_vertex& vertex : recording.vertices) {
+      positions.insert(positions.end(), vertex.position, vertex.position + components);
+      EXPECT_TRUE(components == 4 || vertex.position[3] == 1);
+    }
+    return positions;
   }
 
   glev_context* gl = nullptr;
@@ -143,6 +161,29 @@ std::vector<float> values_of(const float (&values)[kCount]) {
 }
 
 using Floats = std::vector<float>;
+
+inline std::uint32_t float_bits(float x) { return std::bit_cast<std::uint32_t>(x); }
+
+template <class Real>
+std::vector<std::uint64_t> bits_of(const std::vector<Real>& values) {
+  using Word = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+  std::vector<std::uint64_t> bits;
+  for (Real value : values) bits.push_back(std::bit_cast<Word>(value));
+  return bits;
+}
+
+// Calls test(gl) with a new context for each instruction set of this machine.
+template <class Test>
+void on_every_instruction_set(const Test& test) {
+  for (std::size_t i = 0; const char* name = glevGetTargetName(i); ++i) {
+    SCOPED_TRACE(name);
+    const glev_context_info info = {sizeof info, nullptr, name};
+    glev_context* gl = nullptr;
+    ASSERT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS);
+    test(gl);
+    glevDestroyContext(gl);
+  }
+}
 
 // The outputs of a batch or a mesh. The batch or mesh refers to this object.
 class Outputs {

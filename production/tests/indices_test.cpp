@@ -40,6 +40,23 @@ std::vector<std::uint32_t> get_indices(glev_indices indices) {
   return numbers;
 }
 
+// Changes legal indices and expects a result of glevGetIndices, which writes nothing unless it is SUCCESS.
+// Returns the changed indices.
+template <class Change>
+glev_indices expect_result(glev_result expected, glev_indices indices, const Change& change) {
+  Memory memory(1000);
+  indices.data = memory.data();
+  indices.data_size = memory.size();
+  change(indices);
+  SCOPED_TRACE(testing::PrintToString(indices));  // prints all bytes
+  EXPECT_EQ(glevGetIndices(&indices), expected);
+  EXPECT_EQ(memory.is_untouched(), expected != GLEV_SUCCESS);
+  return indices;
+}
+
+constexpr glev_result kWrong = GLEV_ERROR_INVALID_ARGUMENT, kSmall = GLEV_ERROR_BUFFER_TOO_SMALL,
+                      kSizeError = GLEV_ERROR_STRUCTURE_SIZE;
+
 class IndicesOfMeshes : public ContextTest {
  protected:
   using Corner = std::vector<std::uint64_t>;  // a vertex by its bits
@@ -210,37 +227,57 @@ TEST(IndexBuffers, OfNoVerticesAreEmpty) {
 }
 
 TEST(IndexBuffers, MisuseIsRefusedAndNothingWritten) {
-  Memory memory(1000);
-  const auto with = [&](glev_result expected, auto change) {
-    glev_indices indices = make_indices(GLEV_LINE, 4, 3, GLEV_UNSIGNED_SHORT);
-    indices.data = memory.data();
-    indices.data_size = memory.size();
-    change(indices);
-    EXPECT_EQ(glevGetIndices(&indices), expected);
-    EXPECT_TRUE(memory.is_untouched());
-    return glevGetIndexCount(&indices);
+  const auto count = [](glev_result expected, const auto& change) {
+    const auto changed = expect_result(expected, make_indices(GLEV_LINE, 4, 3, GLEV_UNSIGNED_SHORT), change);
+    return glevGetIndexCount(&changed);
   };
-  constexpr glev_result kWrong = GLEV_ERROR_INVALID_ARGUMENT, kSizeError = GLEV_ERROR_STRUCTURE_SIZE;
   EXPECT_EQ(glevGetIndices(nullptr), kWrong);
   EXPECT_EQ(glevGetIndexCount(nullptr), 0u);
-  EXPECT_EQ(with(kSizeError, [](glev_indices& indices) { indices.size = 0; }), 0u);
-  EXPECT_EQ(
-      with(kSizeError, [](glev_indices& indices) { indices.size = offsetof(glev_indices, patches) - 1; }),
-      0u);
+  for (std::size_t size : {std::size_t{0}, offsetof(glev_indices, patches) - 1})
+    EXPECT_EQ(count(kSizeError, [&](glev_indices& indices) { indices.size = size; }), 0u);
   for (glev_enum mode : {GLEV_POINTS, GLEV_LINES, 0x1AFF, 0x1B03})
-    EXPECT_EQ(with(kWrong, [&](glev_indices& indices) { indices.mode = mode; }), 0u);
-  EXPECT_EQ(with(kWrong, [&](glev_indices& indices) { indices.mode = 0, indices.rows = 0; }), 0u);
+    EXPECT_EQ(count(kWrong, [&](glev_indices& indices) { indices.mode = mode; }), 0u);
+  EXPECT_EQ(count(kWrong, [&](glev_indices& indices) { indices.mode = 0, indices.rows = 0; }), 0u);
   for (glev_enum type : {0, GLEV_BYTE, GLEV_SHORT, GLEV_INT, GLEV_FLOAT})
-    EXPECT_EQ(with(kWrong, [&](glev_indices& indices) { indices.type = type; }), 0u);
-  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.columns = 30000; }), 0u);
-  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.rows = SIZE_MAX; }), 0u);
-  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.first = 65530; }), 0u);
-  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.first = SIZE_MAX; }), 0u);
+    EXPECT_EQ(count(kWrong, [&](glev_indices& indices) { indices.type = type; }), 0u);
+  EXPECT_EQ(count(kWrong, [](glev_indices& indices) { indices.columns = 30000; }), 0u);
+  EXPECT_EQ(count(kWrong, [](glev_indices& indices) { indices.rows = SIZE_MAX; }), 0u);
+  for (std::size_t first : {std::size_t{65530}, SIZE_MAX})
+    EXPECT_EQ(count(kWrong, [&](glev_indices& indices) { indices.first = first; }), 0u);
   // 9 lines along u, 8 along v
-  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.data = nullptr; }), 34u);
+  EXPECT_EQ(count(kWrong, [](glev_indices& indices) { indices.data = nullptr; }), 34u);
   for (std::size_t size : {0, 1, 67})
-    EXPECT_EQ(with(GLEV_ERROR_BUFFER_TOO_SMALL, [&](glev_indices& indices) { indices.data_size = size; }),
-              34u);
+    EXPECT_EQ(count(kSmall, [&](glev_indices& indices) { indices.data_size = size; }), 34u);
+}
+
+TEST(IndexBuffers, MisuseOfEdgesIsRefusedAndNothingWritten) {
+  const auto count = [](glev_result expected, const auto& change) {
+    glev_indices indices = make_indices(GLEV_FILL, 3, 3, GLEV_UNSIGNED_BYTE);
+    std::fill_n(indices.edge_segments, 4, 3);
+    const glev_indices changed = expect_result(expected, indices, change);
+    return glevGetIndexCount(&changed);
+  };
+  EXPECT_EQ(count(GLEV_SUCCESS, [](glev_indices&) {}), 36u);
+  EXPECT_EQ(count(GLEV_SUCCESS, [](glev_indices& indices) { indices.data_size = 36; }), 36u);
+  EXPECT_EQ(count(kSmall, [](glev_indices& indices) { indices.data_size = 35; }), 36u);
+  for (glev_enum mode : {GLEV_POINT, GLEV_LINE, GLEV_TRIANGLE_STRIP})
+    EXPECT_EQ(count(kWrong, [&](glev_indices& indices) { indices.mode = mode; }), 0u);
+  for (int edge = 0; edge < 4; ++edge) {
+    for (int segments : {0, -1, INT_MIN, 253, INT_MAX})
+      EXPECT_EQ(count(kWrong, [&](glev_indices& indices) { indices.edge_segments[edge] = segments; }), 0u);
+  }
+  for (std::size_t side : {std::size_t{0}, std::size_t{1}, std::size_t{2}, SIZE_MAX}) {
+    EXPECT_EQ(count(kWrong, [&](glev_indices& indices) { indices.columns = side; }), 0u);
+    EXPECT_EQ(count(kWrong, [&](glev_indices& indices) { indices.rows = side; }), 0u);
+  }
+  // 13 vertices of each patch
+  EXPECT_EQ(count(GLEV_SUCCESS, [](glev_indices& indices) { indices.first = 243; }), 36u);
+  EXPECT_EQ(count(kWrong, [](glev_indices& indices) { indices.first = 244; }), 0u);
+  EXPECT_EQ(count(kWrong, [](glev_indices& indices) { indices.patches = 20; }), 0u);
+  EXPECT_EQ(count(GLEV_SUCCESS, [](glev_indices& indices) { indices.patches = 19; }), 684u);
+  // Programs of an earlier version have no edges, whatever follows their structure.
+  constexpr std::size_t kEarlier = offsetof(glev_indices, edge_segments);
+  EXPECT_EQ(count(GLEV_SUCCESS, [](glev_indices& indices) { indices.size = kEarlier; }), 24u);
 }
 
 // Each mesh has the indices that it would have alone.
@@ -274,17 +311,23 @@ TEST(IndexBuffers, WindingSwapsTheLastTwoOfEachTriangle) {
   }
 }
 
-// Returns the triangles of strips, each in its order and from its smallest vertex on.
-std::multiset<std::array<std::uint32_t, 3>> triangles_of_strips(const std::vector<std::uint32_t>& numbers,
-                                                                std::uint32_t restart) {
-  std::multiset<std::array<std::uint32_t, 3>> triangles;
+using Triangle = std::array<std::uint32_t, 3>;
+
+// Returns a triangle in its order and from its smallest vertex on.
+Triangle from_smallest(Triangle own) {
+  std::rotate(own.begin(), std::min_element(own.begin(), own.end()), own.end());
+  return own;
+}
+
+std::multiset<Triangle> triangles_of_strips(const std::vector<std::uint32_t>& numbers,
+                                            std::uint32_t restart) {
+  std::multiset<Triangle> triangles;
   for (std::size_t k = 0, first = 0; k < numbers.size(); ++k) {
     if (numbers[k] == restart) first = k + 1;
     if (k < first + 2) continue;
-    std::array<std::uint32_t, 3> own = {numbers[k - 2], numbers[k - 1], numbers[k]};
+    Triangle own = {numbers[k - 2], numbers[k - 1], numbers[k]};
     if ((k - first) % 2 == 1) std::swap(own[0], own[1]);
-    std::rotate(own.begin(), std::min_element(own.begin(), own.end()), own.end());
-    triangles.insert(own);
+    triangles.insert(from_smallest(own));
   }
   return triangles;
 }
@@ -302,12 +345,9 @@ TEST(IndexBuffers, StripsHaveTheTrianglesOfFill) {
           const std::vector<std::uint32_t> strips = get_indices(indices);
           indices.mode = GLEV_FILL;
           const std::vector<std::uint32_t> fill = get_indices(indices);
-          std::multiset<std::array<std::uint32_t, 3>> expected;
-          for (std::size_t k = 0; k < fill.size(); k += 3) {
-            std::array<std::uint32_t, 3> own = {fill[k], fill[k + 1], fill[k + 2]};
-            std::rotate(own.begin(), std::min_element(own.begin(), own.end()), own.end());
-            expected.insert(own);
-          }
+          std::multiset<Triangle> expected;
+          for (std::size_t k = 0; k < fill.size(); k += 3)
+            expected.insert(from_smallest({fill[k], fill[k + 1], fill[k + 2]}));
           EXPECT_EQ(triangles_of_strips(strips, restart), expected)
               << columns << " x " << rows << ", winding " << winding;
           // One restart between two strips, and none at the ends.
@@ -385,39 +425,35 @@ TEST_F(SharedVertices, AreTheFirstOnesOfEqualBits) {
 
 TEST_F(SharedVertices, MisuseIsRejectedAndNothingWritten) {
   const float vertices[12][3] = {};
-  Memory memory(1000), scratch(1000);
-  const auto with = [&](glev_result expected, auto change) {
+  Memory scratch(1000);
+  const auto size_of_scratch = [&](glev_result expected, const auto& change) {
     glev_indices indices = make_indices(GLEV_FILL, 3, 2);
     indices.patches = 2;
-    indices.data = memory.data();
-    indices.data_size = memory.size();
     indices.vertices = vertices;
     indices.vertices_size = sizeof vertices;
     indices.vertex_stride = indices.vertex_bytes = 12;
     indices.scratch = scratch.data();
     indices.scratch_size = glevGetIndexScratchSize(&indices);
-    change(indices);
-    EXPECT_EQ(glevGetIndices(&indices), expected);
-    EXPECT_EQ(memory.is_untouched(), expected != GLEV_SUCCESS);
-    memory.poison(0, memory.size());
-    return glevGetIndexScratchSize(&indices);
+    const glev_indices changed = expect_result(expected, indices, change);
+    return glevGetIndexScratchSize(&changed);
   };
-  constexpr glev_result kWrong = GLEV_ERROR_INVALID_ARGUMENT, kSmall = GLEV_ERROR_BUFFER_TOO_SMALL;
-  const std::size_t size = with(GLEV_SUCCESS, [](glev_indices&) {});
+  const std::size_t size = size_of_scratch(GLEV_SUCCESS, [](glev_indices&) {});
   EXPECT_NE(size, 0u);
-  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.winding = 1; }), 0u);
-  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.patches = SIZE_MAX; }), 0u);
-  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.patches = std::size_t{1} << 62; }), 0u);
-  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.vertex_bytes = 0; }), 0u);
-  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.vertex_bytes = 13; }), 0u);
-  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.patches = 1 << 30, indices.columns = 2; }), 0u);
-  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.scratch = nullptr; }), size);
-  EXPECT_EQ(with(kSmall, [](glev_indices& indices) { --indices.scratch_size; }), size);
-  EXPECT_EQ(with(kSmall, [](glev_indices& indices) { --indices.vertices_size; }), size);
-  EXPECT_EQ(with(kSmall, [](glev_indices& indices) { indices.vertices_size = 11; }), size);
-  EXPECT_EQ(with(kSmall, [](glev_indices& indices) { indices.vertex_stride = SIZE_MAX; }), size);
-  EXPECT_EQ(with(kSmall, [](glev_indices& indices) { indices.data_size = 95; }), size);
-  EXPECT_EQ(with(GLEV_SUCCESS, [](glev_indices& indices) { indices.vertices = nullptr; }), 0u);
+  EXPECT_EQ(size_of_scratch(kWrong, [](glev_indices& indices) { indices.winding = 1; }), 0u);
+  for (std::size_t patches : {SIZE_MAX, std::size_t{1} << 62})
+    EXPECT_EQ(size_of_scratch(kWrong, [&](glev_indices& indices) { indices.patches = patches; }), 0u);
+  for (std::size_t bytes : {0, 13})
+    EXPECT_EQ(size_of_scratch(kWrong, [&](glev_indices& indices) { indices.vertex_bytes = bytes; }), 0u);
+  EXPECT_EQ(
+      size_of_scratch(kWrong, [](glev_indices& indices) { indices.patches = 1 << 30, indices.columns = 2; }),
+      0u);
+  EXPECT_EQ(size_of_scratch(kWrong, [](glev_indices& indices) { indices.scratch = nullptr; }), size);
+  EXPECT_EQ(size_of_scratch(kSmall, [](glev_indices& indices) { --indices.scratch_size; }), size);
+  for (std::size_t bytes : {sizeof vertices - 1, std::size_t{11}})
+    EXPECT_EQ(size_of_scratch(kSmall, [&](glev_indices& indices) { indices.vertices_size = bytes; }), size);
+  EXPECT_EQ(size_of_scratch(kSmall, [](glev_indices& indices) { indices.vertex_stride = SIZE_MAX; }), size);
+  EXPECT_EQ(size_of_scratch(kSmall, [](glev_indices& indices) { indices.data_size = 95; }), size);
+  EXPECT_EQ(size_of_scratch(GLEV_SUCCESS, [](glev_indices& indices) { indices.vertices = nullptr; }), 0u);
   EXPECT_EQ(glevGetIndexScratchSize(nullptr), 0u);
 }
 

@@ -60,6 +60,11 @@ std::vector<std::uint64_t> everything_of(const char* target, unsigned seed, int 
       add(evaluate_grid(surface, attribute, {0, 16, -1, 3}));
       add(evaluate_grid<double>(surface, attribute, {3, 5, -1, 3}));
     }
+    // Double results have their own code path on grids that span the domain.
+    glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 12, 4, 0, 1, 3, 4, points(4, 4, 3).data());
+    glevMapGrid2f(gl, 30, 0, 1, 7, 0, 1);
+    const Plan spanned(gl, 2);
+    add(evaluate_grid<double>(spanned, GLEV_ATTRIBUTE_VERTEX, {0, 30, 0, 7}));
   }
   glevBegin(gl, GLEV_POINTS);
   for (std::size_t i = 0; i < u.size(); ++i) {

@@ -1,4 +1,4 @@
-// An allocator that tracks its blocks and can fail.
+// An allocator that tracks its blocks and can fail, and fixtures whose context uses it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -37,6 +37,28 @@ struct Ledger {
               std::free(memory);
             }};
   }
+};
+
+// Adds to a fixture that its context has the memory of a ledger, and expects that all of it is released.
+template <class Fixture>
+class WithLedger : public Fixture {
+ protected:
+  WithLedger() { replace_context(); }
+  ~WithLedger() override {
+    glevDestroyContext(this->gl);
+    this->gl = nullptr;
+    EXPECT_TRUE(ledger_.out.empty()) << ledger_.out.size() << " blocks leaked";
+  }
+  void replace_context() {
+    glevDestroyContext(this->gl);
+    EXPECT_EQ(glevCreateContext(&info_, &this->gl), GLEV_SUCCESS);
+    const glev_sink sink = this->recording.make_sink();
+    glevSetSink(this->gl, &sink);
+  }
+
+  Ledger ledger_;
+  const glev_allocator allocator_ = ledger_.make_allocator();
+  const glev_context_info info_ = {sizeof info_, &allocator_, nullptr};
 };
 
 }  // namespace glev_tests

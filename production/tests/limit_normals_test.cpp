@@ -40,81 +40,43 @@ TEST_F(LimitNormals, AreThoseNextToTheEdge) {
     const int direction = chance_.whole(0, 1);
     const bool is_last = chance_.whole(0, 1) == 1;
     const Net net = choose_pole(direction, is_last, 5);
-    std::vector<unsigned char> points(net.bytes());
-    net.write(points.data());
-    const glev_patches patches = net.describe(points.data());
-    const double u1 = net.domain[0], u2 = net.domain[1], v1 = net.domain[2], v2 = net.domain[3];
+    const auto [u1, u2, v1, v2] = net.domain;
+    const auto at = [](double first, double last, double t) {
+      return t == 1 ? last : first + t * (last - first);
+    };
     // Five points on the edge, or next to it.
-    const auto normals_at = [&](double off, bool limits, bool are_doubles) {
-      std::vector<double> u, v, results(15);
+    const std::vector<glev_uint> numbers(5, 0);
+    const auto normals_at = [&]<class Real>(Real, double off, bool limits) {
+      std::vector<double> u, v;
       for (int i = 0; i <= 4; ++i) {
         const double along = i / 4.0, across = is_last ? 1 - off : off;
-        const auto at = [](double first, double last, double t) {
-          return t == 1 ? last : first + t * (last - first);
-        };
-        u.push_back(at(u1, u2, direction == 0 ? across : along));
-        v.push_back(at(v1, v2, direction == 0 ? along : across));
+        u.push_back(at(net.domain[0], net.domain[1], direction == 0 ? across : along));
+        v.push_back(at(net.domain[2], net.domain[3], direction == 0 ? along : across));
       }
-      const std::vector<glev_uint> numbers(5, 0);
-      glev_patch_grid grid{};
-      grid.size = sizeof grid;
-      grid.kind = GLEV_GRID_SCATTERED;
-      grid.type = GLEV_DOUBLE;
-      grid.u_count = 5;
-      grid.u = input_of(u);
-      grid.v = input_of(v);
-      grid.patch = {numbers.data(), numbers.size() * sizeof(glev_uint), sizeof(glev_uint)};
-      grid.limit_normals = limits ? GLEV_TRUE : GLEV_FALSE;
-      std::vector<float> floats(15);
-      const glev_output normal = {sizeof normal,
-                                  are_doubles ? static_cast<void*>(results.data()) : floats.data(),
-                                  are_doubles ? std::size_t{120} : std::size_t{60},
-                                  are_doubles ? std::size_t{24} : std::size_t{12},
-                                  3,
-                                  static_cast<glev_enum>(are_doubles ? GLEV_DOUBLE : GLEV_FLOAT),
-                                  0,
-                                  0};
-      const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_NORMAL, &normal}};
-      std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
-      EXPECT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size()),
-                GLEV_SUCCESS);
-      if (!are_doubles) std::copy(floats.begin(), floats.end(), results.begin());
-      return results;
+      glev_patch_grid grid = glevaluator::make_scattered_grid<double>(numbers, u, v);
+      grid.limit_normals = limits;
+      const auto normals = net.evaluate<Real>(grid, GLEV_ATTRIBUTE_NORMAL, 5);
+      return std::vector<double>(normals.begin(), normals.end());
     };
-    EXPECT_EQ(normals_at(0, false, true), std::vector<double>(15));
-    const std::vector<double> limits = normals_at(0, true, k % 2 == 0),
-                              inside = normals_at(0x1p-24, true, true);
-    EXPECT_EQ(inside, normals_at(0x1p-24, false, true));
+    EXPECT_EQ(normals_at(double{}, 0, false), std::vector<double>(15));
+    const std::vector<double> limits =
+                                  k % 2 == 0 ? normals_at(double{}, 0, true) : normals_at(float{}, 0, true),
+                              inside = normals_at(double{}, 0x1p-24, true);
+    EXPECT_EQ(inside, normals_at(double{}, 0x1p-24, false));
     for (std::size_t e = 0; e < 15; ++e)
       ASSERT_NEAR(limits[e], inside[e], 2e-5)
           << "case " << k << ", value " << e << ", direction " << direction;
     // Uniform grids and lists have the same normals.
-    for (glev_grid_kind kind : {GLEV_GRID_UNIFORM, GLEV_GRID_LISTS}) {
-      glev_patch_grid grid{};
-      grid.size = sizeof grid;
-      grid.kind = kind;
+    std::vector<double> u, v;
+    for (int i = 0; i <= 4; ++i) u.push_back(at(u1, u2, i / 4.0)), v.push_back(at(v1, v2, i / 4.0));
+    for (glev_patch_grid grid :
+         {glevaluator::make_uniform_grid(4, 4), glevaluator::make_list_grid<double>(u, v)}) {
       grid.limit_normals = GLEV_TRUE;
-      const std::vector<double> u = {u1, u1 + 0.25 * (u2 - u1), u1 + 0.5 * (u2 - u1), u1 + 0.75 * (u2 - u1),
-                                     u2},
-                                v = {v1, v1 + 0.25 * (v2 - v1), v1 + 0.5 * (v2 - v1), v1 + 0.75 * (v2 - v1),
-                                     v2};
-      if (kind == GLEV_GRID_UNIFORM) grid.u_segments = grid.v_segments = 4;
-      if (kind == GLEV_GRID_LISTS) {
-        grid.type = GLEV_DOUBLE;
-        grid.u_count = grid.v_count = 5;
-        grid.u = input_of(u);
-        grid.v = input_of(v);
-      }
-      std::vector<float> results(75);
-      const glev_output normal = {sizeof normal, results.data(), 300, 12, 3, 0, 0, 0};
-      const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_NORMAL, &normal}};
-      std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
-      ASSERT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size()),
-                GLEV_SUCCESS);
+      const Floats results = net.evaluate(grid, GLEV_ATTRIBUTE_NORMAL, 25);
       for (std::size_t e = 0; e < 5; ++e) {
-        const std::size_t edge = is_last ? 4 : 0, at = direction == 0 ? 5 * e + edge : 5 * edge + e;
+        const std::size_t edge = is_last ? 4 : 0, point = direction == 0 ? 5 * e + edge : 5 * edge + e;
         for (std::size_t c = 0; c < 3; ++c)
-          ASSERT_EQ(results[3 * at + c], static_cast<float>(limits[3 * e + c]))
+          ASSERT_EQ(results[3 * point + c], static_cast<float>(limits[3 * e + c]))
               << "case " << k << ", point " << e;
       }
     }
@@ -129,19 +91,9 @@ TEST_F(LimitNormals, ThatAreNotDeterminedAreZero) {
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j) net.values.insert(net.values.end(), {0, 0, j * z});
     }
-    std::vector<unsigned char> points(net.bytes());
-    net.write(points.data());
-    const glev_patches patches = net.describe(points.data());
-    glev_patch_grid grid{};
-    grid.size = sizeof grid;
-    grid.u_segments = grid.v_segments = 2;
+    glev_patch_grid grid = glevaluator::make_uniform_grid(2, 2);
     grid.limit_normals = GLEV_TRUE;
-    std::vector<float> results(27, 5);
-    const glev_output normal = {sizeof normal, results.data(), 108, 12, 3, 0, 0, 0};
-    const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_NORMAL, &normal}};
-    std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
-    ASSERT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size()), GLEV_SUCCESS);
-    EXPECT_EQ(results, std::vector<float>(27));
+    EXPECT_EQ(net.evaluate(grid, GLEV_ATTRIBUTE_NORMAL, 9), Floats(27));
   }
 }
 
@@ -210,27 +162,16 @@ TEST_F(LimitNormals, KeepTheirBound) {
     const int direction = k % 2;
     const bool is_last = k % 4 >= 2;
     const Net net = choose_pole(direction, is_last, k % 10 == 0 ? 16 : 5);
-    const glev_patches patches = net.describe(net.values.data());
     const auto [u1, u2, v1, v2] = net.domain;
     // Arguments along the edge, and its position.
     std::vector<double> along, across = {direction == 0 ? (is_last ? u2 : u1) : (is_last ? v2 : v1)};
     const double first = direction == 0 ? v1 : u1, last = direction == 0 ? v2 : u2;
     for (int i = 0; i < 9; ++i) along.push_back(first + chance_.next_double() * (last - first));
     along[0] = first, along[1] = last;
-    glev_patch_grid grid{};
-    grid.size = sizeof grid;
-    grid.kind = GLEV_GRID_LISTS;
-    grid.type = GLEV_DOUBLE;
+    glev_patch_grid grid = direction == 0 ? glevaluator::make_list_grid<double>(across, along)
+                                          : glevaluator::make_list_grid<double>(along, across);
     grid.limit_normals = GLEV_TRUE;
-    grid.u = input_of(direction == 0 ? across : along);
-    grid.v = input_of(direction == 0 ? along : across);
-    grid.u_count = direction == 0 ? 1 : along.size();
-    grid.v_count = direction == 0 ? along.size() : 1;
-    std::vector<float> results(27);
-    const glev_output normal = {sizeof normal, results.data(), 108, 12, 3, 0, 0, 0};
-    const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_NORMAL, &normal}};
-    std::vector<unsigned char> scratch(glevGetPatchScratchSize(&patches, &grid));
-    ASSERT_EQ(glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size()), GLEV_SUCCESS);
+    const Floats results = net.evaluate(grid, GLEV_ATTRIBUTE_NORMAL, along.size());
     for (std::size_t e = 0; e < along.size(); ++e) {
       const Wide t = (Wide(along[e]) - first) / (Wide(last) - first);
       const Limit limit = exact_limit(net, direction, is_last, t);

@@ -8,28 +8,7 @@
 namespace glev_tests {
 namespace {
 
-class ListMemory : public Lists {
- protected:
-  ListMemory() { create(); }
-  ~ListMemory() override { destroy(); }
-
-  void create() {
-    glevDestroyContext(gl);
-    allocator_ = ledger_.make_allocator();
-    const glev_context_info info = {sizeof(glev_context_info), &allocator_, nullptr};
-    EXPECT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS);
-    const glev_sink sink = recording.make_sink();
-    glevSetSink(gl, &sink);
-  }
-  void destroy() {
-    glevDestroyContext(gl);
-    gl = nullptr;
-    EXPECT_TRUE(ledger_.out.empty()) << ledger_.out.size() << " blocks leaked";
-  }
-
-  Ledger ledger_;
-  glev_allocator allocator_;
-};
+using ListMemory = WithLedger<Lists>;
 
 TEST_F(ListMemory, ComesFromTheAllocatorAndGoesBack) {
   const glev_uint first = glevGenLists(gl, 100);
@@ -71,7 +50,7 @@ TEST_F(ListMemory, ExecutionDoesNotAllocate) {
 TEST_F(ListMemory, AListThatFindsNoMemoryLeavesTheOldOne) {
   int refused = 0;
   for (;; ++refused) {
-    create();
+    replace_context();
     compile(7, [&] { glevIndexf(gl, 7); });
     ledger_.refuse_from = ledger_.requests + refused;
     bool recorded = false;
@@ -110,7 +89,7 @@ TEST_F(ListMemory, CommandsWithArraysAndNamesFindNoMemory) {
       {"CallLists", [&](glev_context* c) { glevCallLists(c, 5000, GLEV_INT, names.data()); }}};
   for (const auto& [name, command] : commands) {
     SCOPED_TRACE(name);
-    create();
+    replace_context();
     ledger_.refuse_from = 0;
     glevNewList(gl, 1, GLEV_COMPILE);
     command(gl);
@@ -122,7 +101,7 @@ TEST_F(ListMemory, CommandsWithArraysAndNamesFindNoMemory) {
     EXPECT_EQ(glevIsList(gl, 1), GLEV_FALSE);
     ledger_.refuse_from = -1;
   }
-  create();
+  replace_context();
   ledger_.refuse_from = 0;
   expect_rejected(GLEV_OUT_OF_MEMORY, [&] { EXPECT_EQ(glevGenLists(gl, 3), 0u); });
   glevNewList(gl, 1, GLEV_COMPILE);

@@ -1,6 +1,8 @@
 // Random arrays of patches, for tests of glevEvaluatePatches.
 #pragma once
 
+#include <glevaluator.hpp>
+
 #include "batches.h"
 
 namespace glev_tests {
@@ -48,6 +50,31 @@ struct Net {
         }
       }
     }
+  }
+  // Returns a component of the control points of a patch, as the library reads them.
+  std::vector<double> points_of(std::size_t patch, std::size_t component) const {
+    std::vector<double> points;
+    for (std::size_t k = component; k < values_of_patch(); k += static_cast<std::size_t>(components)) {
+      const double value = values[patch * values_of_patch() + k];
+      points.push_back(is_double ? value : static_cast<float>(value));
+    }
+    return points;
+  }
+  // Evaluates one attribute of all patches, packed; `points` is the number of points of a patch.
+  template <class Real = float>
+  std::vector<Real> evaluate(const glev_patch_grid& grid, glev_attribute attribute,
+                             std::size_t points) const {
+    std::vector<unsigned char> control(bytes()), scratch;
+    write(control.data());
+    const glev_patches patches = describe(control.data());
+    const auto own = static_cast<std::size_t>(attribute == GLEV_ATTRIBUTE_NORMAL ? 3 : components);
+    std::vector<Real> results(count * points * own, Real(77));
+    const glev_output output = output_to(results, own);
+    const glev_attribute_output outputs = {attribute, &output};
+    scratch.resize(glevGetPatchScratchSize(&patches, &grid));
+    EXPECT_EQ(glevEvaluatePatches(&patches, &grid, &outputs, 1, scratch.data(), scratch.size()),
+              GLEV_SUCCESS);
+    return results;
   }
   glev_patches describe(const void* points) const {
     glev_patches patches{};

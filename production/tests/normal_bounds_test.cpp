@@ -1,19 +1,12 @@
 // Tests the error bounds of automatic normals, with 600 binary digits as the oracle; every route
 // and instruction set gives the same bits.
 #include <algorithm>
-#include <bit>
-#include <cfenv>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <random>
-#include <string>
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
 
+#include "batches.h"
 #include "exact.h"
-#include "fixture.h"
+#include "rounding_modes.h"
 
 namespace glev_tests {
 namespace normal_bounds {
@@ -36,7 +29,6 @@ struct Patch {
 };
 
 struct Oracle {
-  std::array<Wide, 4> p, p_u, p_v;  // p_u, p_v: derivatives by the arguments
   WideVector normal{};
   Wide ratio = 0;  // |m| / majorant; 0: there is no normal
 };
@@ -67,22 +59,20 @@ Oracle exact_normal(const Patch& patch, int i, int j) {
     values[d] = bernstein<Wide>(patch.order[d], t, 1 - t);
     slopes[d] = bernstein<Wide>(patch.order[d], t, 1 - t, 1);
   }
-  Oracle oracle;
-  oracle.p = {0, 0, 0, 1};
-  oracle.p_u = oracle.p_v = {0, 0, 0, 0};
+  std::array<Wide, 4> p = {0, 0, 0, 1}, p_u{}, p_v{};
   std::array<double, 4> largest = {0, 0, 0, 1}, largest_u{}, largest_v{};
   for (int k = 0; k < patch.components; ++k) {
-    oracle.p[k] = tensor(values[0], values[1], patch.points, patch.components, k).value;
-    oracle.p_u[k] = tensor(slopes[0], values[1], patch.points, patch.components, k).value;
-    oracle.p_v[k] = tensor(values[0], slopes[1], patch.points, patch.components, k).value;
+    p[k] = tensor(values[0], values[1], patch.points, patch.components, k).value;
+    p_u[k] = tensor(slopes[0], values[1], patch.points, patch.components, k).value;
+    p_v[k] = tensor(values[0], slopes[1], patch.points, patch.components, k).value;
     largest[k] = largest_of(patch, k, -1);
     largest_u[k] = (patch.order[0] - 1) * largest_of(patch, k, 0);
     largest_v[k] = (patch.order[1] - 1) * largest_of(patch, k, 1);
   }
   WideVector a, b, most_a, most_b, majorant;
   for (int k = 0; k < 3; ++k) {
-    a[k] = oracle.p[3] * oracle.p_u[k] - oracle.p_u[3] * oracle.p[k];
-    b[k] = oracle.p[3] * oracle.p_v[k] - oracle.p_v[3] * oracle.p[k];
+    a[k] = p[3] * p_u[k] - p_u[3] * p[k];
+    b[k] = p[3] * p_v[k] - p_v[3] * p[k];
     most_a[k] = Wide(largest[3]) * largest_u[k] + Wide(largest_u[3]) * largest[k];
     most_b[k] = Wide(largest[3]) * largest_v[k] + Wide(largest_v[3]) * largest[k];
   }
@@ -91,32 +81,12 @@ Oracle exact_normal(const Patch& patch, int i, int j) {
     const int x = (k + 1) % 3, y = (k + 2) % 3;
     majorant[k] = most_a[x] * most_b[y] + most_a[y] * most_b[x];
   }
+  Oracle oracle;
   const Wide length = length_of(m), most = length_of(majorant);
   // A ratio within the error of 600 digits counts as zero.
   oracle.ratio = most == 0 || length < most * 0x1p-400 ? Wide(0) : Wide(length / most);
-  for (int k = 0; k < 3; ++k) {
-    if (oracle.ratio != 0) oracle.normal[k] = m[k] / length;
-    oracle.p_u[k] /= Wide(patch.domain[1]) - Wide(patch.domain[0]);
-    oracle.p_v[k] /= Wide(patch.domain[3]) - Wide(patch.domain[2]);
-  }
+  for (int k = 0; k < 3 && oracle.ratio != 0; ++k) oracle.normal[k] = m[k] / length;
   return oracle;
-}
-
-constexpr int kModes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, -1};
-
-// Makes a call in a rounding mode that a caller may have set.
-template <class Call>
-void call_in_mode(int mode, const Call& call) {
-#if defined(__SSE2__)
-  const unsigned control = _mm_getcsr();
-  if (mode < 0) _mm_setcsr(control | 0x8040);  // denormals-are-zero and flush-to-zero
-#endif
-  if (mode >= 0) std::fesetround(mode);
-  call();
-  std::fesetround(FE_TONEAREST);
-#if defined(__SSE2__)
-  _mm_setcsr(control);
-#endif
 }
 
 using Normal = std::array<float, 3>;
@@ -125,17 +95,7 @@ bool same_bits(const Normal& a, const Normal& b) { return std::memcmp(a.data(), 
 
 class NormalBounds : public ::testing::Test {
  protected:
-  static std::vector<std::string> targets() {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; glevGetTargetName(i) != nullptr; ++i) names.emplace_back(glevGetTargetName(i));
-    return names;
-  }
-
-  // Makes a context with the patch and its grid.
-  static glev_context* make_context(const Patch& patch, const std::string& target) {
-    glev_context_info info = {sizeof info, nullptr, target.c_str()};
-    glev_context* gl = nullptr;
-    EXPECT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS);
+  static void define(glev_context* gl, const Patch& patch) {
     const glev_enum name = patch.components == 3 ? GLEV_MAP2_VERTEX_3 : GLEV_MAP2_VERTEX_4;
     glevMap2d(gl, name, patch.domain[0], patch.domain[1], patch.order[1] * patch.components, patch.order[0],
               patch.domain[2], patch.domain[3], patch.components, patch.order[1], patch.points.data());
@@ -144,126 +104,69 @@ class NormalBounds : public ::testing::Test {
     const auto& [ends, segments] = patch.grid;
     glevMapGrid2d(gl, segments[0], ends[0], ends[1], segments[1], ends[2], ends[3]);
     EXPECT_EQ(glevGetError(gl), static_cast<glev_enum>(GLEV_NO_ERROR));
-    return gl;
   }
 
-  struct Range {
-    int i1, i2, j1, j2;
-    std::size_t columns() const { return i2 - i1 + 1; }
-    std::size_t count() const { return columns() * (j2 - j1 + 1); }
-  };
-
-  // Evaluates an attribute of the mesh, with elements `values` values apart.
-  template <class Real>
-  static std::vector<Real> evaluate_mesh(glev_context* gl, const Range& range, glev_attribute attribute,
-                                         std::size_t components, std::size_t values,
-                                         int mode = FE_TONEAREST) {
-    const glev_plan_info info = {sizeof info, 2};
-    glev_plan* plan = nullptr;
-    EXPECT_EQ(glevCreatePlan(gl, &info, &plan), GLEV_SUCCESS);
-    std::vector<Real> result(range.count() * values, Real(77));
-    glev_output to = {sizeof to,
-                      result.data(),
-                      result.size() * sizeof(Real),
-                      values * sizeof(Real),
-                      components,
-                      sizeof(Real) == 8 ? GLEV_DOUBLE : GLEV_FLOAT,
-                      0,
-                      0};
-    glev_mesh mesh = {};
-    mesh.size = sizeof mesh;
-    mesh.i1 = range.i1, mesh.i2 = range.i2, mesh.j1 = range.j1, mesh.j2 = range.j2;
-    const Outputs outputs(mesh, {{attribute, &to}});
-    std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
-    mesh.scratch = scratch.data();
-    mesh.scratch_size = scratch.size();
-    call_in_mode(mode, [&] { EXPECT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS); });
-    glevReleasePlan(plan);
-    return result;
-  }
-
-  // Compares vertices and normals as records of six floats, `stride` floats apart, with single calls.
-  static void check_records(glev_context* gl, const Range& range, std::size_t stride) {
-    const glev_plan_info info = {sizeof info, 2};
-    glev_plan* plan = nullptr;
-    ASSERT_EQ(glevCreatePlan(gl, &info, &plan), GLEV_SUCCESS);
-    std::vector<float> got(range.count() * stride, 77);
-    const std::size_t bytes = got.size() * sizeof(float);
-    const glev_output vertex = {sizeof vertex, got.data(), bytes, stride * sizeof(float), 3,
-                                GLEV_FLOAT,    0,          0},
-                      normal = {sizeof normal,
-                                got.data() + 3,
-                                bytes - 3 * sizeof(float),
-                                stride * sizeof(float),
-                                3,
-                                GLEV_FLOAT,
-                                0,
-                                0};
-    glev_mesh mesh = {};
-    mesh.size = sizeof mesh;
-    mesh.i1 = range.i1, mesh.i2 = range.i2, mesh.j1 = range.j1, mesh.j2 = range.j2;
-    const Outputs outputs(mesh, {{GLEV_ATTRIBUTE_VERTEX, &vertex}, {GLEV_ATTRIBUTE_NORMAL, &normal}});
-    std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
-    mesh.scratch = scratch.data();
-    mesh.scratch_size = scratch.size();
-    EXPECT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
-    glevReleasePlan(plan);
-    Recording recording;
-    const glev_sink sink = recording.make_sink();
-    glevSetSink(gl, &sink);
-    glevEvalMesh2(gl, GLEV_POINT, range.i1, range.i2, range.j1, range.j2);
-    glevSetSink(gl, nullptr);
-    int different = 0;
-    for (std::size_t i = 0; i < range.count(); ++i) {
-      const glev_vertex& expected = recording.vertices[i];
-      const float* const record = &got[i * stride];
-      different += std::memcmp(record, expected.position, 12) != 0;
-      different += std::memcmp(record + 3, expected.normal, 12) != 0;
-      for (std::size_t k = 6; k < stride; ++k) different += record[k] != 77;
-    }
-    EXPECT_EQ(different, 0) << "stride " << stride;
-  }
-
-  static std::vector<Normal> evaluate_by_calls(glev_context* gl, const Range& range,
-                                               int mode = FE_TONEAREST) {
+  static std::vector<glev_vertex> evaluate_by_calls(glev_context* gl, const Range& range,
+                                                    int mode = FE_TONEAREST) {
     Recording recording;
     const glev_sink sink = recording.make_sink();
     glevSetSink(gl, &sink);
     call_in_mode(mode, [&] { glevEvalMesh2(gl, GLEV_POINT, range.i1, range.i2, range.j1, range.j2); });
-    std::vector<Normal> normals;
-    for (const glev_vertex& vertex : recording.vertices)
-      normals.push_back({vertex.normal[0], vertex.normal[1], vertex.normal[2]});
     glevSetSink(gl, nullptr);
-    return normals;
+    return recording.vertices;
+  }
+
+  // Compares vertices and normals as records of six floats, `stride` floats apart, with single calls.
+  static void check_records(glev_context* gl, const Range& range, std::size_t stride) {
+    const Plan plan(gl, 2);
+    std::vector<float> got(range.count() * stride, 77), expected = got;
+    glev_output vertex = output_to(got, 3, stride), normal = vertex;
+    normal.data = got.data() + 3;
+    normal.data_size -= 3 * sizeof(float);
+    glev_mesh mesh = mesh_of(range);
+    const Outputs outputs(mesh, {{GLEV_ATTRIBUTE_VERTEX, &vertex}, {GLEV_ATTRIBUTE_NORMAL, &normal}});
+    evaluate_mesh(plan, mesh);
+    auto record = expected.begin();
+    for (const glev_vertex& call : evaluate_by_calls(gl, range)) {
+      std::copy_n(call.position, 3, record);
+      std::copy_n(call.normal, 3, record + 3);
+      record += static_cast<std::ptrdiff_t>(stride);
+    }
+    EXPECT_TRUE(bits_of(got) == bits_of(expected)) << "stride " << stride;
   }
 
   // Returns the normals of single calls, after a check that meshes have them on every instruction set, packed
   // or not, in every rounding mode.
   static std::vector<Normal> evaluate_everywhere(const Patch& patch, const Range& range) {
     std::vector<Normal> expected;
-    for (const std::string& target : targets()) {
-      glev_context* const gl = make_context(patch, target);
-      if (expected.empty()) expected = evaluate_by_calls(gl, range);
+    on_every_instruction_set([&](glev_context* gl) {
+      define(gl, patch);
       for (const int mode : kModes) {
-        const std::vector<Normal> calls = evaluate_by_calls(gl, range, mode);
+        const std::vector<glev_vertex> calls = evaluate_by_calls(gl, range, mode);
+        const bool is_first = expected.empty();
+        for (const glev_vertex& call : calls) {
+          if (is_first) expected.push_back(std::to_array(call.normal));
+        }
+        const Plan plan(gl, 2);
         const std::size_t values = mode == FE_UPWARD ? 3 : 6;
-        const std::vector<float> mesh =
-            evaluate_mesh<float>(gl, range, GLEV_ATTRIBUTE_NORMAL, 3, values, mode);
+        Floats mesh;
+        call_in_mode(mode, [&] {
+          mesh = evaluate_grid(plan, GLEV_ATTRIBUTE_NORMAL, range, GLEV_CORRECTLY_ROUNDED, values, 77.0F);
+        });
         int different = 0;
         for (std::size_t i = 0; i < range.count(); ++i) {
           const Normal got = {mesh[i * values], mesh[i * values + 1], mesh[i * values + 2]};
-          if (!same_bits(got, expected[i]) || !same_bits(calls[i], expected[i])) ++different;
-          if (values == 6 && mesh[i * values + 3] != 77) ++different;  // written between elements
+          different +=
+              !same_bits(got, expected[i]) || !same_bits(std::to_array(calls[i].normal), expected[i]);
+          different += values == 6 && mesh[i * values + 3] != 77;  // written between elements
         }
-        EXPECT_EQ(different, 0) << target << ", mode " << mode << ", orders " << patch.order[0] << " x "
-                                << patch.order[1] << ", components " << patch.components;
+        EXPECT_EQ(different, 0) << "mode " << mode << ", orders " << patch.order[0] << " x " << patch.order[1]
+                                << ", components " << patch.components;
       }
-      if (patch.components == 3) {
-        check_records(gl, range, 6);
-        check_records(gl, range, 7);
+      for (const std::size_t stride : {6, 7}) {
+        if (patch.components == 3) check_records(gl, range, stride);
       }
-      glevDestroyContext(gl);
-    }
+    });
     return expected;
   }
 
@@ -289,7 +192,7 @@ class NormalBounds : public ::testing::Test {
             << ", seed " << kSeed;
         // The component is zero within the accuracy of the oracle.
         if (abs(oracle.normal[k]) < 0x1p-300) {
-          EXPECT_EQ(std::bit_cast<std::uint32_t>(got[at][k]), 0u);
+          EXPECT_EQ(float_bits(got[at][k]), 0u);
         }
       }
     }
@@ -394,13 +297,13 @@ TEST_F(NormalBounds, FlatPatchesHaveExactZeros) {
           tilted.points[i * components + 2] = 3 * tilted.points[i * components];
         for (const Range range : {Range{0, 36, 0, 7}, {3, 7, 100, 110}, {400, 410, 3, 5}}) {
           for (const Normal& normal : evaluate_everywhere(tilted, range))
-            EXPECT_EQ(std::bit_cast<std::uint32_t>(normal[1]), 0u) << normal[1];
+            EXPECT_EQ(float_bits(normal[1]), 0u) << normal[1];
         }
         if (components == 4) continue;
         // z = x: the plane contains an axis.
         for (int i = 0; i < order[0] * order[1]; ++i) patch.points[3 * i + 2] = patch.points[3 * i];
         for (const Normal& normal : evaluate_everywhere(patch, {0, 36, 0, 7})) {
-          EXPECT_EQ(std::bit_cast<std::uint32_t>(normal[1]), 0u);
+          EXPECT_EQ(float_bits(normal[1]), 0u);
           EXPECT_EQ(normal[2], turned ? -0x1.6a09e6p-1f : 0x1.6a09e6p-1f);
           EXPECT_EQ(normal[0], -normal[2]);
         }

@@ -1,131 +1,136 @@
-// Tests values against exact rational arithmetic.
-#include <cmath>
-#include <cstring>
-#include <random>
+// Tests that single values are correctly rounded, with rational arithmetic as the oracle, and the internal
+// argument type.
+#include "numerics.h"
 
-#include "exact.h"
-#include "fixture.h"
-#include "src/bernstein.h"
+#include <cmath>
+
+#include "src/parameter.h"
 
 namespace glev_tests {
 namespace {
 
-class Numerics : public ContextTest {
- protected:
-  Numerics() { glevEnable(gl, GLEV_MAP1_VERTEX_3); }
-
-  void define(double u1, double u2, const std::vector<double>& points) {
-    glevMap1d(gl, GLEV_MAP1_TEXTURE_COORD_1, u1, u2, 1, static_cast<int>(points.size()), points.data());
-    glevEnable(gl, GLEV_MAP1_TEXTURE_COORD_1);
-    u1_ = u1;
-    u2_ = u2;
-    points_ = points;
-  }
-  float evaluate_at(double u) {
-    return one_vertex([&] { glevEvalCoord1d(gl, u); }).texcoord[0][0];
-  }
-
-  // Expects a value within the documented bound, (13n + 4) * 2^-53 of the sum of absolute terms, and one
-  // rounding to float.
-  void expect_within_bound(double u) {
-    const Sum<Rational> exact =
-        exact_point(points_, {static_cast<int>(points_.size()), 1}, exact_t(u1_, u2_, u));
-    const float got = evaluate_at(u);
-    ASSERT_TRUE(std::isfinite(got)) << "u = " << u;
-    const double n = static_cast<double>(points_.size()) - 1;
-    const Rational in_double = exact.magnitude * to_rational((13 * n + 4) * 0x1p-53 * (1 + 0x1p-40));
-    const Rational rounding = std::max(abs(to_rational(got)) * to_rational(0x1p-24), to_rational(0x1p-150));
-    EXPECT_LE(abs(to_rational(got) - exact.value), in_double + rounding)
-        << "u = " << u << " in [" << u1_ << "," << u2_ << "], order " << points_.size() << ", got " << got
-        << ", exact " << static_cast<double>(exact.value) << ", seed " << kSeed;
-  }
-
-  std::mt19937 random_{kSeed};
-  double u1_ = 0, u2_ = 1;
-  std::vector<double> points_;
-};
-
-TEST_F(Numerics, TheOracleKnowsACubic) {
+TEST_F(Numerics, TheOracleKnowsACubicAndABiquadratic) {
   // B(3,i,1/4) = 27/64, 27/64, 9/64, 1/64
   const Sum<Rational> point = exact_point({1, -2, 4, 8}, {4, 1}, exact_t(2, 6, 3));
   EXPECT_EQ(point.value, Rational(27 - 54 + 36 + 8, 64));
   EXPECT_EQ(point.magnitude, Rational(27 + 54 + 36 + 8, 64));
   EXPECT_EQ(to_rational(-0.375), Rational(-3, 8));
   EXPECT_EQ(to_rational(0x1p-1074), Rational(1, Integer(1) << 1074));
+  const Rational t(1, 4), s(3, 4);
+  EXPECT_EQ(bernstein(3, t, s), (std::vector<Rational>{Rational(9, 16), Rational(6, 16), Rational(1, 16)}));
+  EXPECT_EQ(bernstein(3, t, s, 1), (std::vector<Rational>{Rational(-3, 2), 1, Rational(1, 2)}));
+  EXPECT_EQ(bernstein(3, t, s, 2), (std::vector<Rational>{2, -4, 2}));
+  const Sum<Rational> sum = tensor<Rational>({1, 2}, {3, 5}, {1, -2, 4, 8});
+  EXPECT_EQ(sum.value, 3 - 10 + 2 * (12 + 40));
+  EXPECT_EQ(sum.magnitude, 3 + 10 + 2 * (12 + 40));
 }
 
-TEST_F(Numerics, EveryOrderInsideAndOutsideTheDomain) {
-  std::uniform_real_distribution<double> value(-1, 1), inside(0, 1);
-  const std::pair<double, double> domains[] = {{0, 1}, {2, 5},  {-3, -1},  {1000, 1008},
-                                               {1, 0}, {5, -2}, {0.1, 0.7}};
-  for (int order = 1; order <= 64; ++order) {
-    const auto [u1, u2] = domains[order % std::size(domains)];
-    std::vector<double> points(order);
-    for (double& point : points) point = static_cast<float>(value(random_));
-    define(u1, u2, points);
-    for (double t : {inside(random_), inside(random_), 0.5, 1e-9, 1 - 1e-9})
-      expect_within_bound(u1 + t * (u2 - u1));
-    for (double t : {-0.125, 1.125, -1.0 / order, 1 + 1.0 / order}) expect_within_bound(u1 + t * (u2 - u1));
+TEST_F(Numerics, OrdersInsideAndOutsideTheDomain) {
+  std::uniform_real_distribution<double> inside(0, 1);
+  const std::array<double, 4> domains[] = {{0, 1, 0, 1},       {2, 5, -3, -1},   {-3, -1, 2, 5},
+                                           {1000, 1008, 1, 0}, {1, 0, 0.1, 0.7}, {5, -2, 0, 1},
+                                           {0.1, 0.7, 5, -2}};
+  int turn = 0;
+  const auto check = [&](int n, int m, int arguments) {
+    const std::array<double, 4>& domain = domains[turn++ % std::size(domains)];
+    define(domain, n, m, random_net(n, m));
+    const double places[] = {inside(random_), 0.5, 1e-9, 1 - 1e-9, -0.125, 1 + 1.0 / n, 1.125, -1.0 / n};
+    for (int k = 0; k < arguments; ++k) {
+      const double t = places[k], s = k % 2 == 0 ? inside(random_) : places[arguments - 1 - k];
+      expect_nearest(domain[0] + t * (domain[1] - domain[0]), domain[2] + s * (domain[3] - domain[2]));
+    }
+  };
+  for (int n = 1; n <= 64; ++n) check(n, 1, 8);
+  for (int n = 1; n <= 8; ++n) {
+    for (int m = 2; m <= 8; ++m) check(n, m, 6);
   }
+  for (auto [n, m] : {std::pair{1, 64}, {2, 33}, {30, 3}, {17, 19}}) check(n, m, 2);
+  check(64, 64, 1);
 }
 
-TEST_F(Numerics, CancellationStaysWithinTheBound) {
-  // (1 - 2u)^n: the sum of absolute terms is 1 everywhere, the value nearly 0 around 1/2.
-  for (int order : {2, 4, 10, 30, 64}) {
-    std::vector<double> points(order);
-    for (int i = 0; i < order; ++i) points[i] = i % 2 == 0 ? 1 : -1;
-    define(0, 1, points);
-    for (double u : {0.5, 0.499, 0.501, 0.4, 0.3, 0.75}) expect_within_bound(u);
+TEST_F(Numerics, Cancellation) {
+  // (1 - 2u)^n (1 - 2v)^m: the sum of absolute terms is 1 everywhere, the value nearly 0 around 1/2.
+  for (auto [n, m] : {std::pair{2, 1}, {4, 1}, {10, 1}, {30, 1}, {64, 1}, {4, 4}, {10, 3}, {2, 20}}) {
+    std::vector<double> points;
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < m; ++j) points.push_back((i + j) % 2 == 0 ? 1 : -1);
+    }
+    define({0, 1, 0, 1}, n, m, points);
+    for (double u : {0.5, 0.499, 0.501, 0.4, 0.3, 0.75}) {
+      for (double v : {0.501, 0.5, 0.75, 0x1p-53, 1 - 0x1p-53}) expect_nearest(u, v);
+    }
   }
 }
 
 TEST_F(Numerics, AnArgumentNextToAnEnd) {
   // t/s is up to 2^53, and its 63rd power would overflow; so would that of 2^149 for the smallest floats.
-  std::uniform_real_distribution<double> value(-1, 1);
   for (int order : {2, 5, 22, 64}) {
-    std::vector<double> points(order);
-    for (double& point : points) point = value(random_);
-    define(0, 1, points);
-    for (double u : {0x1p-53, 0x1p-149, 1 - 0x1p-53, 1 - 1e-12, 1 + 0x1p-52, -1e-30}) expect_within_bound(u);
+    define({0, 1, 0, 1}, order, 1, random_net(order, 1));
+    for (double u : {0x1p-53, 0x1p-149, 1 - 0x1p-53, 1 - 1e-12, 1 + 0x1p-52, -1e-30}) expect_nearest(u);
   }
 }
 
 TEST_F(Numerics, TheEndsGiveTheEndPoints) {
-  for (int order : {2, 3, 4, 17, 64}) {
-    for (auto [u1, u2] : {std::pair{0.0, 1.0}, {0.1, 0.7}, {5.0, -2.0}, {1e9, 1e9 + 1}}) {
+  for (auto [n, m] : {std::pair{2, 1},
+                      {3, 1},
+                      {4, 1},
+                      {17, 1},
+                      {64, 1},
+                      {2, 2},
+                      {3, 3},
+                      {4, 2},
+                      {3, 17},
+                      {64, 64},
+                      {5, 64}}) {
+    for (const auto& domain :
+         {std::array{0.0, 1.0, 0.0, 1.0}, {0.1, 0.7, 5.0, -2.0}, {1e9, 1e9 + 1, 3, 2}, {5, -2, 0.1, 0.7}}) {
       for (float end : {0.1f, -0.0f, 0x1p-149f, 4.2e9f}) {
         // The other control points must not affect the result.
-        std::vector<double> points(order, order > 2 ? kNaN : 0.0);
-        points.front() = end;
-        points.back() = -end;
-        define(u1, u2, points);
+        std::vector<double> points(static_cast<std::size_t>(n) * m, n * m > 2 ? kNaN : 0);
+        const auto corner = [&](int k) -> double& { return points[k / 2 * (n - 1) * m + k % 2 * (m - 1)]; };
+        corner(0) = end;
+        corner(3) = -end;
+        if (m > 1) corner(1) = end + 1, corner(2) = 2 * end;
+        define(domain, n, m, points);
         // A zero result is +0.
-        const float plus = end + 0.0f, first = evaluate_at(u1), last = evaluate_at(u2), minus = -end + 0.0f;
-        EXPECT_EQ(std::memcmp(&first, &plus, sizeof plus), 0) << first << " for " << end;
-        EXPECT_EQ(std::memcmp(&last, &minus, sizeof end), 0) << last << " for " << minus;
+        for (int k = 0; k < 4; ++k)
+          expect_bits(static_cast<float>(corner(k)) + 0.0f, domain[k / 2], domain[2 + k % 2]);
       }
     }
   }
-  define(0, 1, {3, 5});
-  EXPECT_EQ(evaluate_at(-0.0), 3.0f);
+  define({0, 1, 0, 1}, 2, 1, {3, 5});
+  expect_bits(3, -0.0);
 }
 
-TEST_F(Numerics, OrderOneIsConstantEverywhere) {
-  define(2, 5, {0.1});
-  for (double u : {2.0, 5.0, 3.0, -1e30, 1e300, kInfinity, std::nan("")})
-    EXPECT_EQ(evaluate_at(u), 0.1f) << u;
+TEST_F(Numerics, OrderOneIsConstantInItsDirection) {
+  const std::vector<double> anywhere = {2, 5, 3, -1e30, 1e300, kInfinity, kNaN};
+  define({2, 5, 2, 5}, 1, 1, {0.1});
+  for (double u : anywhere) {
+    for (double v : anywhere) expect_bits(0.1f, u, v);
+  }
+  // In the other direction, the surface is equal to the curve.
+  const std::vector<double> points = random_net(1, 7);
+  for (double along : {2.0, 2.7, 4.9, 5.0, -8.0}) {
+    define({2, 5, 2, 5}, 7, 1, points);
+    const float expected = evaluate_at(along);
+    for (double across : anywhere) expect_bits(expected, along, across);
+    define({2, 5, 2, 5}, 1, 7, points);
+    for (double across : anywhere) expect_bits(expected, across, along);
+  }
 }
 
 TEST_F(Numerics, LargeAndSmallDataOfTheGLRange) {
   std::uniform_real_distribution<double> inside(0, 1);
-  for (int order : {2, 4, 31, 64}) {
+  for (auto [n, m] : {std::pair{2, 1}, {4, 1}, {31, 1}, {64, 1}, {5, 4}}) {
     for (double scale : {0x1p32, 0x1p-126, 0x1p-149, 0x1p127}) {
-      std::vector<double> points(order);
-      for (int i = 0; i < order; ++i) points[i] = i % 3 == 0 ? -scale : scale;
-      define(-0x1p32, 0x1p32, points);
-      for (int i = 0; i < 4; ++i) expect_within_bound((2 * inside(random_) - 1) * 0x1p32);
-      define(1, 1 + 0x1p-23, points);
-      for (int i = 0; i < 4; ++i) expect_within_bound(1 + inside(random_) * 0x1p-23);
+      std::vector<double> points;
+      for (int i = 0; i < n * m; ++i) points.push_back(i % 3 == 0 ? -scale : scale);
+      define({-0x1p32, 0x1p32, 1, 1 + 0x1p-23}, n, m, points);
+      for (int i = 0; i < 4; ++i)
+        expect_nearest((2 * inside(random_) - 1) * 0x1p32, 1 + inside(random_) * 0x1p-23);
+      define({1, 1 + 0x1p-23, -0x1p32, 0x1p32}, n, m, points);
+      for (int i = 0; i < 4; ++i)
+        expect_nearest(1 + inside(random_) * 0x1p-23, (2 * inside(random_) - 1) * 0x1p32);
     }
   }
 }
@@ -134,9 +139,9 @@ TEST_F(Numerics, PowersOverflowOnlyIfTheResultDoes) {
   // t^63 is 2^1134, and its product with the control point is 2^114.
   std::vector<double> points(64);
   points.back() = 0x1p-1020;
-  define(0, 1, points);
-  EXPECT_EQ(evaluate_at(0x1p18), 0x1p114f);
-  EXPECT_EQ(evaluate_at(-0x1p18), -0x1p114f);
+  define({0, 1, 0, 1}, 64, 1, points);
+  expect_bits(0x1p114f, 0x1p18);
+  expect_bits(-0x1p114f, -0x1p18);
 }
 
 // ---- Parameters: the internal argument type, for real arguments and for grid points

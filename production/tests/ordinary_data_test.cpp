@@ -54,8 +54,6 @@ class OrdinaryData : public ContextTest {
     glevMapGrid2f(gl, kSegments, 0, 1, 4, 0, 1);
   }
 
-  static std::uint32_t bits_of_float(float x) { return std::bit_cast<std::uint32_t>(x); }
-
   // Checks all deliveries. The curve is the edge of the surface at v = 0.
   template <class Right>
   void expect(const Right& right) {
@@ -65,18 +63,16 @@ class OrdinaryData : public ContextTest {
                              v = {0, 0.5F, 0.1F, 1, 0.75F, 0.3F, 0x1p-12F, 0.5F, 0, 0.25F, 1, 2};
     const Floats curves = evaluate_scattered(curve, GLEV_ATTRIBUTE_TEXCOORD, u),
                  surfaces = evaluate_scattered(surface, GLEV_ATTRIBUTE_TEXCOORD, u, v);
-    recording = {};
-    glevBegin(gl, GLEV_POINTS);
-    for (std::size_t i = 0; i < u.size(); ++i) glevEvalCoord1f(gl, u[i]), glevEvalCoord2f(gl, u[i], v[i]);
-    glevEnd(gl);
+    draw([&] {
+      for (std::size_t i = 0; i < u.size(); ++i) glevEvalCoord1f(gl, u[i]), glevEvalCoord2f(gl, u[i], v[i]);
+    });
     for (std::size_t i = 0; i < u.size(); ++i) {
-      const std::uint32_t on_curve = bits_of_float(right(glev::argument_at(u[i]), glev::argument_at(0))),
-                          on_surface = bits_of_float(right(glev::argument_at(u[i]), glev::argument_at(v[i])));
-      EXPECT_EQ(bits_of_float(curves[i]), on_curve) << u[i];
-      EXPECT_EQ(bits_of_float(recording.vertices[2 * i].texcoord[0][0]), on_curve) << u[i];
-      EXPECT_EQ(bits_of_float(surfaces[i]), on_surface) << u[i] << ", " << v[i];
-      EXPECT_EQ(bits_of_float(recording.vertices[2 * i + 1].texcoord[0][0]), on_surface)
-          << u[i] << ", " << v[i];
+      const std::uint32_t on_curve = float_bits(right(glev::argument_at(u[i]), glev::argument_at(0))),
+                          on_surface = float_bits(right(glev::argument_at(u[i]), glev::argument_at(v[i])));
+      EXPECT_EQ(float_bits(curves[i]), on_curve) << u[i];
+      EXPECT_EQ(float_bits(recording.vertices[2 * i].texcoord[0][0]), on_curve) << u[i];
+      EXPECT_EQ(float_bits(surfaces[i]), on_surface) << u[i] << ", " << v[i];
+      EXPECT_EQ(float_bits(recording.vertices[2 * i + 1].texcoord[0][0]), on_surface) << u[i] << ", " << v[i];
     }
     const Floats row = evaluate_grid(curve, GLEV_ATTRIBUTE_TEXCOORD, {0, kSegments});
     const Floats mesh = evaluate_grid(surface, GLEV_ATTRIBUTE_TEXCOORD, {0, kSegments, 0, 4});
@@ -84,12 +80,12 @@ class OrdinaryData : public ContextTest {
       for (int i = 0; i <= kSegments; ++i) {
         const GridArgument at = {{0, 1, kSegments}, i};
         const std::size_t k = static_cast<std::size_t>(j) * (kSegments + 1) + i;
-        EXPECT_EQ(bits_of_float(mesh[k]), bits_of_float(right(at, {{0, 1, 4}, j}))) << i << ", " << j;
+        EXPECT_EQ(float_bits(mesh[k]), float_bits(right(at, {{0, 1, 4}, j}))) << i << ", " << j;
       }
     }
     for (int i = 0; i <= kSegments; ++i) {
-      EXPECT_EQ(bits_of_float(row[static_cast<std::size_t>(i)]),
-                bits_of_float(right({{0, 1, kSegments}, i}, glev::argument_at(0))))
+      EXPECT_EQ(float_bits(row[static_cast<std::size_t>(i)]),
+                float_bits(right({{0, 1, kSegments}, i}, glev::argument_at(0))))
           << i;
     }
   }
@@ -118,10 +114,7 @@ TEST_F(OrdinaryData, QuadraticsGivenAsCubics) {
 TEST_F(OrdinaryData, BicubicModelsOnDyadicGrids) {
   constexpr std::size_t kPointSize = 3;
   Chance chance;
-  for (std::size_t t = 0; const char* target = glevGetTargetName(t); ++t) {
-    const glev_context_info info = {sizeof info, nullptr, target};
-    glev_context* other = nullptr;
-    ASSERT_EQ(glevCreateContext(&info, &other), GLEV_SUCCESS);
+  on_every_instruction_set([&](glev_context* other) {
     for (int round = 0; round < 60; ++round) {
       const int n = chance.whole(2, 4), m = chance.whole(1, 4);
       std::vector<float> points(static_cast<std::size_t>(n * m) * kPointSize);
@@ -154,15 +147,13 @@ TEST_F(OrdinaryData, BicubicModelsOnDyadicGrids) {
             const float right =
                 nearest_float(exact_point(exact, {n, m}, Rational(i, segments), Rational(j, 4)).value);
             const float got = mesh[static_cast<std::size_t>(j * (segments + 1) + i) * kPointSize + k];
-            ASSERT_EQ(std::bit_cast<std::uint32_t>(got), std::bit_cast<std::uint32_t>(right))
-                << target << ", orders " << n << " x " << m << ", " << segments << " segments, " << i << ", "
-                << j;
+            ASSERT_EQ(float_bits(got), float_bits(right))
+                << "orders " << n << " x " << m << ", " << segments << " segments, " << i << ", " << j;
           }
         }
       }
     }
-    glevDestroyContext(other);
-  }
+  });
 }
 
 TEST_F(OrdinaryData, SmallIntegersAndConstants) {

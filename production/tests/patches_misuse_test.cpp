@@ -3,14 +3,12 @@
 #include <climits>
 #include <functional>
 
-#include "batches.h"
 #include "ledger.h"
+#include "misuse.h"
+#include "nets.h"
 
 namespace glev_tests {
 namespace {
-
-constexpr glev_result kRejected = GLEV_ERROR_INVALID_ARGUMENT, kShort = GLEV_ERROR_BUFFER_TOO_SMALL,
-                      kWrongSize = GLEV_ERROR_STRUCTURE_SIZE;
 
 constexpr std::size_t kPatches = 3;
 
@@ -41,30 +39,22 @@ class PatchMisuse : public ::testing::Test {
   }
 
   void fill(Call& call, glev_grid_kind kind, Memory& memory, Memory& scratch) {
-    glev_patches& patches = call.patches;
-    patches.size = sizeof patches;
-    patches.count = kPatches;
-    patches.components = 3;
-    patches.uorder = patches.vorder = kOrder;
-    patches.type = GLEV_FLOAT;
-    patches.points = control_;
-    patches.points_size = sizeof control_;
-    glev_patch_grid& grid = call.grid;
-    grid.size = sizeof grid;
-    grid.kind = kind;
-    if (kind == GLEV_GRID_UNIFORM) {
-      grid.u_segments = kPoints - 1;
-      grid.v_segments = 1;
-    } else if (kind == GLEV_GRID_EDGES) {
-      grid.u_segments = kPoints - 1;
-      grid.v_segments = 2;
-      std::fill_n(grid.edge_segments, 4, 2);
-    } else {
-      grid.type = GLEV_FLOAT;
-      grid.u_count = kPoints;
-      grid.u = grid.v = {arguments_, sizeof arguments_, sizeof(float)};
-      if (kind == GLEV_GRID_LISTS) grid.v_count = 2;
-      if (kind == GLEV_GRID_SCATTERED) grid.patch = {numbers_, sizeof numbers_, sizeof(glev_uint)};
+    call.patches = glevaluator::make_patches<float>(control_, 3, kOrder, kOrder);
+    constexpr int kSegments = kPoints - 1;
+    const std::span<const float> arguments(arguments_);
+    switch (kind) {
+      case GLEV_GRID_UNIFORM:
+        call.grid = glevaluator::make_uniform_grid(kSegments, 1);
+        break;
+      case GLEV_GRID_EDGES:
+        call.grid = glevaluator::make_edge_grid(kSegments, 2, {2, 2, 2, 2});
+        break;
+      case GLEV_GRID_LISTS:
+        call.grid = glevaluator::make_list_grid(arguments, arguments.first(2));
+        break;
+      case GLEV_GRID_SCATTERED:
+        call.grid =
+            glevaluator::make_scattered_grid(std::span<const glev_uint>(numbers_), arguments, arguments);
     }
     call.vertex = memory.make_output(0, 24, 3);
     call.tangent = memory.make_output(12, 24, 3);
@@ -79,30 +69,30 @@ class PatchMisuse : public ::testing::Test {
                                call.scratch, call.scratch_size);
   }
 
-  void expect(glev_result expected, glev_grid_kind kind, const char* what, const Change& change) {
+  // Changes a legal call and expects its result. `has_no_size`: the scratch size is 0, because the patches or
+  // the grid are rejected.
+  void expect(glev_result expected, glev_grid_kind kind, const char* what, const Change& change,
+              bool has_no_size = false) {
+    SCOPED_TRACE(testing::Message() << what << ", kind " << kind);
     Memory memory(2048), scratch(1 << 16);
     Call call;
     fill(call, kind, memory, scratch);
     change(call);
-    EXPECT_EQ(evaluate(call), expected) << what << ", kind " << kind;
-    EXPECT_EQ(memory.is_untouched(), expected != GLEV_SUCCESS) << what << ", kind " << kind;
-    EXPECT_TRUE(expected == GLEV_SUCCESS || scratch.is_untouched()) << what << ", kind " << kind;
+    EXPECT_EQ(evaluate(call), expected);
+    EXPECT_EQ(memory.is_untouched(), expected != GLEV_SUCCESS);
+    EXPECT_TRUE(expected == GLEV_SUCCESS || scratch.is_untouched());
+    if (has_no_size) {
+      EXPECT_EQ(glevGetPatchScratchSize(call.patches_at, call.grid_at), 0u);
+    }
   }
   void expect_all(glev_result expected, const char* what, const Change& change) {
     for (glev_grid_kind kind : kAllKinds) expect(expected, kind, what, change);
   }
-  // Expects a rejection because of the patches or the grid, for which the scratch size is 0, too.
-  void expect_none(glev_grid_kind kind, const char* what, const Change& change,
-                   glev_result expected = kRejected) {
-    expect(expected, kind, what, change);
-    Memory memory(2048), scratch(1 << 16);
-    Call call;
-    fill(call, kind, memory, scratch);
-    change(call);
-    EXPECT_EQ(glevGetPatchScratchSize(call.patches_at, call.grid_at), 0u) << what << ", kind " << kind;
+  void expect_none(glev_grid_kind kind, const char* what, const Change& change) {
+    expect(kInvalid, kind, what, change, true);
   }
-  void expect_none(const char* what, const Change& change, glev_result expected = kRejected) {
-    for (glev_grid_kind kind : kAllKinds) expect_none(kind, what, change, expected);
+  void expect_none(const char* what, const Change& change, glev_result expected = kInvalid) {
+    for (glev_grid_kind kind : kAllKinds) expect(expected, kind, what, change, true);
   }
 
   float control_[kPatches * kOrder * kOrder * 3];
@@ -143,16 +133,16 @@ TEST_F(PatchMisuse, OfPatches) {
 }
 
 TEST_F(PatchMisuse, OfControlPoints) {
-  expect_all(kRejected, "null", [](Call& call) { call.patches.points = nullptr; });
-  expect_all(kShort, "no bytes", [](Call& call) { call.patches.points_size = 0; });
-  expect_all(kShort, "one byte less", [](Call& call) { --call.patches.points_size; });
-  expect_all(kShort, "doubles", [](Call& call) { call.patches.type = GLEV_DOUBLE; });
-  expect_all(kShort, "one patch more", [](Call& call) { ++call.patches.count; });
-  expect_all(kShort, "all patches", [](Call& call) { call.patches.count = SIZE_MAX; });
+  expect_all(kInvalid, "null", [](Call& call) { call.patches.points = nullptr; });
+  expect_all(kTooSmall, "no bytes", [](Call& call) { call.patches.points_size = 0; });
+  expect_all(kTooSmall, "one byte less", [](Call& call) { --call.patches.points_size; });
+  expect_all(kTooSmall, "doubles", [](Call& call) { call.patches.type = GLEV_DOUBLE; });
+  expect_all(kTooSmall, "one patch more", [](Call& call) { ++call.patches.count; });
+  expect_all(kTooSmall, "all patches", [](Call& call) { call.patches.count = SIZE_MAX; });
   for (auto member : {&glev_patches::u_stride, &glev_patches::v_stride, &glev_patches::patch_stride}) {
     for (std::size_t stride : {SIZE_MAX, SIZE_MAX / 2 + 1}) {
-      expect_all(kShort, "large stride", [&](Call& call) { call.patches.*member = stride; });
-      expect_all(kShort, "large stride and size", [&](Call& call) {
+      expect_all(kTooSmall, "large stride", [&](Call& call) { call.patches.*member = stride; });
+      expect_all(kTooSmall, "large stride and size", [&](Call& call) {
         call.patches.*member = stride;
         call.patches.points_size = SIZE_MAX;
       });
@@ -167,7 +157,7 @@ TEST_F(PatchMisuse, OfControlPoints) {
     call.patches.u_stride = 4, call.patches.v_stride = 20, call.patches.patch_stride = 8;
     call.patches.points_size = 2 * 8 + 2 * 4 + 2 * 20 + 12;
   });
-  expect_all(kShort, "one byte less", [](Call& call) {
+  expect_all(kTooSmall, "one byte less", [](Call& call) {
     call.patches.u_stride = 4, call.patches.v_stride = 20, call.patches.patch_stride = 8;
     call.patches.points_size = 2 * 8 + 2 * 4 + 2 * 20 + 11;
   });
@@ -181,8 +171,8 @@ TEST_F(PatchMisuse, OfGrids) {
       "size of an earlier version - 1",
       [](Call& call) { call.grid.size = offsetof(glev_patch_grid, edge_segments) - 1; }, kWrongSize);
   for (int number : {4, -1, INT_MAX}) {
-    expect_none("kind", [&](Call& call) { std::memcpy(&call.grid.kind, &number, sizeof number); });
-    expect_none("precision", [&](Call& call) { std::memcpy(&call.grid.precision, &number, sizeof number); });
+    expect_none("kind", [&](Call& call) { set_number(call.grid.kind, number); });
+    expect_none("precision", [&](Call& call) { set_number(call.grid.precision, number); });
   }
   for (const char* name : {"", "AVX", "no such machine"})
     expect_none("target", [&](Call& call) { call.grid.target = name; });
@@ -216,7 +206,7 @@ TEST_F(PatchMisuse, OfGrids) {
     call.grid.size = offsetof(glev_patch_grid, edge_segments);
     call.grid.edge_segments[0] = 1;
   });
-  expect(kShort, GLEV_GRID_EDGES, "too many points",
+  expect(kTooSmall, GLEV_GRID_EDGES, "too many points",
          [](Call& call) { call.grid.edge_segments[2] = INT_MAX; });
   for (glev_grid_kind kind : {GLEV_GRID_LISTS, GLEV_GRID_SCATTERED}) {
     expect_none(kind, "u_segments", [](Call& call) { call.grid.u_segments = 1; });
@@ -224,24 +214,24 @@ TEST_F(PatchMisuse, OfGrids) {
     for (glev_enum type : {0, GLEV_INT})
       expect_none(kind, "type", [&](Call& call) { call.grid.type = type; });
     for (auto member : {&glev_patch_grid::u, &glev_patch_grid::v}) {
-      expect(kRejected, kind, "no data", [&](Call& call) { (call.grid.*member).data = nullptr; });
-      expect(kShort, kind, "no bytes", [&](Call& call) { (call.grid.*member).data_size = 0; });
-      expect(kShort, kind, "far apart",
+      expect(kInvalid, kind, "no data", [&](Call& call) { (call.grid.*member).data = nullptr; });
+      expect(kTooSmall, kind, "no bytes", [&](Call& call) { (call.grid.*member).data_size = 0; });
+      expect(kTooSmall, kind, "far apart",
              [&](Call& call) { (call.grid.*member).stride = (call.grid.*member).data_size = SIZE_MAX; });
       expect(GLEV_SUCCESS, kind, "the same one",
              [&](Call& call) { (call.grid.*member).stride = 0, (call.grid.*member).data_size = 4; });
     }
-    expect(kShort, kind, "doubles", [](Call& call) { call.grid.type = GLEV_DOUBLE; });
-    expect(kShort, kind, "one more", [](Call& call) { ++call.grid.u_count; });
-    expect(kShort, kind, "all", [](Call& call) { call.grid.u_count = SIZE_MAX; });
-    expect(kRejected, kind, "none of v", [](Call& call) { call.grid.v = {}; });
+    expect(kTooSmall, kind, "doubles", [](Call& call) { call.grid.type = GLEV_DOUBLE; });
+    expect(kTooSmall, kind, "one more", [](Call& call) { ++call.grid.u_count; });
+    expect(kTooSmall, kind, "all", [](Call& call) { call.grid.u_count = SIZE_MAX; });
+    expect(kInvalid, kind, "none of v", [](Call& call) { call.grid.v = {}; });
     // Curves do not need v.
     expect(GLEV_SUCCESS, kind, "a curve", [](Call& call) {
       call.patches.vorder = 1;
       call.grid.v = {};
       call.grid.v_count = 0;
     });
-    expect(kRejected, kind, "a curve with a v that is nowhere", [](Call& call) {
+    expect(kInvalid, kind, "a curve with a v that is nowhere", [](Call& call) {
       call.patches.vorder = 1;
       call.grid.v.data = nullptr;
     });
@@ -252,23 +242,21 @@ TEST_F(PatchMisuse, OfGrids) {
     call.grid.v_count = 0;
   });
   expect_none(GLEV_GRID_SCATTERED, "v_count", [](Call& call) { call.grid.v_count = 4; });
-  expect(kRejected, GLEV_GRID_SCATTERED, "no numbers", [](Call& call) { call.grid.patch = {}; });
-  expect(kShort, GLEV_GRID_SCATTERED, "few numbers", [](Call& call) { --call.grid.patch.data_size; });
+  expect(kInvalid, GLEV_GRID_SCATTERED, "no numbers", [](Call& call) { call.grid.patch = {}; });
+  expect(kTooSmall, GLEV_GRID_SCATTERED, "few numbers", [](Call& call) { --call.grid.patch.data_size; });
   for (glev_uint number : {glev_uint{kPatches}, UINT_MAX}) {
-    expect(kRejected, GLEV_GRID_SCATTERED, "no such patch", [&](Call&) { numbers_[3] = number; });
+    expect(kInvalid, GLEV_GRID_SCATTERED, "no such patch", [&](Call&) { numbers_[3] = number; });
     numbers_[3] = 1;
   }
-  expect(kRejected, GLEV_GRID_SCATTERED, "no patches", [](Call& call) { call.patches.count = 0; });
+  expect(kInvalid, GLEV_GRID_SCATTERED, "no patches", [](Call& call) { call.patches.count = 0; });
 }
 
 TEST_F(PatchMisuse, OfOutputs) {
-  expect_all(kRejected, "null", [](Call& call) { call.outputs_at = nullptr; });
-  expect_all(kRejected, "a null output", [](Call& call) { call.outputs[0].output = nullptr; });
-  expect_all(kRejected, "twice", [](Call& call) { call.outputs[1].attribute = GLEV_ATTRIBUTE_VERTEX; });
-  for (int attribute : {9, -1, INT_MAX}) {
-    expect_all(kRejected, "attribute",
-               [&](Call& call) { std::memcpy(&call.outputs[1].attribute, &attribute, sizeof attribute); });
-  }
+  expect_all(kInvalid, "null", [](Call& call) { call.outputs_at = nullptr; });
+  expect_all(kInvalid, "a null output", [](Call& call) { call.outputs[0].output = nullptr; });
+  expect_all(kInvalid, "twice", [](Call& call) { call.outputs[1].attribute = GLEV_ATTRIBUTE_VERTEX; });
+  for (int attribute : {9, -1, INT_MAX})
+    expect_all(kInvalid, "attribute", [&](Call& call) { set_number(call.outputs[1].attribute, attribute); });
   for (glev_attribute attribute : {GLEV_ATTRIBUTE_COLOR, GLEV_ATTRIBUTE_TEXCOORD})
     expect_all(GLEV_ERROR_NO_MAP, "no map", [&](Call& call) { call.outputs[1].attribute = attribute; });
   expect_all(GLEV_SUCCESS, "normals", [](Call& call) { call.outputs[1].attribute = GLEV_ATTRIBUTE_NORMAL; });
@@ -276,22 +264,14 @@ TEST_F(PatchMisuse, OfOutputs) {
     call.patches.components = 2;
     call.outputs[1].attribute = GLEV_ATTRIBUTE_NORMAL;
   });
-  expect_all(kRejected, "normals of four", [](Call& call) {
+  expect_all(kInvalid, "normals of four", [](Call& call) {
     call.outputs[1].attribute = GLEV_ATTRIBUTE_NORMAL;
     call.tangent.components = 4;
     call.tangent.stride = 16;
   });
-  for (std::size_t components : {std::size_t{0}, std::size_t{2}, std::size_t{5}, SIZE_MAX})
-    expect_all(kRejected, "components", [&](Call& call) { call.vertex.components = components; });
-  expect_all(kWrongSize, "size", [](Call& call) { call.vertex.size = 8; });
-  expect_all(kRejected, "no data", [](Call& call) { call.vertex.data = nullptr; });
-  expect_all(kRejected, "type", [](Call& call) { call.vertex.type = GLEV_INT; });
-  for (std::size_t stride : {0, 11})
-    expect_all(kRejected, "stride", [&](Call& call) { call.vertex.stride = stride; });
-  expect_all(kShort, "no bytes", [](Call& call) { call.vertex.data_size = 0; });
-  expect_all(kShort, "large stride", [](Call& call) { call.vertex.stride = SIZE_MAX / 2; });
-  expect_all(kShort, "large stride and size",
-             [](Call& call) { call.vertex.stride = SIZE_MAX / 2, call.vertex.data_size = SIZE_MAX; });
+  expect_all(kInvalid, "two components", [](Call& call) { call.vertex.components = 2; });
+  for (const OutputMisuse& misuse : kOutputMisuses)
+    expect_all(misuse.result, misuse.what, [&](Call& call) { misuse.change(call.vertex); });
   for (glev_grid_kind kind : {GLEV_GRID_UNIFORM, GLEV_GRID_LISTS}) {
     // Four columns and two rows.
     const auto ask = [&](glev_result expected, const char* what, std::size_t row, std::size_t patch,
@@ -305,25 +285,25 @@ TEST_F(PatchMisuse, OfOutputs) {
     };
     constexpr std::size_t kRow = 3 * 24 + 12;
     ask(GLEV_SUCCESS, "tight", kRow, 2 * kRow, 6 * kRow);
-    ask(kShort, "one byte less", kRow, 2 * kRow, 6 * kRow - 1);
-    ask(kRejected, "rows overlap", kRow - 1, 0, 2048);
-    ask(kRejected, "patches overlap", kRow, 2 * kRow - 1, 2048);
-    ask(kRejected, "patches overlap", 0, 96 + kRow - 1, 2048);
+    ask(kTooSmall, "one byte less", kRow, 2 * kRow, 6 * kRow - 1);
+    ask(kInvalid, "rows overlap", kRow - 1, 0, 2048);
+    ask(kInvalid, "patches overlap", kRow, 2 * kRow - 1, 2048);
+    ask(kInvalid, "patches overlap", 0, 96 + kRow - 1, 2048);
     ask(GLEV_SUCCESS, "far apart", 0, 500, 2 * 500 + 96 + kRow);
-    ask(kShort, "too far apart", 0, 500, 2 * 500 + 96 + kRow - 1);
+    ask(kTooSmall, "too far apart", 0, 500, 2 * 500 + 96 + kRow - 1);
     for (std::size_t large : {SIZE_MAX, SIZE_MAX / 2 + 1}) {
-      ask(kShort, "large row stride", large, 0, SIZE_MAX);
-      ask(kShort, "large patch stride", 0, large, SIZE_MAX);
+      ask(kTooSmall, "large row stride", large, 0, SIZE_MAX);
+      ask(kTooSmall, "large patch stride", 0, large, SIZE_MAX);
     }
   }
-  expect(kRejected, GLEV_GRID_SCATTERED, "rows", [](Call& call) { call.vertex.row_stride = 96; });
-  expect(kRejected, GLEV_GRID_SCATTERED, "patches", [](Call& call) { call.vertex.patch_stride = 192; });
+  expect(kInvalid, GLEV_GRID_SCATTERED, "rows", [](Call& call) { call.vertex.row_stride = 96; });
+  expect(kInvalid, GLEV_GRID_SCATTERED, "patches", [](Call& call) { call.vertex.patch_stride = 192; });
 }
 
 TEST_F(PatchMisuse, OfScratch) {
-  expect_all(kRejected, "null", [](Call& call) { call.scratch = nullptr; });
-  expect_all(kShort, "none", [](Call& call) { call.scratch = nullptr, call.scratch_size = 0; });
-  expect_all(kShort, "one byte less",
+  expect_all(kInvalid, "null", [](Call& call) { call.scratch = nullptr; });
+  expect_all(kTooSmall, "none", [](Call& call) { call.scratch = nullptr, call.scratch_size = 0; });
+  expect_all(kTooSmall, "one byte less",
              [](Call& call) { call.scratch_size = glevGetPatchScratchSize(&call.patches, &call.grid) - 1; });
 }
 
@@ -332,23 +312,22 @@ TEST_F(PatchMisuse, OverlapIsFound) {
     call.output_count = 1;
     call.vertex.data = const_cast<void*>(at);
   };
-  expect_all(GLEV_ERROR_OVERLAP, "outputs", [](Call& call) { call.tangent.data = call.vertex.data; });
-  expect_all(GLEV_ERROR_OVERLAP, "one byte",
+  expect_all(kOverlap, "outputs", [](Call& call) { call.tangent.data = call.vertex.data; });
+  expect_all(kOverlap, "one byte",
              [](Call& call) { call.tangent.data = static_cast<std::byte*>(call.vertex.data) + 11; });
-  expect_all(GLEV_ERROR_OVERLAP, "scratch", [&](Call& call) { put(call, call.scratch); });
-  expect_all(GLEV_ERROR_OVERLAP, "all of the scratch", [&](Call& call) {
+  expect_all(kOverlap, "scratch", [&](Call& call) { put(call, call.scratch); });
+  expect_all(kOverlap, "all of the scratch", [&](Call& call) {
     call.scratch_size = SIZE_MAX;
     call.scratch = call.vertex.data;
   });
-  expect_all(GLEV_ERROR_OVERLAP, "control points", [&](Call& call) { put(call, call.patches.points); });
-  expect(GLEV_ERROR_OVERLAP, GLEV_GRID_LISTS, "u", [&](Call& call) { put(call, call.grid.u.data); });
-  expect(GLEV_ERROR_OVERLAP, GLEV_GRID_SCATTERED, "v", [&](Call& call) { put(call, call.grid.v.data); });
-  expect(GLEV_ERROR_OVERLAP, GLEV_GRID_SCATTERED, "numbers",
-         [&](Call& call) { put(call, call.grid.patch.data); });
+  expect_all(kOverlap, "control points", [&](Call& call) { put(call, call.patches.points); });
+  expect(kOverlap, GLEV_GRID_LISTS, "u", [&](Call& call) { put(call, call.grid.u.data); });
+  expect(kOverlap, GLEV_GRID_SCATTERED, "v", [&](Call& call) { put(call, call.grid.v.data); });
+  expect(kOverlap, GLEV_GRID_SCATTERED, "numbers", [&](Call& call) { put(call, call.grid.patch.data); });
   // The tangents of a patch may follow its vertices directly, but must not begin one byte earlier.
   for (glev_grid_kind kind : {GLEV_GRID_UNIFORM, GLEV_GRID_LISTS}) {
     for (std::size_t early : {0, 1}) {
-      expect(early == 0 ? GLEV_SUCCESS : GLEV_ERROR_OVERLAP, kind, "patches in turns", [&](Call& call) {
+      expect(early == 0 ? GLEV_SUCCESS : kOverlap, kind, "patches in turns", [&](Call& call) {
         for (glev_output* output : {&call.vertex, &call.tangent}) {
           output->stride = 12;
           output->patch_stride = 192 - early;
@@ -378,7 +357,7 @@ TEST_F(PatchMisuse, WithoutPatchesOrPointsNothingIsTouched) {
     call.patches.count = 0;
     EXPECT_EQ(evaluate(call), GLEV_SUCCESS);
     call.vertex.components = 9;
-    EXPECT_EQ(evaluate(call), kRejected);
+    EXPECT_EQ(evaluate(call), kInvalid);
   }
   for (auto member : {&glev_patch_grid::u_count, &glev_patch_grid::v_count}) {
     Call call;
@@ -414,13 +393,8 @@ class PlanFromMap : public ::testing::Test {
   PlanFromMap() {
     Chance chance;
     points_ = chance.next_points(kOrder * kOrder * 4);
-    patches_.size = sizeof patches_;
+    patches_ = glevaluator::make_patches<float>(points_, 3, kOrder, kOrder);
     patches_.count = 1;
-    patches_.components = 3;
-    patches_.uorder = patches_.vorder = kOrder;
-    patches_.type = GLEV_FLOAT;
-    patches_.points = points_.data();
-    patches_.points_size = points_.size() * sizeof(float);
     info_.size = sizeof info_;
     info_.target = GLEV_MAP2_VERTEX_3;
     info_.map = &patches_;
@@ -445,13 +419,16 @@ class PlanFromMap : public ::testing::Test {
 };
 
 TEST_F(PlanFromMap, GivesWhatThePlanOfAContextGives) {
+  patches_.u1 = -1, patches_.u2 = 3, patches_.v1 = 2, patches_.v2 = 1;
+  info_.u_segments = 5;
+  info_.auto_normal = GLEV_TRUE;
   for (const TargetRow& row : kTargetRows) {
     if (row.offset == GLEV_MAP1_INDEX - GLEV_MAP1_COLOR_4) continue;
     for (int dimension : {1, 2}) {
       const int rows = dimension == 2 ? kOrder : 1;
       const glev_enum target = (dimension == 1 ? GLEV_MAP1_COLOR_4 : GLEV_MAP2_COLOR_4) + row.offset;
-      glev_context* gl;
-      ASSERT_EQ(glevCreateContext(nullptr, &gl), GLEV_SUCCESS);
+      const glevaluator::Context context;
+      glev_context* const gl = context.get();
       if (dimension == 1) {
         glevMap1f(gl, target, -1, 3, row.components, kOrder, points_.data());
         glevMapGrid1f(gl, 5, -1, 3);
@@ -463,66 +440,59 @@ TEST_F(PlanFromMap, GivesWhatThePlanOfAContextGives) {
       }
       glevEnable(gl, target);
       const Plan expected(gl, static_cast<std::size_t>(dimension));
-      glevDestroyContext(gl);
 
       patches_.components = static_cast<std::size_t>(row.components);
       patches_.vorder = rows;
-      patches_.u1 = -1, patches_.u2 = 3, patches_.v1 = 2, patches_.v2 = 1;
       info_.target = target;
-      info_.u_segments = 5;
       info_.v_segments = dimension == 2 ? 6 : 0;
-      info_.auto_normal = GLEV_TRUE;
-      glev_plan* plan;
-      ASSERT_EQ(glevCreatePlanFromMap(&info_, &plan), GLEV_SUCCESS) << std::hex << target;
-      for (glev_attribute attribute :
-           {GLEV_ATTRIBUTE_VERTEX, GLEV_ATTRIBUTE_COLOR, GLEV_ATTRIBUTE_NORMAL, GLEV_ATTRIBUTE_TEXCOORD,
-            GLEV_ATTRIBUTE_TANGENT_U, GLEV_ATTRIBUTE_TANGENT_V, GLEV_ATTRIBUTE_SECOND_UU,
-            GLEV_ATTRIBUTE_SECOND_UV, GLEV_ATTRIBUTE_SECOND_VV}) {
-        ASSERT_EQ(glevGetPlanComponents(plan, attribute), glevGetPlanComponents(expected, attribute));
-        if (glevGetPlanComponents(plan, attribute) == 0) continue;
-        const Range range = {0, 5, 0, dimension == 2 ? 6 : 0};
-        EXPECT_EQ(bits_of(evaluate_grid(plan, attribute, range)),
+      const glevaluator::Plan plan(info_);
+      ASSERT_TRUE(plan) << std::hex << target;
+      for (int number = 0; number <= GLEV_ATTRIBUTE_SECOND_VV; ++number) {
+        const auto attribute = static_cast<glev_attribute>(number);
+        ASSERT_EQ(plan.components(attribute), glevGetPlanComponents(expected, attribute));
+        if (plan.components(attribute) == 0) continue;
+        const Range range = {0, 5, 0, info_.v_segments};
+        EXPECT_EQ(bits_of(evaluate_grid(plan.get(), attribute, range)),
                   bits_of(evaluate_grid(expected, attribute, range)));
-        EXPECT_EQ(bits_of(evaluate_grid<double>(plan, attribute, range)),
+        EXPECT_EQ(bits_of(evaluate_grid<double>(plan.get(), attribute, range)),
                   bits_of(evaluate_grid<double>(expected, attribute, range)));
       }
-      glevReleasePlan(plan);
     }
   }
 }
 
 TEST_F(PlanFromMap, MisuseIsRejected) {
   expect(GLEV_SUCCESS, "nothing", [] {});
-  EXPECT_EQ(glevCreatePlanFromMap(&info_, nullptr), kRejected);
+  EXPECT_EQ(glevCreatePlanFromMap(&info_, nullptr), kInvalid);
   glev_plan* plan;
-  EXPECT_EQ(glevCreatePlanFromMap(nullptr, &plan), kRejected);
+  EXPECT_EQ(glevCreatePlanFromMap(nullptr, &plan), kInvalid);
   EXPECT_EQ(plan, nullptr);
   expect(kWrongSize, "size", [&] { info_.size = 8; });
   expect(kWrongSize, "size - 1", [&] { --info_.size; });
   expect(kWrongSize, "size of the map", [&] { patches_.size = 0; });
   for (glev_enum target :
        {0, GLEV_MAP1_INDEX, GLEV_MAP2_INDEX, GLEV_MAP2_COLOR_4 - 1, GLEV_MAP2_VERTEX_4 + 1})
-    expect(kRejected, "target", [&] { info_.target = target; });
+    expect(kInvalid, "target", [&] { info_.target = target; });
   for (glev_enum target : {GLEV_MAP2_VERTEX_4, GLEV_MAP2_TEXTURE_COORD_2})
-    expect(kRejected, "components", [&] { info_.target = target; });
-  expect(kRejected, "no map", [&] { info_.map = nullptr; });
+    expect(kInvalid, "components", [&] { info_.target = target; });
+  expect(kInvalid, "no map", [&] { info_.map = nullptr; });
   for (std::size_t count : {std::size_t{0}, std::size_t{2}, SIZE_MAX})
-    expect(kRejected, "count", [&] { patches_.count = count; });
-  expect(kRejected, "order", [&] { patches_.uorder = 65; });
-  expect(kRejected, "domain", [&] { patches_.v1 = patches_.v2 = 3; });
-  expect(kRejected, "points", [&] { patches_.points = nullptr; });
-  expect(kShort, "points_size", [&] { patches_.points_size = 9 * 12 - 1; });
+    expect(kInvalid, "count", [&] { patches_.count = count; });
+  expect(kInvalid, "order", [&] { patches_.uorder = 65; });
+  expect(kInvalid, "domain", [&] { patches_.v1 = patches_.v2 = 3; });
+  expect(kInvalid, "points", [&] { patches_.points = nullptr; });
+  expect(kTooSmall, "points_size", [&] { patches_.points_size = 9 * 12 - 1; });
   expect(GLEV_SUCCESS, "points_size", [&] { patches_.points_size = 9 * 12; });
-  expect(kShort, "stride", [&] { patches_.u_stride = SIZE_MAX / 2; });
-  expect(kRejected, "segments", [&] { info_.u_segments = -1; });
-  expect(kRejected, "segments", [&] { info_.v_segments = -1; });
-  expect(kRejected, "a surface for a curve", [&] { info_.target = GLEV_MAP1_VERTEX_3; });
+  expect(kTooSmall, "stride", [&] { patches_.u_stride = SIZE_MAX / 2; });
+  expect(kInvalid, "segments", [&] { info_.u_segments = -1; });
+  expect(kInvalid, "segments", [&] { info_.v_segments = -1; });
+  expect(kInvalid, "a surface for a curve", [&] { info_.target = GLEV_MAP1_VERTEX_3; });
   expect(GLEV_SUCCESS, "a curve", [&] { info_.target = GLEV_MAP1_VERTEX_3, patches_.vorder = 1; });
-  expect(kRejected, "rows of a curve",
+  expect(kInvalid, "rows of a curve",
          [&] { info_.target = GLEV_MAP1_VERTEX_3, patches_.vorder = 1, info_.v_segments = 1; });
-  expect(kRejected, "instruction set", [&] { info_.instruction_set = "no such machine"; });
+  expect(kInvalid, "instruction set", [&] { info_.instruction_set = "no such machine"; });
   const glev_allocator none = {sizeof none, nullptr, nullptr, nullptr};
-  expect(kRejected, "allocator", [&] { info_.allocator = &none; });
+  expect(kInvalid, "allocator", [&] { info_.allocator = &none; });
   const glev_allocator no_size = {};
   expect(kWrongSize, "size of the allocator", [&] { info_.allocator = &no_size; });
 }

@@ -1,14 +1,7 @@
-// Tests plans: snapshots, references, threads, memory.
-#include <algorithm>
-#include <atomic>
+// Tests plans: snapshots, references, memory. batch_threads_test.cpp tests threads.
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
-#include <map>
-#include <memory>
-#include <thread>
 
-#include "fixture.h"
+#include "batches.h"
 #include "ledger.h"
 
 namespace glev_tests {
@@ -16,19 +9,8 @@ namespace {
 
 constexpr glev_plan_info kOneDimension = {sizeof(glev_plan_info), 1};
 
-std::vector<float> vertices_of(const glev_plan* plan, const std::vector<float>& u) {
-  std::vector<float> positions(4 * u.size());
-  const glev_output output = {sizeof(glev_output), positions.data(), positions.size() * 4, 16, 4, 0, 0, 0};
-  glev_batch batch{};
-  batch.size = sizeof batch;
-  batch.count = u.size();
-  batch.u.data = u.data();
-  batch.u.data_size = u.size() * 4;
-  batch.u.stride = 4;
-  batch.type = GLEV_FLOAT;
-  const Outputs outputs(batch, {{GLEV_ATTRIBUTE_VERTEX, &output}});
-  EXPECT_EQ(glevEvaluate(plan, &batch), GLEV_SUCCESS);
-  return positions;
+Floats vertices_of(const glev_plan* plan, const Floats& u) {
+  return evaluate_scattered(plan, GLEV_ATTRIBUTE_VERTEX, u);
 }
 
 class PlanTest : public ContextTest {
@@ -49,32 +31,31 @@ class PlanTest : public ContextTest {
 };
 
 TEST_F(PlanTest, KnowsWhatItEvaluates) {
-  glev_plan* plan = create();
-  EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_VERTEX), 3u);
-  EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_COLOR), 0u);
-  EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_NORMAL), 0u);
-  EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_TEXCOORD), 0u);
-  glevReleasePlan(plan);
+  // The components of vertices, colours, normals and texture coordinates; then no such attribute.
+  const auto components = [&] {
+    const Plan plan(gl, 1);
+    std::vector<std::size_t> all;
+    for (glev_attribute attribute : kEveryAttribute) all.push_back(glevGetPlanComponents(plan, attribute));
+    EXPECT_EQ(glevGetPlanComponents(plan, static_cast<glev_attribute>(6)), 0u);
+    return all;
+  };
+  EXPECT_EQ(components(), (std::vector<std::size_t>{3, 0, 0, 0}));
   for (const TargetRow& row : kTargetRows) glevEnable(gl, GLEV_MAP1_COLOR_4 + row.offset);
   glevDisable(gl, GLEV_MAP1_TEXTURE_COORD_4);
-  plan = create();
-  EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_VERTEX), 4u);
-  EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_COLOR), 4u);
-  EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_NORMAL), 3u);
-  EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_TEXCOORD), 3u);
-  EXPECT_EQ(glevGetPlanComponents(plan, static_cast<glev_attribute>(6)), 0u);
-  glevReleasePlan(plan);
+  EXPECT_EQ(components(), (std::vector<std::size_t>{4, 4, 3, 3}));
 }
 
 TEST_F(PlanTest, IsASnapshotThatOutlivesItsContext) {
   glev_plan* plan = create();
-  const std::vector<float> before = vertices_of(plan, u_);
+  const Floats before = vertices_of(plan, u_);
   const float other[] = {9, 9, 9};
   glevMap1f(gl, GLEV_MAP1_VERTEX_3, 3, 4, 3, 1, other);
   EXPECT_EQ(vertices_of(plan, u_), before);
   glevDisable(gl, GLEV_MAP1_VERTEX_3);
   glevEnable(gl, GLEV_MAP1_VERTEX_4);
   EXPECT_EQ(vertices_of(plan, u_), before);
+  glevRetainPlan(plan);
+  glevReleasePlan(plan);
   glevDestroyContext(gl);
   gl = nullptr;
   EXPECT_EQ(vertices_of(plan, u_), before);
@@ -104,17 +85,6 @@ TEST_F(PlanTest, IsSharedUntilTheStateChanges) {
   glevReleasePlan(nullptr);
 }
 
-TEST_F(PlanTest, ReferencesAreCounted) {
-  glev_plan* plan = create();
-  const std::vector<float> before = vertices_of(plan, u_);
-  glevRetainPlan(plan);
-  glevReleasePlan(plan);
-  glevDestroyContext(gl);
-  gl = nullptr;
-  EXPECT_EQ(vertices_of(plan, u_), before);
-  glevReleasePlan(plan);
-}
-
 TEST_F(PlanTest, MayBeTakenBetweenBeginAndEnd) {
   glevBegin(gl, GLEV_POINTS);
   glev_plan* plan = create();
@@ -138,54 +108,9 @@ TEST_F(PlanTest, MisuseOfCreate) {
   EXPECT_EQ(glevCreatePlan(gl, &small, &plan), GLEV_ERROR_STRUCTURE_SIZE);
 }
 
-TEST_F(PlanTest, ManyThreadsEvaluateOnePlan) {
-  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 64, points_);
-  glev_plan* plan = create();
-  std::vector<float> u(2000);
-  for (std::size_t i = 0; i < u.size(); ++i) u[i] = static_cast<float>(i) / 1500.0f;
-  const std::vector<float> alone = vertices_of(plan, u);
-  std::atomic<int> wrong = 0;
-  std::vector<std::thread> threads;
-  for (int t = 0; t < 8; ++t) {
-    glevRetainPlan(plan);
-    threads.emplace_back([&] {
-      for (int round = 0; round < 5; ++round) {
-        glevRetainPlan(plan);
-        wrong += vertices_of(plan, u) != alone;
-        glevReleasePlan(plan);
-      }
-      glevReleasePlan(plan);
-    });
-  }
-  glevReleasePlan(plan);
-  glevDestroyContext(gl);  // the threads still have references to the plan
-  gl = nullptr;
-  for (std::thread& thread : threads) thread.join();
-  EXPECT_EQ(wrong, 0);
-}
-
 // ---- Memory
 
-class MemoryTest : public PlanTest {
- protected:
-  MemoryTest() {
-    glevDestroyContext(gl);
-    allocator_ = ledger_.make_allocator();
-    info_ = {sizeof(glev_context_info), &allocator_, nullptr};
-    EXPECT_EQ(glevCreateContext(&info_, &gl), GLEV_SUCCESS);
-    const glev_sink sink = recording.make_sink();
-    glevSetSink(gl, &sink);
-  }
-  ~MemoryTest() override {
-    glevDestroyContext(gl);
-    gl = nullptr;
-    EXPECT_TRUE(ledger_.out.empty()) << ledger_.out.size() << " blocks leaked";
-  }
-
-  Ledger ledger_;
-  glev_allocator allocator_;
-  glev_context_info info_;
-};
+using MemoryTest = WithLedger<PlanTest>;
 
 TEST_F(MemoryTest, EverythingComesFromTheAllocatorAndGoesBack) {
   for (const TargetRow& row : kTargetRows) {
@@ -210,63 +135,42 @@ TEST_F(MemoryTest, EverythingComesFromTheAllocatorAndGoesBack) {
 
 TEST_F(MemoryTest, EvaluationDoesNotAllocate) {
   glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 8, points_);
-  glevEnable(gl, GLEV_MAP1_VERTEX_3);
-  glev_plan* plan = create();
-  const int before = ledger_.requests;
-  vertices_of(plan, u_);
-  for (float u : u_) one_vertex([&] { glevEvalCoord1f(gl, u); });
-  EXPECT_EQ(ledger_.requests, before);
-  glevReleasePlan(plan);
-}
-
-TEST_F(MemoryTest, MeshesDoNotAllocate) {
-  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 8, points_);
   glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 24, 8, 0, 1, 3, 8, points_);
   for (glev_enum cap : {GLEV_MAP1_VERTEX_3, GLEV_MAP2_VERTEX_3, GLEV_AUTO_NORMAL}) glevEnable(gl, cap);
+  // Make the plans.
   glevEvalMesh1(gl, GLEV_LINE, 0, 0);
   glevEvalMesh2(gl, GLEV_POINT, 0, 0, 0, 0);
   const int before = ledger_.requests;
+  for (float u : u_) one_vertex([&] { glevEvalCoord1f(gl, u); });
   glevEvalMesh1(gl, GLEV_LINE, 0, 100);
   for (glev_enum mode : {GLEV_POINT, GLEV_LINE, GLEV_FILL}) glevEvalMesh2(gl, mode, 0, 9, 0, 9);
   EXPECT_EQ(ledger_.requests, before);
 }
 
-TEST_F(MemoryTest, Map2AndMeshesWithoutMemoryChangeAndDrawNothing) {
+TEST_F(MemoryTest, WithoutMemoryNothingIsChangedOrDrawn) {
+  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 2, 3, 4, points_);
   glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 2, 12, 4, 0, 3, 3, 4, points_);
   for (glev_enum cap : {GLEV_MAP1_VERTEX_3, GLEV_MAP2_VERTEX_3, GLEV_AUTO_NORMAL}) glevEnable(gl, cap);
   ledger_.refuse_from = 0;
+  expect_rejected(GLEV_OUT_OF_MEMORY, [&] { glevMap1f(gl, GLEV_MAP1_VERTEX_3, 5, 6, 3, 60, points_); });
+  expect_rejected(GLEV_OUT_OF_MEMORY, [&] { glevMap1f(gl, GLEV_MAP1_COLOR_4, 5, 6, 4, 2, points_); });
   expect_rejected(GLEV_OUT_OF_MEMORY,
                   [&] { glevMap2f(gl, GLEV_MAP2_VERTEX_3, 5, 6, 3, 60, 5, 6, 3, 2, points_); });
   recording = {};
   expect_rejected(GLEV_OUT_OF_MEMORY, [&] { glevEvalMesh1(gl, GLEV_LINE, 0, 2); });
   expect_rejected(GLEV_OUT_OF_MEMORY, [&] { glevEvalMesh2(gl, GLEV_FILL, 0, 2, 0, 2); });
   EXPECT_TRUE(recording.begun.empty());
-  expect_rejected_in_primitive(GLEV_OUT_OF_MEMORY, [&] { glevEvalCoord2f(gl, 0.5f, 0.5f); });
-  ledger_.refuse_from = -1;
-  expect_accepted([&] { glevEvalMesh2(gl, GLEV_FILL, 0, 2, 0, 2); });
-  EXPECT_EQ(recording.vertices.size(), 12u);
-}
-
-TEST_F(MemoryTest, Map1WithoutMemoryChangesNothing) {
-  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 2, 3, 4, points_);
-  ledger_.refuse_from = 0;
-  expect_rejected(GLEV_OUT_OF_MEMORY, [&] { glevMap1f(gl, GLEV_MAP1_VERTEX_3, 5, 6, 3, 60, points_); });
-  expect_rejected(GLEV_OUT_OF_MEMORY, [&] { glevMap1f(gl, GLEV_MAP1_COLOR_4, 5, 6, 4, 2, points_); });
-  ledger_.refuse_from = -1;
-  expect_accepted([&] { glevMap1f(gl, GLEV_MAP1_VERTEX_3, 5, 6, 3, 60, points_); });
-}
-
-TEST_F(MemoryTest, EvaluationWithoutMemoryForThePlanEmitsNothingAndRecovers) {
-  glevEnable(gl, GLEV_MAP1_VERTEX_3);
-  ledger_.refuse_from = 0;
   expect_rejected_in_primitive(GLEV_OUT_OF_MEMORY, [&] { glevEvalCoord1f(gl, 0.5f); });
+  expect_rejected_in_primitive(GLEV_OUT_OF_MEMORY, [&] { glevEvalCoord2f(gl, 0.5f, 0.5f); });
   glev_plan* plan = reinterpret_cast<glev_plan*>(this);
   EXPECT_EQ(glevCreatePlan(gl, &kOneDimension, &plan), GLEV_ERROR_OUT_OF_MEMORY);
   EXPECT_EQ(plan, nullptr);
   expect_error(GLEV_NO_ERROR);
   ledger_.refuse_from = -1;
   one_vertex([&] { glevEvalCoord1f(gl, 0.5f); });
-  expect_error(GLEV_NO_ERROR);
+  expect_accepted([&] { glevEvalMesh2(gl, GLEV_FILL, 0, 2, 0, 2); });
+  EXPECT_EQ(recording.vertices.size(), 1u + 12);
+  expect_accepted([&] { glevMap1f(gl, GLEV_MAP1_VERTEX_3, 5, 6, 3, 60, points_); });
 }
 
 TEST_F(MemoryTest, AContextWithoutMemoryIsNull) {
@@ -279,17 +183,18 @@ TEST_F(MemoryTest, AContextWithoutMemoryIsNull) {
 TEST_F(MemoryTest, MisuseOfCreateContext) {
   EXPECT_EQ(glevCreateContext(nullptr, nullptr), GLEV_ERROR_INVALID_ARGUMENT);
   glev_context* other = gl;
-  glev_allocator bad = ledger_.make_allocator();
-  const glev_context_info info = {sizeof(glev_context_info), &bad, nullptr};
-  bad.allocate = nullptr;
-  EXPECT_EQ(glevCreateContext(&info, &other), GLEV_ERROR_INVALID_ARGUMENT);
-  EXPECT_EQ(other, nullptr);
-  bad = ledger_.make_allocator();
-  bad.release = nullptr;
-  EXPECT_EQ(glevCreateContext(&info, &other), GLEV_ERROR_INVALID_ARGUMENT);
-  bad = ledger_.make_allocator();
-  bad.size = 8;
-  EXPECT_EQ(glevCreateContext(&info, &other), GLEV_ERROR_STRUCTURE_SIZE);
+  void (*const changes[])(glev_allocator&) = {[](glev_allocator& bad) { bad.allocate = nullptr; },
+                                              [](glev_allocator& bad) { bad.release = nullptr; },
+                                              [](glev_allocator& bad) { bad.size = 8; }};
+  for (const auto& change : changes) {
+    glev_allocator bad = allocator_;
+    change(bad);
+    const glev_context_info info = {sizeof(glev_context_info), &bad, nullptr};
+    other = gl;
+    EXPECT_EQ(glevCreateContext(&info, &other),
+              bad.size == 8 ? GLEV_ERROR_STRUCTURE_SIZE : GLEV_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(other, nullptr);
+  }
   const glev_context_info small = {sizeof(glev_context_info) - 1, nullptr, nullptr};
   EXPECT_EQ(glevCreateContext(&small, &other), GLEV_ERROR_STRUCTURE_SIZE);
   glevDestroyContext(nullptr);

@@ -144,8 +144,7 @@ TEST_F(Precision, FastScatteredPointsKeepTheirBound) {
       };
       const GridArgument at_u = glev::argument_at(u[i]), at_v = glev::argument_at(v[i]);
       if (!is_inside(domain, u[i]) || !is_inside({0, 1}, v[i])) {
-        EXPECT_EQ(std::bit_cast<std::uint32_t>(got[i]), std::bit_cast<std::uint32_t>(rounded[i]))
-            << show(net, at_u, at_v);
+        EXPECT_EQ(float_bits(got[i]), float_bits(rounded[i])) << show(net, at_u, at_v);
         continue;
       }
       const Rational error = abs(to_rational(got[i]) - net.value_at(net.points, at_u, at_v));
@@ -227,10 +226,7 @@ TEST_F(Precision, FastZeroMapsAreZero) {
 TEST(FastMeshes, AreTheSamePackedAndApart) {
   constexpr std::size_t kApart = 5;
   Chance chance;
-  for (std::size_t t = 0; const char* target = glevGetTargetName(t); ++t) {
-    const glev_context_info info = {sizeof info, nullptr, target};
-    glev_context* gl = nullptr;
-    ASSERT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS);
+  on_every_instruction_set([&](glev_context* gl) {
     for (const auto& [columns, rows] :
          {std::pair{1, 1}, {15, 3}, {16, 64}, {17, 65}, {511, 2}, {513, 130}, {1100, 1}}) {
       for (int order = 1; order <= 5; ++order) {
@@ -251,21 +247,16 @@ TEST(FastMeshes, AreTheSamePackedAndApart) {
           else
             ASSERT_EQ(apart[i], -7);
         }
-        ASSERT_EQ(bits_of(packed), bits_of(found))
-            << target << ", order " << order << ", " << columns << " by " << rows;
+        ASSERT_EQ(bits_of(packed), bits_of(found)) << "order " << order << ", " << columns << " by " << rows;
       }
     }
-    glevDestroyContext(gl);
-  }
+  });
 }
 
 // Patches that share a corner have no crack there.
 TEST(FastMeshes, GoThroughTheirCorners) {
   Chance chance;
-  for (std::size_t t = 0; const char* target = glevGetTargetName(t); ++t) {
-    const glev_context_info info = {sizeof info, nullptr, target};
-    glev_context* gl = nullptr;
-    ASSERT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS);
+  on_every_instruction_set([&](glev_context* gl) {
     for (int k = 0; k < 1500; ++k) {
       const int order = chance.whole(2, 5), segments = k < 1200 ? k + 1 : chance.whole(1200, 1 << 21);
       std::vector<float> points(static_cast<std::size_t>(order) * 4 * 3);
@@ -281,12 +272,11 @@ TEST(FastMeshes, GoThroughTheirCorners) {
         got.erase(i == 0 ? got.begin() + 3 : got.begin(), i == 0 ? got.end() : got.end() - 3);
         const float* const point = &points[(i == 0 ? 0 : (order - 1) * 12) + (j == 0 ? 0 : 9)];
         EXPECT_EQ(bits_of(got), bits_of(Floats(point, point + 3)))
-            << target << ", order " << order << ", " << segments << " segments, " << i << ", " << j;
+            << "order " << order << ", " << segments << " segments, " << i << ", " << j;
       };
       for (const int i : {0, segments}) expect(i, 0), expect(i, segments);
     }
-    glevDestroyContext(gl);
-  }
+  });
 }
 
 // ---- Double results
@@ -366,31 +356,6 @@ TEST_F(Precision, DoubleResultsOfFloatMapsKeepTheirBound) {
     const std::vector<double> values = evaluate_scattered<double>(curve, GLEV_ATTRIBUTE_TEXCOORD, at);
     for (std::size_t i = 0; i < at.size(); ++i)
       expect_double(net, glev::argument_at(at[i]), glev::argument_at(0), values[i]);
-  }
-}
-
-// The bits do not depend on the instruction set.
-TEST(DoubleResults, AreTheSameOnEveryInstructionSet) {
-  std::vector<std::uint64_t> expected;
-  for (std::size_t t = 0; const char* target = glevGetTargetName(t); ++t) {
-    const glev_context_info info = {sizeof info, nullptr, target};
-    glev_context* gl = nullptr;
-    ASSERT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS);
-    Chance chance;
-    std::vector<std::uint64_t> found;
-    for (int k = 0; k < 40; ++k) {
-      const std::vector<float> points = chance.next_points(48);
-      glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 12, 4, 0, 1, 3, 4, points.data());
-      glevEnable(gl, GLEV_MAP2_VERTEX_3);
-      glevMapGrid2f(gl, 30, 0, 1, 7, 0, 1);
-      const Plan plan(gl, 2);
-      for (const std::uint64_t bits :
-           bits_of(evaluate_grid<double>(plan, GLEV_ATTRIBUTE_VERTEX, {0, 30, 0, 7})))
-        found.push_back(bits);
-    }
-    if (expected.empty()) expected = found;
-    EXPECT_EQ(found, expected) << target;
-    glevDestroyContext(gl);
   }
 }
 

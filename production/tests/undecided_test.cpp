@@ -9,10 +9,7 @@
 namespace glev_tests {
 namespace {
 
-class Undecided : public ContextTest {
- protected:
-  static std::uint32_t float_bits(float x) { return std::bit_cast<std::uint32_t>(x); }
-};
+class Undecided : public ContextTest {};
 
 // A cubic with two roots inside the domain and one far outside. Near the latter, the error in double is at
 // least one ULP of float, although all control points are small.
@@ -45,12 +42,6 @@ class NextToARootOutside : public Undecided {
       expect_right(positions[3 * static_cast<std::size_t>(i - kPoints.i1)],
                    10 + Rational(i, kSegments) * to_rational(kLength));
   }
-  Floats recorded_positions() const {
-    Floats positions;
-    for (const glev_vertex& vertex : recording.vertices)
-      positions.insert(positions.end(), vertex.position, vertex.position + 3);
-    return positions;
-  }
 };
 
 TEST_F(NextToARootOutside, OnCurves) {
@@ -60,10 +51,10 @@ TEST_F(NextToARootOutside, OnCurves) {
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
   glevMapGrid1d(gl, kSegments, 10, 10 + kLength);
   const std::vector<double> arguments = undecided_arguments();
-  glevBegin(gl, GLEV_POINTS);
-  for (const double u : arguments) glevEvalCoord1d(gl, u);
-  glevEnd(gl);
-  expect_right_at(arguments, recorded_positions());
+  draw([&] {
+    for (const double u : arguments) glevEvalCoord1d(gl, u);
+  });
+  expect_right_at(arguments, recorded_positions(3));
   const Plan plan(gl, 1);
   expect_right_at(arguments, evaluate_scattered(plan, GLEV_ATTRIBUTE_VERTEX, arguments));
   expect_right_on_grid(evaluate_grid(plan, GLEV_ATTRIBUTE_VERTEX, kPoints));
@@ -79,11 +70,10 @@ TEST_F(NextToARootOutside, InVOfSurfaces) {
     glevEnable(gl, GLEV_MAP2_VERTEX_3);
     glevMapGrid2d(gl, 8, 0, 1, kSegments, 10, 10 + kLength);
     const std::vector<double> v = undecided_arguments(), u(v.size(), 0.375);
-    recording = {};
-    glevBegin(gl, GLEV_POINTS);
-    for (std::size_t i = 0; i < v.size(); ++i) glevEvalCoord2d(gl, u[i], v[i]);
-    glevEnd(gl);
-    expect_right_at(v, recorded_positions());
+    draw([&] {
+      for (std::size_t i = 0; i < v.size(); ++i) glevEvalCoord2d(gl, u[i], v[i]);
+    });
+    expect_right_at(v, recorded_positions(3));
     // Each point is the first call of a primitive.
     recording = {};
     for (std::size_t i = 0; i < v.size(); ++i) {
@@ -91,7 +81,7 @@ TEST_F(NextToARootOutside, InVOfSurfaces) {
       glevEvalCoord2d(gl, u[i], v[i]);
       glevEnd(gl);
     }
-    expect_right_at(v, recorded_positions());
+    expect_right_at(v, recorded_positions(3));
     const Plan plan(gl, 2);
     expect_right_at(v, evaluate_scattered(plan, GLEV_ATTRIBUTE_VERTEX, u, v));
     expect_right_on_grid(evaluate_grid(plan, GLEV_ATTRIBUTE_VERTEX, Range{3, 3, kPoints.i1, kPoints.i2}));
