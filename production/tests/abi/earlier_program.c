@@ -1,5 +1,6 @@
-/* A program with the structures of this version, linked to a library whose structures have more members. It
- * checks that everything works, and that nothing beyond the structures of this version is read or written. */
+/* A program with the structures of this version, linked to the library of this version, or to one whose
+ * structures have more members (LIBRARY_IS_LATER). It checks that everything works, also from C, and that
+ * nothing beyond the structures of this version is read or written. */
 #include <glevaluator.h>
 
 #include <stdio.h>
@@ -132,8 +133,11 @@ static void release(void* user, void* memory, size_t bytes, size_t alignment) {
 }
 static void on_vertex(void* user, const glev_vertex* vertex) {
   CHECK(user == &vertices);
-  /* The library is a later version. */
+#ifdef LIBRARY_IS_LATER
   CHECK(vertex->size > sizeof *vertex);
+#else
+  CHECK(vertex->size == sizeof *vertex);
+#endif
   CHECK(vertex->position[0] == 2 && vertex->position[1] == 1.5f && vertex->position[3] == 1);
   ++vertices;
 }
@@ -164,6 +168,23 @@ int main(void) {
   glevEvalCoord1f(gl, 0.5f);
   glevEnd(gl);
   CHECK(vertices == 1);
+
+  /* The curve is the edge v = 0 of a surface, which is drawn by a display list. */
+  static const float kPatch[4][2][3] = {
+      {{0, 0, 0}, {0, 0, 1}}, {{1, 2, 0}, {1, 2, 1}}, {{3, 2, 0}, {3, 2, 1}}, {{4, 0, 0}, {4, 0, 1}}};
+  const glev_uint list = glevGenLists(gl, 1);
+  glevNewList(gl, list, GLEV_COMPILE);
+  glevPushAttrib(gl, GLEV_EVAL_BIT);
+  glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 6, 4, 0, 1, 3, 2, &kPatch[0][0][0]);
+  glevMapGrid2f(gl, 2, 0, 1, 1, 0, 1);
+  glevEnable(gl, GLEV_MAP2_VERTEX_3);
+  glevEnable(gl, GLEV_AUTO_NORMAL);
+  glevEvalMesh2(gl, GLEV_LINE, 1, 1, 0, 0);
+  glevPopAttrib(gl);
+  glevEndList(gl);
+  glevCallList(gl, list);
+  CHECK(vertices == 3); /* a line along u, a line along v, of one vertex each */
+  CHECK(glevIsEnabled(gl, GLEV_AUTO_NORMAL) == GLEV_FALSE && glevGetError(gl) == GLEV_NO_ERROR);
 
   MAKE(glev_plan_info, plan_info);
   plan_info.it.dimension = 1;
@@ -217,15 +238,14 @@ int main(void) {
   output.it.size = sizeof output.it;
   free(mesh.it.scratch);
 
-  static const float kSecond[4][3] = {{0, 0, 0}, {1, 2, 0}, {3, 2, 0}, {4, 0, 0}};
   MAKE(glev_patches, patches);
   patches.it.count = 1;
   patches.it.components = 3;
   patches.it.uorder = 4;
   patches.it.vorder = 1;
   patches.it.type = GLEV_FLOAT;
-  patches.it.points = kSecond;
-  patches.it.points_size = sizeof kSecond;
+  patches.it.points = kPoints;
+  patches.it.points_size = sizeof kPoints;
   MAKE(glev_patch_grid, grid);
   grid.it.u_segments = 2;
   memset(again, 0, sizeof again);
