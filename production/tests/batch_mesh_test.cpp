@@ -40,9 +40,9 @@ class GridPoints : public ContextTest {
   void expect_bits_of_eval_point(std::size_t dimension, const Range& range) {
     const Plan plan(gl, dimension);
     const std::size_t columns = range.columns(), rows = range.rows();
-    const Layout layout = choose_layout(chance_, plan, columns, rows, dimension == 2);
-    Memory memory(layout.bytes);
-    const LaidOut outputs(layout, memory);
+    OutputLayouts layouts(chance_, choose_outputs(chance_, plan), {columns, rows}, dimension == 2);
+    Memory memory(layouts.bytes() + kSlack);
+    const auto& outputs = layouts.describe(memory.data());
     glev_mesh mesh = mesh_of(range);
     mesh.outputs = outputs.data();
     mesh.output_count = outputs.size();
@@ -53,7 +53,7 @@ class GridPoints : public ContextTest {
     mesh.scratch = scratch.data() + start;
     mesh.scratch_size = scratch_size;
     ASSERT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
-    const Memory expected = expected_memory(layout, eval_points(dimension, range));
+    const Memory expected = expected_memory(layouts, eval_points(dimension, range), columns);
     ASSERT_TRUE(memory == expected) << "dimension " << dimension << ", " << columns << " x " << rows
                                     << " from " << range.i1 << ", " << range.j1 << ", byte "
                                     << memory.mismatch(expected) << " of " << memory.size();

@@ -70,9 +70,9 @@ class ScatteredPoints : public ContextTest {
   void expect_bits_of_eval_coord(std::size_t dimension, std::size_t count) {
     const Plan plan(gl, dimension);
     const auto u = choose_arguments<Real>(count), v = choose_arguments<Real>(count);
-    const Layout layout = choose_layout(chance_, plan, count, 1, false);
-    Memory memory(layout.bytes);
-    const LaidOut outputs(layout, memory);
+    OutputLayouts layouts(chance_, choose_outputs(chance_, plan), {count}, false);
+    Memory memory(layouts.bytes() + kSlack);
+    const auto& outputs = layouts.describe(memory.data());
     // FAST makes no difference to curves.
     const glev_precision precision =
         dimension == 1 ? chance_.one_of({GLEV_CORRECTLY_ROUNDED, GLEV_FAST}) : GLEV_CORRECTLY_ROUNDED;
@@ -80,7 +80,7 @@ class ScatteredPoints : public ContextTest {
                               precision,      u.input,       dimension == 2 ? v.input : glev_input{},
                               outputs.data(), outputs.size()};
     ASSERT_EQ(glevEvaluate(plan, &batch), GLEV_SUCCESS);
-    const Memory expected = expected_memory(layout, eval_coords(dimension, u.values, v.values));
+    const Memory expected = expected_memory(layouts, eval_coords(dimension, u.values, v.values), count);
     ASSERT_TRUE(memory == expected) << "dimension " << dimension << ", " << count << " points, byte "
                                     << memory.mismatch(expected) << " of " << memory.size();
   }

@@ -214,90 +214,109 @@ inline void enable_maps(glev_context* gl, Chance& chance) {
   }
 }
 
-// A random layout of attributes: interleaved or consecutive, with gaps, unaligned, with more components than
-// the map has.
-struct Layout {
-  std::size_t columns, rows;
-  std::array<std::size_t, 4> offset{}, stride{}, row_stride{}, components{};
-  std::size_t bytes = 0;
+// An output, and its place in memory with others.
+struct OutputLayout {
+  glev_attribute attribute;
+  std::size_t components;
+  bool is_double = false;
+  std::size_t offset = 0, stride = 0, row_stride = 0, patch_stride = 0;  // as in glev_output
+  std::size_t row = 0, patch = 0;                                        // distances of rows and patches
 
-  std::size_t place(std::size_t a, std::size_t column, std::size_t row) const {
-    return offset[a] + column * stride[a] + row * (row_stride[a] != 0 ? row_stride[a] : columns * stride[a]);
+  std::size_t element() const { return components * (is_double ? sizeof(double) : sizeof(float)); }
+  std::size_t place(std::size_t i, std::size_t j = 0, std::size_t p = 0) const {
+    return offset + i * stride + j * row + p * patch;
   }
 };
 
-inline Layout choose_layout(Chance& chance, const glev_plan* plan, std::size_t columns, std::size_t rows,
-                            bool has_rows) {
-  Layout layout{columns, rows};
-  std::vector<std::size_t> order = {0, 1, 2, 3};
-  for (std::size_t k = 3; k > 0; --k)
-    std::swap(order[k], order[static_cast<std::size_t>(chance.whole(0, 3)) % (k + 1)]);
-  const auto gap = [&] { return static_cast<std::size_t>(chance.one_of({0, 0, 0, 1, 2, 4, 7, 16})); };
-  const bool interleaved = chance.whole(0, 1) == 1, has_pitch = has_rows && chance.whole(0, 1) == 1;
-  for (std::size_t a : order) {
-    const int of_map = static_cast<int>(glevGetPlanComponents(plan, kEveryAttribute[a]));
-    layout.components[a] = static_cast<std::size_t>(
-        chance.whole(0, 1) == 1 ? of_map : chance.whole(of_map, a == GLEV_ATTRIBUTE_NORMAL ? 3 : 4));
-  }
-  std::size_t at = gap();
-  if (interleaved) {
-    std::size_t stride = 0;
-    for (std::size_t a : order) {
-      layout.offset[a] = at + stride;
-      stride += layout.components[a] * sizeof(float) + gap();
+struct Shape {
+  std::size_t columns, rows = 1, patches = 1;
+};
+
+// Several outputs of `patches * rows * columns` elements with a random layout: interleaved or consecutive,
+// with gaps, unaligned. The object contains pointers to its own members.
+class OutputLayouts {
+ public:
+  // If `has_rows` is false, the layout has neither row strides nor patch strides.
+  OutputLayouts(Chance& chance, std::vector<OutputLayout> outputs, const Shape& shape, bool has_rows)
+      : layouts_(std::move(outputs)), shape_(shape) {
+    for (std::size_t k = layouts_.size() - 1; k > 0; --k)
+      std::swap(layouts_[k], layouts_[static_cast<std::size_t>(chance.whole(0, static_cast<int>(k)))]);
+    const auto gap = [&] { return static_cast<std::size_t>(chance.one_of({0, 0, 0, 1, 2, 4, 7, 16})); };
+    const bool is_interleaved = chance.whole(0, 1) == 1, has_strides = has_rows && chance.whole(0, 1) == 1;
+    std::size_t at = gap(), common = 0;
+    for (OutputLayout& own : layouts_) {
+      own.offset = common;
+      common += own.element() + gap();
     }
-    const std::size_t row_stride = columns * stride + (has_pitch ? gap() : 0);
-    layout.stride.fill(stride);
-    if (has_pitch) layout.row_stride.fill(row_stride);
-    layout.bytes = at + rows * row_stride + 64;
-    return layout;
+    const std::size_t row_gap = has_strides ? gap() : 0, patch_gap = has_strides ? gap() : 0;
+    for (OutputLayout& own : layouts_) {
+      own.offset = is_interleaved ? at + own.offset : at;
+      own.stride = is_interleaved ? common : own.element() + gap();
+      own.row = own.stride * shape.columns + row_gap;
+      own.patch = own.row * shape.rows + patch_gap;
+      if (has_strides) own.row_stride = own.row, own.patch_stride = shape.patches > 1 ? own.patch : 0;
+      if (!is_interleaved) at += own.patch * shape.patches + gap();
+      if (shape.columns * shape.rows * shape.patches != 0) bytes_ = std::max(bytes_, end_of(own));
+    }
   }
-  for (std::size_t a : order) {
-    layout.offset[a] = at;
-    layout.stride[a] = layout.components[a] * sizeof(float) + gap();
-    const std::size_t row_stride = columns * layout.stride[a] + (has_pitch ? gap() : 0);
-    if (has_pitch) layout.row_stride[a] = row_stride;
-    at += rows * row_stride + gap();
+  OutputLayouts(const OutputLayouts&) = delete;
+  OutputLayouts& operator=(const OutputLayouts&) = delete;
+
+  // Number of bytes up to the end of the last element.
+  std::size_t bytes() const { return bytes_; }
+  auto begin() const { return layouts_.begin(); }
+  auto end() const { return layouts_.end(); }
+
+  // Returns descriptions of the outputs in memory of bytes() bytes, of exactly the required sizes.
+  const std::vector<glev_attribute_output>& describe(unsigned char* memory) {
+    outputs_.clear();
+    list_.clear();
+    for (const OutputLayout& own : layouts_)
+      outputs_.push_back({sizeof(glev_output), memory + own.offset,
+                          bytes_ == 0 ? 0 : end_of(own) - own.offset, own.stride, own.components,
+                          static_cast<glev_enum>(own.is_double ? GLEV_DOUBLE : GLEV_FLOAT), own.row_stride,
+                          own.patch_stride});
+    for (std::size_t k = 0; k < outputs_.size(); ++k) list_.push_back({layouts_[k].attribute, &outputs_[k]});
+    return list_;
   }
-  layout.bytes = at + 64;
-  return layout;
+
+ private:
+  std::size_t end_of(const OutputLayout& own) const {
+    return own.place(shape_.columns - 1, shape_.rows - 1, shape_.patches - 1) + own.element();
+  }
+
+  std::vector<OutputLayout> layouts_;
+  Shape shape_;
+  std::size_t bytes_ = 0;
+  std::vector<glev_output> outputs_;
+  std::vector<glev_attribute_output> list_;
+};
+
+// Returns outputs of all attributes with as many components as the maps of the plan, or more.
+inline std::vector<OutputLayout> choose_outputs(Chance& chance, const glev_plan* plan) {
+  std::vector<OutputLayout> outputs;
+  for (glev_attribute attribute : kEveryAttribute) {
+    const int of_map = static_cast<int>(glevGetPlanComponents(plan, attribute));
+    const int most = chance.whole(0, 1) == 1 ? of_map : attribute == GLEV_ATTRIBUTE_NORMAL ? 3 : 4;
+    outputs.push_back({attribute, static_cast<std::size_t>(chance.whole(of_map, most))});
+  }
+  return outputs;
 }
 
-// Returns the expected memory of this layout: the attributes of the vertices, and poison between them.
-inline Memory expected_memory(const Layout& layout, const std::vector<glev_vertex>& vertices) {
-  Memory memory(layout.bytes);
+// Number of bytes after the outputs, which must not change either.
+constexpr std::size_t kSlack = 64;
+
+// Returns the expected memory of these outputs: the attributes of the vertices, and poison between them.
+inline Memory expected_memory(const OutputLayouts& layouts, const std::vector<glev_vertex>& vertices,
+                              std::size_t columns) {
+  Memory memory(layouts.bytes() + kSlack);
   for (std::size_t k = 0; k < vertices.size(); ++k) {
-    for (std::size_t a = 0; a < 4; ++a) {
-      const Floats values = attribute_of(vertices[k], kEveryAttribute[a]);
-      memory.put(layout.place(a, k % layout.columns, k / layout.columns), values.data(),
-                 layout.components[a]);
+    for (const OutputLayout& own : layouts) {
+      const Floats values = attribute_of(vertices[k], own.attribute);
+      memory.put(own.place(k % columns, k / columns), values.data(), own.components);
     }
   }
   return memory;
 }
-
-// The outputs of a layout, of exactly the required size. The object contains pointers to its own members.
-class LaidOut {
- public:
-  LaidOut(const Layout& layout, Memory& memory) {
-    for (std::size_t a = 0; a < 4; ++a) {
-      outputs_[a] = memory.make_output(layout.offset[a], layout.stride[a], layout.components[a], 0,
-                                       layout.row_stride[a]);
-      outputs_[a].data_size = layout.columns == 0 || layout.rows == 0
-                                  ? 0
-                                  : layout.place(a, layout.columns - 1, layout.rows - 1) - layout.offset[a] +
-                                        layout.components[a] * sizeof(float);
-      all_[a] = {kEveryAttribute[a], &outputs_[a]};
-    }
-  }
-  LaidOut(const LaidOut&) = delete;
-  LaidOut& operator=(const LaidOut&) = delete;
-  const glev_attribute_output* data() const { return all_.data(); }
-  std::size_t size() const { return all_.size(); }
-
- private:
-  std::array<glev_output, 4> outputs_;
-  std::array<glev_attribute_output, 4> all_{};
-};
 
 }  // namespace glev_tests

@@ -243,19 +243,14 @@ TEST_F(Derivatives, ComponentsThatTheMapDoesNotHaveAreZero) {
     define(patch);
     const Plan plan(gl, 2);
     for (const DerivativeRow& row : kDerivativeRows) {
-      const float at[] = {0.25F, 0.5F, 0.75F};
-      float results[3][4];
-      std::fill_n(&results[0][0], 12, 7.0F);
-      glev_output output = {};
-      output.size = sizeof output, output.data = results, output.data_size = sizeof results;
-      output.stride = sizeof results[0], output.components = 4;
-      const glev_attribute_output wanted = {row.attribute, &output};
-      glev_batch batch = {};
-      batch.size = sizeof batch, batch.count = 3, batch.type = GLEV_FLOAT;
-      batch.u = batch.v = {at, sizeof at, sizeof at[0]};
-      batch.outputs = &wanted, batch.output_count = 1;
+      const Floats at = {0.25F, 0.5F, 0.75F};
+      Floats results(12, 7.0F);
+      const glev_output output = output_to(results, 4);
+      glev_batch batch = {sizeof batch, 3,       GLEV_FLOAT, GLEV_CORRECTLY_ROUNDED, input_of(at),
+                          input_of(at), nullptr, 0};
+      const Outputs outputs(batch, {{row.attribute, &output}});
       ASSERT_EQ(glevEvaluate(plan, &batch), GLEV_SUCCESS);
-      for (const auto& result : results) EXPECT_EQ(result[3], 0) << row.attribute;
+      for (const std::size_t element : {0, 1, 2}) EXPECT_EQ(results[4 * element + 3], 0) << row.attribute;
     }
   }
 }

@@ -220,10 +220,14 @@ class NormalBounds : public ::testing::Test {
 
 TEST_F(NormalBounds, OfRandomPatches) {
   for (const int components : {3, 4}) {
-    for (const std::array<int, 2> order : {std::array{2, 2}, {2, 5}, {3, 3}, {4, 4}, {5, 3}, {8, 8}}) {
+    for (const std::array<int, 2> order :
+         {std::array{2, 2}, {2, 5}, {3, 3}, {4, 4}, {5, 3}, {8, 8}, {3, 12}, {16, 2}}) {
       Patch patch = random_patch(order, components);
       patch.grid.segments = {36, 7};
       check(patch, {0, 36, 0, 7}, 3);
+      patch.domain = {1, 0, 5, -2};
+      patch.grid = {{1, 0, 5, -2}, {4, 7}};
+      check(patch, {0, 4, 0, 7}, 3);
       patch.domain = {0.1, -2, 3, 3.7};
       patch.grid = {{0.1, -2, 3.7, 3}, {21, 5}};
       check(patch, {0, 21, 0, 5}, 3);
@@ -231,6 +235,34 @@ TEST_F(NormalBounds, OfRandomPatches) {
     Patch patch = random_patch({30, 30}, components);
     patch.grid.segments = {36, 7};
     check(patch, {0, 36, 0, 7}, 20);
+  }
+}
+
+// All points of a grid with equal ends are these ends.
+TEST_F(NormalBounds, OfEvalCoord) {
+  for (const int components : {3, 4}) {
+    for (const std::array<double, 4>& domain :
+         {std::array{0.0, 1.0, 0.0, 1.0}, {2.0, 5.0, -3.0, -1.0}, {1.0, 0.0, 0.1, 0.7}}) {
+      Patch patch = random_patch({4, 5}, components);
+      patch.domain = domain;
+      for (const double t : {0.0, 1.0, 0.5, -0.05, 1.02, random_between(0, 1), random_between(0, 1)}) {
+        const double u = t == 1 ? domain[1] : domain[0] + t * (domain[1] - domain[0]),
+                     v = random_between(domain[2], domain[3]);
+        patch.grid.ends = {u, u, v, v};
+        check(patch, {0, 0, 0, 0});
+        on_every_instruction_set([&](glev_context* gl) {
+          define(gl, patch);
+          const Normal expected = std::to_array(evaluate_by_calls(gl, {0, 0, 0, 0}).at(0).normal);
+          Recording recording;
+          const glev_sink sink = recording.make_sink();
+          glevSetSink(gl, &sink);
+          glevBegin(gl, GLEV_POINTS);
+          glevEvalCoord2d(gl, u, v);
+          glevEnd(gl);
+          EXPECT_EQ(std::to_array(recording.vertices.at(0).normal), expected) << u << ", " << v;
+        });
+      }
+    }
   }
 }
 

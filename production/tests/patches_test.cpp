@@ -32,13 +32,6 @@ struct Points {
   }
 };
 
-// An output with a random layout.
-struct OutputLayout {
-  glev_attribute attribute = GLEV_ATTRIBUTE_VERTEX;
-  bool is_double = false;
-  std::size_t components = 3, offset = 0, stride = 0, row_stride = 0, patch_stride = 0;
-};
-
 class Patches : public ::testing::Test {
  protected:
   // Makes a plan of one patch; with as_curve, of a MAP1 map.
@@ -106,17 +99,15 @@ class Patches : public ::testing::Test {
                            std::vector<unsigned char>& bytes) {
     const std::size_t columns = points.columns(), rows = points.rows();
     const auto put = [&](std::size_t at, const Real* element) {
-      std::memcpy(bytes.data() + wanted.offset + at, element, wanted.components * sizeof(Real));
+      std::memcpy(bytes.data() + at, element, wanted.element());
     };
-    const std::size_t row_stride = wanted.row_stride != 0 ? wanted.row_stride : columns * wanted.stride,
-                      patch_stride = wanted.patch_stride != 0 ? wanted.patch_stride : rows * row_stride;
     // The derivatives of curves are those of a MAP2 map.
     const bool as_curve =
         !points.is_uniform() && net.order[1] == 1 && wanted.attribute == GLEV_ATTRIBUTE_VERTEX;
     if (points.is_scattered()) {
       for (std::size_t i = 0; i < columns; ++i) {
         const double v = points.v.empty() ? 0.5 : points.v[i];
-        put(i * wanted.stride,
+        put(wanted.place(i),
             expect<Real>(net, points.patch[i], points, wanted, as_curve, {points.u[i]}, {v}).data());
       }
       return;
@@ -132,15 +123,14 @@ class Patches : public ::testing::Test {
       const std::vector<Real> elements = expect<Real>(net, p, points, wanted, as_curve, u, v);
       for (std::size_t j = 0; j < rows; ++j) {
         for (std::size_t i = 0; i < columns; ++i)
-          put(p * patch_stride + j * row_stride + i * wanted.stride, &elements[4 * (j * columns + i)]);
+          put(wanted.place(i, j, p), &elements[4 * (j * columns + i)]);
       }
     }
   }
 
   // Evaluates between guard pages and compares all bytes.
-  static void check(const Net& net, const Points& points, const std::vector<OutputLayout>& wanted,
-                    std::size_t bytes, Side side) {
-    Guarded control(net.bytes(), side), memory(bytes, side);
+  static void check(const Net& net, const Points& points, OutputLayouts& wanted, Side side) {
+    Guarded control(net.bytes(), side), memory(wanted.bytes(), side);
     net.write(control.data());
     control.make_read_only();
     const glev_patches patches = net.describe(control.data());
@@ -175,19 +165,12 @@ class Patches : public ::testing::Test {
       if (!points.is_scattered()) grid.v_count = points.v.size();
       if (points.is_scattered()) grid.patch = {numbers.data(), numbers.size(), sizeof(glev_uint)};
     }
-    std::vector<glev_output> outputs;
-    std::vector<glev_attribute_output> list;
-    for (const OutputLayout& own : wanted) {
-      outputs.push_back({sizeof(glev_output), memory.data() + own.offset, bytes - own.offset, own.stride,
-                         own.components, static_cast<glev_enum>(own.is_double ? GLEV_DOUBLE : GLEV_FLOAT),
-                         own.row_stride, own.patch_stride});
-    }
-    for (std::size_t o = 0; o < wanted.size(); ++o) list.push_back({wanted[o].attribute, &outputs[o]});
+    const std::vector<glev_attribute_output>& list = wanted.describe(memory.data());
     Guarded scratch(glevGetPatchScratchSize(&patches, &grid), side);
     ASSERT_NE(scratch.size(), 0u);
     ASSERT_EQ(glevEvaluatePatches(&patches, &grid, list.data(), list.size(), scratch.data(), scratch.size()),
               GLEV_SUCCESS);
-    std::vector<unsigned char> expected(bytes, Guarded::kPoisonByte);
+    std::vector<unsigned char> expected(wanted.bytes(), Guarded::kPoisonByte);
     for (const OutputLayout& own : wanted) {
       own.is_double ? expect_bytes<double>(net, points, own, expected)
                     : expect_bytes<float>(net, points, own, expected);
@@ -199,55 +182,25 @@ class Patches : public ::testing::Test {
                              << (points.target == nullptr ? "best" : points.target);
   }
 
-  // Chooses the layout of outputs: consecutive or interleaved, with gaps. Returns the number of bytes.
-  std::size_t lay_out(const Net& net, const Points& points, std::vector<OutputLayout>& wanted) {
-    const auto gap = [&] { return static_cast<std::size_t>(chance_.one_of({0, 0, 1, 4, 7})); };
-    const bool has_rows = !points.is_scattered(), interleaved = chance_.whole(0, 1) == 1,
-               pads = chance_.whole(0, 1) == 1;
-    std::size_t at = 0, end = 0, common = 0;
-    const auto size_of = [&](const OutputLayout& own) {
-      return own.components * (own.is_double ? sizeof(double) : sizeof(float));
-    };
-    for (const OutputLayout& own : wanted) common += size_of(own);
-    common += gap();
-    const std::size_t row_gap = gap(), patch_gap = gap();
-    for (OutputLayout& own : wanted) {
-      own.offset = at;
-      own.stride = interleaved ? common : size_of(own) + gap();
-      std::size_t row = own.stride * points.columns();
-      if (has_rows && pads) own.row_stride = row += row_gap;
-      std::size_t patch = row * points.rows();
-      if (has_rows && pads) own.patch_stride = patch += patch_gap;
-      const std::size_t patches = has_rows ? net.count : 1;
-      end = std::max(end, at + (patches - 1) * patch + (points.rows() - 1) * row +
-                              (points.columns() - 1) * own.stride + size_of(own));
-      at += interleaved ? size_of(own) : patches * patch;
-    }
-    return end;
-  }
-
   std::vector<OutputLayout> choose_outputs(const Net& net) {
-    std::vector<OutputLayout> wanted;
+    std::vector<OutputLayout> outputs;
     for (glev_attribute attribute :
          {GLEV_ATTRIBUTE_VERTEX, GLEV_ATTRIBUTE_NORMAL, GLEV_ATTRIBUTE_TANGENT_U, GLEV_ATTRIBUTE_TANGENT_V,
           GLEV_ATTRIBUTE_SECOND_UU, GLEV_ATTRIBUTE_SECOND_UV, GLEV_ATTRIBUTE_SECOND_VV}) {
       const bool is_normal = attribute == GLEV_ATTRIBUTE_NORMAL;
-      if ((is_normal && net.components < 3) || (!wanted.empty() && chance_.whole(0, 1) == 0)) continue;
-      OutputLayout own;
-      own.attribute = attribute;
-      own.is_double = chance_.whole(0, 2) == 0;
-      own.components = static_cast<std::size_t>(is_normal ? 3 : chance_.whole(net.components, 4));
-      wanted.push_back(own);
+      if ((is_normal && net.components < 3) || (!outputs.empty() && chance_.whole(0, 1) == 0)) continue;
+      const int components = is_normal ? 3 : chance_.whole(net.components, 4);
+      outputs.push_back({attribute, static_cast<std::size_t>(components), chance_.whole(0, 2) == 0});
     }
-    if (chance_.whole(0, 1) == 1) std::reverse(wanted.begin(), wanted.end());
-    return wanted;
+    return outputs;
   }
 
   void check_random(const Net& net, Points points) {
     points.target = choose_target();
-    std::vector<OutputLayout> wanted = choose_outputs(net);
-    const std::size_t bytes = lay_out(net, points, wanted);
-    check(net, points, wanted, bytes, chance_.one_of({Side::kBegin, Side::kEnd}));
+    const std::size_t patches = points.is_scattered() ? 1 : net.count;
+    OutputLayouts wanted(chance_, choose_outputs(net), {points.columns(), points.rows(), patches},
+                         !points.is_scattered());
+    check(net, points, wanted, chance_.one_of({Side::kBegin, Side::kEnd}));
   }
 
   const char* choose_target() {

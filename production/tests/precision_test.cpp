@@ -35,10 +35,23 @@ class Precision : public ContextTest {
     glevEnable(gl, GLEV_MAP2_TEXTURE_COORD_1);
   }
 
-  // Returns the largest error of the mesh in units of the bound of FAST.
-  double worst_of_fast(const GivenNet& net, const Grid& u, const Grid& v, const Range& range) {
+  void define(const GivenNet& net, const Grid& u, const Grid& v) {
     define(net);
     glevMapGrid2d(gl, u.segments, u.u1, u.u2, v.segments, v.u1, v.u2);
+  }
+
+  // Expects that FAST does not change the bits.
+  void expect_rounded(const GivenNet& net, const Grid& u, const Grid& v, const Range& range) {
+    define(net, u, v);
+    const Plan plan(gl, 2);
+    ASSERT_EQ(bits_of(evaluate_grid(plan, GLEV_ATTRIBUTE_TEXCOORD, range, GLEV_FAST)),
+              bits_of(evaluate_grid(plan, GLEV_ATTRIBUTE_TEXCOORD, range)))
+        << show(net, {u, range.i1}, {v, range.j1});
+  }
+
+  // Returns the largest error of the mesh in units of the bound of FAST.
+  double worst_of_fast(const GivenNet& net, const Grid& u, const Grid& v, const Range& range) {
+    define(net, u, v);
     const Plan plan(gl, 2);
     const Floats got = evaluate_grid(plan, GLEV_ATTRIBUTE_TEXCOORD, range, GLEV_FAST);
     double largest = 0, worst = 0;
@@ -67,6 +80,25 @@ class Precision : public ContextTest {
       const int units = 64 * (net.order[0] + net.order[1] - 2) + 64;
       EXPECT_LE(error * (Integer(1) << 105), units * exact.magnitude) << show(net, u, v) << " gives " << got;
     }
+  }
+
+  void expect_doubles(const GivenNet& net, const Grid& u, const Grid& v, const Range& range) {
+    define(net, u, v);
+    const Plan plan(gl, 2);
+    const std::vector<double> got = evaluate_grid<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, range);
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      const auto column = static_cast<int>(i % range.columns()), row = static_cast<int>(i / range.columns());
+      expect_double(net, {u, range.i1 + column}, {v, range.j1 + row}, got[i]);
+    }
+  }
+  void expect_doubles(const GivenNet& net, const std::vector<double>& u, const std::vector<double>& v) {
+    define(net);
+    const Plan plan(gl, 2);
+    const std::vector<double> got = evaluate_scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, v);
+    for (std::size_t i = 0; i < u.size(); ++i)
+      expect_double(net, glev::argument_at(u[i]), glev::argument_at(v[i]), got[i]);
+    EXPECT_EQ(bits_of(evaluate_scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, v, GLEV_FAST)),
+              bits_of(got));
   }
 
   static std::string show(const GivenNet& net, const GridArgument& u, const GridArgument& v) {
@@ -158,13 +190,6 @@ TEST_F(Precision, FastScatteredPointsKeepTheirBound) {
 
 // If the bound would not hold, results are correctly rounded.
 TEST_F(Precision, FastIsCorrectlyRoundedOutsideTheDomainAndForExtremeMaps) {
-  const auto expect_rounded = [&](const GivenNet& net, const Grid& u, const Grid& v, const Range& range) {
-    define(net);
-    glevMapGrid2d(gl, u.segments, u.u1, u.u2, v.segments, v.u1, v.u2);
-    const Plan plan(gl, 2);
-    EXPECT_EQ(bits_of(evaluate_grid(plan, GLEV_ATTRIBUTE_TEXCOORD, range, GLEV_FAST)),
-              bits_of(evaluate_grid(plan, GLEV_ATTRIBUTE_TEXCOORD, range)));
-  };
   const Grid unit = {0, 1, 17}, many = {0, 1, 1000};
   for (int k = 0; k < 30; ++k) {
     GivenNet net = choose_net(5, {});
@@ -195,12 +220,7 @@ TEST_F(Precision, FastIsCorrectlyRoundedOutsideTheDomainOfOrderOne) {
     for (int i = 0; i < 4; ++i) net.points.push_back(chance_.next_double() - 0.5);
     const Grid beyond = {-0.25, chance_.one_of({0.75, 1.25}), 8}, unit = {0, 1, 2700};
     const Grid &u = across == 0 ? beyond : unit, &v = across == 0 ? unit : beyond;
-    define(net);
-    glevMapGrid2d(gl, u.segments, u.u1, u.u2, v.segments, v.u1, v.u2);
-    const Plan plan(gl, 2);
-    const Range range = {0, std::min(u.segments, 27), 0, std::min(v.segments, 27)};
-    ASSERT_EQ(bits_of(evaluate_grid(plan, GLEV_ATTRIBUTE_TEXCOORD, range, GLEV_FAST)),
-              bits_of(evaluate_grid(plan, GLEV_ATTRIBUTE_TEXCOORD, range)));
+    expect_rounded(net, u, v, {0, std::min(u.segments, 27), 0, std::min(v.segments, 27)});
   }
 }
 
@@ -289,8 +309,6 @@ TEST_F(Precision, DoubleResultsOfScatteredPointsKeepTheirBound) {
       if (k % 3 == 1) net.points[i] = i % 2 == 0 ? 1 : -1;
       if (k % 3 == 2) net.points[i] = std::round(net.points[i] * 4);
     }
-    define(net);
-    const Plan plan(gl, 2);
     std::vector<double> u, v;
     for (int i = 0; i < 12; ++i) {
       const double t =
@@ -298,11 +316,7 @@ TEST_F(Precision, DoubleResultsOfScatteredPointsKeepTheirBound) {
       u.push_back(domain.u1 + t * (domain.u2 - domain.u1));
       v.push_back(chance_.one_of({chance_.next_double(), 0.5, -0.25, 1.0}));
     }
-    const std::vector<double> got = evaluate_scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, v);
-    for (std::size_t i = 0; i < u.size(); ++i)
-      expect_double(net, glev::argument_at(u[i]), glev::argument_at(v[i]), got[i]);
-    EXPECT_EQ(bits_of(evaluate_scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, v, GLEV_FAST)),
-              bits_of(got));
+    expect_doubles(net, u, v);
   }
 }
 
@@ -311,15 +325,7 @@ TEST_F(Precision, DoubleResultsOfMeshesKeepTheirBound) {
     const GivenNet net = choose_net(5, {Domain{0, 1}, Domain{-1, 2}});
     const Grid u = chance_.one_of({Grid{0, 1, 7}, Grid{1, 0, 7}, Grid{0.1, 0.7, 7}, Grid{-1, 3, 8}}),
                v = chance_.one_of({Grid{-1, 2, 3}, Grid{0.2, 1.1, 3}});
-    define(net);
-    glevMapGrid2d(gl, u.segments, u.u1, u.u2, v.segments, v.u1, v.u2);
-    const Plan plan(gl, 2);
-    const Range range = {-1, 9, 0, 3};
-    const std::vector<double> got = evaluate_grid<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, range);
-    for (std::size_t i = 0; i < got.size(); ++i) {
-      const auto column = static_cast<int>(i % range.columns()), row = static_cast<int>(i / range.columns());
-      expect_double(net, {u, range.i1 + column}, {v, range.j1 + row}, got[i]);
-    }
+    expect_doubles(net, u, v, {-1, 9, 0, 3});
   }
 }
 
@@ -335,17 +341,9 @@ TEST_F(Precision, DoubleResultsOfFloatMapsKeepTheirBound) {
       if (k % 4 == 2) point = std::round(point * 10) / 8;
       if (k % 4 == 3) point = 0.7F;
     }
-    define(net);
     const Grid u = {domain.u1, domain.u2, chance_.one_of({1, 7, 8, 30})},
                v = {0, 1, chance_.one_of({1, 3, 4})};
-    glevMapGrid2d(gl, u.segments, u.u1, u.u2, v.segments, v.u1, v.u2);
-    const Plan plan(gl, 2);
-    const Range range = {0, u.segments, 0, v.segments};
-    const std::vector<double> got = evaluate_grid<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, range);
-    for (std::size_t i = 0; i < got.size(); ++i) {
-      const auto column = static_cast<int>(i % range.columns()), row = static_cast<int>(i / range.columns());
-      expect_double(net, {u, column}, {v, row}, got[i]);
-    }
+    expect_doubles(net, u, v, {0, u.segments, 0, v.segments});
     net.points.resize(static_cast<std::size_t>(net.order[0]));
     net.order[1] = 1;
     glevMap1d(gl, GLEV_MAP1_TEXTURE_COORD_1, domain.u1, domain.u2, 1, net.order[0], net.points.data());
@@ -370,13 +368,8 @@ TEST_F(Precision, DoubleResultsOfLargeAndSmallMagnitudesKeepTheirBound) {
         for (double& point : net.points) {
           point = is_domain ? point : std::fabs(point) < 0.25 ? 0 : point * scale;
         }
-        define(net);
-        const Plan plan(gl, 2);
-        const std::vector<double> u = {width * 0.25, width / 3, width * chance_.next_double(), width},
-                                  v(4, chance_.next_double());
-        const std::vector<double> got = evaluate_scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, v);
-        for (std::size_t i = 0; i < u.size(); ++i)
-          expect_double(net, glev::argument_at(u[i]), glev::argument_at(v[i]), got[i]);
+        expect_doubles(net, {width * 0.25, width / 3, width * chance_.next_double(), width},
+                       std::vector<double>(4, chance_.next_double()));
       }
     }
   }

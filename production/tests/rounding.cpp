@@ -9,8 +9,8 @@
 #else
 #include <fnmatch.h>
 #endif
-#include <glevaluator.h>
 #include <reference/filter.h>
+#include <glevaluator.hpp>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -32,6 +32,7 @@
 namespace {
 
 using namespace rounding;
+namespace glv = glevaluator;
 using evalcts::reference::Arguments, evalcts::reference::CorrectlyRounded, evalcts::reference::Surface;
 
 // A 64-bit hash: the finalizer of splitmix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number
@@ -70,88 +71,86 @@ void demand(bool is_true, const char* otherwise) {
   if (!is_true) throw std::logic_error(otherwise);
 }
 
+// The output of one call of the library: the values of an attribute, components innermost.
+class Values {
+ public:
+  Values(const Map& map, std::size_t count, glev_attribute attribute)
+      : values_(count * static_cast<std::size_t>(map.components)) {
+    outputs_.add(attribute, std::span(values_), static_cast<std::size_t>(map.components));
+  }
+  const glv::Outputs& outputs() const { return outputs_; }
+  std::vector<float> take(glev_result result) {
+    demand(result == GLEV_SUCCESS, "the library rejects a batch, mesh or patches");
+    return std::move(values_);
+  }
+
+ private:
+  std::vector<float> values_;
+  glv::Outputs outputs_;
+};
+
 // One map in the library, on an instruction set. The functions return values with the components innermost.
 class Evaluator {
  public:
   Evaluator(const std::string& instruction_set, const Map& map, const MapTarget& target,
             const std::optional<Grid>& grid = std::nullopt)
-      : map_(map), target_(target) {
-    glev_context_info info{};
-    info.size = sizeof info;
-    info.target = instruction_set.c_str();
-    demand(glevCreateContext(&info, &context_) == GLEV_SUCCESS, "glevCreateContext failed");
-    sink_.size = sizeof sink_;
-    sink_.user = &emitted_;
-    sink_.vertex = [](void* user, const glev_vertex* vertex) {
-      static_cast<std::vector<glev_vertex>*>(user)->push_back(*vertex);
-    };
-    glevSetSink(context_, &sink_);
+      : map_(map), target_(target), context_(make_context(instruction_set)) {
+    demand(context_.result() == GLEV_SUCCESS, "glevCreateContext failed");
+    glev_context* const gl = context_.get();
     const auto& [u, v] = map.domain;
     if (map.two_dimensional) {
-      glevMap2d(context_, target.of(map), u[0], u[1], map.vorder * map.components, map.uorder, v[0], v[1],
+      glevMap2d(gl, target.of(map), u[0], u[1], map.vorder * map.components, map.uorder, v[0], v[1],
                 map.components, map.vorder, map.points.data());
     } else {
-      glevMap1d(context_, target.of(map), u[0], u[1], map.components, map.uorder, map.points.data());
+      glevMap1d(gl, target.of(map), u[0], u[1], map.components, map.uorder, map.points.data());
     }
-    glevEnable(context_, target.of(map));
+    glevEnable(gl, target.of(map));
     if (grid) {
       const auto& [in_u, in_v] = *grid;
-      glevMapGrid1d(context_, static_cast<int>(in_u.segments), in_u.first, in_u.last);
-      glevMapGrid2d(context_, static_cast<int>(in_u.segments), in_u.first, in_u.last,
+      glevMapGrid1d(gl, static_cast<int>(in_u.segments), in_u.first, in_u.last);
+      glevMapGrid2d(gl, static_cast<int>(in_u.segments), in_u.first, in_u.last,
                     static_cast<int>(in_v.segments), in_v.first, in_v.last);
     }
-    demand(glevGetError(context_) == GLEV_NO_ERROR, "a map is not legal");
-    const glev_plan_info plan = {sizeof plan, map.two_dimensional ? std::size_t{2} : std::size_t{1}};
-    demand(glevCreatePlan(context_, &plan, &plan_) == GLEV_SUCCESS, "glevCreatePlan failed");
-  }
-  Evaluator(const Evaluator&) = delete;
-  Evaluator& operator=(const Evaluator&) = delete;
-  ~Evaluator() {
-    glevReleasePlan(plan_);
-    glevDestroyContext(context_);
+    demand(glevGetError(gl) == GLEV_NO_ERROR, "a map is not legal");
+    plan_ = glv::Plan(context_, map.two_dimensional ? 2 : 1);
+    demand(plan_.result() == GLEV_SUCCESS, "glevCreatePlan failed");
   }
 
   template <class Real>
   std::vector<float> batch(const std::vector<Real>& u, const std::vector<Real>& v) const {
-    glev_batch batch{};
-    batch.size = sizeof batch;
-    batch.count = u.size();
-    batch.type = std::is_same_v<Real, float> ? GLEV_FLOAT : GLEV_DOUBLE;
-    batch.u = {u.data(), u.size() * sizeof(Real), sizeof(Real)};
-    if (!v.empty()) batch.v = {v.data(), v.size() * sizeof(Real), sizeof(Real)};
-    batch.output_count = 1;
-    return values_of(map_, batch.count, target_.attribute, [&](const glev_attribute_output* outputs) {
-      batch.outputs = outputs;
-      return glevEvaluate(plan_, &batch);
-    });
+    Values values(map_, u.size(), target_.attribute);
+    return values.take(glv::evaluate<Real>(plan_, u, v, values.outputs()));
   }
 
   std::vector<float> mesh(int i1, int i2, int j1, int j2) const {
     glev_mesh mesh{};
-    mesh.size = sizeof mesh;
     mesh.i1 = i1, mesh.i2 = i2, mesh.j1 = j1, mesh.j2 = j2;
-    mesh.output_count = 1;
-    const auto count = static_cast<std::size_t>(i2 - i1 + 1) * static_cast<std::size_t>(j2 - j1 + 1);
-    return values_of(map_, count, target_.attribute, [&](const glev_attribute_output* outputs) {
-      mesh.outputs = outputs;
-      std::vector<std::byte> scratch(glevGetMeshScratchSize(plan_, &mesh));
-      mesh.scratch = scratch.data();
-      mesh.scratch_size = scratch.size();
-      return glevEvaluateMesh(plan_, &mesh);
-    });
+    Values values(map_, static_cast<std::size_t>(i2 - i1 + 1) * static_cast<std::size_t>(j2 - j1 + 1),
+                  target_.attribute);
+    glv::Scratch scratch;
+    return values.take(glv::evaluate_mesh(plan_, mesh, values.outputs(), scratch));
   }
 
   // Returns the vertices that `commands` emits between glevBegin and glevEnd: positions or, if the target is
   // one of texture coordinates, these.
-  std::vector<float> vertices(const std::function<void(glev_context*)>& commands) {
+  std::vector<float> vertices(const std::function<void(glev_context*)>& commands) const {
+    glev_context* const gl = context_.get();
+    std::vector<glev_vertex> emitted;
+    glev_sink sink{};
+    sink.size = sizeof sink;
+    sink.user = &emitted;
+    sink.vertex = [](void* user, const glev_vertex* vertex) {
+      static_cast<std::vector<glev_vertex>*>(user)->push_back(*vertex);
+    };
+    glevSetSink(gl, &sink);
     const bool is_position = target_.attribute == GLEV_ATTRIBUTE_VERTEX;
     if (!is_position)  // nothing is emitted without a vertex map
-      glevEnable(context_, map_.two_dimensional ? GLEV_MAP2_VERTEX_3 : GLEV_MAP1_VERTEX_3);
-    glevBegin(context_, GLEV_POINTS);
-    commands(context_);
-    glevEnd(context_);
+      glevEnable(gl, map_.two_dimensional ? GLEV_MAP2_VERTEX_3 : GLEV_MAP1_VERTEX_3);
+    glevBegin(gl, GLEV_POINTS);
+    commands(gl);
+    glevEnd(gl);
     std::vector<float> values;
-    for (const glev_vertex& vertex : emitted_) {
+    for (const glev_vertex& vertex : emitted) {
       const float* const first = is_position ? vertex.position : vertex.texcoord[0];
       values.insert(values.end(), first, first + map_.components);
     }
@@ -164,50 +163,32 @@ class Evaluator {
                                     const std::vector<double>& points, std::size_t count,
                                     glev_patch_grid grid) {
     const std::vector<float> floats(map.is_float ? points.begin() : points.end(), points.end());
-    glev_patches patches{};
-    patches.size = sizeof patches;
-    patches.count = count;
-    patches.components = static_cast<std::size_t>(map.components);
-    patches.uorder = map.uorder;
-    patches.vorder = map.vorder;
-    patches.type = map.is_float ? GLEV_FLOAT : GLEV_DOUBLE;
-    patches.points = map.is_float ? static_cast<const void*>(floats.data()) : points.data();
-    patches.points_size = map.is_float ? floats.size() * sizeof(float) : points.size() * sizeof(double);
+    const auto components = static_cast<std::size_t>(map.components);
+    glev_patches patches = map.is_float
+                               ? glv::make_patches<float>(floats, components, map.uorder, map.vorder)
+                               : glv::make_patches<double>(points, components, map.uorder, map.vorder);
     patches.u1 = map.domain[0][0], patches.u2 = map.domain[0][1];
     patches.v1 = map.domain[1][0], patches.v2 = map.domain[1][1];
-    grid.size = sizeof grid;
     grid.target = instruction_set.c_str();
-    std::vector<std::byte> scratch(glevGetPatchScratchSize(&patches, &grid));
     const auto of_patch =
         static_cast<std::size_t>(grid.u_segments + 1) * static_cast<std::size_t>(grid.v_segments + 1);
-    return values_of(map, count * of_patch, GLEV_ATTRIBUTE_VERTEX, [&](const glev_attribute_output* outputs) {
-      return glevEvaluatePatches(&patches, &grid, outputs, 1, scratch.data(), scratch.size());
-    });
+    Values values(map, count * of_patch, GLEV_ATTRIBUTE_VERTEX);
+    glv::Scratch scratch;
+    return values.take(glv::evaluate(patches, grid, values.outputs(), scratch));
   }
 
  private:
-  // Returns the values that `evaluate` writes to its output.
-  template <class Evaluate>
-  static std::vector<float> values_of(const Map& map, std::size_t count, glev_attribute attribute,
-                                      const Evaluate& evaluate) {
-    std::vector<float> values(count * static_cast<std::size_t>(map.components));
-    glev_output output{};
-    output.size = sizeof output;
-    output.data = values.data();
-    output.data_size = values.size() * sizeof(float);
-    output.stride = static_cast<std::size_t>(map.components) * sizeof(float);
-    output.components = static_cast<std::size_t>(map.components);
-    const glev_attribute_output outputs = {attribute, &output};
-    demand(evaluate(&outputs) == GLEV_SUCCESS, "the library rejects a batch, mesh or patches");
-    return values;
+  static glv::Context make_context(const std::string& instruction_set) {
+    glev_context_info info{};
+    info.size = sizeof info;
+    info.target = instruction_set.c_str();
+    return glv::Context(&info);
   }
 
   const Map& map_;
   const MapTarget& target_;
-  glev_context* context_ = nullptr;
-  glev_plan* plan_ = nullptr;
-  glev_sink sink_{};
-  std::vector<glev_vertex> emitted_;
+  glv::Context context_;
+  glv::Plan plan_;
 };
 
 // ---- Comparison with the oracle
@@ -382,9 +363,8 @@ class CheckItem {
           random_.once_in(2) ? std::uint64_t{1} << random_.below(7) : 1 + random_.below(most);
       return static_cast<int>(std::min(few, most - 1));
     };
-    glev_patch_grid grid{};
-    grid.u_segments = segments();
-    grid.v_segments = map_.two_dimensional ? segments() : 0;
+    const int u_segments = segments(), v_segments = map_.two_dimensional ? segments() : 0;
+    const glev_patch_grid grid = glv::make_uniform_grid(u_segments, v_segments);
     std::vector<double> u, v;
     for (int j = 0; j <= grid.v_segments; ++j) {
       for (int i = 0; i <= grid.u_segments; ++i) {
