@@ -201,7 +201,9 @@ constexpr std::size_t kFewestPositions = hn::MaxLanes(hn::CappedTag<float, 16>()
 
 // The rows of a part of a mesh.
 struct Rows {
-  static constexpr std::size_t kMost = 64;
+  // The curves of columns are computed for each part, so that a part has the 129 rows of 128 segments. A
+  // multiple of kLanes.
+  static constexpr std::size_t kMost = 136;
   std::size_t count;
   HWY_ALIGN double y[kMost];
   bool has_own_test[kMost];       // correctly rounded, with a rounding test of their own
@@ -232,7 +234,7 @@ HWY_NOINLINE void evaluate_strip(const Source& source, const Source& edges, bool
   Strip<float> fast;
   HWY_ALIGN float edge_values[2][2 * 4 * kPatchLanes + kFewestPositions];
   const std::size_t padded = std::max(count, kFewestPositions), width = count / source.columns,
-                    edge_count = edges.columns * width, padded_edge = std::max(edge_count, kFewestPositions);
+                    edge_count = edges.columns * width, padded_edge = std::max(edge_count, kLanes);
   if (count < padded) strip.clear(count), own.clear(count);
   source.compute(method == Method::kIntervals, &strip);
   if (method == Method::kFast) narrow(strip, m, padded, &fast);

@@ -293,8 +293,7 @@ HWY_NOINLINE inline void evaluate_wide_strip(const MeshCurves& curves, const Mes
                                              MeshSink& sink) {
   const auto [n, m] = curves.map.surface.degree;
   const std::size_t components = sink.components, count = curves.columns * components,
-                    special_count = special.columns * components,
-                    padded = std::max(special_count, kFewestPositions);
+                    special_count = special.columns * components, padded = std::max(special_count, kLanes);
   const auto evaluate = wide_row_function<double>(n, components);
   const auto evaluate_fast = wide_row_function<float>(n, components);
   HWY_ALIGN double places[kMostWideValues + kFewestPositions];
