@@ -1,5 +1,5 @@
-// An implementation with injected mistakes, for tests in this process: `production` or another one with some
-// entry points replaced.
+// Implementations with injected mistakes, for tests in this process: `production` or another one with some
+// entry points replaced; and the subject of tests that an implementation is.
 #pragma once
 
 #include <memory>
@@ -7,6 +7,8 @@
 #include <utility>
 
 #include <evalcts/backends/context_in_front.h>
+#include <evalcts/capture/capture.h>
+#include <evalcts/testkit/subject.h>
 
 namespace evalcts {
 
@@ -34,6 +36,21 @@ class Altered final : public Implementation {
 
   std::unique_ptr<Implementation> inner_;
   void (*alter_)(gl::Table&);
+};
+
+// An implementation with all its captures, which keep a reference to `info`.
+class CapturedSubject : public Subject {
+ public:
+  explicit CapturedSubject(Implementation& judged) : all_captures_(judged, info, nullptr) {
+    implementation = &judged;
+    info = inquire(judged);
+    captures = &all_captures_;
+  }
+  CapturedSubject(const CapturedSubject&) = delete;
+  CapturedSubject& operator=(const CapturedSubject&) = delete;
+
+ private:
+  Captures all_captures_;
 };
 
 }  // namespace evalcts

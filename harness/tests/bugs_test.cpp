@@ -9,7 +9,6 @@
 #include <map>
 #include <set>
 
-#include <evalcts/capture/capture.h>
 #include <evalcts/fuzz/bugs.h>
 #include <evalcts/fuzz/events.h>
 #include <evalcts/fuzz/known_programs.h>
@@ -393,11 +392,7 @@ TEST(Reductions, GoThroughTheirText) {
 std::vector<Reduction> reduced_on(
     Implementation& implementation, const std::vector<FailingCase>& cases,
     const std::function<void()>& starts = [] {}) {
-  Subject subject;
-  subject.implementation = &implementation;
-  subject.info = inquire(implementation);
-  Captures captures(implementation, subject.info, nullptr);
-  subject.captures = &captures;
+  const CapturedSubject subject(implementation);
   const auto reduce = case_reducer(subject);
   std::vector<Reduction> reductions;
   for (const FailingCase& failing : cases) {
@@ -461,7 +456,7 @@ TEST(Reductions, ShowTheOrderOfAMesh) {
   mesh.MapGrid2f(4, 0.0f, 1.0f, 4, 0.0f, 1.0f);
   mesh.EvalMesh2(GL_POINT, 0, 4, 0, 4);
   const std::vector<Reduction> reductions =
-      reduced_on(altered, {{"Points", {Difference::kOrder, "", ""}, gl::to_text(mesh)}}, [] {});
+      reduced_on(altered, {{"Points", {Difference::kOrder, "", ""}, gl::to_text(mesh)}});
   ASSERT_EQ(reductions.size(), 1u);
   ASSERT_TRUE(reductions[0].minimal);
   EXPECT_EQ(reductions[0].minimal->failure.difference.kind, Difference::kOrder);
@@ -479,7 +474,7 @@ TEST(Reductions, ShowVerticesWhereNoneAreDue) {
   mesh.MapGrid2f(4, 0.0f, 1.0f, 4, 0.0f, 1.0f);
   mesh.EvalMesh2(GL_POINT, 1, 0, 0, 2);
   const std::vector<Reduction> reductions =
-      reduced_on(altered, {{"EmptyRange", {"vertices", "", ""}, gl::to_text(mesh)}}, [] {});
+      reduced_on(altered, {{"EmptyRange", {"vertices", "", ""}, gl::to_text(mesh)}});
   ASSERT_EQ(reductions.size(), 1u);
   ASSERT_TRUE(reductions[0].minimal);
   EXPECT_EQ(reductions[0].minimal->failure.expected, "0 vertices");
@@ -511,10 +506,8 @@ TEST(Reductions, ShortenLongPrimitives) {
   strip.End();
   const gl::Case in_list = gl::through_lists(strip, gl::Lists::kCompiled).script;
   const std::vector<Reduction> reductions =
-      reduced_on(altered,
-                 {{"Long", {"color", "explicit vertex", ""}, gl::to_text(strip)},
-                  {"Long/Compiled", {"color", "explicit vertex", ""}, gl::to_text(in_list)}},
-                 [] {});
+      reduced_on(altered, {{"Long", {"color", "explicit vertex", ""}, gl::to_text(strip)},
+                           {"Long/Compiled", {"color", "explicit vertex", ""}, gl::to_text(in_list)}});
   ASSERT_EQ(reductions.size(), 2u);
   for (const Reduction& reduction : reductions) {
     ASSERT_TRUE(reduction.minimal);

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include <evalcts/capture/capture.h>
 #include <evalcts/fuzz/normal_form.h>
 #include <evalcts/fuzz/reduction.h>
 #include <evalcts/gl/case_json.h>
@@ -22,11 +21,7 @@ namespace {
 
 Reduction reduced_on(Implementation& implementation, const Difference& difference,
                      const std::string& commands) {
-  Subject subject;
-  subject.implementation = &implementation;
-  subject.info = inquire(implementation);
-  Captures captures(implementation, subject.info, nullptr);
-  subject.captures = &captures;
+  const CapturedSubject subject(implementation);
   return case_reducer(subject)({"Test", difference, commands});
 }
 
@@ -288,11 +283,7 @@ TEST(Known, IsABugWithTheCapturedValueOfItsProgram) {
 
 TEST(Known, IsNotDecidedAfterTheTimeIsOver) {
   Altered lower_bits(answer_the_lower_bits);
-  Subject subject;
-  subject.implementation = &lower_bits;
-  subject.info = inquire(lower_bits);
-  Captures captures(lower_bits, subject.info, nullptr);
-  subject.captures = &captures;
+  const CapturedSubject subject(lower_bits);
   bool is_over = true;
   Reducer reducer(subject, nullptr, 100, {.is_over = [&] { return is_over; }});
   EXPECT_FALSE(reducer.prove("mesa-getmap-saturation"));

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -44,7 +45,7 @@ class Misbehaviours : public DrillTest, public testing::WithParamInterface<Misbe
   // The time limit is long because the machine may be busy, but short if the test waits for it.
   static std::vector<std::string> options(const Misbehaviour& misbehaviour) {
     return {"--filter",  std::string("Map1State.Stride/*:InitialState.O*") + kWithoutLists,
-            "--timeout", std::string(misbehaviour.verdict) == "timeout" ? "2" : "60",
+            "--timeout", std::string(misbehaviour.verdict) == "timeout" ? "3" : "60",
             "--memory",  kMemory,
             "--jobs",    misbehaviour.jobs};
   }
@@ -70,8 +71,7 @@ class Misbehaviours : public DrillTest, public testing::WithParamInterface<Misbe
       const std::string words = victim["message"];
       EXPECT_TRUE(contains(words, misbehaviour.message));
       EXPECT_TRUE(contains(words, "confirmed alone"));
-      ASSERT_FALSE(victim["calls"].empty());
-      EXPECT_TRUE(contains(victim["calls"].dump(), "glMap1f(GL_MAP1_INDEX"));
+      EXPECT_TRUE(contains(victim.value("calls", json()).dump(), "glMap1f(GL_MAP1_INDEX"));
     } else {
       EXPECT_TRUE(contains(text_of("log-drill.txt"), misbehaviour.message));
     }
@@ -79,6 +79,32 @@ class Misbehaviours : public DrillTest, public testing::WithParamInterface<Misbe
     for (pid_t process = 0; processes >> process;) EXPECT_NE(kill(process, 0), 0) << process;
     EXPECT_FALSE(fs::exists(folder_ / ".lock"));
     EXPECT_LT(fs::file_size(folder_ / "log-drill.txt"), 200'000u);
+  }
+
+  struct ParallelRun {
+    std::string name, what;
+    std::vector<std::string> options;
+    std::function<void(int code)> check;  // runs with the folder of the run as folder_
+  };
+  // Starts all runs at once, because each waits for time limits.
+  void run_in_parallel(const std::vector<ParallelRun>& runs) {
+    const fs::path whole = folder_;
+    std::vector<std::unique_ptr<ChildProcess>> processes;
+    for (const ParallelRun& run : runs) {
+      folder_ = whole / run.name;
+      fs::create_directory(folder_);
+      setenv("EVALCTS_DRILL_FILE", drill_file().c_str(), 1);
+      std::vector<std::string> command = drill_arguments(run.what, run.options);
+      command.insert(command.begin(), EVALCTS_PROGRAM);
+      processes.push_back(std::make_unique<ChildProcess>(command, (folder_ / "command.log").string()));
+    }
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      folder_ = whole / runs[i].name;
+      SCOPED_TRACE(runs[i].name);
+      const auto ending = processes[i]->wait(60);
+      runs[i].check(ending && !ending->signalled ? ending->value : -1);
+    }
+    folder_ = whole;
   }
 };
 
@@ -164,59 +190,75 @@ TEST_F(Misbehaviours, CrashOfAQueryCostsTheTestsThatNeedIt) {
   EXPECT_EQ(like_others, 1u);
 }
 
-// One of the tests that hang at a place is run again alone, and stands for the others.
-TEST_F(Misbehaviours, ThatHangAtOnePlaceAreConfirmedOnce) {
-  drill("hang", {"--filter", std::string("Map1State.*/MAP1_INDEX_f") + kWithoutLists, "--timeout", "3"});
-  std::size_t alone = 0, alike = 0;
-  const json all = results("drill");
-  for (const json& test : all["tests"]) {
-    if (as_text(test["verdict"]) != "timeout") continue;
-    const std::string_view message = as_text(test["message"]);
-    EXPECT_TRUE(contains(test["message"], "in glMap1f(GL_MAP1_INDEX, "));
-    alone += message.ends_with("; confirmed alone in a new process");
-    alike += message.ends_with(", which was run again alone");
-  }
-  EXPECT_EQ(alone, 1u);
-  EXPECT_GE(alike, 1u);
-}
-
-// The runs are parallel because each takes several seconds.
-TEST_F(Misbehaviours, ThatNeverEndAreEnded) {
-  constexpr char kNamed[] = "no answer within 2 seconds in glMap1f(GL_MAP1_INDEX, ";
-  const Misbehaviour misbehaviours[] = {{"hang", "timeout", kNamed, "1"},
-                                        {"hang", "timeout", kNamed, "3"},
-                                        {"stop", "timeout", "no answer within 2 seconds"},
-                                        {"deaf", "timeout", "no answer within 2 seconds"},
-                                        {"handler", "timeout", "no answer within 2 seconds"},
-                                        {"endless-flood", "timeout", "no answer within 2 seconds"}};
-  const fs::path whole = folder_;
-  std::vector<std::pair<fs::path, std::unique_ptr<ChildProcess>>> runs;
-  for (const Misbehaviour& misbehaviour : misbehaviours) {
-    folder_ = whole / (std::string(misbehaviour.what) + "-" + misbehaviour.jobs);
-    fs::create_directory(folder_);
-    std::vector<std::string> arguments = drill_arguments(misbehaviour.what, options(misbehaviour));
-    arguments.insert(arguments.begin(), EVALCTS_PROGRAM);
-    runs.emplace_back(folder_, std::make_unique<ChildProcess>(arguments, (folder_ / "command.log").string()));
-  }
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    folder_ = runs[i].first;
-    const auto ending = runs[i].second->wait(60);
-    EXPECT_TRUE(ending && !ending->signalled) << misbehaviours[i].what;
-    check(misbehaviours[i], ending ? ending->value : -1);
-  }
-  folder_ = whole;
-}
-
-// A test that hangs only after another one is not taken for a slow one, though it passes alone.
-TEST_F(Misbehaviours, ThatHangAfterAnotherTestAreNotSlow) {
+// Tests that hang run again alone, which decides whether they hang, need more time, or depend on an earlier
+// test.
+TEST_F(Misbehaviours, ThatHangAreRunAgainAlone) {
+  // One of the tests that hang at a place stands for the others.
+  const auto one_of_several = [this](int code) {
+    EXPECT_EQ(code, 1);
+    std::size_t alone = 0, alike = 0;
+    const json all = results("drill");
+    for (const json& test : all["tests"]) {
+      if (as_text(test["verdict"]) != "timeout") continue;
+      const std::string_view message = as_text(test["message"]);
+      EXPECT_TRUE(contains(test["message"], "in glMap1f(GL_MAP1_INDEX, "));
+      alone += message.ends_with("; confirmed alone in a new process");
+      alike += message.ends_with(", which was run again alone");
+    }
+    EXPECT_EQ(alone, 1u);
+    EXPECT_GE(alike, 1u);
+  };
+  // A hang that occurs once, with a part of the time limit, may be due to other processes.
+  const auto once = [this](int code) {
+    EXPECT_EQ(code, 0);
+    EXPECT_TRUE(fs::exists(drill_file()));
+    const json all = results("drill");
+    for (const json& test : all["tests"]) EXPECT_EQ(as_text(test["verdict"]), "pass") << test;
+  };
+  std::vector<ParallelRun> runs = {
+      {"several",
+       "hang",
+       {"--filter", std::string("Map1State.*/MAP1_INDEX_f") + kWithoutLists, "--timeout", "3", "--no-bugs"},
+       one_of_several},
+      {"once",
+       "hang-now-and-then",
+       {"--filter", std::string("Map1State.Stride/*:InitialState.O*") + kWithoutLists, "--timeout", "15",
+        "--no-bugs"},
+       once}};
+#ifndef __SANITIZE_ADDRESS__
+  // A test that hangs only after another one is not taken for a slow one, though it passes alone.
   const std::string defines_order_7 = "Map1State.EveryOrderAccepted/MAP1_COLOR_4_f";
-  const Outcome outcome =
-      drill("second-hang", {"--filter", defines_order_7 + ":" + kVictim, "--timeout", "15", "--jobs", "1"});
-  EXPECT_EQ(outcome.code, 1) << outcome.text;
-  const json later = test_named(results("drill"), kVictim);
-  EXPECT_EQ(as_text(later["verdict"]), "timeout") << later;
-  EXPECT_EQ(later["history"], json::array({defines_order_7})) << later;
-  EXPECT_TRUE(contains(later["message"], "no answer within 5 seconds in glMap1f(GL_MAP1_INDEX, ")) << later;
+  const auto after_another = [&](int code) {
+    EXPECT_EQ(code, 1);
+    const json later = test_named(results("drill"), kVictim);
+    EXPECT_EQ(as_text(later["verdict"]), "timeout") << later;
+    EXPECT_EQ(later["history"], json::array({defines_order_7})) << later;
+    EXPECT_TRUE(contains(later["message"], "no answer within 5 seconds in glMap1f(GL_MAP1_INDEX, "));
+  };
+  runs.push_back(
+      {"after-another",
+       "second-hang",
+       {"--filter", defines_order_7 + ":" + kVictim, "--timeout", "15", "--jobs", "1", "--no-bugs"},
+       after_another});
+#endif
+  run_in_parallel(runs);
+}
+
+TEST_F(Misbehaviours, ThatNeverEndAreEnded) {
+  constexpr char kUnnamed[] = "no answer within 3 seconds";
+  constexpr char kNamed[] = "no answer within 3 seconds in glMap1f(GL_MAP1_INDEX, ";
+  const Misbehaviour misbehaviours[] = {
+      {"hang", "timeout", kNamed, "1"}, {"hang", "timeout", kNamed, "3"},
+      {"stop", "timeout", kUnnamed},    {"deaf", "timeout", kUnnamed},
+      {"handler", "timeout", kUnnamed}, {"endless-flood", "timeout", kUnnamed}};
+  std::vector<ParallelRun> runs;
+  for (const Misbehaviour& each : misbehaviours) {
+    const std::string name = fmt::format("{}-{}", each.what, each.jobs);
+    std::vector<std::string> more = options(each);
+    if (name != "hang-3") more.emplace_back("--no-bugs");  // the reduction of one hang comes to its end
+    runs.push_back({name, each.what, more, [this, each](int code) { check(each, code); }});
+  }
+  run_in_parallel(runs);
 }
 
 // --- flakes ------------------------------------------------------------------------------------------------
@@ -229,14 +271,6 @@ class Flakes : public DrillTest {
     return drill(what, more);
   }
 };
-
-// A hang that occurs once, with a part of the time limit, may be due to other processes.
-TEST_F(Flakes, AHangThatDoesNotRepeatIsNone) {
-  const Outcome outcome = play("hang-now-and-then", {"--timeout", "15"});
-  EXPECT_EQ(outcome.code, 0) << outcome.text;
-  EXPECT_TRUE(fs::exists(drill_file()));
-  for (const json& test : results("drill")["tests"]) EXPECT_EQ(as_text(test["verdict"]), "pass") << test;
-}
 
 // A test that fails only once is not observed, and all output states that it is a flake. A crash stays a
 // crash.
@@ -424,64 +458,65 @@ class Variables : public DrillTest {
           "GTEST_REPEAT", "GTEST_OUTPUT", "XML_OUTPUT_FILE", "TESTBRIDGE_TEST_ONLY"})
       unsetenv(name);
   }
-  static constexpr char kFilter[] =
-      "InitialState.*:Enables.*:Map1Errors.StrideBelowK/*:GetMap.*:Map1State.Stride/*";
 
-  std::set<std::string> tests_run(const std::string& name) const {
-    std::set<std::string> tests;
+  using Verdicts = std::map<std::string, std::string>;
+  Verdicts verdicts_of(const std::string& name) const {
+    Verdicts verdicts;
     const json result = results(name);
-    for (const json& test : result["tests"]) tests.insert(test["name"]);
-    return tests;
+    for (const json& test : result["tests"]) verdicts[test["name"]] = test["verdict"];
+    return verdicts;
+  }
+  // Returns the names of the tests that the suite program runs with these options.
+  std::set<std::string> tests_run_by(const std::string& filter, std::vector<std::string> implementation = {
+                                                                    "--implementation", "production"}) {
+    implementation.insert(implementation.begin(), SUITE_PROGRAM);
+    implementation.insert(implementation.end(), {"--depth", "thorough", "--gtest_filter=" + filter});
+    std::istringstream lines(start(implementation).text);
+    std::set<std::string> names;
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with("[ RUN      ] ")) names.insert(line.substr(13));
+    return names;
   }
 };
 
-// `run --shard`, `run` under GoogleTest's variables, and the suite program under them run the same tests.
+// `run --shard`, `run` under GoogleTest's variables, and the suite program under them run the same tests. All
+// shards together run each test once, with the verdicts of a whole run.
 TEST_F(Variables, ShardTheSameWay) {
-  std::set<std::string> together;
+  const std::string filter =
+      std::string("InitialState.*:Map1Errors.StrideBelowK/*:Map1State.Stride/*") + kWithoutLists;
+  EXPECT_EQ(drill("lenient", {"--filter", filter}).code, 1);
+  const Verdicts whole = verdicts_of("drill");
+  EXPECT_GT(whole.size(), 50u);
+  Verdicts together;
   for (int shard = 0; shard < 3; ++shard) {
-    const std::string label = "production." + std::to_string(shard + 1) + "-of-3";
-    const std::vector<std::string> arguments = {"run",           "--implementation", "production", "--filter",
-                                                kFilter,         "--depth",          "thorough",   "--output",
-                                                folder_.string()};
-    std::vector<std::string> sharded = arguments;
-    sharded.insert(sharded.end(), {"--shard", std::to_string(shard + 1) + "/3"});
-    EXPECT_EQ(evalcts(sharded).code, 0);
-    const std::set<std::string> by_option = tests_run(label);
-    EXPECT_FALSE(by_option.empty());
+    const std::string number = std::to_string(shard + 1), label = "drill." + number + "-of-3";
+    drill("lenient", {"--filter", filter, "--shard", number + "/3"});
+    EXPECT_EQ(as_text(results(label)["shard"]), number + "-of-3");
+    const Verdicts by_option = verdicts_of(label);
+    EXPECT_LE(by_option.size(), whole.size() / 3 + 1);
     fs::remove(folder_ / ("results-" + label + ".json"));
 
     setenv("GTEST_TOTAL_SHARDS", "3", 1);
     setenv("GTEST_SHARD_INDEX", std::to_string(shard).c_str(), 1);
     setenv("GTEST_SHARD_STATUS_FILE", (folder_ / "status").c_str(), 1);
-    EXPECT_EQ(evalcts(arguments).code, 0);
-    EXPECT_EQ(tests_run(label), by_option);
+    drill("lenient", {"--filter", filter});
+    EXPECT_EQ(verdicts_of(label), by_option);
     EXPECT_TRUE(fs::exists(folder_ / "status"));
 
-    const Outcome suite = start({SUITE_PROGRAM, "--implementation", "production", "--depth", "thorough",
-                                 std::string("--gtest_filter=") + kFilter});
-    std::set<std::string> by_googletest;
-    std::istringstream lines(suite.text);
-    for (std::string line; std::getline(lines, line);)
-      if (line.starts_with("[ RUN      ] ")) by_googletest.insert(line.substr(13));
-    EXPECT_EQ(by_googletest, by_option);
+    std::set<std::string> names;
+    for (const auto& [name, verdict] : by_option) names.insert(name);
+    EXPECT_EQ(tests_run_by(filter, {"--implementation", "osmesa", "--library", DRILL_LIBRARY}), names);
     for (const char* name : {"GTEST_TOTAL_SHARDS", "GTEST_SHARD_INDEX", "GTEST_SHARD_STATUS_FILE"})
       unsetenv(name);
-    for (const std::string& name : by_option) EXPECT_TRUE(together.insert(name).second) << name;
+    for (const auto& [name, verdict] : by_option) EXPECT_TRUE(together.emplace(name, verdict).second) << name;
   }
-  EXPECT_GT(together.size(), 50u);
+  EXPECT_EQ(together, whole);
+  for (const char* wrong : {"0/3", "4/3", "3", "1/", "/2", "1/2/3", "a/b", "1-of-2"})
+    EXPECT_EQ(drill("lenient", {"--shard", wrong}).code, 2) << wrong;
 }
 
 // A test name with a '-', as other runners pass it, selects the test and is not read as an exclusion.
 TEST_F(Variables, NamesWorkAsTheyAreListed) {
-  const auto tests_run_by = [&](const std::string& filter) {
-    std::istringstream lines(start({SUITE_PROGRAM, "--implementation", "production", "--depth", "thorough",
-                                    "--gtest_filter=" + filter})
-                                 .text);
-    std::set<std::string> names;
-    for (std::string line; std::getline(lines, line);)
-      if (line.starts_with("[ RUN      ] ")) names.insert(line.substr(13));
-    return names;
-  };
   const std::string name = "DisplayLists.CalledTwiceSameBits/1-D", other = "InitialState.OrderOf1D";
   EXPECT_EQ(tests_run_by(name), std::set({name}));
   EXPECT_EQ(tests_run_by(name + ":" + other), std::set({name, other}));
@@ -510,7 +545,7 @@ TEST_F(Variables, ForOthersAreForgotten) {
   setenv("XML_OUTPUT_FILE", (folder_ / "own.xml").c_str(), 1);
   const Outcome outcome = drill("nothing");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
-  EXPECT_GT(tests_run("drill").size(), 15u);
+  EXPECT_GT(verdicts_of("drill").size(), 15u);
   EXPECT_FALSE(fs::exists(folder_ / "own.xml"));
 }
 

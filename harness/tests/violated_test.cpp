@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <evalcts/capture/capture.h>
 #include <evalcts/results/test_record.h>
 #include <evalcts/testkit/test.h>
 #include "altered.h"
@@ -19,12 +18,8 @@ using Body = std::function<void(evalcts::Test&)>;
 TestRecord record_of(void (*alter)(gl::Table&), const Ids& requirements, const Body& body,
                      bool is_warm = false) {
   Altered altered(alter);
-  Subject subject;
-  subject.implementation = &altered;
+  CapturedSubject subject(altered);
   subject.is_warm = is_warm;
-  subject.info = inquire(altered);
-  Captures captures(altered, subject.info, nullptr);
-  subject.captures = &captures;
   TestRecord record;
   record.name = "Violated.Sample";
   record.requirements = requirements;
@@ -215,9 +210,7 @@ TEST(Judged, ErrorsBetweenBeginAndEndAreDueOnlyIfOtherQueriesRaiseThem) {
 // of the case again.
 TEST(Judged, TheCaseIsAnnouncedAgainAfterAControl) {
   Altered altered(lenient_queries<false>);
-  Subject subject;
-  subject.implementation = &altered;
-  subject.info = inquire(altered);
+  CapturedSubject subject(altered);
   std::vector<std::string> announced;
   subject.before_case = [&](const gl::Case& script) { announced.push_back(script.identity()); };
   TestRecord record;
