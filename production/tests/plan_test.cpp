@@ -128,10 +128,24 @@ TEST_F(MemoryTest, EverythingComesFromTheAllocatorAndGoesBack) {
   }
   glev_plan* plan = create();
   one_vertex([&] { glevEvalCoord1f(gl, 0.5f); });
-  glevRetainPlan(plan);
-  for (int reference = 0; reference < 2; ++reference) glevReleasePlan(plan);
+  glevReleasePlan(plan);
   expect_error(GLEV_NO_ERROR);
   EXPECT_GT(ledger_.requests, 10);
+}
+
+TEST_F(MemoryTest, PlansGoBackWithTheirLastReference) {
+  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 4, points_);
+  glevEnable(gl, GLEV_MAP1_VERTEX_3);
+  glev_plan* plan = create();
+  glevRetainPlan(plan);
+  glevDisable(gl, GLEV_MAP1_VERTEX_3);
+  glev_plan* other = create();  // the context drops its reference to the first plan
+  const std::size_t blocks = ledger_.out.size();
+  glevReleasePlan(plan);
+  EXPECT_EQ(ledger_.out.size(), blocks);
+  glevReleasePlan(plan);
+  EXPECT_LT(ledger_.out.size(), blocks);
+  glevReleasePlan(other);
 }
 
 TEST_F(MemoryTest, EvaluationDoesNotAllocate) {
