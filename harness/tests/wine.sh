@@ -4,8 +4,8 @@
 # GL below it does not have are printed. A C program for Windows must show a failure.
 # usage: wine.sh EVALCTS, in the root of the checkout
 set -euo pipefail
-# One display, and one Wine that stays, for all workers: to start them takes longer than most tests, and a program that starts while
-# Wine ends may hang.
+# All workers share one display and one Wine: starting these takes longer than most tests, and a program that starts while Wine ends
+# may hang.
 if [[ ! ${EVALCTS_STAGE_DISPLAY:-} ]]; then EVALCTS_STAGE_DISPLAY=yes exec xvfb-run -a bash "$0" "$@"; fi
 evalcts=$1 folder=$PWD/build/mingw/results
 fail() { echo "$*" >&2; exit 1; }

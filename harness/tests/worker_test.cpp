@@ -64,7 +64,7 @@ TEST_F(Elsewhere, ALostConnectionLosesNothing) {
   }
 }
 
-// That the host is gone says nothing about the library.
+// A host that cannot be reached any more says nothing about the library.
 TEST_F(Elsewhere, AConnectionThatNeverComesBackIsNoCrash) {
   const Outcome outcome =
       run("test -d broken && { echo 'no route to host' >&2; exit 255; }; "

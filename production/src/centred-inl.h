@@ -201,8 +201,8 @@ constexpr std::size_t kFewestPositions = hn::MaxLanes(hn::CappedTag<float, 16>()
 
 // The rows of a part of a mesh.
 struct Rows {
-  // The curves of columns are computed for each part, so that a part has the 129 rows of 128 segments. A
-  // multiple of kLanes.
+  // Each part computes the curves of the columns again, so a part has room for the 129 rows of 128 segments.
+  // place_points() writes whole vectors, so this is a multiple of kLanes.
   static constexpr std::size_t kMost = 136;
   std::size_t count;
   HWY_ALIGN double y[kMost];

@@ -430,7 +430,7 @@ TEST_F(Misuse, OutputsMustNotShareBytesWithScratchMemory) {
     mesh.scratch_size = size;
     EXPECT_EQ(glevEvaluateMesh(plan, &mesh), expected) << offset << " " << size;
   };
-  // The second one is between the elements.
+  // The second offset is between the elements.
   for (std::size_t offset : {std::size_t{1}, needed + 12, needed, needed + extent - 1})
     expect(kOverlap, offset, needed);
   for (std::size_t size : {needed + extent, SIZE_MAX / 2, SIZE_MAX}) expect(kOverlap, 1, size);
