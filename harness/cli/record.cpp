@@ -40,7 +40,7 @@ struct RecordOptions {
 };
 
 // Returns the first few of the counted commands: "glEvalCoord1f 300, glEnd 2".
-std::string first_of(const std::vector<Counted>& commands) {
+std::string first_counts(const std::vector<Counted>& commands) {
   constexpr std::size_t kMostNamed = 8;
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < std::min(commands.size(), kMostNamed); ++i)
@@ -179,7 +179,7 @@ std::string summary_of(const fs::path& file, const Recording& recording) {
     const auto times =
         std::accumulate(commands.begin(), commands.end(), std::uint64_t{0},
                         [](std::uint64_t sum, const Counted& each) { return sum + each.times; });
-    return fmt::format("  {}{}: {}\n", count(times, noun), end, first_of(commands));
+    return fmt::format("  {}{}: {}\n", count(times, noun), end, first_counts(commands));
   };
   std::string text = fmt::format("{}: {:.1f} MiB, {}, {}\n", file.string(),
                                  static_cast<double>(fs::file_size(file)) / 1048576,
@@ -197,7 +197,7 @@ std::string why_nothing(const RecordOptions& options, std::vector<Counted> seen)
   const std::string name = "'" + clean(options.program[0]) + "'";
   if (!seen.empty())
     return fmt::format("{} called no evaluator command, so there is no recording; it called {}", name,
-                       first_of(seen));
+                       first_counts(seen));
   if (const std::string why = why_not_preloaded(find_program(options.program[0])); !why.empty())
     return fmt::format("nothing was recorded: {} {}", name, why);
   return fmt::format(

@@ -16,11 +16,11 @@ constexpr const char* kPages = "https://registry.khronos.org/OpenGL-Refpages/gl2
 constexpr const char* kExtensions = "https://registry.khronos.org/OpenGL/extensions/";
 constexpr const char* kVendors[] = {"APPLE", "ARB", "EXT", "KHR", "NV", "OES", "REND", "SGIS", "SGIX"};
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
 // Returns the version at the beginning of the text, "2.1" of "2.1 §5.1"; empty if there is none.
 std::string version_at(const std::string& text) {
-  if (text.size() < 3 || !is_digit(text[0]) || text[1] != '.' || !is_digit(text[2])) return {};
+  constexpr const char* kDigits = "0123456789";
+  if (text.find_first_of(kDigits) != 0 || text.find('.') != 1 || text.find_first_of(kDigits, 2) != 2)
+    return {};
   return text.substr(0, 3);
 }
 

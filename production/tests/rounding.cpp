@@ -135,25 +135,24 @@ class Evaluator {
   // one of texture coordinates, these.
   std::vector<float> vertices(const std::function<void(glev_context*)>& commands) const {
     glev_context* const gl = context_.get();
-    std::vector<glev_vertex> emitted;
+    const bool is_position = target_.attribute == GLEV_ATTRIBUTE_VERTEX;
+    std::vector<float> values;
+    auto add = [&](const glev_vertex& vertex) {
+      const float* const first = is_position ? vertex.position : vertex.texcoord[0];
+      values.insert(values.end(), first, first + map_.components);
+    };
     glev_sink sink{};
     sink.size = sizeof sink;
-    sink.user = &emitted;
+    sink.user = &add;
     sink.vertex = [](void* user, const glev_vertex* vertex) {
-      static_cast<std::vector<glev_vertex>*>(user)->push_back(*vertex);
+      (*static_cast<decltype(add)*>(user))(*vertex);
     };
     glevSetSink(gl, &sink);
-    const bool is_position = target_.attribute == GLEV_ATTRIBUTE_VERTEX;
     if (!is_position)  // nothing is emitted without a vertex map
       glevEnable(gl, map_.two_dimensional ? GLEV_MAP2_VERTEX_3 : GLEV_MAP1_VERTEX_3);
     glevBegin(gl, GLEV_POINTS);
     commands(gl);
     glevEnd(gl);
-    std::vector<float> values;
-    for (const glev_vertex& vertex : emitted) {
-      const float* const first = is_position ? vertex.position : vertex.texcoord[0];
-      values.insert(values.end(), first, first + map_.components);
-    }
     return values;
   }
 

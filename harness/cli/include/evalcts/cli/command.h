@@ -4,13 +4,18 @@
 // A new command is also declared below and added to the list in main.cpp.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include <evalcts/backends/implementation.h>
+
+// Not included, because CLI11 takes seconds to compile.
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace evalcts::cli {
 
