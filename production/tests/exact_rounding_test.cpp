@@ -281,10 +281,14 @@ TEST_F(RoundExactly, TheWidestOfAll) {
                 plain(-0x1.123456789abcdp-1022)};
   const glev::Component component = {problem.points.data(), 1, problem.order, problem.domain};
   EXPECT_TRUE(std::isinf(glev::round_exactly(component, problem.at[0], problem.at[1])));
-  // The result is finite: the 63rd power of t = 1/2 - 2^-1075 / huge.
-  problem.domain = {Domain{-kHuge, kHuge}, Domain{-kHuge, kHuge}};
-  problem.at = {plain(-kTiny), plain(kTiny)};
-  for (int i = 0; i < kMax * kMax; ++i) problem.points[i] = i == 0 ? 0x1p126 : i % 2 == 0 ? kTiny : -kTiny;
+}
+
+// The 63rd power of t = 1/2 - 2^-1075 / huge is finite.
+TEST_F(RoundExactly, TheWidestOfFiniteResults) {
+  Problem problem = {
+      {kMax, kMax}, {}, {Domain{-kHuge, kHuge}, Domain{-kHuge, kHuge}}, {plain(-kTiny), plain(kTiny)}};
+  for (int i = 0; i < kMax * kMax; ++i)
+    problem.points.push_back(i == 0 ? 0x1p126 : i % 2 == 0 ? kTiny : -kTiny);
   expect_rounded(problem, 1, 1);
   problem.points[1] = problem.points[kMax] = 0;
   problem.points[kMax * kMax - 1] = 0x1p102;  // half of the last bit of 1
