@@ -11,6 +11,7 @@
 #include "exact.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "binomials.h"
@@ -160,20 +161,23 @@ bool find_range(Net& net) {
   return high >= low;
 }
 
-// ---- In 128 bits
+// ---- In an integer of 64 or 128 bits
 
-Limb2 signed_narrow(const RatioPart& part) {
-  const Limb2 magnitude = part.size == 1 ? part.limbs[0] : Limb2{part.limbs[1]} << kLimbBits | part.limbs[0];
+template <class Integer>
+Integer signed_narrow(const RatioPart& part) {
+  Integer magnitude = part.limbs[0];
+  if (sizeof(Integer) > sizeof(Limb) && part.size > 1)
+    magnitude = static_cast<Integer>(Limb2{part.limbs[1]} << kLimbBits | part.limbs[0]);
   return part.negative ? 0 - magnitude : magnitude;
 }
 
 // Returns the sum by Horner's rule; term(i) is called for i from degree to 0.
-template <class Term>
-Limb2 horner_narrow(const Direction& direction, const Term& term) {
+template <class Integer, class Term>
+Integer horner_narrow(const Direction& direction, const Term& term) {
   if (direction.degree == 0) return term(0);
   const std::uint64_t* const binomials = binomial_row(direction.degree);
-  const Limb2 a = signed_narrow(*direction.a), b = signed_narrow(*direction.b);
-  Limb2 sum = term(direction.degree), power = b;
+  const auto a = signed_narrow<Integer>(*direction.a), b = signed_narrow<Integer>(*direction.b);
+  Integer sum = term(direction.degree), power = b;
   for (int i = direction.degree - 1;; --i) {
     sum = sum * a + term(i) * binomials[i] * power;
     if (i == 0) return sum;
@@ -181,13 +185,14 @@ Limb2 horner_narrow(const Direction& direction, const Term& term) {
   }
 }
 
-Limb2 sum_narrow(const Net& net) {
-  return horner_narrow(net.outer, [&net](int i) {
+template <class Integer>
+Integer sum_narrow(const Net& net) {
+  return horner_narrow<Integer>(net.outer, [&net](int i) {
     const double* const row = net.points + i * net.outer.step;
-    return horner_narrow(net.inner, [&net, row](int j) -> Limb2 {
-      Limb2 sum = 0;
+    return horner_narrow<Integer>(net.inner, [&net, row](int j) {
+      Integer sum = 0;
       net.for_each_term(row + j * net.inner.step, [&](const Decoded& decoded) {
-        const Limb2 magnitude = Limb2{decoded.mantissa} << (decoded.exponent - net.low);
+        const Integer magnitude = Integer{decoded.mantissa} << (decoded.exponent - net.low);
         sum += decoded.negative ? 0 - magnitude : magnitude;
       });
       return sum;
@@ -367,8 +372,10 @@ Real round_exactly(const Component& component, const GridArgument& u, const Grid
              factor, {&width_u, &width_v}};
   if (!find_range(net)) return 0;
 
-  if (net.all_bits() + width_u.bits() + width_v.bits() <= 2 * kLimbBits) {
-    const Limb2 sum = sum_narrow(net);
+  const int bits = net.all_bits() + width_u.bits() + width_v.bits();
+  if (bits <= 2 * kLimbBits) {
+    const Limb2 sum = bits <= kLimbBits ? static_cast<Limb2>(static_cast<std::int64_t>(sum_narrow<Limb>(net)))
+                                        : sum_narrow<Limb2>(net);
     constexpr int kSize = 2;
     std::array<Limb, kSize + limbs_for(2 * kLimbBits + 54) + kSize> room;
     room[0] = static_cast<Limb>(sum);

@@ -106,6 +106,8 @@ struct PatchBlock {
   bool fast;       // for grids that span the domain only
   Destination to;  // destination of patch 0; patch p begins p * patch_stride bytes later
   std::size_t patch_stride;
+  const MeshRange* range;  // the points, if their grid spans the domain, otherwise null
+  std::array<Domain, 2> domain;
 };
 
 // Computes the position at real arguments, which must not be subnormal, for plans that can be evaluated

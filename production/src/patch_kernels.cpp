@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "exact.h"
 #include "instruction_sets.h"
 #include "kernels.h"
 
@@ -291,8 +292,9 @@ HWY_INLINE void transpose_all(const float* values, std::size_t count, float* con
 // Collects rows of a strip, and writes them to the patches.
 class PatchSink {
  public:
-  explicit PatchSink(const PatchBlock& block)
-      : block_(block), components_(static_cast<std::size_t>(block.components)) {
+  // `left`: patches that are not evaluated, as bits.
+  PatchSink(const PatchBlock& block, unsigned patches_left)
+      : left(patches_left), block_(block), components_(static_cast<std::size_t>(block.components)) {
     const Destination& to = block.to;
     is_packed_ = to.components == block.components && to.stride == components_ * sizeof(float);
   }
@@ -309,9 +311,21 @@ class PatchSink {
     count_ += rows;
   }
   void end(std::size_t, const float*) const {}
-  float resolve(std::size_t, std::size_t position) {
-    undecided |= 1U << (position % kPatchLanes);
-    return 0;
+  // Rounds a value exactly. A patch with many undecided values is left, because a plan has faster methods.
+  float resolve(std::size_t r, std::size_t position) {
+    const std::size_t patch = position % kPatchLanes, value = position / kPatchLanes;
+    if ((left >> patch & 1) != 0) return 0;
+    if (block_.range == nullptr || resolved_[patch]++ == kMostResolved) {
+      left |= 1U << patch;
+      return 0;
+    }
+    const auto [n, m] = block_.degree;
+    const glev::Component component = {block_.net + value % components_ * kPatchLanes + patch,
+                                       static_cast<std::ptrdiff_t>(components_ * kPatchLanes),
+                                       {n + 1, m + 1},
+                                       block_.domain};
+    return round_exactly(component, block_.range->u_of(first_column_ + value / components_),
+                         block_.range->v_of(first_row_ + r));
   }
 
   HWY_INLINE void flush() {
@@ -333,10 +347,11 @@ class PatchSink {
     count_ = 0;
   }
 
-  unsigned undecided = 0;  // patches, as bits
+  unsigned left;
 
  private:
   static constexpr std::size_t kMostValues = 4 * kMostPositions;
+  static constexpr int kMostResolved = 6;
   std::size_t row_values() const { return columns_ * components_ * kPatchLanes; }
 
   const PatchBlock& block_;
@@ -344,6 +359,7 @@ class PatchSink {
   bool is_packed_;
   std::size_t first_row_ = 0, first_column_ = 0, columns_ = 0;
   std::size_t first_ = 0, count_ = 0;  // rows that are not yet written
+  std::array<int, kPatchLanes> resolved_{};
   HWY_ALIGN float values_[kMostValues + kFewestPositions];
   HWY_ALIGN float packed_[kPatchLanes][kMostValues / kPatchLanes];
 };
@@ -369,7 +385,7 @@ unsigned set_components(const PatchBlock& block, Component* component, bool* is_
   return left;
 }
 
-// Evaluates patches. Returns the undecided ones as bits.
+// Evaluates patches. Returns those that are not evaluated, as bits.
 unsigned evaluate(const PatchBlock& block) {
   const auto components = static_cast<std::size_t>(block.components);
   const auto [n, m] = block.degree;
@@ -381,7 +397,7 @@ unsigned evaluate(const PatchBlock& block) {
   const Method method = block.fast ? Method::kFast : is_exact ? Method::kExact : Method::kIntervals;
   const std::size_t most_columns = kMostPositions / (components * kPatchLanes), last = block.columns - 1;
   PatchCurves curves = {component, components, n, m, block.has_lines};
-  PatchSink sink(block);
+  PatchSink sink(block, left | ~((1U << block.patches) - 1));
   Rows rows;
   for (std::size_t r0 = 0; r0 < block.rows; r0 += Rows::kMost) {
     rows.count = std::min(Rows::kMost, block.rows - r0);
@@ -400,7 +416,7 @@ unsigned evaluate(const PatchBlock& block) {
       sink.flush();
     }
   }
-  return (left | sink.undecided) & ((1U << block.patches) - 1);
+  return sink.left & ((1U << block.patches) - 1);
 }
 
 }  // namespace patches

@@ -325,7 +325,9 @@ class SideBySide {
               is_uniform && patches.count <= kFewPatches,
               grid.precision == GLEV_FAST && is_uniform && !glev::has_few_segments(surface, range),
               {vertex_.data, vertex_.stream.stride, vertex_.stream.row_stride, vertex_.components},
-              vertex_.stream.patch_stride};
+              vertex_.stream.patch_stride,
+              is_uniform ? &range : nullptr,
+              {domain_u, domain_v}};
   }
 
   // Evaluates `count` <= kPatchLanes patches from `first` on. Returns the patches that are not evaluated, as

@@ -19,6 +19,12 @@ bool is_finite(const GridArgument& argument) {
   return std::isfinite(argument.grid.u1) && std::isfinite(argument.grid.u2);
 }
 
+// Returns true if an argument is a point of a grid over the domain with few segments.
+bool is_short(const Domain& domain, const GridArgument& argument) {
+  const Grid& grid = argument.grid;
+  return (spans(grid, domain) || spans_backwards(grid, domain)) && grid.segments < 4096;
+}
+
 // Evaluates in double alone.
 double resolve_plainly(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v) {
   std::array<double, kMaxOrder * 4> room;
@@ -77,8 +83,14 @@ float resolve(const PreparedMap& map, int k, const GridArgument& u, const GridAr
   if (component.kind == PreparedComponent::Kind::kLine &&
       resolve_on_line(component, component.line_direction == 0 ? u : v, &result))
     return result;
-  const Enclosure enclosure = map.encloses(component.lowest, component.lowest_largest, u, v);
-  if (settle(enclosure.value, enclosure.error, &result)) return result;
+  // Values that double leaves open there are ties as a rule, and exact sums are short.
+  const auto [domain_u, domain_v] = map.surface.domain;
+  const bool has_short_sum = map.centred_bits[k] < kManyBits && is_short(domain_u, u) &&
+                             (map.surface.degree[1] == 0 || is_short(domain_v, v));
+  if (!has_short_sum) {
+    const Enclosure enclosure = map.encloses(component.lowest, component.lowest_largest, u, v);
+    if (settle(enclosure.value, enclosure.error, &result)) return result;
+  }
   return round_exactly(component.lowest, u, v);
 }
 

@@ -286,7 +286,7 @@ TEST_F(RoundExactly, TheWidestOfAll) {
 // The 63rd power of t = 1/2 - 2^-1075 / huge is finite.
 TEST_F(RoundExactly, TheWidestOfFiniteResults) {
   Problem problem = {
-      {kMax, kMax}, {}, {Domain{-kHuge, kHuge}, Domain{-kHuge, kHuge}}, {plain(-kTiny), plain(kTiny)}};
+      {kMax, kMax}, {Domain{-kHuge, kHuge}, Domain{-kHuge, kHuge}}, {}, {plain(-kTiny), plain(kTiny)}};
   for (int i = 0; i < kMax * kMax; ++i)
     problem.points.push_back(i == 0 ? 0x1p126 : i % 2 == 0 ? kTiny : -kTiny);
   expect_rounded(problem, 1, 1);

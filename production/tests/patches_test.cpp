@@ -230,8 +230,8 @@ TEST_F(Patches, UniformGridsHaveTheBitsOfMeshes) {
   for (int k = 0; k < 400 && !HasFailure(); ++k) {
     Points points;
     points.precision = chance_.one_of({GLEV_CORRECTLY_ROUNDED, GLEV_CORRECTLY_ROUNDED, GLEV_FAST});
-    points.u_segments = chance_.one_of({0, 1, 2, 3, 4, 7, 8, 16, 20, 33});
-    points.v_segments = chance_.one_of({0, 1, 2, 3, 4, 7, 8, 9, 20, 70});
+    points.u_segments = chance_.one_of({0, 1, 2, 3, 6, 7, 8, 12, 16, 20, 24, 33});
+    points.v_segments = chance_.one_of({0, 1, 2, 3, 6, 7, 8, 9, 12, 20, 70, 150});
     check_random(choose_net(chance_, k % 8 == 0 ? 9 : 4, chance_.one_of(kAllData)), points);
   }
 }
@@ -287,6 +287,21 @@ TEST_F(Patches, VerticesAreCorrectlyRounded) {
           << "patch " << p << " of " << net.count << ", (" << u << ", " << v << ")";
     }
   }
+}
+
+// Along v, all values but those of row 149 are floats; these are ties.
+TEST_F(Patches, TiesOfOneRowAreRounded) {
+  constexpr int kSegments = 150, kTie = 149, kStep = 112601;
+  static_assert(kTie % 2 == 1 && kStep % 2 == 1 && kTie * kStep > 1 << 24 && (kTie - 1) * kStep < 1 << 24);
+  Net net;
+  net.order = {2, 4};
+  net.components = 1;
+  net.count = 8;
+  for (int e = 0; e < 8 * 8; ++e) net.values.push_back(kSegments / 3 * kStep * (e % 4));
+  const Floats results =
+      net.evaluate(glevaluator::make_uniform_grid(1, kSegments), GLEV_ATTRIBUTE_VERTEX, 2 * (kSegments + 1));
+  for (std::size_t at = 0; at < results.size(); ++at)
+    EXPECT_EQ(results[at], static_cast<float>(at / 2 % (kSegments + 1) * kStep)) << at;
 }
 
 // NaN, infinities, subnormal and huge numbers in a component do not affect other components.

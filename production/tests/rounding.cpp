@@ -310,7 +310,7 @@ class CheckItem {
   Arguments::Grid random_grid(const Interval& interval) {
     const auto [u1, u2] = interval;
     if (what_.is_tie_rich() && !random_.once_in(8)) {
-      const std::array<std::int64_t, 4> others = {5, 10, 12, 20};
+      const std::array<std::int64_t, 4> others = {5, 6, 12, 20};
       const std::int64_t few = std::int64_t{1} << random_.below(8);
       return {random_.once_in(5) ? others[random_.below(4)] : few, u1, u2};
     }
