@@ -57,7 +57,7 @@ struct MeshRange {
 // most maps. Such meshes are correctly rounded. The result depends on the grid and not on the range, so
 // adjacent ranges have the same points.
 inline bool has_few_segments(const Surface& surface, const MeshRange& range) {
-  constexpr std::int64_t kFewestSegments = 100;
+  constexpr std::int64_t kFewestSegments = 225;
   constexpr int kFewBits = 18;
   const auto [n, m] = surface.degree;
   const auto [domain_u, domain_v] = surface.domain;
