@@ -289,19 +289,23 @@ TEST_F(Patches, VerticesAreCorrectlyRounded) {
   }
 }
 
-// Along v, all values but those of row 149 are floats; these are ties.
-TEST_F(Patches, TiesOfOneRowAreRounded) {
+// Of 150 rows or columns, all values but those of number 149 are floats; these are ties.
+TEST_F(Patches, TiesOfOneRowOrColumnAreRounded) {
   constexpr int kSegments = 150, kTie = 149, kStep = 112601;
   static_assert(kTie % 2 == 1 && kStep % 2 == 1 && kTie * kStep > 1 << 24 && (kTie - 1) * kStep < 1 << 24);
-  Net net;
-  net.order = {2, 4};
-  net.components = 1;
-  net.count = 8;
-  for (int e = 0; e < 8 * 8; ++e) net.values.push_back(kSegments / 3 * kStep * (e % 4));
-  const Floats results =
-      net.evaluate(glevaluator::make_uniform_grid(1, kSegments), GLEV_ATTRIBUTE_VERTEX, 2 * (kSegments + 1));
-  for (std::size_t at = 0; at < results.size(); ++at)
-    EXPECT_EQ(results[at], static_cast<float>(at / 2 % (kSegments + 1) * kStep)) << at;
+  for (const bool is_row : {true, false}) {
+    Net net;
+    net.order = is_row ? std::array{2, 4} : std::array{4, 2};
+    net.components = 1;
+    net.count = 8;
+    for (int e = 0; e < 8 * 8; ++e)
+      net.values.push_back(kSegments / 3 * kStep * (is_row ? e % 4 : e / 2 % 4));
+    const Floats results = net.evaluate(
+        is_row ? glevaluator::make_uniform_grid(1, kSegments) : glevaluator::make_uniform_grid(kSegments, 1),
+        GLEV_ATTRIBUTE_VERTEX, 2 * (kSegments + 1));
+    for (std::size_t at = 0; at < results.size(); ++at)
+      EXPECT_EQ(results[at], static_cast<float>((is_row ? at / 2 : at) % (kSegments + 1) * kStep)) << at;
+  }
 }
 
 // NaN, infinities, subnormal and huge numbers in a component do not affect other components.
