@@ -289,7 +289,7 @@ TEST_F(Patches, VerticesAreCorrectlyRounded) {
   }
 }
 
-// Of 150 rows or columns, all values but those of number 149 are floats; these are ties.
+// All values but those of row or column 149 of 150 are floats; these are ties.
 TEST_F(Patches, TiesOfOneRowOrColumnAreRounded) {
   constexpr int kSegments = 150, kTie = 149, kStep = 112601;
   static_assert(kTie % 2 == 1 && kStep % 2 == 1 && kTie * kStep > 1 << 24 && (kTie - 1) * kStep < 1 << 24);
