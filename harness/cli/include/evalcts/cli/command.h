@@ -11,7 +11,7 @@
 
 #include <evalcts/backends/implementation.h>
 
-// Not included, because CLI11 takes seconds to compile.
+// CLI/App.hpp is not included here, because CLI11 takes seconds to compile.
 namespace CLI {
 class App;
 class Option;
