@@ -158,13 +158,15 @@ std::size_t count_of(glev_int i1, glev_int i2) {
   return i1 > i2 ? 0 : static_cast<std::size_t>(static_cast<std::int64_t>(i2) - i1 + 1);
 }
 
-// Copies the mesh. Returns an error if it is invalid, apart from its outputs and scratch memory.
-glev_result read_mesh(const glev_plan* plan, const glev_mesh* given, glev_mesh* mesh) {
+// Views the mesh, in `room` if it has another size. Returns an error if it is invalid, apart from its outputs
+// and scratch memory.
+glev_result view_mesh(const glev_plan* plan, const glev_mesh* given, glev_mesh* room,
+                      const glev_mesh** mesh) {
   if (plan == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
-  const glev_result result = glev::read_struct(given, mesh);
+  const glev_result result = glev::view_struct(given, room, mesh);
   if (result != GLEV_SUCCESS) return result;
-  const bool is_valid =
-      glev::is_precision(mesh->precision) && (plan->dimension() == 2 || (mesh->j1 == 0 && mesh->j2 == 0));
+  const bool is_row_0 = (*mesh)->j1 == 0 && count_of((*mesh)->j1, (*mesh)->j2) == 1;
+  const bool is_valid = glev::is_precision((*mesh)->precision) && (plan->dimension() == 2 || is_row_0);
   return is_valid ? GLEV_SUCCESS : GLEV_ERROR_INVALID_ARGUMENT;
 }
 
@@ -293,15 +295,18 @@ glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
 }
 
 size_t glevGetMeshScratchSize(const glev_plan* plan, const glev_mesh* given) {
-  glev_mesh mesh;
-  if (read_mesh(plan, given, &mesh) != GLEV_SUCCESS) return 0;
-  return glev::scratch_of(*plan, count_of(mesh.i1, mesh.i2));
+  glev_mesh room;
+  const glev_mesh* mesh;
+  if (view_mesh(plan, given, &room, &mesh) != GLEV_SUCCESS) return 0;
+  return glev::scratch_of(*plan, count_of(mesh->i1, mesh->i2));
 }
 
 glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
-  glev_mesh mesh;
-  glev_result result = read_mesh(plan, given, &mesh);
+  glev_mesh room;
+  const glev_mesh* view;
+  glev_result result = view_mesh(plan, given, &room, &view);
   if (result != GLEV_SUCCESS) return result;
+  const glev_mesh& mesh = *view;
   const bool has_rows = plan->dimension() == 2;
   const std::size_t columns = count_of(mesh.i1, mesh.i2), rows = count_of(mesh.j1, mesh.j2);
   if (mesh.scratch == nullptr && mesh.scratch_size != 0) return GLEV_ERROR_INVALID_ARGUMENT;
@@ -312,8 +317,7 @@ glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
 
   if (mesh.scratch_size < glev::scratch_of(*plan, columns)) return GLEV_ERROR_BUFFER_TOO_SMALL;
   auto* const scratch = static_cast<std::byte*>(mesh.scratch);
-  const Stream claimed = glev::claim(mesh.scratch, mesh.scratch_size);
-  const std::array<Stream, 1> others = {claimed};
+  const std::array<Stream, 1> others = {glev::claim(mesh.scratch, mesh.scratch_size)};
   result = glev::check_memory(outputs, others);
   if (result != GLEV_SUCCESS) return result;
 

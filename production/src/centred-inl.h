@@ -113,7 +113,7 @@ using EvaluatesRows = bool (*)(const Strip<Real>& strip, std::size_t count, cons
 // Returns the function for `rows` rows, 1 or 2, of curves of degree m.
 template <class Real, bool kIntervals>
 EvaluatesRows<Real> rows_function(int m, std::size_t rows) {
-  constexpr EvaluatesRows<Real> kOf[2][kMaxCentredDegree + 1] = {
+  static constexpr EvaluatesRows<Real> kOf[2][kMaxCentredDegree + 1] = {
       {evaluate_rows<Real, kIntervals, 0, 1>, evaluate_rows<Real, kIntervals, 1, 1>,
        evaluate_rows<Real, kIntervals, 2, 1>, evaluate_rows<Real, kIntervals, 3, 1>},
       {evaluate_rows<Real, kIntervals, 0, 2>, evaluate_rows<Real, kIntervals, 1, 2>,
@@ -155,16 +155,16 @@ inline void narrow(const Strip<double>& strip, int m, std::size_t count, Strip<f
 }
 
 // Ties and zeros are frequent at the ends, in the middle and in the quarters of a direction, where Horner's
-// rule does not round the values of most maps.
+// rule does not round the values of most maps. Returns true there; x is in [-1,1].
 inline bool is_line(double x) {
-  const double twice = 2 * std::fabs(x);
-  return twice == 0 || twice == 1 || twice == 2;
+  constexpr double kMagic = 0x1.8p52;  // rounds 2x to an integer
+  return 2 * x + kMagic - kMagic == 2 * x;
 }
-// The numbers of the columns of a strip that are on lines.
+// The numbers of the columns or rows of a part that are on lines.
 struct Lines {
   std::size_t count = 0, at[5];
 
-  // Finds the lines among the columns from `first` on of a grid that spans the domain.
+  // Finds the lines among the columns or rows from `first` on of a grid that spans the domain.
   void find(const Grid& grid, std::int64_t first, std::size_t columns) {
     count = 0;
     for (std::int64_t quarter = 0; quarter <= 4; ++quarter) {
@@ -187,17 +187,24 @@ HWY_INLINE void place_points(const Domain& domain, const Grid& grid, std::int64_
     }
     return;
   }
-  const Vector segments = hn::Set(kDoubles, grid.segments);
+  // The inverse of a power of two is exact, so the product has the bits of the quotient.
+  const bool has_inverse = std::has_single_bit(static_cast<unsigned>(grid.segments));
+  const Vector segments = hn::Set(kDoubles, grid.segments), inverse = hn::Set(kDoubles, 1.0 / grid.segments);
   for (std::size_t i = 0; i < count; i += kLanes) {
-    const Vector index = hn::Iota(kDoubles, static_cast<double>(first) + static_cast<double>(i));
-    hn::StoreU(hn::Div(hn::Sub(hn::Add(index, index), segments), segments), kDoubles, x + i);
+    const Vector index = hn::Iota(kDoubles, static_cast<double>(first) + static_cast<double>(i)),
+                 numerator = hn::Sub(hn::Add(index, index), segments);
+    hn::StoreU(has_inverse ? hn::Mul(numerator, inverse) : hn::Div(numerator, segments), kDoubles, x + i);
   }
 }
 
 // The arithmetic of the rows of a mesh: intervals, doubles that no operation rounds, or floats.
 enum class Method { kIntervals, kExact, kFast };
-// The number of positions that evaluate_strip() writes at least.
-constexpr std::size_t kFewestPositions = hn::MaxLanes(hn::CappedTag<float, 16>());
+// The largest number of positions that evaluate_strip() writes at least, and that of a method.
+constexpr std::size_t kFewestPositions = hn::MaxLanes(hn::CappedTag<float, kMostLanes<float>>());
+constexpr std::size_t fewest_positions(Method method) {
+  return method == Method::kFast ? kFewestPositions
+                                 : hn::MaxLanes(hn::CappedTag<double, kMostLanes<double>>());
+}
 
 // The rows of a part of a mesh.
 struct Rows {
@@ -206,80 +213,51 @@ struct Rows {
   static constexpr std::size_t kMost = 136;
   std::size_t count;
   HWY_ALIGN double y[kMost];
-  bool has_own_test[kMost];       // correctly rounded, with a rounding test of their own
-  bool has_own_edge_test[kMost];  // same for the edges of rows in float
+  // Rows that are correctly rounded with a test of their own: those on lines, whose intervals are tighter,
+  // or, with GLEV_FAST, those on the boundary.
+  Lines own;
 
-  // Chooses the tests: rows along lines have tighter intervals of their own, unless nothing is rounded. With
-  // GLEV_FAST, rows on the boundary are correctly rounded; `has_first` and `has_last`: the first and last row
-  // are.
-  void set(bool has_lines, Method method, bool has_first, bool has_last) {
-    for (std::size_t r = 0; r < count; ++r) {
-      const bool is_on_line = has_lines && is_line(y[r]), is_fast = method == Method::kFast;
-      has_own_test[r] = is_fast ? (has_first && r == 0) || (has_last && r + 1 == count) : is_on_line;
-      has_own_edge_test[r] = is_on_line;
-    }
+  // The first and the last row are on the boundary.
+  void choose_ends(bool has_first, bool has_last) {
+    own.count = 0;
+    if (has_first) own.at[own.count++] = 0;
+    if (has_last && !(has_first && count == 1)) own.at[own.count++] = count - 1;
   }
 };
 
 // Evaluates the rows of a strip with `count` values per row. Source computes curves of degree m: compute()
-// those of the strip, and compute_row() those of degree 0 of a row that has its own rounding test. Sink
-// stores rows: begin() returns their memory, and end() is called after each row; resolve() returns a value
-// that its interval does not decide; the values of a column are a multiple of unit(). With GLEV_FAST, `edges`
-// are the first and last column if these are on the boundary. They are correctly rounded: adjacent patches
-// then meet without a crack, because points on the boundary depend only on the exact value.
+// those of the strip, and round_row() evaluates a row that has its own rounding test. Sink stores rows:
+// begin() returns their memory, and end() is called after each row; resolve() returns a value that its
+// interval does not decide; set_columns() replaces the values of a row in float that are on the boundary by
+// those that are correctly rounded. Adjacent patches then meet without a crack, because points on the
+// boundary depend only on the exact value.
 template <class Source, class Sink>
-HWY_NOINLINE void evaluate_strip(const Source& source, const Source& edges, bool has_first, Method method,
-                                 int m, const Rows& rows, std::size_t count, Sink& sink) {
-  Strip<double> strip, own, edge;
+HWY_NOINLINE void evaluate_strip(const Source& source, Method method, int m, const Rows& rows,
+                                 std::size_t count, Sink& sink) {
+  Strip<double> strip;
   Strip<float> fast;
-  HWY_ALIGN float edge_values[2][2 * 4 * kPatchLanes + kFewestPositions];
-  const std::size_t padded = std::max(count, kFewestPositions), width = count / source.columns,
-                    edge_count = edges.columns * width, padded_edge = std::max(edge_count, kLanes);
-  if (count < padded) strip.clear(count), own.clear(count);
+  const std::size_t padded = std::max(count, fewest_positions(method));
+  if (count < padded) strip.clear(count);
   source.compute(method == Method::kIntervals, &strip);
   if (method == Method::kFast) narrow(strip, m, padded, &fast);
-  if (edge_count != 0) {
-    if (edge_count < padded_edge) edge.clear(edge_count), own.clear(edge_count);
-    edges.compute(true, &edge);
-  }
-  // Evaluates one or two rows, correctly rounded.
-  const auto round = [&](const Source& from, const Strip<double>& curves, bool is_single, std::size_t r,
-                         std::size_t next, std::size_t values, std::size_t padded_values, float* const* to,
-                         const auto& position) HWY_ATTR {
-    bool is_settled;
-    if (is_single) {
-      from.compute_row(rows.y[r], &own);
-      is_settled = evaluate_rows<double, true, 0, 1>(own, padded_values, rows.y + r, to);
-    } else {
-      is_settled = rows_function<double, true>(m, next)(curves, padded_values, rows.y + r, to);
-    }
-    for (std::size_t i = 0; i < next && HWY_UNLIKELY(!is_settled); ++i) {
-      resolve_row(is_single ? own : curves, is_single ? 0 : m, values, rows.y[r + i], to[i],
-                  [&](std::size_t p) { return sink.resolve(r + i, position(p)); });
-    }
-  };
-  for (std::size_t r = 0, next = 0; r < rows.count; r += next) {
-    const auto is_single = [&](std::size_t i) { return rows.has_own_test[i] || rows.has_own_edge_test[i]; };
-    next = is_single(r) || r + 1 == rows.count || is_single(r + 1) ? 1 : 2;
+  for (std::size_t r = 0, next = 0, own = 0; r < rows.count; r += next) {
+    const std::size_t next_own = own < rows.own.count ? rows.own.at[own] : rows.count;
+    next = r == next_own || r + 1 == next_own ? 1 : 2;
     float* to[2];
     sink.begin(r, next, to);
-    if (rows.has_own_test[r] || method == Method::kIntervals) {
-      round(source, strip, rows.has_own_test[r], r, next, count, padded, to, [](std::size_t p) { return p; });
+    if (r == next_own) {
+      ++own;
+      source.round_row(rows.y[r], to[0], [&](std::size_t p) { return sink.resolve(r, p); });
+    } else if (method == Method::kIntervals) {
+      const bool is_settled = rows_function<double, true>(m, next)(strip, padded, rows.y + r, to);
+      for (std::size_t i = 0; i < next && HWY_UNLIKELY(!is_settled); ++i)
+        resolve_row(strip, m, count, rows.y[r + i], to[i],
+                    [&](std::size_t p) { return sink.resolve(r + i, p); });
     } else if (method == Method::kExact) {
       rows_function<double, false>(m, next)(strip, padded, rows.y + r, to);
     } else {
       rows_function<float, false>(m, next)(fast, padded, rows.y + r, to);
-      if (edge_count != 0) {
-        float* const ends[2] = {edge_values[0], edge_values[1]};
-        const auto position = [&](std::size_t p) {
-          return has_first && p < width ? p : count - width + p % width;
-        };
-        round(edges, edge, rows.has_own_edge_test[r], r, next, edge_count, padded_edge, ends, position);
-        for (std::size_t i = 0; i < next; ++i) {
-          for (std::size_t p = 0; p < edge_count; p += sink.unit())
-            std::memcpy(to[i] + position(p), ends[i] + p, sink.unit() * sizeof(float));
-        }
-      }
+      for (std::size_t i = 0; i < next; ++i) sink.set_columns(r + i, to[i]);
     }
     for (std::size_t i = 0; i < next; ++i) sink.end(r + i, to[i]);
   }

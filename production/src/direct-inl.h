@@ -62,7 +62,7 @@ bool evaluate_cubic_directly(const glev_plan& plan, double u, double v, float* p
   }
   FourVector sum[kParts];
   for (std::size_t part = 0; part < kParts; ++part) {
-    const double* const centred = map.centred + part * hn::MaxLanes(kFour);
+    const double* const centred = map.centred + part * kFourLanes;
     const auto cubic = [&](const double* first, FourVector at) {
       FourVector value = hn::Load(kFour, first + 12);
       for (int i = 2; i >= 0; --i) value = hn::MulAdd(value, at, hn::Load(kFour, first + 4 * i));

@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 namespace enclosure {
 
-constexpr std::size_t kWidth = hn::MaxLanes(kFour);
+constexpr std::size_t kWidth = kFourLanes;
 
 // Vectors of double-doubles. The operations have the errors of those in double_double.h.
 template <class V>

@@ -38,22 +38,22 @@ void evaluate_mesh_of(const PreparedMap& map, const MeshRange& range, bool fast,
 }
 
 void evaluate_curve(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to) {
-  constexpr decltype(&evaluate_curves<1>) kOf[] = {evaluate_curves<1>, evaluate_curves<2>, evaluate_curves<3>,
-                                                   evaluate_curves<4>};
+  static constexpr decltype(&evaluate_curves<1>) kOf[] = {evaluate_curves<1>, evaluate_curves<2>,
+                                                          evaluate_curves<3>, evaluate_curves<4>};
   kOf[map.surface.components - 1](map, {u, u, count}, to);
 }
 
 void evaluate_surface(const PreparedMap& map, const Input& u, const Input& v, std::size_t count, bool fast,
                       const Destination& to) {
-  constexpr decltype(&evaluate_surfaces<1>) kOf[] = {evaluate_surfaces<1>, evaluate_surfaces<2>,
-                                                     evaluate_surfaces<3>, evaluate_surfaces<4>};
+  static constexpr decltype(&evaluate_surfaces<1>) kOf[] = {evaluate_surfaces<1>, evaluate_surfaces<2>,
+                                                            evaluate_surfaces<3>, evaluate_surfaces<4>};
   kOf[map.surface.components - 1](map, {u, v, count}, fast, to);
 }
 
 void evaluate_mesh(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,
                    std::byte* scratch) {
-  constexpr decltype(&evaluate_mesh_of<1>) kOf[] = {evaluate_mesh_of<1>, evaluate_mesh_of<2>,
-                                                    evaluate_mesh_of<3>, evaluate_mesh_of<4>};
+  static constexpr decltype(&evaluate_mesh_of<1>) kOf[] = {evaluate_mesh_of<1>, evaluate_mesh_of<2>,
+                                                           evaluate_mesh_of<3>, evaluate_mesh_of<4>};
   auto* const values = reinterpret_cast<double*>(scratch);
   if (!evaluate_centred_mesh(map, range, fast, to, values))
     kOf[map.surface.components - 1](map, range, fast, to, values);

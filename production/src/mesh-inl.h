@@ -83,7 +83,7 @@ HWY_INLINE void row_of(const Surface& surface, const double* weights_v, double* 
     FourVector sum[kParts];
     add_points(points, kComponents, weights_v, m, sum);
     for (std::size_t part = 0; part < kParts; ++part)
-      hn::StoreU(sum[part], kFour, row + part * hn::MaxLanes(kFour));
+      hn::StoreU(sum[part], kFour, row + part * kFourLanes);
   }
 }
 

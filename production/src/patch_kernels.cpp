@@ -154,13 +154,17 @@ struct PatchCurves {
   HWY_INLINE void choose(const double* places, std::size_t count) { x = places, columns = count; }
 
   void compute(bool has_ends, Strip<double>* strip) const {
-    constexpr decltype(&compute_of<1>) kOf[kMaxCentredDegree] = {compute_of<1>, compute_of<2>, compute_of<3>};
+    static constexpr decltype(&compute_of<1>) kOf[kMaxCentredDegree] = {compute_of<1>, compute_of<2>,
+                                                                        compute_of<3>};
     kOf[n - 1](*this, has_ends, strip);
   }
-  void compute_row(double y, Strip<double>* strip) const {
-    constexpr decltype(&compute_row_of<1>) kOf[kMaxCentredDegree] = {compute_row_of<1>, compute_row_of<2>,
-                                                                     compute_row_of<3>};
-    kOf[n - 1](*this, y, strip);
+  // Evaluates the row at y as a curve in x, correctly rounded. resolve(position) returns a value that its
+  // interval does not decide.
+  template <class Resolver>
+  void round_row(double y, float* to, const Resolver& resolve) const {
+    static constexpr decltype(&round_row_of<1, Resolver>) kOf[kMaxCentredDegree] = {
+        round_row_of<1, Resolver>, round_row_of<2, Resolver>, round_row_of<3, Resolver>};
+    kOf[n - 1](*this, y, to, resolve);
   }
 
  private:
@@ -171,30 +175,42 @@ struct PatchCurves {
       const Component& own = curves.component[k];
       for (int j = 0; j <= curves.m; ++j)
         curves.compute_power<kDegree>(own.power + j * (kDegree + 1), j, k, strip);
-      if (has_ends) curves.set_ends(own.error, own.line_error, curves.m, k, strip);
+      if (has_ends) curves.set_ends(own, k, strip);
     }
   }
 
-  template <int kDegree>
-  static void compute_row_of(PatchCurves curves, double y_of_row, Strip<double>* strip) {
+  template <int kDegree, class Resolver>
+  static void round_row_of(PatchCurves curves, double y_of_row, float* to, const Resolver& resolve) {
     const int m = curves.m;
     const Vector y = hn::Set(kDoubles, y_of_row);
     for (std::size_t k = 0; k < curves.components; ++k) {
       const Component& own = curves.component[k];
-      OfPatches row[kDegree + 1], error = own.error;
       for (std::size_t h = 0; h < kHalvesOfLanes; ++h) {
+        Vector row[kDegree + 1], error[2] = {own.error.load(h), own.error.load(h)};  // second: on lines
         auto is_constant = is_zero(hn::Zero(kDoubles));
         for (int i = kDegree; i >= 0; --i) {
-          Vector sum = own.power[m * (kDegree + 1) + i].load(h);
-          for (int j = m - 1; j >= 0; --j) sum = hn::MulAdd(sum, y, own.power[j * (kDegree + 1) + i].load(h));
-          row[i].store(sum, h);
-          if (i > 0) is_constant = hn::And(is_constant, is_zero(sum));
+          row[i] = own.power[m * (kDegree + 1) + i].load(h);
+          for (int j = m - 1; j >= 0; --j)
+            row[i] = hn::MulAdd(row[i], y, own.power[j * (kDegree + 1) + i].load(h));
+          if (i > 0) is_constant = hn::And(is_constant, is_zero(row[i]));
         }
-        if (is_line(y_of_row))
-          error.store(hn::IfThenElse(is_constant, own.line_error.load(h), own.error.load(h)), h);
+        if (is_line(y_of_row)) {
+          error[0] = hn::IfThenElse(is_constant, own.line_error.load(h), error[0]);
+          if (curves.has_lines) error[1] = own.line_error.load(h);
+        }
+        for (std::size_t c = 0; c < curves.columns; ++c) {
+          const Vector place = hn::Set(kDoubles, curves.x[c]),
+                       own_error = error[is_line(curves.x[c]) ? 1 : 0];
+          Vector sum = row[kDegree];
+          for (int i = kDegree - 1; i >= 0; --i) sum = hn::MulAdd(sum, place, row[i]);
+          const Half low = hn::DemoteTo(kHalves, hn::Sub(sum, own_error)),
+                     high = hn::DemoteTo(kHalves, hn::Add(sum, own_error));
+          const std::size_t p = curves.position(c, k, h);
+          hn::Store(high, kHalves, to + p);
+          const Half bits = hn::Xor(low, high);
+          if (HWY_UNLIKELY(!are_zero(bits))) resolve_lanes(bits, p, p + kLanes, to, resolve);
+        }
       }
-      curves.compute_power<kDegree>(row, 0, k, strip);
-      curves.set_ends(error, is_line(y_of_row) ? own.line_error : error, 0, k, strip);
     }
   }
 
@@ -219,22 +235,21 @@ struct PatchCurves {
 
   // Computes the ends of intervals around the coefficients of y^0. Curves that are constant along a line have
   // the tighter error.
-  HWY_INLINE void set_ends(const OfPatches& error, const OfPatches& line_error, int degree, std::size_t k,
-                           Strip<double>* strip) const {
+  HWY_INLINE void set_ends(const Component& own, std::size_t k, Strip<double>* strip) const {
     for (std::size_t c = 0; c < columns; ++c) {
       const bool is_on_line = has_lines && is_line(x[c]);
       for (std::size_t h = 0; h < kHalvesOfLanes; ++h) {
         const std::size_t p = position(c, k, h);
         const Vector value = hn::Load(kDoubles, strip->power[0] + p);
-        Vector own = error.load(h);
+        Vector error = own.error.load(h);
         if (is_on_line) {
           auto is_constant = is_zero(hn::Zero(kDoubles));
-          for (int j = 1; j <= degree; ++j)
+          for (int j = 1; j <= m; ++j)
             is_constant = hn::And(is_constant, is_zero(hn::Load(kDoubles, strip->power[j] + p)));
-          own = hn::IfThenElse(is_constant, line_error.load(h), own);
+          error = hn::IfThenElse(is_constant, own.line_error.load(h), error);
         }
-        hn::Store(hn::Sub(value, own), kDoubles, strip->low + p);
-        hn::Store(hn::Add(value, own), kDoubles, strip->high + p);
+        hn::Store(hn::Sub(value, error), kDoubles, strip->low + p);
+        hn::Store(hn::Add(value, error), kDoubles, strip->high + p);
       }
     }
   }
@@ -299,18 +314,29 @@ class PatchSink {
     is_packed_ = to.components == block.components && to.stride == components_ * sizeof(float);
   }
 
-  static constexpr std::size_t unit() { return kPatchLanes; }
+  // Chooses the columns on the boundary, whose values are kept for set_columns().
+  void start_edges(std::size_t first_row) { first_row_ = first_row, is_on_edges_ = true; }
   void start(std::size_t first_row, std::size_t first_column, std::size_t columns) {
-    first_row_ = first_row, first_column_ = first_column, columns_ = columns;
+    first_row_ = first_row, first_column_ = first_column, columns_ = columns, is_on_edges_ = false;
     first_ = count_ = 0;
   }
   HWY_INLINE void begin(std::size_t r, std::size_t rows, float** row) {
+    if (is_on_edges_) {
+      for (std::size_t i = 0; i < rows; ++i) row[i] = edges_[r + i];
+      return;
+    }
     if ((count_ + rows) * row_values() > kMostValues) flush();
     for (std::size_t i = 0; i < rows; ++i) row[i] = values_ + (count_ + i) * row_values();
     if (count_ == 0) first_ = r;
     count_ += rows;
   }
   void end(std::size_t, const float*) const {}
+  HWY_INLINE void set_columns(std::size_t r, float* row) const {
+    const std::size_t width = components_ * kPatchLanes;
+    if (first_column_ == 0) std::copy_n(edges_[r], width, row);
+    if (first_column_ + columns_ == block_.columns)
+      std::copy_n(edges_[r] + width, width, row + (columns_ - 1) * width);
+  }
   // Rounds a value exactly. A patch with many undecided values is left, because a plan has faster methods.
   float resolve(std::size_t r, std::size_t position) {
     const std::size_t patch = position % kPatchLanes, value = position / kPatchLanes;
@@ -319,13 +345,14 @@ class PatchSink {
       left |= 1U << patch;
       return 0;
     }
+    const std::size_t own = value / components_,
+                      column = is_on_edges_ ? own * (block_.columns - 1) : first_column_ + own;
     const auto [n, m] = block_.degree;
     const glev::Component component = {block_.net + value % components_ * kPatchLanes + patch,
                                        static_cast<std::ptrdiff_t>(components_ * kPatchLanes),
                                        {n + 1, m + 1},
                                        block_.domain};
-    return round_exactly(component, block_.range->u_of(first_column_ + value / components_),
-                         block_.range->v_of(first_row_ + r));
+    return round_exactly(component, block_.range->u_of(column), block_.range->v_of(first_row_ + r));
   }
 
   HWY_INLINE void flush() {
@@ -356,11 +383,12 @@ class PatchSink {
 
   const PatchBlock& block_;
   std::size_t components_;
-  bool is_packed_;
+  bool is_packed_, is_on_edges_ = false;
   std::size_t first_row_ = 0, first_column_ = 0, columns_ = 0;
   std::size_t first_ = 0, count_ = 0;  // rows that are not yet written
   std::array<int, kPatchLanes> resolved_{};
   HWY_ALIGN float values_[kMostValues + kFewestPositions];
+  HWY_ALIGN float edges_[Rows::kMost][2 * 4 * kPatchLanes];  // of the first and the last column
   HWY_ALIGN float packed_[kPatchLanes][kMostValues / kPatchLanes];
 };
 
@@ -389,30 +417,36 @@ unsigned set_components(const PatchBlock& block, Component* component, bool* is_
 unsigned evaluate(const PatchBlock& block) {
   const auto components = static_cast<std::size_t>(block.components);
   const auto [n, m] = block.degree;
-  constexpr decltype(&set_components<1>) kSet[kMaxCentredDegree] = {set_components<1>, set_components<2>,
-                                                                    set_components<3>};
+  static constexpr decltype(&set_components<1>) kSet[kMaxCentredDegree] = {
+      set_components<1>, set_components<2>, set_components<3>};
   Component component[4];
   bool is_exact;
   const unsigned left = kSet[n - 1](block, component, &is_exact);
   const Method method = block.fast ? Method::kFast : is_exact ? Method::kExact : Method::kIntervals;
   const std::size_t most_columns = kMostPositions / (components * kPatchLanes), last = block.columns - 1;
   PatchCurves curves = {component, components, n, m, block.has_lines};
+  const double ends[2] = {block.x[0], block.x[last]};
   PatchSink sink(block, left | ~((1U << block.patches) - 1));
   Rows rows;
+  const auto evaluate_chosen = [&](Method own) {
+    evaluate_strip(curves, own, m, rows, curves.columns * components * kPatchLanes, sink);
+  };
   for (std::size_t r0 = 0; r0 < block.rows; r0 += Rows::kMost) {
     rows.count = std::min(Rows::kMost, block.rows - r0);
     std::copy_n(block.y + r0, rows.count, rows.y);
-    rows.set(block.has_lines && !is_exact && m > 0, method, r0 == 0, r0 + rows.count == block.rows);
+    rows.own.count = 0;
+    if (block.has_lines && !is_exact && m > 0)
+      rows.own.find(block.range->v, static_cast<std::int64_t>(r0), rows.count);
+    if (block.fast) {
+      curves.choose(ends, 2);
+      sink.start_edges(r0);
+      evaluate_chosen(Method::kIntervals);
+      rows.choose_ends(r0 == 0, r0 + rows.count == block.rows);
+    }
     for (std::size_t c0 = 0; c0 < block.columns; c0 += most_columns) {
       curves.choose(block.x + c0, std::min(most_columns, block.columns - c0));
-      const bool is_first = block.fast && c0 == 0,
-                 is_last = block.fast && c0 + curves.columns == block.columns;
-      const double ends[2] = {is_first ? block.x[0] : block.x[last], block.x[last]};
-      PatchCurves edges = curves;
-      edges.choose(ends, is_first && is_last && last != 0 ? 2 : is_first || is_last ? 1 : 0);
       sink.start(r0, c0, curves.columns);
-      evaluate_strip(curves, edges, is_first, method, m, rows, curves.columns * components * kPatchLanes,
-                     sink);
+      evaluate_chosen(method);
       sink.flush();
     }
   }

@@ -93,7 +93,7 @@ void read_points_of(const Stream& points, std::size_t patch, std::size_t step, d
 // environment.
 void read_points(const glev_patches& patches, const Stream& points, std::size_t patch, std::size_t step,
                  double* to) {
-  constexpr decltype(&read_points_of<float, 1>) kOf[2][4] = {
+  static constexpr decltype(&read_points_of<float, 1>) kOf[2][4] = {
       {read_points_of<float, 1>, read_points_of<float, 2>, read_points_of<float, 3>,
        read_points_of<float, 4>},
       {read_points_of<double, 1>, read_points_of<double, 2>, read_points_of<double, 3>,

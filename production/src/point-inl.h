@@ -21,13 +21,13 @@ namespace glev::HWY_NAMESPACE {
 
 using Four = hn::CappedTag<double, 4>;
 constexpr Four kFour;
-constexpr std::size_t kParts = 4 / hn::MaxLanes(kFour);
+constexpr std::size_t kFourLanes = hn::MaxLanes(kFour), kParts = 4 / kFourLanes;
 using FourVector = hn::Vec<Four>;
 
 HWY_INLINE void add_point(const double* point, double weight, FourVector (&sum)[kParts]) {
   const FourVector factor = hn::Set(kFour, weight);
   for (std::size_t part = 0; part < kParts; ++part) {
-    sum[part] = hn::MulAdd(factor, hn::LoadU(kFour, point + part * hn::MaxLanes(kFour)), sum[part]);
+    sum[part] = hn::MulAdd(factor, hn::LoadU(kFour, point + part * kFourLanes), sum[part]);
   }
 }
 
@@ -111,7 +111,7 @@ HWY_INLINE void value_at(const PreparedMap& map, const Parameter& at_u, const Pa
   if (HWY_LIKELY(n == 3 && (m == 0 || m == 3))) {
     const Cubic in_u(at_u);
     for (std::size_t part = 0; part < kParts; ++part) {
-      const double* own = points + part * hn::MaxLanes(kFour);
+      const double* own = points + part * kFourLanes;
       if (m == 0) {
         sum[part] = in_u.evaluate(own, components);
         continue;
@@ -134,13 +134,13 @@ constexpr hn::Rebind<float, Four> kFourFloats;
 HWY_INLINE unsigned settle(const PreparedMap::Test& test, const FourVector (&sum)[kParts], float* result) {
   unsigned settled = 0;
   for (std::size_t part = 0; part < kParts; ++part) {
-    const FourVector error = hn::LoadU(kFour, &test.error[part * hn::MaxLanes(kFour)]);
+    const FourVector error = hn::LoadU(kFour, &test.error[part * kFourLanes]);
     const auto low = hn::DemoteTo(kFourFloats, GLEV_AT(lower_ends_of_point, hn::Sub(sum[part], error))),
                high = hn::DemoteTo(kFourFloats, hn::Add(sum[part], error));
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(kFourFloats, hn::Eq(low, high), bits);
-    settled |= static_cast<unsigned>(bits[0]) << (part * hn::MaxLanes(kFour));
-    hn::StoreU(high, kFourFloats, result + part * hn::MaxLanes(kFour));
+    settled |= static_cast<unsigned>(bits[0]) << (part * kFourLanes);
+    hn::StoreU(high, kFourFloats, result + part * kFourLanes);
   }
   return settled;
 }
@@ -171,7 +171,7 @@ inline void evaluate_point(const PreparedMap& map, const GridArgument& u, const 
   if (HWY_LIKELY(inside && (settled & wanted) == wanted)) return;
   double values[4];
   for (std::size_t part = 0; part < kParts; ++part)
-    hn::StoreU(sum[part], kFour, values + part * hn::MaxLanes(kFour));
+    hn::StoreU(sum[part], kFour, values + part * kFourLanes);
   resolve_point(map, at_u, at_v, u, v, values, settled, result);
 }
 

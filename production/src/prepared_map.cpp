@@ -248,7 +248,7 @@ PreparedMap prepare_map(const double* points, std::array<int, 2> order, int comp
     }
     for (int k = 0; k < components; ++k) map.centred_test.error[k] = HUGE_VAL;
   }
-  constexpr std::array kSeparate = {separate<1>, separate<2>, separate<3>, separate<4>};
+  static constexpr std::array kSeparate = {separate<1>, separate<2>, separate<3>, separate<4>};
   kSeparate[static_cast<std::size_t>(components - 1)](points, count, lowest, map);
   for (int k = 0; k < components; ++k) {
     PreparedComponent& component = map.component[k];

@@ -60,7 +60,7 @@ HWY_NOINLINE void scatter(const float* values, std::size_t count, const Destinat
 // Same for a number of components that is no constant.
 inline void scatter(std::size_t components, const float* values, std::size_t count, const Destination& to,
                     std::byte* data) {
-  constexpr decltype(&scatter<1>) kOf[] = {scatter<1>, scatter<2>, scatter<3>, scatter<4>};
+  static constexpr decltype(&scatter<1>) kOf[] = {scatter<1>, scatter<2>, scatter<3>, scatter<4>};
   kOf[components - 1](values, count, to, data);
 }
 
