@@ -24,10 +24,11 @@ namespace glev::HWY_NAMESPACE {
 
 // Copies a point. The memory of the caller need not be aligned.
 HWY_INLINE void copy_point(const float* from, std::size_t components, float* to) {
-  if (components == 3) {
-    std::memcpy(to, from, 3 * sizeof(float));
-  } else {
-    for (std::size_t k = 0; k < components; ++k) std::memcpy(to + k, from + k, sizeof(float));
+  switch (components) {
+    case 1: std::memcpy(to, from, sizeof(float)); break;
+    case 2: std::memcpy(to, from, 2 * sizeof(float)); break;
+    case 3: std::memcpy(to, from, 3 * sizeof(float)); break;
+    default: std::memcpy(to, from, 4 * sizeof(float));
   }
 }
 
@@ -131,13 +132,14 @@ struct MeshCurves {
       errors[1][part] = row.is_on_line ? hn::Load(kFour, line_error + part * kFourLanes) : row.error[part];
     }
     auto open = hn::Zero(kFourFloats);  // bits in which the ends differ
-    const auto evaluate = [&](bool resolves) HWY_ATTR {
+    for (const bool resolves : {false, true}) {
+      if (resolves && HWY_LIKELY(are_zero(open))) break;
       for (std::size_t c = 0, line = 0; c < columns; ++c) {
         const bool is_on_line = line < lines.count && lines.at[line] == c;
         if (is_on_line) ++line;
         const FourVector place = hn::Set(kFour, x[c]);
         float last[4];
-        // The values behind the last component are overwritten by the next column.
+        // The values behind the last component are overwritten by the next column, except at the end.
         float* const point = (columns - c) * components >= 4 ? to + c * components : last;
         for (std::size_t part = 0; part < kParts; ++part) {
           FourVector sum = row.power[kMaxCentredDegree][part];
@@ -153,9 +155,7 @@ struct MeshCurves {
         }
         if (point == last) copy_point(last, components, to + c * components);
       }
-    };
-    evaluate(false);
-    if (HWY_UNLIKELY(!are_zero(open))) evaluate(true);
+    }
   }
 
  private:
@@ -350,27 +350,31 @@ HWY_INLINE void repeat_places(const double* x, std::size_t columns, std::size_t 
   }
 }
 
-// Evaluates the points of the rows in a column of the sink, correctly rounded, as a curve in y.
-HWY_NOINLINE inline void evaluate_column(const MeshCurves& curves, double x, const Rows& rows,
-                                         const MeshSink& sink, MeshSink::Column* to) {
+// Evaluates the points of the rows in the columns that the sink keeps, correctly rounded, as curves in y.
+// `x`: that of all columns.
+HWY_NOINLINE inline void evaluate_columns(const MeshCurves& curves, const double* x, const Rows& rows,
+                                          MeshSink* sink) {
   const int degree = std::max(curves.map.surface.degree[1], 1);
-  const std::size_t components = sink.components, count = rows.count * components;
-  Strip<double> strip;
-  repeat_row(curves.curve_at<1>(x), degree, components, &strip);
+  const std::size_t components = sink->components, count = rows.count * components,
+                    period = wide_period<double>(components) * kLanes;
+  const auto evaluate = wide_row_function<double>(degree, components);
   HWY_ALIGN double places[4 * Rows::kMost + kFewestPositions];
+  Strip<double> strip;
   repeat_places(rows.y, rows.count, components, places);
   std::fill_n(places + count, kFewestPositions, kDecided);
   // Rows with a test of their own are evaluated as rows.
   for (std::size_t i = 0; i < rows.own.count; ++i)
     std::fill_n(places + rows.own.at[i] * components, components, kDecided);
-  const auto evaluate = wide_row_function<double>(degree, components);
-  if (HWY_LIKELY(evaluate(strip, components, places, std::max(count, kFewestPositions), to->values))) return;
-  const auto place_at = [&](std::size_t p) HWY_ATTR { return hn::Load(kDoubles, places + p); };
-  resolve_row(strip, wide_period<double>(components) * kLanes, degree, count, place_at, to->values,
-              [&](std::size_t p) {
-                return resolve(curves.map, static_cast<int>(p % components), sink.range.u_of(to->number),
-                               sink.range.v_of(sink.first_row + p / components));
-              });
+  for (MeshSink::Column *column = sink->own, *const end = column + sink->own_count; column != end; ++column) {
+    repeat_row(curves.curve_at<1>(x[column->number]), degree, components, &strip);
+    if (HWY_LIKELY(evaluate(strip, components, places, std::max(count, kFewestPositions), column->values)))
+      continue;
+    const auto place_at = [&](std::size_t p) HWY_ATTR { return hn::Load(kDoubles, places + p); };
+    resolve_row(strip, period, degree, count, place_at, column->values, [&](std::size_t p) {
+      return resolve(curves.map, static_cast<int>(p % components), sink->range.u_of(column->number),
+                     sink->range.v_of(sink->first_row + p / components));
+    });
+  }
 }
 
 // Evaluates the rows of a strip of a large mesh, one by one, as curves in x: the curves of all columns would
@@ -487,8 +491,7 @@ inline bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range
     if (method == Method::kIntervals && curves.has_lines_v && curves.has_short)
       rows.own.find(range.v, range.v_of(r0).index, rows.count);
     sink.first_row = r0;
-    for (std::size_t i = 0; i < sink.own_count; ++i)
-      evaluate_column(curves, x[sink.own[i].number], rows, sink, &sink.own[i]);
+    if (sink.own_count != 0) evaluate_columns(curves, x, rows, &sink);
     for (std::size_t c0 = 0; c0 < range.columns; c0 += most_columns) {
       sink.columns = std::min(most_columns, range.columns - c0);
       curves.choose(x + c0, range.u, range.u_of(c0).index, sink.columns);

@@ -65,7 +65,9 @@ bool evaluate_double_mesh(const PreparedMap& map, const MeshRange& range, const 
 }
 
 namespace patches {
-unsigned evaluate(const PatchBlock& block);  // patch_kernels.cpp
+// patch_kernels.cpp
+void load(const float* const* points, std::size_t count, double* net);
+unsigned evaluate(const PatchBlock& block);
 }  // namespace patches
 
 constexpr Kernels make_kernels(const char* name) {
@@ -81,6 +83,7 @@ constexpr Kernels make_kernels(const char* name) {
           .encloses = enclosure::enclose_all,
           .double_curve = doubles::evaluate_curve,
           .double_mesh = evaluate_double_mesh,
+          .load_patches = patches::load,
           .patches = patches::evaluate};
 }
 

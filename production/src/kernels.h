@@ -141,6 +141,9 @@ struct Kernels {
   bool (*double_curve)(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to);
   bool (*double_mesh)(const PreparedMap& map, const MeshRange& range, const Destination& to,
                       std::byte* scratch);
+  // Converts the control points of kPatchLanes patches, `count` contiguous values of each, for
+  // PatchBlock::net. They need not be aligned.
+  void (*load_patches)(const float* const* points, std::size_t count, double* net);
   // Evaluates patches. Returns the undecided patches as bits; their results are undefined.
   unsigned (*patches)(const PatchBlock& block);
 };

@@ -255,19 +255,18 @@ struct PatchCurves {
   }
 };
 
-// Transposes kBlock vectors of one value of kBlock patches each into vectors of the values of one patch.
+// Transposes a block of kBlock vectors.
 #if HWY_TARGET != HWY_SCALAR
-constexpr std::size_t kBlock = hn::MaxLanes(hn::CappedTag<float, kPatchLanes>());
 constexpr hn::CappedTag<float, kPatchLanes> kBlockTag;
-HWY_INLINE void transpose(const float* from, float* const* to, std::size_t offset) {
+constexpr std::size_t kBlock = hn::MaxLanes(kBlockTag);
+using Block = hn::Vec<decltype(kBlockTag)>;
+HWY_INLINE void transpose(Block (&block)[kBlock]) {
   constexpr hn::Repartition<double, decltype(kBlockTag)> kPairs;
-  using Block = hn::Vec<decltype(kBlockTag)>;
-  Block in[kBlock], half[kBlock], whole[kBlock];
-  for (std::size_t i = 0; i < kBlock; ++i) in[i] = hn::LoadU(kBlockTag, from + i * kPatchLanes);
-  // Transposes blocks of four lanes and four values.
+  Block half[kBlock], whole[kBlock];
+  // Transposes blocks of four by four.
   for (std::size_t i = 0; i < kBlock; i += 2) {
-    half[i] = hn::InterleaveLower(kBlockTag, in[i], in[i + 1]);
-    half[i + 1] = hn::InterleaveUpper(kBlockTag, in[i], in[i + 1]);
+    half[i] = hn::InterleaveLower(kBlockTag, block[i], block[i + 1]);
+    half[i + 1] = hn::InterleaveUpper(kBlockTag, block[i], block[i + 1]);
   }
   for (std::size_t i = 0; i < kBlock; i += 4) {
     for (std::size_t k = 0; k < 2; ++k) {
@@ -276,31 +275,61 @@ HWY_INLINE void transpose(const float* from, float* const* to, std::size_t offse
       whole[i + 2 * k + 1] = hn::BitCast(kBlockTag, hn::InterleaveUpper(kPairs, a, b));
     }
   }
-  for (std::size_t lane = 0; lane < 4; ++lane) {
+  for (std::size_t i = 0; i < 4; ++i) {
     if constexpr (kBlock == 4) {
-      hn::StoreU(whole[lane], kBlockTag, to[lane] + offset);
+      block[i] = whole[i];
     } else {
-      hn::StoreU(hn::ConcatLowerLower(kBlockTag, whole[lane + 4], whole[lane]), kBlockTag, to[lane] + offset);
-      hn::StoreU(hn::ConcatUpperUpper(kBlockTag, whole[lane + 4], whole[lane]), kBlockTag,
-                 to[lane + 4] + offset);
+      block[i] = hn::ConcatLowerLower(kBlockTag, whole[i + 4], whole[i]);
+      block[i + 4] = hn::ConcatUpperUpper(kBlockTag, whole[i + 4], whole[i]);
     }
   }
 }
 #endif
 
-// Writes `count` values of each patch to to[patch].
+// Writes `count` values of each patch to to[patch], which need not be aligned.
 HWY_INLINE void transpose_all(const float* values, std::size_t count, float* const* to) {
   std::size_t i = 0;
 #if HWY_TARGET != HWY_SCALAR
   for (; i + kBlock <= count; i += kBlock) {
-    for (std::size_t lane = 0; lane < kPatchLanes; lane += kBlock)
-      transpose(values + i * kPatchLanes + lane, to + lane, i);
+    for (std::size_t first = 0; first < kPatchLanes; first += kBlock) {
+      Block block[kBlock];
+      for (std::size_t j = 0; j < kBlock; ++j)
+        block[j] = hn::LoadU(kBlockTag, values + (i + j) * kPatchLanes + first);
+      transpose(block);
+      for (std::size_t p = 0; p < kBlock; ++p) hn::StoreU(block[p], kBlockTag, to[first + p] + i);
+    }
   }
 #endif
   for (; i < count; ++i) {
-    // The memory of the caller need not be aligned.
-    for (std::size_t lane = 0; lane < kPatchLanes; ++lane)
-      std::memcpy(to[lane] + i, values + i * kPatchLanes + lane, sizeof(float));
+    for (std::size_t p = 0; p < kPatchLanes; ++p)
+      std::memcpy(to[p] + i, values + i * kPatchLanes + p, sizeof(float));
+  }
+}
+
+void load(const float* const* points, std::size_t count, double* net) {
+  std::size_t i = 0;
+#if HWY_TARGET != HWY_SCALAR
+  for (; i + kBlock <= count; i += kBlock) {
+    for (std::size_t first = 0; first < kPatchLanes; first += kBlock) {
+      Block block[kBlock];
+      for (std::size_t p = 0; p < kBlock; ++p) block[p] = hn::LoadU(kBlockTag, points[first + p] + i);
+      transpose(block);
+      for (std::size_t j = 0; j < kBlock; ++j) {
+        HWY_ALIGN float values[kBlock];
+        hn::Store(block[j], kBlockTag, values);
+        for (std::size_t p = 0; p < kBlock; p += kLanes)
+          hn::StoreU(hn::PromoteTo(kDoubles, hn::Load(kHalves, values + p)), kDoubles,
+                     net + (i + j) * kPatchLanes + first + p);
+      }
+    }
+  }
+#endif
+  for (; i < count; ++i) {
+    for (std::size_t p = 0; p < kPatchLanes; ++p) {
+      float value;
+      std::memcpy(&value, points[p] + i, sizeof value);
+      net[i * kPatchLanes + p] = value;
+    }
   }
 }
 

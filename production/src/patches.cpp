@@ -341,8 +341,7 @@ class SideBySide {
       --pause_;
       return all;
     }
-    for (std::size_t p = 0; p < count; ++p) load(first + p, p);
-    for (std::size_t p = count; p < glev::kPatchLanes; ++p) load(first, p);
+    load(first, count);
     prefetch(first + count);
     block_.patches = count;
     block_.to.data = vertex_.data + first * block_.patch_stride;
@@ -388,8 +387,19 @@ class SideBySide {
     }
   }
 
-  void load(std::size_t patch, std::size_t lane) {
-    read_points(patches_, inputs_.points, patch, glev::kPatchLanes, net_ + lane);
+  // Loads the control points of `count` patches. The first one takes the place of those that are missing.
+  void load(std::size_t first, std::size_t count) {
+    const Stream& points = inputs_.points;
+    const auto patch_of = [&](std::size_t lane) { return lane < count ? first + lane : first; };
+    const bool is_packed = patches_.type == GLEV_FLOAT && points.stride == points.element &&
+                           points.row_stride == points.columns * points.element;
+    std::array<const float*, glev::kPatchLanes> data;
+    for (std::size_t lane = 0; lane < glev::kPatchLanes; ++lane) {
+      const std::size_t patch = patch_of(lane);
+      data[lane] = reinterpret_cast<const float*>(points.begin + patch * points.patch_stride);
+      if (!is_packed) read_points(patches_, points, patch, glev::kPatchLanes, net_ + lane);
+    }
+    if (is_packed) kernels_->load_patches(data.data(), values_of(patches_), net_);
   }
 
   const glev_patches& patches_;
