@@ -188,8 +188,8 @@ struct MeshCurves {
   }
 };
 
-// Columns of a strip of a large mesh, of which only x is in memory.
-constexpr std::size_t kMostWideColumns = 512, kMostWideValues = 4 * kMostWideColumns;
+// Columns of a strip of a large mesh, of which only x is in memory: more than the 513 of 512 segments.
+constexpr std::size_t kMostWideColumns = 520, kMostWideValues = 4 * kMostWideColumns;
 
 // The place of values that are not used or are replaced later: if they were undecided, they would be
 // resolved. At few places a value is a tie or zero, and not here.
