@@ -221,7 +221,7 @@ struct Rows {
   void choose_ends(bool has_first, bool has_last) {
     own.count = 0;
     if (has_first) own.at[own.count++] = 0;
-    if (has_last && !(has_first && count == 1)) own.at[own.count++] = count - 1;
+    if (has_last) own.at[own.count++] = count - 1;
   }
 };
 

@@ -116,6 +116,18 @@ TEST_F(GridPoints, OfAnyNumberOfColumns) {
   }
 }
 
+// u (1 - u) is zero at both ends, with any number of segments.
+TEST_F(GridPoints, AtTheEndsAreExact) {
+  const float arch[] = {0, 0, 0, 1, 1, 1, 0, 0, 0};
+  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 3, arch);
+  glevEnable(gl, GLEV_MAP1_VERTEX_3);
+  for (int n = 1; n <= 130; ++n) {
+    glevMapGrid1f(gl, n, 0, 1);
+    const Floats points = evaluate_grid(Plan(gl, 1), GLEV_ATTRIBUTE_VERTEX, {0, n, 0, 0});
+    EXPECT_TRUE(points.front() == 0 && points.back() == 0) << n << " segments";
+  }
+}
+
 TEST_F(GridPoints, OfGridsThatAreNotFiniteDoNoHarm) {
   for (double bad : {kInfinity, -kInfinity, kNaN, 1.7e308}) {
     define_maps(gl, chance_, 4);

@@ -108,7 +108,7 @@ TEST_F(Watertight, AlongAllEdgesInBatches) {
 TEST_F(Watertight, AlongAllEdgesInMeshes) {
   for (int order = 2; order <= 12; ++order) {
     const std::vector<float> shared = random_shared_points(order);
-    for (int segments : {1, 2, 3, 7, 16, 33, 75}) {
+    for (int segments : {1, 2, 3, 7, 16, 33, 75, 300}) {
       Floats expected;
       for (const SharedEdge& edge : all_edges()) {
         define_patch(edge, shared, chance_.whole(1, 12));
