@@ -217,7 +217,7 @@ struct Rows {
   // or, with GLEV_FAST, those on the boundary.
   Lines own;
 
-  // The first and the last row are on the boundary.
+  // Chooses the first and the last row if they are on the boundary.
   void choose_ends(bool has_first, bool has_last) {
     own.count = 0;
     if (has_first) own.at[own.count++] = 0;
