@@ -1,5 +1,6 @@
-# Writes fgl.inc from fgl.inc.in, in which a line that begins with @ stands for the declarations of a command. Each letter
-# after the arguments takes the place of _ in its name: d for REAL*8, f for REAL*4, i for INTEGER*4 values.
+# Functions that write the include files of the binding. fgl.inc comes from fgl.inc.in, in which a line that begins with @
+# stands for the declarations of a command. Each letter after the arguments takes the place of _ in its name: d for REAL*8, f for
+# REAL*4, i for INTEGER*4 values.
 #   @values  all arguments are scalars
 #   @reads   the last argument is an array, an address or a holder of an address
 #   @writes  same, and the command writes to the array
@@ -50,6 +51,7 @@ macro(append_procedure name arguments type array suffix)
   append("        END SUBROUTINE")
 endmacro()
 
+# Writes the declarations of all commands.
 function(write_declarations template file)
   list(JOIN integers "|" integer_pattern)
   file(READ ${template} all)
@@ -90,4 +92,20 @@ function(write_declarations template file)
   endforeach()
   file(CONFIGURE OUTPUT ${file} CONTENT "${all}" @ONLY)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${template})
+endfunction()
+
+# Writes the tokens of the header that the commands take, with the GL's names.
+function(write_tokens header file)
+  set(tokens "FALSE|TRUE|NO_ERROR|INVALID_[A-Z]+|STACK_[A-Z]+|OUT_OF_MEMORY|MAP[12]_[A-Z0-9_]+|AUTO_NORMAL|COEFF|ORDER|DOMAIN"
+    "MAX_EVAL_ORDER|CURRENT_(COLOR|INDEX|NORMAL|TEXTURE_COORDS)|POINTS?|LINE(S|_LOOP|_STRIP)?|FILL|TRIANGLE[A-Z_]+|QUAD[A-Z_]+|POLYGON")
+  list(JOIN tokens "|" tokens)
+  file(STRINGS ${header} lines REGEX "^#define GLEV_(${tokens}) ")
+  set(text "! The tokens of the evaluators, with the GL's values. fgl.inc documents the\n! commands.\n")
+  foreach(line IN LISTS lines)
+    string(REGEX MATCH "GLEV_([A-Z0-9_]+) ([^ ]+)" token "${line}")
+    math(EXPR value "${CMAKE_MATCH_2}")
+    string(APPEND text "      INTEGER(4), PARAMETER :: GL_${CMAKE_MATCH_1} = ${value}\n")
+  endforeach()
+  file(CONFIGURE OUTPUT ${file} CONTENT "${text}" @ONLY)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${header})
 endfunction()
