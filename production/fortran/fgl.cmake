@@ -77,7 +77,7 @@ function(write_declarations template file)
         set(bind " BIND(C, NAME='${symbol}p_')")
         set(intent "INTENT(IN)")
         if(kind STREQUAL writes)
-          set(intent "INTENT(INOUT)")
+          set(intent "INTENT(IN OUT)")
         endif()
         append("      INTERFACE ${own}")
         append_procedure("${own}_array" "${arguments}" "${type_${letter}}"

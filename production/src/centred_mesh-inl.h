@@ -25,10 +25,17 @@ namespace glev::HWY_NAMESPACE {
 // Copies a point. The memory of the caller need not be aligned.
 HWY_INLINE void copy_point(const float* from, std::size_t components, float* to) {
   switch (components) {
-    case 1: std::memcpy(to, from, sizeof(float)); break;
-    case 2: std::memcpy(to, from, 2 * sizeof(float)); break;
-    case 3: std::memcpy(to, from, 3 * sizeof(float)); break;
-    default: std::memcpy(to, from, 4 * sizeof(float));
+    case 1:
+      std::memcpy(to, from, sizeof(float));
+      break;
+    case 2:
+      std::memcpy(to, from, 2 * sizeof(float));
+      break;
+    case 3:
+      std::memcpy(to, from, 3 * sizeof(float));
+      break;
+    default:
+      std::memcpy(to, from, 4 * sizeof(float));
   }
 }
 

@@ -82,8 +82,7 @@ HWY_INLINE void row_of(const Surface& surface, const double* weights_v, double* 
   for (int i = 0; i <= n; ++i, points += (m + 1) * kComponents, row += 4) {
     FourVector sum[kParts];
     add_points(points, kComponents, weights_v, m, sum);
-    for (std::size_t part = 0; part < kParts; ++part)
-      hn::StoreU(sum[part], kFour, row + part * kFourLanes);
+    for (std::size_t part = 0; part < kParts; ++part) hn::StoreU(sum[part], kFour, row + part * kFourLanes);
   }
 }
 

@@ -170,8 +170,7 @@ inline void evaluate_point(const PreparedMap& map, const GridArgument& u, const 
   const unsigned wanted = (1u << map.surface.components) - 1;
   if (HWY_LIKELY(inside && (settled & wanted) == wanted)) return;
   double values[4];
-  for (std::size_t part = 0; part < kParts; ++part)
-    hn::StoreU(sum[part], kFour, values + part * kFourLanes);
+  for (std::size_t part = 0; part < kParts; ++part) hn::StoreU(sum[part], kFour, values + part * kFourLanes);
   resolve_point(map, at_u, at_v, u, v, values, settled, result);
 }
 
