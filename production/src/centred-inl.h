@@ -188,7 +188,7 @@ HWY_INLINE void place_points(const Domain& domain, const Grid& grid, std::int64_
     return;
   }
   // The inverse of a power of two is exact, so the product has the bits of the quotient.
-  const bool has_inverse = std::has_single_bit(static_cast<unsigned>(grid.segments));
+  const bool has_inverse = GLEV_AT(has_inverse, std::has_single_bit(static_cast<unsigned>(grid.segments)));
   const Vector segments = hn::Set(kDoubles, grid.segments), inverse = hn::Set(kDoubles, 1.0 / grid.segments);
   for (std::size_t i = 0; i < count; i += kLanes) {
     const Vector index = hn::Iota(kDoubles, static_cast<double>(first) + static_cast<double>(i)),

@@ -140,7 +140,7 @@ struct MeshCurves {
     }
     auto open = hn::Zero(kFourFloats);  // bits in which the ends differ
     for (const bool resolves : {false, true}) {
-      if (resolves && HWY_LIKELY(are_zero(open))) break;
+      if (GLEV_AT(row_is_settled, resolves && HWY_LIKELY(are_zero(open)))) break;
       for (std::size_t c = 0, line = 0; c < columns; ++c) {
         const bool is_on_line = line < lines.count && lines.at[line] == c;
         if (is_on_line) ++line;
@@ -238,7 +238,8 @@ struct MeshSink {
   }
   HWY_INLINE void set_columns(std::size_t r, float* row) const {
     const std::size_t size = components, first = first_column, count = columns;
-    for (const Column *column = own, *const end = own + own_count; column != end; ++column) {
+    for (const Column *column = own, *const end = own + GLEV_AT(own_columns, own_count); column != end;
+         ++column) {
       const std::size_t c = column->number - first;
       if (c < count) copy_point(column->values + r * size, size, row + c * size);
     }
@@ -301,7 +302,7 @@ bool evaluate_wide_row(const Strip<Real>& row, std::size_t components, const Rea
   if (p < count) {
     // The last vector ends at the last position, so it can begin at another component.
     p = count - kWidth;
-    load(p % components, 1);
+    load(GLEV_AT(last_component, p % components), 1);
     evaluate(p, 0);
   }
   return !kIntervals || are_zero(open);
