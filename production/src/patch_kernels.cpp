@@ -458,7 +458,7 @@ unsigned evaluate(const PatchBlock& block) {
   PatchSink sink(block, left | ~((1U << block.patches) - 1));
   Rows rows;
   const auto evaluate_chosen = [&](Method own) {
-    evaluate_strip(curves, own, m, rows, curves.columns * components * kPatchLanes, sink);
+    evaluate_strip(curves, own, block.degree[1], rows, curves.columns * components * kPatchLanes, sink);
   };
   for (std::size_t r0 = 0; r0 < block.rows; r0 += Rows::kMost) {
     rows.count = std::min(Rows::kMost, block.rows - r0);

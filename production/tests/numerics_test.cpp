@@ -87,7 +87,9 @@ TEST_F(Numerics, TheEndsGiveTheEndPoints) {
       for (float end : {0.1f, -0.0f, 0x1p-149f, 4.2e9f}) {
         // The other control points must not affect the result.
         std::vector<double> points(static_cast<std::size_t>(n) * m, n * m > 2 ? kNaN : 0);
-        const auto corner = [&](int k) -> double& { return points[k / 2 * (n - 1) * m + k % 2 * (m - 1)]; };
+        const auto corner = [&, n = n, m = m](int k) -> double& {
+          return points[k / 2 * (n - 1) * m + k % 2 * (m - 1)];
+        };
         corner(0) = end;
         corner(3) = -end;
         if (m > 1) corner(1) = end + 1, corner(2) = 2 * end;
