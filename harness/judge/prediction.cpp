@@ -247,7 +247,7 @@ Specified specify(const gl::Case& script, int max_eval_order, TextureUnits units
     specified.completed.push_back(primitives.size());
     specified.inside.push_back(specification.inside());
   };
-  const auto add_unknown = [&] {
+  const auto add_unknown = [&, &positions = positions] {
     while (specified.errors.size() < positions.size() && positions[specified.errors.size()] < 0) {
       specified.errors.emplace_back();
       raised.push_back(0);

@@ -331,7 +331,7 @@ Baseline::Baseline(const BaselineChoice& choice, const ImplementationRecord& imp
     for (const auto& [tests, entry] : files_->entries)
       own.push_back({tests, entry.status, entry.reason, entry.bug(), true});
     // The name of a test is more specific than any pattern.
-    std::ranges::stable_partition(own, [](const Line& line) { return !is_pattern(line.tests); });
+    std::stable_partition(own.begin(), own.end(), [](const Line& line) { return !is_pattern(line.tests); });
     lines_.insert(lines_.begin(), own.begin(), own.end());
   }
 }
