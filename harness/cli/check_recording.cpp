@@ -112,8 +112,7 @@ void find_bugs(RunResult& result, const RunRequest& request, ProgressLine& line)
   result.summarize();
   for (Bug& bug : result.bugs) {
     for (std::string& test : bug.tests) test.resize(std::min(test.find(kNumber), test.size()));
-    const auto repeated = std::ranges::unique(bug.tests);
-    bug.tests.erase(repeated.begin(), repeated.end());
+    bug.tests.erase(std::unique(bug.tests.begin(), bug.tests.end()), bug.tests.end());
   }
 }
 
