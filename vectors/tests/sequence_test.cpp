@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "write/problem.h"
 #include "write/sequences.h"
 
 namespace evalcts::vectors {
