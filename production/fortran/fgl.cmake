@@ -1,4 +1,4 @@
-# Functions that write the include files of the binding. fgl.inc comes from fgl.inc.in, in which a line that begins with @
+# These functions write the include files of the binding. fgl.inc comes from fgl.inc.in, in which a line that begins with @
 # stands for the declarations of a command. Each letter after the arguments takes the place of _ in its name: d for REAL*8, f for
 # REAL*4, i for INTEGER*4 values.
 #   @values  all arguments are scalars
@@ -100,6 +100,10 @@ function(write_tokens header file)
     "MAX_EVAL_ORDER|CURRENT_(COLOR|INDEX|NORMAL|TEXTURE_COORDS)|POINTS?|LINE(S|_LOOP|_STRIP)?|FILL|TRIANGLE[A-Z_]+|QUAD[A-Z_]+|POLYGON")
   list(JOIN tokens "|" tokens)
   file(STRINGS ${header} lines REGEX "^#define GLEV_(${tokens}) ")
+  list(LENGTH lines count)
+  if(count LESS 53)
+    message(FATAL_ERROR "only ${count} tokens found in ${header}")
+  endif()
   set(text "! The tokens of the evaluators, with the GL's values. fgl.inc documents the\n! commands.\n")
   foreach(line IN LISTS lines)
     string(REGEX MATCH "GLEV_([A-Z0-9_]+) ([^ ]+)" token "${line}")

@@ -165,6 +165,8 @@ glev_result view_mesh(const glev_plan* plan, const glev_mesh* given, glev_mesh* 
   if (plan == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
   const glev_result result = glev::view_struct(given, room, mesh);
   if (result != GLEV_SUCCESS) return result;
+  // The members are not compared with 0 at once: one load of both would wait for the two stores of the
+  // caller.
   const bool is_row_0 = (*mesh)->j1 == 0 && count_of((*mesh)->j1, (*mesh)->j2) == 1;
   const bool is_valid = glev::is_precision((*mesh)->precision) && (plan->dimension() == 2 || is_row_0);
   return is_valid ? GLEV_SUCCESS : GLEV_ERROR_INVALID_ARGUMENT;

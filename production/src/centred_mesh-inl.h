@@ -198,8 +198,8 @@ struct MeshCurves {
 // Columns of a strip of a large mesh, of which only x is in memory: more than the 513 of 512 segments.
 constexpr std::size_t kMostWideColumns = 520, kMostWideValues = 4 * kMostWideColumns;
 
-// The place of values that are not used or are replaced later: if they were undecided, they would be
-// resolved. At few places a value is a tie or zero, and not here.
+// The place of values that are not used or are replaced later. If double left them open, they would be
+// resolved in vain; at this place, ties and zeros are rare.
 constexpr double kDecided = 0.3;
 
 // Stores rows, and resolves their values.

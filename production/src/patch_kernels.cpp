@@ -306,6 +306,7 @@ HWY_INLINE void transpose_all(const float* values, std::size_t count, float* con
   }
 }
 
+// Writes the control points as doubles: see Kernels::load_patches.
 void load(const float* const* points, std::size_t count, double* net) {
   std::size_t i = 0;
 #if HWY_TARGET != HWY_SCALAR
